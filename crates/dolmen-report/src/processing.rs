@@ -65,6 +65,10 @@ messages! {
             en: "samples are lost: {gaps}; only the longest whole span is used, {from} to {to}: {kept} of {whole}",
             ko: "표본 누락 {gaps}; 누락이 없는 가장 긴 구간 {from}–{to}만 사용({whole} 중 {kept})",
         },
+        FilledGaps { gaps: Sentence, samples: usize, share: Quantity } => {
+            en: "lost samples filled in by linear prediction: {samples} ({share}), {gaps}",
+            ko: "누락 표본 {samples}개({share})를 선형예측으로 보간: {gaps}",
+        },
         Gaps { gaps: Vec<Sentence> } => { en: "{gaps}", ko: "{gaps}" },
         GapsAndMore { gaps: Vec<Sentence>, more: usize } => { en: "{gaps} and {more} more", ko: "{gaps} 외 {more}곳" },
         Gap { lost: Quantity, at: Quantity } => { en: "{lost} after {at}", ko: "{at} 이후 {lost}" },
@@ -175,6 +179,11 @@ pub(crate) fn step(of: &Processing) -> Sentence {
             to: trimmed(*to_s, "s"),
             kept: trimmed(to_s - from_s, "s"),
             whole: trimmed(*whole_s, "s"),
+        },
+        Processing::FilledGaps { gaps, samples, share } => Step::FilledGaps {
+            gaps: lost(gaps).into(),
+            samples: *samples,
+            share: trimmed(100.0 * share, "%"),
         },
         Processing::CommonTime { before_s, after_s } => Step::CommonTime {
             before: trimmed(*before_s, "s"),

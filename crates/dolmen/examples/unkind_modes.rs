@@ -11,7 +11,7 @@
 use dolmen::modal::{
     Identify, Method, ModalAnalysis, Mode, Note, UnkindMode, UnkindPlan, UnkindRecord, assurance, identify,
 };
-use dolmen::signal::{Record, cut};
+use dolmen::signal::{Record, cut, fill_lost};
 use dolmen_linalg::Complex64;
 use std::error::Error;
 
@@ -81,12 +81,26 @@ fn shown(mode: &UnkindMode) -> String {
     )
 }
 
-/// The longest time that no lost samples interrupt.
+/// The longest time that no lost samples interrupt, but for single ones, which are filled in as in records of files.
 fn whole(made: &UnkindRecord) -> Result<Record, Box<dyn Error>> {
     let n = made.record.length();
     let rate_hz = made.record.sampling_rate_hz();
+    let lost = &made.plan.lost;
+    if !lost.is_empty() && lost.iter().all(|(_, length)| *length == 1) {
+        let mut places: Vec<usize> = lost.iter().map(|(at, _)| *at).collect();
+        places.dedup();
+        let runs: Vec<_> = places.iter().map(|at| *at..at + 1).collect();
+        let mut channels = Vec::new();
+        for channel in 0..made.record.channels().len() {
+            let mut samples = made.record.samples(channel).to_vec();
+            places.iter().for_each(|at| samples[*at] = f64::NAN);
+            fill_lost(&mut samples, &runs)?;
+            channels.push(samples);
+        }
+        return Ok(Record::new(made.record.channels().to_vec(), channels, rate_hz)?);
+    }
     let (mut from, mut longest) = (0, 0..0);
-    for (at, length) in made.plan.lost.iter().copied().chain([(n, 0)]) {
+    for (at, length) in lost.iter().copied().chain([(n, 0)]) {
         if at > from && at - from > longest.len() {
             longest = from..at;
         }

@@ -324,7 +324,7 @@ pub(super) struct StationRaw {
     pub(super) delimiter: Option<At<String>>,
     /// The column of time stamps.
     pub(super) time_column: Option<At<ColumnRaw>>,
-    /// What becomes of it if it lost samples: "longest" (the longest whole span is used, with a warning; if not given) or "refuse".
+    /// What becomes of it if it lost samples: "fill" (short gaps are filled in, then as "longest"; if not given), "longest" (the longest whole span is used, with a warning) or "refuse".
     pub(super) lost_samples: Option<At<LostSamples>>,
     /// The channels; all of the file if not given.
     pub(super) channels: Option<Vec<At<ChannelRaw>>>,
@@ -352,7 +352,7 @@ pub(super) struct RecordsRaw {
     pub(super) delimiter: Option<At<String>>,
     /// The column of time stamps.
     pub(super) time_column: Option<At<ColumnRaw>>,
-    /// What becomes of it if it lost samples: "longest" (the longest whole span is used, with a warning; if not given) or "refuse".
+    /// What becomes of it if it lost samples: "fill" (short gaps are filled in, then as "longest"; if not given), "longest" (the longest whole span is used, with a warning) or "refuse".
     pub(super) lost_samples: Option<At<LostSamples>>,
     /// The channels; every column but the time if not given.
     pub(super) channels: Option<Vec<At<ChannelRaw>>>,

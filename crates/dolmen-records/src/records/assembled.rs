@@ -50,7 +50,7 @@ pub(super) fn assembled(found: Found, options: &RecordOptions) -> Result<Reading
 fn reread(
     record: Record,
     format: &str,
-    (unit, cut): (String, Option<Processing>),
+    (unit, cut): (String, Vec<Processing>),
 ) -> Result<Record, RecordError> {
     let samples = (0..record.channels().len()).map(|j| record.samples(j).to_vec());
     let mut out = Record::new(
@@ -93,7 +93,7 @@ struct Wanted {
     /// Whether they begin at times of a clock, not only beside one another.
     clocked: bool,
     /// What was cut for lost samples.
-    cut: Option<Processing>,
+    cut: Vec<Processing>,
 }
 
 fn wanted(mut found: Found, options: &RecordOptions) -> Result<Wanted, RecordError> {

@@ -13,7 +13,8 @@ use super::{
 };
 use crate::number::{Number, parse_cell, scan};
 use crate::quoted::shown;
-use dolmen::signal::{Channel, Processing, Record, SignalError};
+use dolmen::signal::{Channel, Processing, Record, SignalError, fill_lost};
+use std::ops::Range;
 
 /// Lines turned from row order into channel order at a time: few enough for a first-level cache, many enough that each
 /// channel is written in whole cache lines.
@@ -118,7 +119,7 @@ pub fn read_csv(bytes: &[u8], options: &RecordOptions) -> Result<Reading, Record
         format: "csv".into(),
         unit: options.unit.symbol().into(),
     });
-    if let Some(step) = table.kept.and_then(|kept| kept.step) {
+    for step in table.kept.into_iter().flat_map(|kept| kept.steps) {
         record.note(step);
     }
     Ok(Reading {
@@ -316,8 +317,33 @@ impl Table {
             samples.copy_within(from..from + used.len(), channel * used.len());
         }
         samples.truncate(used.len() * count);
+        if let Some(filled) = kept
+            .as_ref()
+            .map(|kept| kept.filled.as_slice())
+            .filter(|f| !f.is_empty())
+        {
+            samples = with_filled(&samples, used.len(), filled)?;
+        }
         Ok(Table { samples, kept })
     }
+}
+
+/// The series, `length` long each, with lost samples filled in.
+fn with_filled(series: &[f64], length: usize, lost: &[Range<usize>]) -> Result<Vec<f64>, SignalError> {
+    let missing: usize = lost.iter().map(Range::len).sum();
+    let mut all = Vec::with_capacity((length + missing) * (series.len() / length));
+    for there in series.chunks_exact(length) {
+        let (begin, mut rest) = (all.len(), there);
+        for run in lost {
+            let (before, after) = rest.split_at(run.start - (all.len() - begin));
+            all.extend_from_slice(before);
+            all.resize(begin + run.end, 0.0);
+            rest = after;
+        }
+        all.extend_from_slice(rest);
+        fill_lost(&mut all[begin..], lost)?;
+    }
+    Ok(all)
 }
 
 /// Writes rows of cells into series that are `stride` long, from sample `from` on.

@@ -1,4 +1,4 @@
-//! Records that lost samples: the longest span that is whole in all channels.
+//! Records that lost samples: the longest span that is whole in all channels, or whole but for short runs that are filled in.
 //!
 //! A step of one and a half steps or more is a gap; anything smaller is an uneven clock, which is refused, and so is a step back.
 
@@ -7,7 +7,7 @@ use super::stamps::Stamps;
 use super::{LostSamples, RecordError};
 use crate::breaks::Break;
 use crate::number::Number;
-use dolmen::signal::{LostSpan, Processing};
+use dolmen::signal::{LOST_RUN_MOST, LOST_SHARE_MOST, LostSpan, Processing, SignalError, fill_lost};
 use std::ops::Range;
 
 /// Least time from one sample to the next that is a gap, in steps. Chosen here: less is no whole sample lost.
@@ -16,6 +16,8 @@ const GAP_STEPS: f64 = 1.5;
 const ROUNDED_DIGITS: f64 = 1.5;
 /// Least share of all samples that the longest span must hold. Chosen here: with less, the clock is uneven rather than the record broken.
 const SHARE_LEAST: f64 = 0.1;
+/// Share of a step by which a gap may miss a whole number of steps and be filled in. Chosen here: stamps of milliseconds at 250 Hz.
+const WHOLE_STEPS: f64 = 0.25;
 /// Share of a step by which the ends of two channels may differ and be one time.
 const SAME_TIME_STEPS: f64 = 1e-3;
 
@@ -40,7 +42,9 @@ pub(super) struct Spans {
 pub(super) struct Kept {
     pub(super) rows: Range<usize>,
     pub(super) stamps: Stamps,
-    pub(super) step: Option<Processing>,
+    /// Lost samples to be filled in, by their places among the rows and those filled in.
+    pub(super) filled: Vec<Range<usize>>,
+    pub(super) steps: Vec<Processing>,
 }
 
 impl Spans {
@@ -116,42 +120,108 @@ impl Spans {
         self.now.push(printed, line)
     }
 
-    /// The longest span; refuses where it is a small part.
+    /// The longest span, short gaps within it to be filled in; refuses where it is a small part.
     pub(super) fn longest(mut self) -> Result<Kept, RecordError> {
         self.done.push((self.now_from..self.rows, self.now));
         let first_s = self.done.first().map_or(0.0, |(_, stamps)| stamps.first_s());
         let to_s = self.last.map_or(0.0, |(number, _)| number.value * self.unit_s);
         // the first of equals
-        let longest = self.done.into_iter().rev().max_by_key(|(rows, _)| rows.len());
-        let Some((rows, stamps)) = longest else {
+        let longest = self.done.iter().rev().max_by_key(|(rows, _)| rows.len());
+        let Some((_, stamps)) = longest else {
             return Err(RecordError::NoRate { names: Vec::new() });
         };
-        if let Some(fault) = self.fault {
-            if (rows.len() as f64) < SHARE_LEAST * self.rows as f64 {
-                return Err(fault);
-            }
-            for gap in &mut self.gaps {
-                gap.at_s -= first_s;
-            }
-            let from_s = stamps.first_s() - first_s;
-            let step = Processing::LongestSpan {
+        let (stamps, step_s) = (stamps.clone(), stamps.step_s());
+        let is_filling = self.lost_samples == LostSamples::Fill;
+        let missing: Vec<Option<usize>> = self
+            .gaps
+            .iter()
+            .map(|gap| short(gap.lost_s / step_s).filter(|_| is_filling))
+            .collect();
+        let lengths: Vec<usize> = self.done.iter().map(|(rows, _)| rows.len()).collect();
+        let spans = longest_filled(&lengths, &missing);
+        let rows = self.done[spans.start].0.start..self.done[spans.end - 1].0.end;
+        if let Some(fault) = self.fault
+            && (rows.len() as f64) < SHARE_LEAST * self.rows as f64
+        {
+            return Err(fault);
+        }
+        for gap in &mut self.gaps {
+            gap.at_s -= first_s;
+        }
+        let mut filled = Vec::new();
+        let mut lost = 0;
+        for at in spans.start + 1..spans.end {
+            let missing = missing[at - 1].unwrap_or(0);
+            let from = self.done[at].0.start - rows.start + lost;
+            filled.push(from..from + missing);
+            lost += missing;
+        }
+        let mut steps = Vec::new();
+        if spans.len() < self.done.len() {
+            let from_s = self.done[spans.start].1.first_s() - first_s;
+            let inside = spans.start..spans.end - 1;
+            let outside = self
+                .gaps
+                .iter()
+                .enumerate()
+                .filter(|(at, _)| !inside.contains(at));
+            steps.push(Processing::LongestSpan {
                 from_s,
-                to_s: from_s + (rows.len() as f64 - 1.0) * stamps.step_s(),
+                to_s: from_s + ((rows.len() + lost) as f64 - 1.0) * step_s,
                 whole_s: to_s - first_s,
-                gaps: self.gaps,
-            };
-            return Ok(Kept {
-                rows,
-                stamps,
-                step: Some(step),
+                gaps: outside.map(|(_, gap)| gap.clone()).collect(),
+            });
+        }
+        if lost > 0 {
+            steps.push(Processing::FilledGaps {
+                gaps: self.gaps[spans.start..spans.end - 1].to_vec(),
+                samples: lost,
+                share: lost as f64 / (rows.len() + lost) as f64,
             });
         }
         Ok(Kept {
             rows,
             stamps,
-            step: None,
+            filled,
+            steps,
         })
     }
+}
+
+/// How many samples a gap of so many steps lost, if it is short enough to be filled in, and a whole number of steps.
+fn short(lost_steps: f64) -> Option<usize> {
+    let missing = lost_steps.round();
+    let is_whole = (lost_steps - missing).abs() <= WHOLE_STEPS;
+    (is_whole && missing >= 1.0 && missing <= LOST_RUN_MOST as f64).then_some(missing as usize)
+}
+
+/// The longest of neighbouring spans with gaps between them that may be filled in, the first of equals: `missing` samples after each span but
+/// the last.
+fn longest_filled(lengths: &[usize], missing: &[Option<usize>]) -> Range<usize> {
+    let mut best = (0, 0..0);
+    let mut start = 0;
+    while start < lengths.len() {
+        let joined = missing[start..]
+            .iter()
+            .take_while(|missing| missing.is_some())
+            .count();
+        let together = start..start + joined + 1;
+        let there: usize = lengths[together.clone()].iter().sum();
+        let lost: usize = missing[start..start + joined].iter().flatten().sum();
+        let few = lost as f64 <= LOST_SHARE_MOST * (there + lost) as f64;
+        // too many: each by itself
+        let candidates = match few {
+            true => vec![(there, together.clone())],
+            false => together.clone().map(|at| (lengths[at], at..at + 1)).collect(),
+        };
+        for candidate in candidates {
+            if candidate.0 > best.0 {
+                best = candidate;
+            }
+        }
+        start = together.end;
+    }
+    best.1
 }
 
 /// A span of one channel.
@@ -205,13 +275,20 @@ pub(super) fn keep_longest(
     series: &mut [&mut Series],
     clocked: bool,
     lost_samples: LostSamples,
-) -> Result<Option<Processing>, RecordError> {
+) -> Result<Vec<Processing>, RecordError> {
     let Some(broken) = series.iter().find(|one| !one.breaks.is_empty()) else {
-        return Ok(None);
+        return Ok(Vec::new());
     };
     let gap = broken.gap(0);
     if lost_samples == LostSamples::Refuse {
         return Err(gap);
+    }
+    let mut steps = Vec::new();
+    if lost_samples == LostSamples::Fill {
+        steps.extend(fill_short(series)?);
+        if series.iter().all(|one| one.breaks.is_empty()) {
+            return Ok(steps);
+        }
     }
     let step_s = |one: &Series| one.sampling_rate_hz.map_or(0.0, |rate_hz| 1.0 / rate_hz);
     let begins_s = |one: &Series| one.begins_s.filter(|_| clocked).unwrap_or(0.0) + one.offset_s;
@@ -267,11 +344,67 @@ pub(super) fn keep_longest(
         one.breaks.clear();
     }
     gaps.sort_by(|a, b| a.at_s.total_cmp(&b.at_s));
-    Ok(Some(Processing::LongestSpan {
+    steps.push(Processing::LongestSpan {
         from_s: from_s - first_s,
         to_s: to_s - first_s,
         whole_s: last_s - first_s,
         gaps,
+    });
+    Ok(steps)
+}
+
+/// Fills in the short gaps of each channel, where they are few, and says where.
+fn fill_short(series: &mut [&mut Series]) -> Result<Option<Processing>, SignalError> {
+    let (mut gaps, mut filled, mut whole) = (Vec::new(), 0, 0);
+    for one in series.iter_mut() {
+        let rate_hz = one.sampling_rate_hz.unwrap_or(f64::NAN);
+        let mut before = Break { at: 0, begins_s: 0.0 };
+        let (mut kept, mut lost) = (Vec::new(), Vec::new());
+        let mut missing_so_far = 0;
+        for next in &one.breaks {
+            let ends_s = before.begins_s + (next.at - before.at) as f64 / rate_hz;
+            match short((next.begins_s - ends_s) * rate_hz) {
+                Some(missing) => {
+                    let from = next.at + missing_so_far;
+                    lost.push((next.at, from..from + missing, ends_s - 1.0 / rate_hz));
+                    missing_so_far += missing;
+                }
+                None => kept.push(Break {
+                    at: next.at + missing_so_far,
+                    ..*next
+                }),
+            }
+            before = *next;
+        }
+        if lost.is_empty()
+            || missing_so_far as f64 > LOST_SHARE_MOST * (one.samples.len() + missing_so_far) as f64
+        {
+            continue;
+        }
+        let mut samples = Vec::with_capacity(one.samples.len() + missing_so_far);
+        let mut taken = 0;
+        for (at, run, at_s) in &lost {
+            samples.extend_from_slice(&one.samples[taken..*at]);
+            samples.resize(run.end, 0.0);
+            taken = *at;
+            gaps.push(LostSpan {
+                channel: Some(one.name.clone()),
+                at_s: *at_s,
+                lost_s: run.len() as f64 / rate_hz,
+            });
+        }
+        samples.extend_from_slice(&one.samples[taken..]);
+        let runs: Vec<Range<usize>> = lost.into_iter().map(|(_, run, _)| run).collect();
+        fill_lost(&mut samples, &runs)?;
+        (one.samples, one.breaks) = (samples, kept);
+        filled += missing_so_far;
+        whole += one.samples.len();
+    }
+    gaps.sort_by(|a, b| a.at_s.total_cmp(&b.at_s));
+    Ok((filled > 0).then(|| Processing::FilledGaps {
+        gaps,
+        samples: filled,
+        share: filled as f64 / whole as f64,
     }))
 }
 
@@ -298,7 +431,7 @@ mod tests {
         let mut b = series("b", 101.0, 300, &[(150, 15.4)]);
         let step = keep_longest(&mut [&mut a, &mut b], true, LostSamples::Longest)
             .unwrap()
-            .unwrap();
+            .remove(0);
         assert_eq!((a.samples[0], a.samples.len()), (10.0, 90));
         assert_eq!((b.samples[0], b.samples.len()), (0.0, 90));
         assert!((a.offset_s - 1.0).abs() < 1e-9 && b.offset_s.abs() < 1e-9);

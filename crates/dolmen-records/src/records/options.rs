@@ -83,8 +83,10 @@ pub struct Pick {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum LostSamples {
-    /// Its longest span that is whole in all channels is used, and what was cut is said.
+    /// Runs of eight samples at most, one in a hundred at most, are filled in by linear prediction; then as `longest`.
     #[default]
+    Fill,
+    /// Its longest span that is whole in all channels is used, and what was cut is said.
     Longest,
     /// It is refused.
     Refuse,

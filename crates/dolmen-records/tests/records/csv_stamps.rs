@@ -92,11 +92,11 @@ fn exact_longest_whole_span_of_a_record_that_lost_samples() {
     let lost = |gaps: &'static [std::ops::Range<usize>]| {
         kept((0..200).filter(|i| !gaps.iter().any(|gap| gap.contains(i))))
     };
-    let (length, first, said) = lost(&[119..120, 150..160]);
+    let (length, first, said) = lost(&[119..128, 150..160]);
     assert_eq!((length, first), (119, 0.0));
     assert_eq!(
         said,
-        "samples are lost: 0.010 s after 1.180 s, 0.100 s after 1.490 s; only the longest whole span is used, 0.000 to 1.180 s: 1.180 of \
+        "samples are lost: 0.090 s after 1.180 s, 0.100 s after 1.490 s; only the longest whole span is used, 0.000 to 1.180 s: 1.180 of \
          1.990 s"
     );
     // a sample that stands alone, at the start and between two gaps, is a span of its own
@@ -115,6 +115,51 @@ fn exact_longest_whole_span_of_a_record_that_lost_samples() {
             text + &format!("{:.3},{i}.{}\n", i as f64 / 100.0, 7 * i % 10)
         });
     assert!(refusal(&text).contains("samples are missing or the clock jumped"));
+}
+
+/// A swing of 1 Hz at 100 Hz, stamped to the millisecond, without some rows.
+fn swing(lost: &[std::ops::Range<usize>]) -> String {
+    let rows = (0..2000).filter(|i| !lost.iter().any(|gap| gap.contains(i)));
+    rows.fold("t,x,y\n".to_string(), |text, i| {
+        let t = i as f64 / 100.0;
+        let x = (6.3 * t).sin() + 0.3 * (19.0 * t).cos();
+        text + &format!("{t:.3},{x:.9},{:.9}\n", -2.0 * x)
+    })
+}
+
+#[test]
+fn holds_single_lost_samples_are_filled_in_and_said() {
+    let whole = read(&swing(&[])).record;
+    let found = read(&swing(&[300..301, 800..803, 1500..1501])).record;
+    assert_eq!(found.length(), 2000);
+    for channel in 0..2 {
+        for (a, b) in whole.samples(channel).iter().zip(found.samples(channel)) {
+            assert!((a - b).abs() < 0.02, "{a} {b}");
+        }
+    }
+    let said = found.history().last().unwrap().to_string();
+    assert_eq!(
+        said,
+        "lost samples filled in by linear prediction: 5 (0.250 %), 0.010 s after 2.990 s, 0.030 s after 7.990 s, 0.010 s after 14.990 s"
+    );
+    // nine at once are too many: the longer side is used, with what is filled in there
+    let found = read(&swing(&[300..309, 800..803])).record;
+    assert_eq!((found.length(), found.history().len()), (1691, 3));
+    let said: Vec<String> = found.history().iter().map(ToString::to_string).collect();
+    assert!(
+        said[1].starts_with(
+            "samples are lost: 0.090 s after 2.990 s; only the longest whole span is used, 3.090 to 19.990 s"
+        ),
+        "{said:?}"
+    );
+    assert!(said[2].contains("prediction: 3 (0.177 %)"), "{said:?}");
+    // as before, where that is asked
+    let options = RecordOptions {
+        lost_samples: LostSamples::Longest,
+        ..Default::default()
+    };
+    let found = read_csv(swing(&[800..803]).as_bytes(), &options).unwrap().record;
+    assert_eq!(found.length(), 1197);
 }
 
 #[test]

@@ -62,6 +62,10 @@ messages! {
             en: "samples are lost, {gaps}: only the longest whole span is used, {from} to {to}, {kept} of {whole}",
             ko: "표본 누락 {gaps}: 누락이 없는 가장 긴 구간 {from}–{to}만 사용({whole} 중 {kept})",
         },
+        FilledGaps { gaps: Vec<Sentence>, samples: usize, share: Quantity } => {
+            en: "lost samples filled in by linear prediction: {samples} ({share}), {gaps}",
+            ko: "누락 표본 {samples}개({share})를 선형예측으로 보간 {gaps}",
+        },
         Gap { lost: Quantity, at: Quantity } => { en: "{lost} (after {at})", ko: "{lost}({at} 이후)" },
         ChannelGap { lost: Quantity, channel: String, at: Quantity } => {
             en: "{lost} ({channel}, after {at})",
@@ -161,6 +165,11 @@ pub(super) fn step_words(step: &Processing) -> Sentence {
             to: seconds(to_s),
             kept: seconds(to_s - from_s),
             whole: seconds(whole_s),
+        },
+        Processing::FilledGaps { gaps, samples, share } => Steps::FilledGaps {
+            gaps: gaps_words(&gaps),
+            samples,
+            share: Quantity::new(100.0 * share, Unit::si("%"), Digits::Significant(2)),
         },
         Processing::CommonTime { before_s, after_s } => Steps::CommonTime {
             before: seconds(before_s),

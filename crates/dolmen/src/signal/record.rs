@@ -163,6 +163,15 @@ pub enum Processing {
         /// What is lost, by time.
         gaps: Vec<LostSpan>,
     },
+    /// Short runs of lost samples filled in by linear prediction.
+    FilledGaps {
+        /// Where, by time.
+        gaps: Vec<LostSpan>,
+        /// Samples filled in, of all channels in which they were lost.
+        samples: usize,
+        /// Their share of those channels.
+        share: f64,
+    },
     /// Only the time kept that all channels share.
     CommonTime {
         /// From the first sample of any channel to the first kept, s.
@@ -194,6 +203,16 @@ impl std::fmt::Display for LostSpan {
         self.channel
             .as_ref()
             .map_or(Ok(()), |channel| write!(f, " ({channel})"))
+    }
+}
+
+/// The first gaps, and how many more there are.
+fn first_gaps(gaps: &[LostSpan]) -> String {
+    let shown = gaps.iter().take(LostSpan::NAMED_MOST).map(ToString::to_string);
+    let shown: Vec<String> = shown.collect();
+    match gaps.len().saturating_sub(LostSpan::NAMED_MOST) {
+        0 => shown.join(", "),
+        more => format!("{} and {more} more", shown.join(", ")),
     }
 }
 
@@ -268,19 +287,19 @@ impl std::fmt::Display for Processing {
                 whole_s,
                 gaps,
             } => {
-                let shown = gaps.iter().take(LostSpan::NAMED_MOST).map(ToString::to_string);
-                let shown: Vec<String> = shown.collect();
-                let more = match gaps.len().saturating_sub(LostSpan::NAMED_MOST) {
-                    0 => String::new(),
-                    more => format!(" and {more} more"),
-                };
                 write!(
                     f,
-                    "samples are lost: {}{more}; only the longest whole span is used, {from_s:.3} to {to_s:.3} s: {:.3} of {whole_s:.3} s",
-                    shown.join(", "),
+                    "samples are lost: {}; only the longest whole span is used, {from_s:.3} to {to_s:.3} s: {:.3} of {whole_s:.3} s",
+                    first_gaps(gaps),
                     to_s - from_s
                 )
             }
+            Processing::FilledGaps { gaps, samples, share } => write!(
+                f,
+                "lost samples filled in by linear prediction: {samples} ({:.3} %), {}",
+                100.0 * share,
+                first_gaps(gaps)
+            ),
             Processing::CommonTime { before_s, after_s } => write!(
                 f,
                 "cut to the time that all channels share: {before_s:.3} s before it and {after_s:.3} s after it are gone"

@@ -27,6 +27,7 @@ mod free_columns;
 mod ground_motions;
 mod limit_analysis_microlp;
 mod liquid_columns;
+mod lost_samples;
 mod made_records;
 mod park_min_2010;
 mod plan_stiffness;
