@@ -180,6 +180,10 @@ pub(crate) struct Watch {
     /// Write the figure (SVG) and the result (JSON) into this folder
     #[arg(long, short, value_name = "DIR", conflicts_with = "all")]
     pub(crate) output: Option<PathBuf>,
+    /// Run this program, without a shell, for each structure with an open alarm or a tilt beyond its limit; what is wrong is in DOLMEN_… of its
+    /// environment
+    #[arg(long, value_name = "PROGRAM")]
+    pub(crate) on_alarm: Option<PathBuf>,
 }
 
 #[derive(Debug, Args)]

@@ -8,7 +8,7 @@ use crate::outcome::Outcome;
 use crate::progress::Terminal;
 use crate::say::{say, say_json};
 use crate::survey::Where;
-use anyhow::Result;
+use anyhow::{Result, bail};
 use dolmen_folder::{Found, Outputs};
 use dolmen_report::files::watch_files;
 use dolmen_report::json::watch_json;
@@ -21,6 +21,7 @@ use dolmen_work::watch::{watch, watch_observed};
 use dolmen_work::{Opened, told};
 use rayon::prelude::*;
 use std::path::Path;
+use std::process::{Command, Stdio};
 
 /// Structures that are read before they are watched together.
 const TOGETHER: usize = 256;
@@ -46,7 +47,36 @@ fn one(project: &Path, options: &Watch, manner: &Manner) -> Result<Outcome> {
             note!("years.svg and watch.json are in {}", folder.display());
         }
     }
-    Ok(judged(answer.open_alarms() > 0 || answer.is_tilt_beyond()))
+    let line = InventoryLine::watched(answer.project.name.english().to_owned(), &answer);
+    call(options, std::slice::from_ref(&line))?;
+    Ok(judged(line.is_alarming()))
+}
+
+/// Runs the program of `--on-alarm` for each structure that alarms, one after the other.
+fn call(options: &Watch, lines: &[InventoryLine]) -> Result<()> {
+    let Some(program) = &options.on_alarm else {
+        return Ok(());
+    };
+    for line in lines.iter().filter(|line| line.is_alarming()) {
+        let Some(history) = &line.history else { continue };
+        let lean = history.lean_beyond.map(|lean| format!("{lean:.5}"));
+        let status = Command::new(program)
+            .env("DOLMEN_STRUCTURE", &line.structure)
+            .env("DOLMEN_SURVEY", &history.last_survey)
+            .env("DOLMEN_ALARMS", history.open_alarms.to_string())
+            .env("DOLMEN_TILT_BEYOND", lean.unwrap_or_default())
+            .stdin(Stdio::null())
+            .status();
+        let shown = program.display();
+        match status {
+            Ok(status) if status.success() => {}
+            Ok(status) => bail!("--on-alarm {shown} ended with {status} for {}", line.structure),
+            Err(why) => {
+                bail!("--on-alarm {shown} could not be run: {why}; it is a program, not a line of a shell")
+            }
+        }
+    }
+    Ok(())
 }
 
 fn judged(is_alarming: bool) -> Outcome {
@@ -98,6 +128,7 @@ fn all(options: &Watch, manner: &Manner) -> Result<Outcome> {
         (false, true) => say(&inventory_csv(&lines))?,
         (false, false) => say(&inventory_text(&lines, manner.style()))?,
     }
+    call(options, &lines)?;
     Ok(judged(lines.iter().any(InventoryLine::is_alarming)))
 }
 

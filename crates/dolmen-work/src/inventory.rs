@@ -46,6 +46,8 @@ pub struct History {
     pub open_alarms: usize,
     /// Whether a tilt is beyond its limit.
     pub is_tilt_beyond: bool,
+    /// How much it leans in all directions together, horizontal over vertical, where that is beyond its limit.
+    pub lean_beyond: Option<f64>,
     /// The strongest lasting change.
     pub change: Option<StrongestChange>,
     /// The tilt to look at.
@@ -124,6 +126,12 @@ impl History {
             modes: watched.modes.len(),
             open_alarms: answer.open_alarms(),
             is_tilt_beyond: answer.is_tilt_beyond(),
+            lean_beyond: answer
+                .leans()
+                .iter()
+                .filter(|lean| lean.is_beyond())
+                .map(|lean| lean.size)
+                .max_by(f64::total_cmp),
             change: strongest.map(|(mode, change)| StrongestChange {
                 frequency_hz: mode.track.frequency_hz,
                 ratio: change.ratio,

@@ -178,3 +178,46 @@ fn history_survey(survey: &Survey, day: f64, of: Surveyed) -> HistorySurvey {
             .collect(),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use dolmen_records::NoFiles;
+
+    fn leaning(x: [&str; 4], y: &str) -> WatchAnswer {
+        let survey = |(i, x): (usize, &&str)| {
+            format!(
+                "[survey.202{i}-05-01]\ntilt = {{ x = \"{x}\", y = \"{y}\" }}\nfrequencies.x = [{{ value = 2.{i}, cov = 0.01 }}]\n"
+            )
+        };
+        let text = format!(
+            "schema = 1\nkind = \"survey\"\nname = \"Pole\"\n[watch]\ntilt_limit = \"1/200\"\n{}",
+            x.iter().enumerate().map(survey).collect::<String>()
+        );
+        let opened = Opened::read(text, "p".to_owned(), &NoFiles).unwrap();
+        watch(&opened, &NoFiles, &crate::progress::Silent).unwrap()
+    }
+
+    #[test]
+    fn exact_two_directions_lean_together() {
+        // 1/250 along x and y are 1/177 together
+        let answer = leaning(["1/250"; 4], "-1/250");
+        let [lean] = answer.leans().try_into().unwrap();
+        assert!(
+            (lean.size - 2f64.sqrt() / 250.0).abs() < 1e-12 && answer.is_tilt_beyond(),
+            "{lean:?}"
+        );
+        assert!(!leaning(["1/250"; 4], "1/900").is_tilt_beyond());
+    }
+
+    #[test]
+    fn holds_readings_too_few_for_a_trend_count() {
+        let mut answer = leaning(["1/900", "1/900", "1/900", "1/190"], "0");
+        answer
+            .watched
+            .tilts
+            .iter_mut()
+            .for_each(|trend| trend.slope = None);
+        assert!(answer.is_tilt_beyond());
+    }
+}

@@ -44,11 +44,61 @@ impl WatchAnswer {
             .count()
     }
 
-    /// Whether a tilt is beyond its limit on the day of its last reading.
+    /// Whether it leans beyond its limit on the day of the last reading.
     pub fn is_tilt_beyond(&self) -> bool {
-        let slopes = self.watched.tilts.iter().filter_map(|trend| trend.slope);
-        slopes
-            .filter_map(|slope| slope.share_of_limit())
-            .any(|share| share >= 1.0)
+        self.leans().iter().any(LeanNow::is_beyond)
+    }
+
+    /// How it leans on the day of the last readings: x and y of one datum together, other directions each by itself.
+    pub fn leans(&self) -> Vec<LeanNow> {
+        let limit = self.project.watch.tilt_limit;
+        let mut leans: Vec<LeanNow> = Vec::new();
+        for trend in &self.watched.tilts {
+            let of = &trend.series;
+            let read = trend.slope.map(|slope| slope.now).or(of.ratios.last().copied());
+            let Some(now) = read else { continue };
+            let is_plane = |direction: &str| matches!(direction, "x" | "y");
+            let across = leans.iter_mut().find(|lean| {
+                lean.datum == of.datum
+                    && is_plane(&of.direction)
+                    && lean
+                        .directions
+                        .iter()
+                        .all(|own| is_plane(own) && *own != of.direction)
+            });
+            match across {
+                Some(lean) => {
+                    lean.size = lean.size.hypot(now);
+                    lean.directions.push(of.direction.clone());
+                }
+                None => leans.push(LeanNow {
+                    datum: of.datum.clone(),
+                    directions: vec![of.direction.clone()],
+                    size: now.abs(),
+                    limit,
+                }),
+            }
+        }
+        leans
+    }
+}
+
+/// How a structure leans, in all directions of one datum together.
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+pub struct LeanNow {
+    /// The mark that it refers to.
+    pub datum: Option<String>,
+    /// The directions.
+    pub directions: Vec<String>,
+    /// Horizontal over vertical, without a sign: from the trends, the season removed, or the last readings where there is none.
+    pub size: f64,
+    /// The tilt that must not be reached.
+    pub limit: Option<f64>,
+}
+
+impl LeanNow {
+    /// Whether it has reached its limit.
+    pub fn is_beyond(&self) -> bool {
+        self.limit.is_some_and(|limit| self.size >= limit.abs())
     }
 }

@@ -126,3 +126,50 @@ fn holds_a_tilt_to_the_other_side_alarms_as_little() {
     };
     assert!((now(&right.stdout) + now(&left.stdout)).abs() < 1e-9);
 }
+
+#[cfg(unix)]
+#[test]
+fn holds_an_alarm_runs_a_program_and_no_shell() {
+    use std::os::unix::fs::PermissionsExt as _;
+    let scratch = Scratch::new("on-alarm");
+    let surveys: String = (0..4)
+        .map(|i| {
+            format!("[survey.202{i}-05-01]\ntilt = {{ x = \"1/250\", y = \"1/250\" }}\nfrequencies.x = [{{ value = 2.1{i}, cov = 0.01 }}]\n")
+        })
+        .collect();
+    let project = |limit: &str| {
+        format!(
+            "schema = 1\nkind = \"survey\"\nname = \"a; touch shell $(touch shell) `touch shell`\"\n[watch]\ntilt_limit = \"{limit}\"\n{surveys}"
+        )
+    };
+    fs::write(scratch.path().join("beyond.toml"), project("1/200")).unwrap();
+    fs::write(scratch.path().join("within.toml"), project("1/150")).unwrap();
+    let program = scratch.path().join("call");
+    fs::write(&program, "#!/bin/sh\nprintf '%s|%s|%s|%s\\n' \"$DOLMEN_STRUCTURE\" \"$DOLMEN_SURVEY\" \"$DOLMEN_ALARMS\" \"$DOLMEN_TILT_BEYOND\" >> called\n").unwrap();
+    fs::set_permissions(&program, fs::Permissions::from_mode(0o755)).unwrap();
+    let within = scratch.briefly("watch within.toml --on-alarm ./call");
+    assert_eq!(within.status, 0, "{}{}", within.stdout, within.stderr);
+    assert!(!scratch.path().join("called").exists());
+    let beyond = scratch.briefly("watch beyond.toml --on-alarm ./call");
+    assert_eq!(beyond.status, 1, "{}{}", beyond.stdout, beyond.stderr);
+    assert!(
+        beyond
+            .words()
+            .contains("Along x and y together it leans by 5.66 mm/m, beyond its limit of 5.00 mm/m"),
+        "{}",
+        beyond.stdout
+    );
+    let called = fs::read_to_string(scratch.path().join("called")).unwrap();
+    assert_eq!(
+        called,
+        "a; touch shell $(touch shell) `touch shell`|2023-05-01|0|0.00566\n"
+    );
+    assert!(!scratch.path().join("shell").exists());
+    let missing = scratch.briefly("watch beyond.toml --on-alarm ./none");
+    assert_eq!(missing.status, 2);
+    assert!(
+        missing.stderr.contains("--on-alarm ./none could not be run"),
+        "{}",
+        missing.stderr
+    );
+}

@@ -94,6 +94,9 @@ pub fn watch_json(answer: &WatchAnswer) -> Value {
         "changes": changes,
         "alarms": alarms.into_iter().map(|(_, alarm)| alarm).collect::<Vec<_>>(),
         "modes": watched.modes.iter().map(|each| mode(each, answer)).collect::<Vec<_>>(),
+        "leans": answer.leans().iter().map(|lean| json!({
+            "datum": lean.datum, "directions": lean.directions, "now": lean.size, "limit": lean.limit, "is_beyond": lean.is_beyond(),
+        })).collect::<Vec<_>>(),
         "tilts": watched.tilts.iter().map(tilt).collect::<Vec<_>>(),
         "sensors": watched.tracked.sensors.iter().map(|change| json!({
             "date": name(change.survey),

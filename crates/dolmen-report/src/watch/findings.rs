@@ -7,7 +7,7 @@ use dolmen::monitoring::{
 };
 use dolmen_project::WorkKind;
 use dolmen_words::{Quantity, Sentence, messages};
-use dolmen_work::watched::WatchAnswer;
+use dolmen_work::watched::{LeanNow, WatchAnswer};
 
 /// Changes that get a finding each; the others are counted.
 const TOLD_MOST: usize = 4;
@@ -83,6 +83,10 @@ messages! {
             en: "The tilt along {direction} is {now} mm/m, beyond its limit of {limit} mm/m.",
             ko: "{direction} 방향 기울기가 {now} mm/m로 한계 {limit} mm/m를 넘었다.",
         },
+        LeansBeyond { directions: Vec<String>, now: Quantity, limit: Quantity } => {
+            en: "Along {directions} together it leans by {now} mm/m, beyond its limit of {limit} mm/m.",
+            ko: "{directions} 방향을 합성한 기울기가 {now} mm/m로 한계 {limit} mm/m를 넘었다.",
+        },
         NoTilt { direction: String, least: Quantity } => {
             en: "Tilt along {direction}: no trend; {least} mm/m a year would have been seen.",
             ko: "{direction} 방향 기울기: 경향 없음. 해마다 {least} mm/m의 변화는 발견되었을 것이다.",
@@ -134,6 +138,7 @@ pub(crate) fn findings(answer: &WatchAnswer) -> Vec<Finding> {
     all.extend(last_survey(answer));
     all.extend(changes(answer));
     all.extend(weather(answer));
+    all.extend(leans(answer));
     all.extend(answer.watched.tilts.iter().filter_map(tilt));
     all.extend(works(answer));
     all.extend(sensors(answer));
@@ -329,6 +334,35 @@ fn weather(answer: &WatchAnswer) -> Vec<Finding> {
         all.push(Finding::key(Tone::Unknown, said));
     }
     all
+}
+
+/// Leans beyond their limit, where no trend of one direction says so already.
+fn leans(answer: &WatchAnswer) -> Vec<Finding> {
+    let told = |lean: &LeanNow| {
+        let mut own = answer.watched.tilts.iter().filter(|trend| {
+            trend.series.datum == lean.datum && lean.directions.contains(&trend.series.direction)
+        });
+        own.any(|trend| {
+            trend
+                .slope
+                .and_then(|slope| slope.share_of_limit())
+                .is_some_and(|share| share >= 1.0)
+        })
+    };
+    let beyond = answer
+        .leans()
+        .into_iter()
+        .filter(|lean| lean.is_beyond() && !told(lean));
+    beyond
+        .map(|lean| {
+            let said = Found::LeansBeyond {
+                now: slope(lean.size, 2),
+                limit: slope(lean.limit.unwrap_or(f64::NAN).abs(), 2),
+                directions: lean.directions,
+            };
+            Finding::key(Tone::Bad, said)
+        })
+        .collect()
 }
 
 fn tilt(trend: &TiltTrend) -> Option<Finding> {
