@@ -1,10 +1,11 @@
 //! What stands behind the sections of a report: what was given, method and limits, sources.
 
-use crate::document::{Block, Cell, Document, Table};
+use crate::document::{Block, Document};
 use crate::html::Imprint;
 use crate::html::front::{closing, sources};
 use crate::html::given::{survey_head, survey_lines};
 use crate::html::method::method;
+use crate::surveys_given::{Given, surveys_table};
 use crate::xlsx::{Workbook, inputs_tables};
 use dolmen_words::message::Both;
 use dolmen_words::{Language, Sentence};
@@ -34,11 +35,19 @@ fn given(document: &mut Document<'_>, answer: &ProjectReport) {
         document.paragraph(Sentence::of_symbol(description));
     }
     for headed in inputs_tables(answer) {
-        document.put(Block::Table(without_empty_columns(headed.table)));
+        document.put(Block::Table(headed.table.without_empty_columns()));
     }
-    for survey in &project.surveys {
-        document.subheading(said(|language| survey_head(survey, language)));
-        document.put(list(|language| survey_lines(survey, language)));
+    match surveys_table(project) {
+        Some(table) => {
+            document.subheading(Given::Surveys);
+            document.put(Block::Table(table.without_empty_columns()));
+        }
+        None => {
+            for survey in &project.surveys {
+                document.subheading(said(|language| survey_head(survey, language)));
+                document.put(list(|language| survey_lines(survey, language)));
+            }
+        }
     }
     if !project.warnings.is_empty() {
         document.subheading(said(|language| {
@@ -63,24 +72,4 @@ fn list(points: impl Fn(Language) -> Vec<String>) -> Block<'static> {
         .zip(points(Language::Korean));
     let each = both.map(|(english, korean)| Both { english, korean });
     Block::List(each.map(|text| Workbook::Verbatim { text }.into()).collect())
-}
-
-/// The table without the columns in which nothing stands.
-fn without_empty_columns(table: Table) -> Table {
-    let is_empty = |row: &Vec<Cell>, column: usize| {
-        let text = row.get(column).map(|cell| cell.text(Language::English));
-        matches!(text.as_deref(), None | Some("" | "–"))
-    };
-    let kept: Vec<bool> = (0..table.columns.len())
-        .map(|column| !table.rows.iter().all(|row| is_empty(row, column)))
-        .collect();
-    fn only<T>(all: Vec<T>, kept: &[bool]) -> Vec<T> {
-        let each = all.into_iter().zip(kept);
-        each.filter_map(|(one, kept)| kept.then_some(one)).collect()
-    }
-    Table {
-        caption: table.caption,
-        columns: only(table.columns, &kept),
-        rows: table.rows.into_iter().map(|row| only(row, &kept)).collect(),
-    }
 }

@@ -38,6 +38,7 @@ mod simulated;
 mod stack;
 mod stack_simulation;
 mod study;
+mod surveys_given;
 pub mod tables;
 pub mod text;
 mod tune;

@@ -5,6 +5,7 @@ use crate::brief_rows::BriefRows;
 use crate::document::Label;
 use crate::identify::Nothing;
 use crate::load_factor::LoadFactor;
+use crate::surveys_given::Given;
 use crate::{
     building, building_simulation, chain, change, check, demand, document, engineer, figures, frame,
     frame_simulation, headline, identification, kept, limits, loads, modal, motion, processing, rank, score,
@@ -19,6 +20,7 @@ pub fn sentences() -> Vec<Template> {
         Brief::TEMPLATES,
         Nothing::TEMPLATES,
         BriefRows::TEMPLATES,
+        Given::TEMPLATES,
     ];
     groups.extend(chain::TEMPLATES);
     groups.extend(loads::TEMPLATES);

@@ -18,7 +18,7 @@ use crate::study::{StudyJournals, studies_run};
 use crate::version::Version;
 use crate::watch::{can_watch, watch_of};
 use dolmen::stability::Verdict;
-use dolmen_project::Structure;
+use dolmen_project::{Structure, TemperaturePart};
 use dolmen_records::Files;
 
 /// What a report is made of.
@@ -53,14 +53,17 @@ pub fn report(
     };
     let checked = check(opened, &how)?;
     let mut answers = Vec::new();
-    if let Ok(compared) = surveys_to_compare(project, None, None) {
+    let is_watched = can_watch(project);
+    // the years take the weather out; the first and the last survey alone do not, unless the file says what temperature does
+    let is_covered = is_watched && project.change.temperature == TemperaturePart::Unknown;
+    if !is_covered && let Ok(compared) = surveys_to_compare(project, None, None) {
         answers.push(Answer::Compare(Box::new(CompareAnswer {
             file: opened.file.clone(),
             project: opened.project.clone(),
             change: change_of(project, &compared, &identified.surveys)?,
         })));
     }
-    if can_watch(project) {
+    if is_watched {
         let watched = watch_of(opened, &identified.surveys)?;
         answers.push(Answer::Watch(Box::new(watched)));
     }

@@ -50,6 +50,28 @@ pub(crate) struct Table {
     pub(crate) rows: Vec<Vec<Cell>>,
 }
 
+impl Table {
+    /// Without the columns in which nothing stands.
+    pub(crate) fn without_empty_columns(self) -> Self {
+        let is_empty = |row: &Vec<Cell>, column: usize| {
+            let text = row.get(column).map(|cell| cell.text(Language::English));
+            matches!(text.as_deref(), None | Some("" | "–"))
+        };
+        let kept: Vec<bool> = (0..self.columns.len())
+            .map(|column| !self.rows.iter().all(|row| is_empty(row, column)))
+            .collect();
+        fn only<T>(all: Vec<T>, kept: &[bool]) -> Vec<T> {
+            let each = all.into_iter().zip(kept);
+            each.filter_map(|(one, kept)| kept.then_some(one)).collect()
+        }
+        Table {
+            caption: self.caption,
+            columns: only(self.columns, &kept),
+            rows: self.rows.into_iter().map(|row| only(row, &kept)).collect(),
+        }
+    }
+}
+
 /// A column: what it is, and the unit of its numbers.
 #[derive(Clone, Debug)]
 pub(crate) struct Column {

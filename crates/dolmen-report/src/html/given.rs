@@ -3,10 +3,11 @@
 use super::table::{Cell, table};
 use super::words::{evidence_word, path_words, unit_text};
 use crate::check::title;
-use crate::document::{Numbers, numbered, table_label};
+use crate::document::{Block, Numbers, block_html, numbered, table_label};
+use crate::surveys_given::{Given, surveys_table};
 use dolmen_project::{Project, Quantity, Survey};
-use dolmen_words::Language;
 use dolmen_words::number;
+use dolmen_words::{Language, Sentence};
 use dolmen_work::answer::ProjectReport;
 use maud::{Markup, html};
 
@@ -105,6 +106,12 @@ fn inputs_table(caption: &str, inputs: &[&Quantity], language: Language, numbers
 }
 
 fn surveys(project: &Project, language: Language, numbers: &mut Numbers) -> Markup {
+    if let Some(table) = surveys_table(project) {
+        return html! {
+            h3 { (numbered(&numbers.part(), &Sentence::from(Given::Surveys).text(language))) }
+            (block_html(&Block::Table(table.without_empty_columns()), language, numbers))
+        };
+    }
     html! {
         @for survey in &project.surveys {
             h3 { (numbered(&numbers.part(), &survey_head(survey, language))) }
