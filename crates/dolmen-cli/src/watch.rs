@@ -8,6 +8,7 @@ use crate::outcome::Outcome;
 use crate::progress::Terminal;
 use crate::say::{say, say_json};
 use crate::survey::Where;
+use crate::wrong::Noted;
 use anyhow::Result;
 use dolmen_folder::{Found, Outputs};
 use dolmen_report::files::watch_files;
@@ -43,7 +44,13 @@ fn one(project: &Path, options: &Watch, manner: &Manner) -> Result<Outcome> {
     if let Some(folder) = &options.output {
         Outputs::of(manner.access(), &found).folder(folder, &watch_files(&answer, manner.language()))?;
         if !manner.quiet {
-            note!("years.svg and watch.json are in {}", folder.display());
+            note!(
+                "{}",
+                Noted::Watched {
+                    folder: folder.display().to_string()
+                }
+                .text(manner)
+            );
         }
     }
     Ok(judged(answer.open_alarms() > 0 || answer.is_tilt_beyond()))

@@ -2,7 +2,7 @@
 
 use super::wrong::Framed;
 use dolmen_words::Language;
-use dolmen_words::message::Both;
+use dolmen_words::message::{Argument, Both, Run};
 use std::fmt;
 use std::ops::Range;
 use unicode_width::UnicodeWidthChar;
@@ -61,6 +61,12 @@ impl ProjectError {
 impl fmt::Display for ProjectError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.text(Language::English))
+    }
+}
+
+impl Argument for ProjectError {
+    fn said(&self, language: Language) -> Vec<Run> {
+        vec![Run::Name(self.text(language))]
     }
 }
 

@@ -25,7 +25,7 @@ pub enum FileError {
         /// The file, as a user would look for it.
         shown: String,
         /// What the system says.
-        why: String,
+        why: Both,
     },
     /// It is larger than an input of its kind may be.
     TooLarge {

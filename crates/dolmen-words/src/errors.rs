@@ -1,7 +1,7 @@
 //! Sentences of errors: each variant of an enum in both languages, at one place beside the enum.
 
+use crate::Language;
 use crate::message::{Argument, Run, Sentence};
-use crate::{Language, Template};
 
 impl Sentence {
     /// What an error that hands another one on says: what that one says.
@@ -28,11 +28,6 @@ macro_rules! sayable {
         None::<&dyn $crate::message::Argument>
             $(.or_else(|| error.downcast_ref::<$kind>().map(|own| own as &dyn $crate::message::Argument)))+
     }};
-}
-
-/// Names of templates, for those that a test holds against each other.
-pub fn is_korean(template: &Template) -> bool {
-    template.korean.chars().any(|sign| ('가'..='힣').contains(&sign))
 }
 
 /// Says each variant of an error in both languages: `Display` is the English one, [`Argument`] both. The fields of a variant are the

@@ -10,9 +10,11 @@ pub mod number;
 pub mod particles;
 mod quantity;
 pub mod science;
+mod system;
 
 pub use file_name::{file_name, same_file_name};
 pub use language::Language;
 pub use message::{Sentence, Template};
 pub use nearest::nearest;
 pub use quantity::{Digits, Quantity, Unit, Values};
+pub use system::{SYSTEM, said_by_system};

@@ -4,6 +4,7 @@ mod building;
 mod chain;
 mod common;
 mod damper;
+mod faults;
 mod frame;
 mod framed;
 mod keys;
@@ -13,6 +14,7 @@ mod numbers;
 mod parser;
 mod records;
 mod report;
+mod said;
 mod schema_words;
 mod site;
 mod slips;
@@ -29,6 +31,7 @@ pub(crate) use building::WrongBuilding;
 pub(crate) use chain::WrongChain;
 pub(crate) use common::Common;
 pub(crate) use damper::WrongDamper;
+pub(crate) use faults::StillMode;
 pub(crate) use frame::WrongFrame;
 pub(crate) use framed::Framed;
 pub(crate) use keys::WrongKey;
@@ -38,6 +41,7 @@ pub(crate) use numbers::WrongNumber;
 pub(crate) use parser::{AtItsPlace, Expected, OfParser, of_parser};
 pub(crate) use records::WrongRecords;
 pub(crate) use report::WrongReport;
+pub(crate) use said::said;
 pub(crate) use schema_words::{Meaning, Needed, OtherMeaning, of_schema};
 pub(crate) use site::WrongSite;
 pub(crate) use slips::Slip;
@@ -50,6 +54,8 @@ pub(crate) use toml::WrongToml;
 pub(crate) use units::WrongUnit;
 pub(crate) use whole::WrongFile;
 
+use crate::building::DamperFault;
+use crate::stack::StackFault;
 use dolmen_words::Template;
 use dolmen_words::message::Both;
 
@@ -63,7 +69,7 @@ pub(crate) fn either<T: AsRef<str>>(words: &[T]) -> Both {
 }
 
 /// All sentences of errors of project files.
-pub const ERRORS: [&[Template]; 28] = [
+pub const ERRORS: [&[Template]; 31] = [
     Framed::TEMPLATES,
     Common::TEMPLATES,
     WrongToml::TEMPLATES,
@@ -92,4 +98,7 @@ pub const ERRORS: [&[Template]; 28] = [
     AtItsPlace::TEMPLATES,
     WrongRecords::TEMPLATES,
     WrongReport::TEMPLATES,
+    StackFault::TEMPLATES,
+    DamperFault::TEMPLATES,
+    StillMode::TEMPLATES,
 ];

@@ -9,6 +9,7 @@ use crate::progress::{Progress, simulating};
 use crate::study::SWING_REST_S;
 use crate::undamped::Undamped;
 use crate::version::Version;
+use crate::wrong::Place;
 use dolmen::dynamics::{ChainRotations, ChainRun, TimeFunction, chain_growth, simulate_chain};
 use dolmen_project::{ChainPart, Quantity};
 
@@ -51,7 +52,7 @@ pub(crate) fn simulate(
     let motion = match motion {
         None => None,
         Some(motion) => {
-            let component = horizontal(&motion, "a chain")?;
+            let component = horizontal(&motion, Place::Chain)?;
             Some((motion, component))
         }
     };
