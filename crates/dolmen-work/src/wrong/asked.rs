@@ -77,7 +77,7 @@ sentences! {
         },
         SurveyStudied => {
             en: "a survey holds no structure that could be studied: kind is stack, frame, chain or building",
-            ko: "survey에는 해석할 구조물이 없다. kind는 stack, frame, chain 또는 building이어야 한다",
+            ko: "survey에는 해석할 구조물이 없다. kind는 \"stack\", \"frame\", \"chain\" 또는 \"building\"이어야 한다",
         },
         StudyWithoutMotion => {
             en: "the study names no motion: give motions = [\"el-centro-1940-ns\"] or artificial = {{ count = 22 }}",

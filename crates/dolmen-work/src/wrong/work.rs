@@ -78,11 +78,11 @@ sentences! {
         },
         SurveySimulated => {
             en: "only stacks, frames, chains and buildings can be simulated: the file has kind = \"survey\"",
-            ko: "stack, frame, chain, building만 해석할 수 있는데 이 파일은 kind = \"survey\"이다",
+            ko: "\"stack\", \"frame\", \"chain\", \"building\"만 해석할 수 있는데 이 파일은 kind = \"survey\"이다",
         },
         SurveyReported { file } => {
             en: "{file}: only stacks, frames and chains can be simulated; leave the motion out",
-            ko: "{file}: stack, frame, chain만 해석할 수 있다. 지반운동을 뺀다",
+            ko: "{file}: \"stack\", \"frame\", \"chain\"만 해석할 수 있다. 지반운동을 뺀다",
         },
         PushOfOther => {
             en: "--push lets a chain lean at the start: the file has another kind",
