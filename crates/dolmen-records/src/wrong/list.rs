@@ -2,6 +2,7 @@
 
 use super::damage::Damage;
 use super::mesh_place::OfMesh;
+use super::more::More;
 use super::pieces::{DiffersFromATable, Piece};
 use super::station::{OfStation, Turned};
 use super::unread::{Expected, Unread};
@@ -14,8 +15,9 @@ use dolmen_words::{Template, sayable};
 use std::error::Error;
 
 /// All sentences of the errors of this crate.
-pub const ERRORS: [&[Template]; 18] = [
+pub const ERRORS: [&[Template]; 19] = [
     Piece::TEMPLATES,
+    More::TEMPLATES,
     DiffersFromATable::TEMPLATES,
     RecordError::TEMPLATES,
     MotionError::TEMPLATES,

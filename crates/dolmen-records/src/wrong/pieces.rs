@@ -20,7 +20,6 @@ messages! {
         Either { first: String, second: Both } => { en: "{first} or {second}", ko: "{first} 또는 {second}" },
         NoChannel { name: String } => { en: "there is no channel \"{name}\": ", ko: "채널 \"{name}\"이(가) 없다. " },
         AtLine { line: usize } => { en: "line {line}: ", ko: "{line}행: " },
-        AndMore { first: String, more: usize } => { en: "{first} and {more} more", ko: "{first} 외 {more}개" },
     }
 }
 
@@ -75,9 +74,4 @@ pub(super) fn at_line(line: usize) -> Both {
         0 => nothing(),
         line => Piece::AtLine { line }.into(),
     }
-}
-
-/// The first names of a list, and how many follow.
-pub(crate) fn and_more(first: String, more: usize) -> Both {
-    Piece::AndMore { first, more }.into()
 }

@@ -4,7 +4,7 @@ use crate::kept::StoreFault;
 use dolmen_words::sentences;
 
 sentences! {
-    StoreFault in "store.fault" {
+    StoreFault in "store.refused" {
         Unnamed => {
             en: "no store is named",
             ko: "저장소를 지정하지 않았다",
