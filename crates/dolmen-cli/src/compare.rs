@@ -6,6 +6,7 @@ use crate::note::note;
 use crate::outcome::Outcome;
 use crate::progress::Terminal;
 use crate::say::{say, say_json};
+use crate::wrong::Noted;
 use anyhow::Result;
 use dolmen_folder::{Found, Outputs};
 use dolmen_report::files::change_files;
@@ -33,7 +34,13 @@ pub(crate) fn run(options: &Compare, manner: &Manner) -> Result<Outcome> {
     if let Some(folder) = &options.output {
         Outputs::of(manner.access(), &found).folder(folder, &change_files(&answer, manner.language()))?;
         if !manner.quiet {
-            note!("change.svg and change.json are in {}", folder.display());
+            note!(
+                "{}",
+                Noted::Compared {
+                    folder: folder.display().to_string()
+                }
+                .text(manner)
+            );
         }
     }
     Ok(Outcome::Done)

@@ -4,7 +4,8 @@ use crate::cli::Draw as Options;
 use crate::manner::Manner;
 use crate::outcome::Outcome;
 use crate::say::say;
-use anyhow::{Context as _, Result, bail};
+use crate::wrong::CommandError;
+use anyhow::Result;
 use dolmen_folder::{Found, Outputs};
 use dolmen_report::files::drawing_file;
 
@@ -14,15 +15,17 @@ pub(crate) fn run(options: &Options, manner: &Manner) -> Result<Outcome> {
     if let Some(output) = &options.output {
         let extension = output.extension().map(|of| of.to_string_lossy().to_lowercase());
         if let Some(other) = extension.as_deref().filter(|extension| *extension != "svg") {
-            bail!("a drawing is not written as .{other}: -o takes an SVG (.svg), which every browser shows");
+            return Err(CommandError::DrawingFormat {
+                ending: other.to_owned(),
+            }
+            .into());
         }
         outputs.refuse(output)?;
     }
-    let drawn = drawing_file(&found.opened.project, manner.language()).with_context(|| {
-        format!(
-            "{} has kind = \"survey\": there is no structure to draw",
-            found.file.display()
-        )
+    let drawn = drawing_file(&found.opened.project, manner.language()).ok_or_else(|| {
+        CommandError::NothingToDraw {
+            path: found.file.display().to_string(),
+        }
     })?;
     match &options.output {
         None => say(&String::from_utf8_lossy(&drawn.bytes))?,

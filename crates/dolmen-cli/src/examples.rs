@@ -3,7 +3,8 @@
 use crate::cli::{Kind, New};
 use crate::manner::Manner;
 use crate::outcome::Outcome;
-use anyhow::{Context as _, Result};
+use crate::wrong::CommandError;
+use anyhow::Result;
 use dolmen_records::{FileError, Files};
 use include_dir::{Dir, File, include_dir};
 use std::path::Path;
@@ -28,9 +29,9 @@ fn example_of(kind: Kind) -> &'static str {
 
 /// Writes the files of the example `name` into `directory`.
 pub(crate) fn copy_example(name: &str, directory: &Path) -> Result<()> {
-    let example = EXAMPLES
-        .get_dir(name)
-        .with_context(|| format!("the example {name} is not in this build"))?;
+    let example = EXAMPLES.get_dir(name).ok_or_else(|| CommandError::NoExample {
+        name: name.to_owned(),
+    })?;
     let name = |file: &'static File<'static>| file.path().file_name().and_then(|name| name.to_str());
     let each = example
         .files()
@@ -56,9 +57,12 @@ impl Files for Example {
 /// A text file of the example `name`.
 pub(crate) fn example_text(name: &str, file: &str) -> Result<&'static str> {
     let found = EXAMPLES.get_file(format!("{name}/{file}"));
-    found
-        .and_then(include_dir::File::contents_utf8)
-        .with_context(|| format!("{name}/{file} is not in this build"))
+    found.and_then(include_dir::File::contents_utf8).ok_or_else(|| {
+        CommandError::NoExample {
+            name: format!("{name}/{file}"),
+        }
+        .into()
+    })
 }
 
 pub(crate) fn run(options: &New, manner: &Manner) -> Result<Outcome> {

@@ -6,6 +6,7 @@ use crate::note::note;
 use crate::outcome::Outcome;
 use crate::progress::Terminal;
 use crate::say::{say, say_json};
+use crate::wrong::Noted;
 use anyhow::Result;
 use dolmen_folder::{Found, Outputs};
 use dolmen_report::files::identification_files;
@@ -28,7 +29,13 @@ pub(crate) fn run(options: &Options, manner: &Manner) -> Result<Outcome> {
         Outputs::of(manner.access(), &found)
             .folder(folder, &identification_files(&answer, manner.language()))?;
         if !manner.quiet {
-            note!("figures and identification.json are in {}", folder.display());
+            note!(
+                "{}",
+                Noted::Identified {
+                    folder: folder.display().to_string()
+                }
+                .text(manner)
+            );
         }
     }
     Ok(Outcome::Done)

@@ -35,6 +35,7 @@ mod tune;
 mod typed;
 mod validate;
 mod watch;
+mod wrong;
 
 use clap::{CommandFactory as _, FromArgMatches as _};
 use cli::{Cli, Verb};

@@ -7,7 +7,8 @@ use crate::outcome::Outcome;
 use crate::request;
 use crate::request::keeping_motion;
 use crate::say::{say, say_json};
-use anyhow::{Result, bail};
+use crate::wrong::{CommandError, Noted};
+use anyhow::Result;
 use dolmen_folder::Outputs;
 use dolmen_records::motions::{motion_at2, motion_csv};
 use dolmen_report::files::motion_files;
@@ -89,7 +90,13 @@ fn written(options: &Options, report: &MotionReport, outputs: &Outputs, manner: 
         said.push(folder.display().to_string());
     }
     if !manner.quiet && !said.is_empty() {
-        note!("wrote {}", said.join(", "));
+        note!(
+            "{}",
+            Noted::Wrote {
+                files: said.join(", ")
+            }
+            .text(manner)
+        );
     }
     Ok(())
 }
@@ -97,23 +104,21 @@ fn written(options: &Options, report: &MotionReport, outputs: &Outputs, manner: 
 /// The motion in the format that the ending of a file names.
 fn converted(report: &MotionReport, file: &Path) -> Result<Vec<u8>> {
     let Some(first) = report.series.first() else {
-        bail!("no motion is given to write")
+        return Err(CommandError::NoMotion.into());
     };
     if report.series.iter().any(|other| other.motion != first.motion) {
-        bail!(
-            "the channels are no motion of x, y and z: name one with --channel, or turn them with --x-azimuth"
-        );
+        return Err(CommandError::NoPlaneMotion.into());
     }
     let ending = file.extension().map(|e| e.to_string_lossy().to_lowercase());
     match (ending.unwrap_or_default().as_str(), report.series.len()) {
         ("csv", _) => Ok(motion_csv(&first.motion).into_bytes()),
         ("at2", 1) => Ok(motion_at2(&first.motion, first.component).into_bytes()),
         ("at2", count) => {
-            bail!("AT2 holds one component, but the motion has {count}: write .csv, or give one file")
+            return Err(CommandError::At2One { count }.into());
         }
-        _ => bail!(
-            "{} ends in neither .csv nor .at2, the formats that are written",
-            file.display()
-        ),
+        _ => Err(CommandError::MotionFormat {
+            path: file.display().to_string(),
+        }
+        .into()),
     }
 }

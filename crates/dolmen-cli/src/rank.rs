@@ -6,17 +6,19 @@ use crate::note::note;
 use crate::outcome::Outcome;
 use crate::say::{say, say_json};
 use crate::score;
-use anyhow::{Context as _, Result, bail};
+use crate::tools::told_both;
+use crate::wrong::{CommandError, Noted};
+use anyhow::{Context as _, Result};
 use dolmen_folder::{Found, Outputs, journals_beside};
 use dolmen_records::{FileError, TABLE_BYTES_MOST, stays_within};
 use dolmen_report::files::ranking_files;
 use dolmen_report::html::Imprint;
 use dolmen_report::json::rank_json;
 use dolmen_report::rank_text;
+use dolmen_work::WorkError;
 use dolmen_work::portfolio::{
     FoundProject, PortfolioRow, PortfolioTable, Projects, RankOptions, RowSource, rank, read_portfolio,
 };
-use dolmen_work::{WorkError, told};
 use std::path::{Path, PathBuf};
 
 /// Projects below a folder.
@@ -29,7 +31,7 @@ impl Projects for Below<'_> {
             return Err(FileError::Outside { shown }.into());
         }
         let found = Found::open(&self.0.join(path), self.1.access()).map_err(|why| WorkError::Outside {
-            why: told(why.as_ref()),
+            why: told_both(why.as_ref()),
         })?;
         Ok(FoundProject {
             journals: journals_beside(&found),
@@ -76,7 +78,13 @@ pub(crate) fn run(options: &Options, manner: &Manner) -> Result<Outcome> {
         );
         outputs.folder(folder, &files)?;
         if !manner.quiet {
-            note!("ranking, figure and page are in {}", folder.display());
+            note!(
+                "{}",
+                Noted::Ranking {
+                    folder: folder.display().to_string()
+                }
+                .text(manner)
+            );
         }
     }
     Ok(Outcome::Done)
@@ -92,13 +100,16 @@ fn rows(source: &Path, manner: &Manner) -> Result<PortfolioTable> {
         .with_context(|| source.display().to_string());
     }
     if source.join("project.toml").is_file() {
-        bail!(
-            "{} is one project: give the folder that holds it beside others, or a table (CSV)",
-            source.display()
-        );
+        return Err(CommandError::OneProject {
+            path: source.display().to_string(),
+        }
+        .into());
     }
     let mut rows = Vec::new();
-    let entries = std::fs::read_dir(source).with_context(|| source.display().to_string())?;
+    let entries = std::fs::read_dir(source).map_err(|why| CommandError::CannotRead {
+        path: source.display().to_string(),
+        why,
+    })?;
     for entry in entries {
         let path = entry?.path();
         if path.join("project.toml").is_file() {
@@ -117,10 +128,10 @@ fn rows(source: &Path, manner: &Manner) -> Result<PortfolioTable> {
     }
     rows.sort_by(|a, b| a.name.cmp(&b.name));
     if rows.is_empty() {
-        bail!(
-            "{} holds no folder with a project.toml: give a folder of project folders, or a table (CSV)",
-            source.display()
-        );
+        return Err(CommandError::NoProjects {
+            path: source.display().to_string(),
+        }
+        .into());
     }
     Ok(PortfolioTable {
         rows,

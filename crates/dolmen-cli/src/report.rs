@@ -8,8 +8,9 @@ use crate::progress::Terminal;
 use crate::request::keeping_motion;
 use crate::say::say;
 use crate::typed::Typed;
+use crate::wrong::{CommandError, Noted};
 use crate::{examples, request, tools};
-use anyhow::{Result, bail};
+use anyhow::Result;
 use dolmen_folder::{Found, Outputs, journals_beside};
 use dolmen_picture::Painter;
 #[cfg(feature = "pdf")]
@@ -25,7 +26,7 @@ use dolmen_report::xlsx::workbook;
 use dolmen_work::answer::ProjectReport;
 use dolmen_work::judgement::{Verb, first_status, judge};
 use dolmen_work::motion::MotionRequest;
-use dolmen_work::{FlagVerb, ReportOptions, Sampling, report, told_in};
+use dolmen_work::{FlagVerb, ReportOptions, Sampling, report};
 use std::cell::LazyCell;
 use std::path::{Path, PathBuf};
 
@@ -64,12 +65,11 @@ impl Format {
             #[cfg(feature = "pdf")]
             Some("pdf") => Ok(Format::Pdf),
             #[cfg(not(feature = "pdf"))]
-            Some("pdf") => bail!(
-                "this dolmen was built without PDF: build it with `--features pdf`, or write a page (.html) and print it from a browser"
-            ),
-            Some(other) => bail!(
-                "a report is not written as .{other}: -o takes a page (.html), a document to print (.pdf) or to edit (.docx), or a workbook (.xlsx)"
-            ),
+            Some("pdf") => Err(CommandError::NoPdf.into()),
+            Some(other) => Err(CommandError::ReportFormat {
+                ending: other.to_owned(),
+            }
+            .into()),
         }
     }
 }
@@ -88,11 +88,11 @@ fn whole(
     };
     let answer = report(&found.opened, options, &found.files, &Terminal::new(manner.quiet))?;
     for study in answer.left_out.iter().filter(|_| !manner.quiet) {
-        note!(
-            "study \"{}\" is left out of the report: {}",
-            study.study,
-            study.why
-        );
+        let said = Noted::StudyLeftOut {
+            study: study.study.clone(),
+            why: study.why.clone(),
+        };
+        note!("{}", said.text(manner));
     }
     Ok(answer)
 }
@@ -112,9 +112,7 @@ pub(crate) fn run(options: &Report, typed: &Typed, manner: &Manner) -> Result<Ou
     typed.refuse_foreign(FlagVerb::Report, &projects)?;
     let motion = request::motion(&options.motion, &options.motion.motion_file, manner)?;
     if !motion.is_given() && motion.is_changed() {
-        bail!(
-            "--scale, --peak and the like change a motion, but none is given: add --motion or --motion-file"
-        );
+        return Err(CommandError::NoMotionToChange.into());
     }
     let mut outputs = keeping_motion(Outputs::new(manner.access()), &options.motion.motion_file);
     for (path, found) in &each {
@@ -139,17 +137,17 @@ pub(crate) fn run(options: &Report, typed: &Typed, manner: &Manner) -> Result<Ou
                 tools::complain(&fault, manner);
                 others.push(NotReported {
                     file: path.display().to_string(),
-                    why: told_in(fault.as_ref(), manner.language()),
+                    why: tools::told(fault.as_ref(), manner.language()),
                 });
                 faults.push(fault);
             }
         }
     }
     if answers.is_empty() {
-        bail!(
-            "no report is written: none of the {} projects can be reported on",
-            others.len()
-        );
+        return Err(CommandError::NothingReported {
+            projects: others.len(),
+        }
+        .into());
     }
     let (language, imprint) = (manner.language(), imprint(options.date.clone()));
     let painter = LazyCell::new(Painter::new);

@@ -1,7 +1,8 @@
 //! Results on standard output.
 
 use crate::progress::end_silence;
-use anyhow::{Context as _, Result};
+use crate::wrong::CommandError;
+use anyhow::Result;
 use std::io::Write as _;
 
 /// Prints results to standard output. A reader that has gone (`| head`) ends it quietly; a full disk is an error.
@@ -9,7 +10,7 @@ pub(crate) fn say(text: &str) -> Result<()> {
     end_silence();
     match std::io::stdout().write_all(text.as_bytes()) {
         Err(fault) if fault.kind() == std::io::ErrorKind::BrokenPipe => Ok(()),
-        written => written.context("cannot write to standard output"),
+        written => written.map_err(|why| CommandError::CannotPrint { why }.into()),
     }
 }
 

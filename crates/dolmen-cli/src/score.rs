@@ -6,7 +6,9 @@ use crate::note::note;
 use crate::outcome::Outcome;
 use crate::report;
 use crate::say::{say, say_json};
-use anyhow::{Context as _, Result, bail};
+use crate::tools::told_both;
+use crate::wrong::{CommandError, Noted};
+use anyhow::{Context as _, Result};
 use dolmen_folder::{Found, Outputs, StudyFolder};
 use dolmen_records::{NoFiles, TABLE_BYTES_MOST, read_score_form};
 use dolmen_report::html::score_form_html;
@@ -14,9 +16,9 @@ use dolmen_report::json::{score_json, score_quality_json};
 use dolmen_report::xlsx::score_form_workbook;
 use dolmen_report::{score_quality_text, score_text};
 use dolmen_work::Opened;
+use dolmen_work::WorkError;
 use dolmen_work::score::{ScoreDesigns, score, score_quality};
 use dolmen_work::study::{study_designs, trained};
-use dolmen_work::{WorkError, told};
 use std::path::Path;
 
 pub(crate) fn run(options: &Options, manner: &Manner) -> Result<Outcome> {
@@ -81,7 +83,7 @@ fn form(path: &Path, manner: &Manner) -> Result<()> {
     let bytes = match (has_ending(path, "xlsx"), has_ending(path, "html")) {
         (true, _) => score_form_workbook(language, &imprint)?,
         (_, true) => score_form_html(language, &imprint).into_bytes(),
-        _ => bail!("the form is written as a workbook (.xlsx) or a page (.html)"),
+        _ => return Err(CommandError::FormFormat.into()),
     };
     outputs.file(path, &bytes)?;
     if !manner.quiet {
@@ -108,18 +110,18 @@ fn train(options: &Options, project: &Path, name: &str, output: &Path, manner: &
     let journals = || {
         let journals = folder.journals(name, &[]);
         journals.map_err(|why| WorkError::Outside {
-            why: told(why.as_ref()),
+            why: told_both(why.as_ref()),
         })
     };
     let designs = trained(study_designs(&found.opened, name, journals, &found.files)?);
     outputs.file(output, designs.designs.csv().as_bytes())?;
     if !manner.quiet {
-        note!(
-            "{} designs are in {}; {} were left out: scans are missing or cannot be used",
-            designs.designs.designs.len(),
-            output.display(),
-            designs.left_out
-        );
+        let said = Noted::Designs {
+            designs: designs.designs.designs.len(),
+            path: output.display().to_string(),
+            left_out: designs.left_out,
+        };
+        note!("{}", said.text(manner));
     }
     Ok(())
 }

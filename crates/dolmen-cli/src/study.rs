@@ -7,6 +7,7 @@ use crate::outcome::Outcome;
 use crate::progress::Terminal;
 use crate::say::{say, say_json};
 use crate::typed::Typed;
+use crate::wrong::{CommandError, Noted};
 use crate::{signals, tools};
 use anyhow::{Context as _, Result};
 use dolmen_folder::{Found, StudyFolder, shard};
@@ -37,7 +38,7 @@ fn each(
     act: impl Fn(&Plan<'_>, &StudyFolder) -> Result<Outcome>,
 ) -> Result<Outcome> {
     let project = place.project.as_deref();
-    let project = project.context("name a project file, or a folder that holds project.toml")?;
+    let project = project.ok_or(CommandError::NameProject)?;
     let found = Found::open(project, manner.access())?;
     typed.refuse_foreign(FlagVerb::Study, &[&found.opened.project])?;
     let meant = studies(&found.opened, &place.study)?;
@@ -74,10 +75,11 @@ fn simulated(options: &Options, plan: &Plan<'_>, folder: &StudyFolder, manner: &
     let (journal, done) = folder.journal(&plan.header(shard), plan.kind, options.restart)?;
     let resumed = done.len();
     if resumed > 0 && !manner.quiet {
-        note!(
-            "{}: {resumed} runs are kept from before",
-            folder.journal_file(shard).display()
-        );
+        let said = Noted::RunsKept {
+            journal: folder.journal_file(shard).display().to_string(),
+            runs: resumed,
+        };
+        note!("{}", said.text(manner));
     }
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(options.threads.unwrap_or(0))
@@ -121,7 +123,13 @@ fn finish(plan: &Plan<'_>, folder: &StudyFolder, runs: Vec<Run>, manner: &Manner
         say(&study_text(&answer, manner.style()))?;
     }
     if !manner.quiet {
-        note!("tables and figures are in {}", folder.path().display());
+        note!(
+            "{}",
+            Noted::Tables {
+                folder: folder.path().display().to_string()
+            }
+            .text(manner)
+        );
     }
     Ok(Outcome::finished(answer.is_whole()))
 }

@@ -5,7 +5,8 @@ use crate::manner::Manner;
 use crate::outcome::Outcome;
 use crate::progress::Terminal;
 use crate::say::{say, say_json};
-use anyhow::{Context as _, Result, anyhow, bail};
+use crate::wrong::CommandError;
+use anyhow::{Context as _, Result};
 use dolmen_folder::{Found, fresh_folder, write};
 use dolmen_records::{Files as _, RECORD_BYTES_MOST};
 use dolmen_report::kept::{
@@ -58,7 +59,10 @@ fn now_us() -> i64 {
 impl Where<'_> {
     /// A fault of a store in the language of the user.
     pub(crate) fn told(&self, fault: StoreError) -> anyhow::Error {
-        anyhow!("{}", store_fault(&fault.fault()).text(self.manner.language()))
+        CommandError::Store {
+            fault: store_fault(&fault.fault()).into(),
+        }
+        .into()
     }
 
     fn place(&self) -> Result<Place> {
@@ -87,7 +91,7 @@ impl Where<'_> {
 
 fn add(options: &Add, at: &Where<'_>) -> Result<Outcome> {
     if options.name.is_some() && options.projects.len() > 1 {
-        bail!("--name names one structure, but several projects are given: add them one by one");
+        return Err(CommandError::OneName.into());
     }
     let mut store = at.open_to_write()?;
     for path in &options.projects {
@@ -294,10 +298,10 @@ fn fill(folder: &Path, store: &Store, exported: &Exported, at: &Where<'_>) -> Re
 /// A whole store as a file of its own, with its folder.
 fn export_all(options: &Export, at: &Where<'_>) -> Result<Outcome> {
     if options.output.exists() {
-        bail!(
-            "{} is there already: a whole store is written to a new file, so that nothing is lost",
-            options.output.display()
-        );
+        return Err(CommandError::StoreThere {
+            path: options.output.display().to_string(),
+        }
+        .into());
     }
     let from = at.open()?;
     let into = Place::of(&options.output.to_string_lossy()).map_err(|fault| at.told(fault))?;

@@ -5,7 +5,8 @@ use crate::manner::Manner;
 use crate::note::note;
 use crate::outcome::Outcome;
 use crate::say::say;
-use anyhow::{Result, bail};
+use crate::wrong::{CommandError, of_command};
+use anyhow::Result;
 use clap::{Command, CommandFactory as _};
 use clap_mangen::Man;
 use dolmen_folder::Outputs;
@@ -13,7 +14,9 @@ use dolmen_project::json_schema;
 use dolmen_report::explain::{EXPLANATIONS, explain as look_up, nearest_code};
 use dolmen_report::files::NamedFile;
 use dolmen_report::sentences::sentences_csv;
-use dolmen_work::{complaint, did_not_converge};
+use dolmen_words::Language;
+use dolmen_words::message::Both;
+use dolmen_work::{complaint, did_not_converge, told_by};
 use serde_json::json;
 use std::io::Write as _;
 use std::path::Path;
@@ -25,7 +28,17 @@ const BAD_INPUT: u8 = 2;
 
 /// Prints an error with its causes, to standard error.
 pub(crate) fn complain(fault: &anyhow::Error, manner: &Manner) {
-    note!("{}", complaint(fault.as_ref(), manner.language()));
+    note!("{}", complaint(fault.as_ref(), manner.language(), &of_command));
+}
+
+/// What is said of an error with its causes, in a language.
+pub(crate) fn told(fault: &(dyn std::error::Error + 'static), language: Language) -> String {
+    told_by(fault, language, &of_command)
+}
+
+/// The same in both languages.
+pub(crate) fn told_both(fault: &(dyn std::error::Error + 'static)) -> Both {
+    Both::of(|language| told(fault, language))
 }
 
 /// The exit status that an error stands for.
@@ -43,10 +56,9 @@ pub(crate) fn explain(code: Option<&str>, as_json: bool) -> Result<Outcome> {
         Some(code) => match look_up(code) {
             Some(found) => vec![found],
             None => {
-                let hint = nearest_code(code)
-                    .map(|near| format!(" Did you mean {near}?"))
-                    .unwrap_or_default();
-                bail!("there is no code \"{code}\".{hint} `dolmen explain` lists all codes")
+                let near = nearest_code(code).map(str::to_owned);
+                let code = code.to_owned();
+                return Err(CommandError::NoCode { code, near }.into());
             }
         },
     };

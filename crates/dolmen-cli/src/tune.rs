@@ -6,6 +6,7 @@ use crate::note::note;
 use crate::outcome::Outcome;
 use crate::say::{say, say_json};
 use crate::typed::Typed;
+use crate::wrong::Noted;
 use anyhow::Result;
 use dolmen::damper::Goal;
 use dolmen_folder::{Found, Outputs};
@@ -63,7 +64,13 @@ pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<O
         let files = tune_files(&answers, manner.language());
         Outputs::of(manner.access(), &found).folder(folder, &files)?;
         if !manner.quiet {
-            note!("results and figures are in {}", folder.display());
+            note!(
+                "{}",
+                Noted::Results {
+                    folder: folder.display().to_string()
+                }
+                .text(manner)
+            );
         }
     }
     Ok(Outcome::Done)

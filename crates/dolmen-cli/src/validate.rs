@@ -3,7 +3,8 @@
 use crate::examples::{self, Example};
 use crate::outcome::Outcome;
 use crate::say::{say, say_json};
-use anyhow::{Context as _, Result, bail};
+use crate::wrong::CommandError;
+use anyhow::Result;
 use dolmen::validation::Case;
 use dolmen_project::parse_project;
 use dolmen_report::text::validation_text;
@@ -21,7 +22,7 @@ pub(crate) fn run(as_json: bool) -> Result<Outcome> {
     }
     let wrong = cases.iter().filter(|case| !case.agrees()).count();
     if wrong > 0 {
-        bail!("{wrong} published numbers are not reproduced: this build must not be used");
+        return Err(CommandError::NotReproduced { wrong }.into());
     }
     Ok(Outcome::Done)
 }
@@ -58,12 +59,12 @@ pub(crate) fn doctor() -> Result<Outcome> {
     let cases = all_cases()?;
     let wrong: Vec<&Case> = cases.iter().filter(|case| !case.agrees()).collect();
     if let Some(case) = wrong.first() {
-        bail!(
-            "{} of {} published numbers are not reproduced, {} first",
-            wrong.len(),
-            cases.len(),
-            case.what
-        );
+        return Err(CommandError::NotReproducedFirst {
+            wrong: wrong.len(),
+            all: cases.len(),
+            first: case.what.to_string(),
+        }
+        .into());
     }
     println!("numbers       {} published numbers reproduced", cases.len());
 
@@ -76,9 +77,15 @@ pub(crate) fn doctor() -> Result<Outcome> {
     let folder = std::env::temp_dir().join(format!("dolmen-doctor-{}", std::process::id()));
     dolmen_folder::write(&folder.join("text"), "당간".as_bytes())?;
     let back = dolmen_folder::read_text(&folder.join("text"), 100)?;
-    std::fs::remove_dir_all(&folder).with_context(|| format!("cannot remove {}", folder.display()))?;
+    std::fs::remove_dir_all(&folder).map_err(|why| CommandError::CannotRemove {
+        path: folder.display().to_string(),
+        why,
+    })?;
     if back != "당간" {
-        bail!("{} does not keep what is written to it", folder.display());
+        return Err(CommandError::NotKept {
+            path: folder.display().to_string(),
+        }
+        .into());
     }
     println!(
         "files         written and read back in {}",

@@ -8,7 +8,8 @@ use crate::outcome::Outcome;
 use crate::progress::Terminal;
 use crate::say::{say, say_json};
 use crate::survey::Where;
-use anyhow::{Result, bail};
+use crate::wrong::{CommandError, Noted};
+use anyhow::Result;
 use dolmen_folder::{Found, Outputs};
 use dolmen_report::files::watch_files;
 use dolmen_report::json::watch_json;
@@ -44,7 +45,13 @@ fn one(project: &Path, options: &Watch, manner: &Manner) -> Result<Outcome> {
     if let Some(folder) = &options.output {
         Outputs::of(manner.access(), &found).folder(folder, &watch_files(&answer, manner.language()))?;
         if !manner.quiet {
-            note!("years.svg and watch.json are in {}", folder.display());
+            note!(
+                "{}",
+                Noted::Watched {
+                    folder: folder.display().to_string()
+                }
+                .text(manner)
+            );
         }
     }
     let line = InventoryLine::watched(answer.project.name.english().to_owned(), &answer);
@@ -67,14 +74,17 @@ fn call(options: &Watch, lines: &[InventoryLine]) -> Result<()> {
             .env("DOLMEN_TILT_BEYOND", lean.unwrap_or_default())
             .stdin(Stdio::null())
             .status();
-        let shown = program.display();
-        match status {
-            Ok(status) if status.success() => {}
-            Ok(status) => bail!("--on-alarm {shown} ended with {status} for {}", line.structure),
-            Err(why) => {
-                bail!("--on-alarm {shown} could not be run: {why}; it is a program, not a line of a shell")
-            }
-        }
+        let shown = program.display().to_string();
+        let fault = match status {
+            Ok(status) if status.success() => continue,
+            Ok(status) => CommandError::ProgramFailed {
+                program: shown,
+                structure: line.structure.clone(),
+                status: status.to_string(),
+            },
+            Err(why) => CommandError::NoProgram { program: shown, why },
+        };
+        return Err(fault.into());
     }
     Ok(())
 }

@@ -1,7 +1,9 @@
 //! Files: opening inputs with a clear error, and writing results whole or not at all.
 
-use anyhow::{Context as _, Result, bail};
+use crate::wrong::{Lying, PathError};
+use anyhow::Result;
 use dolmen_records::FileError;
+use dolmen_words::said_by_system;
 use std::fs;
 use std::io::{Read as _, Write as _};
 use std::path::{Path, PathBuf};
@@ -12,39 +14,39 @@ pub(crate) fn project_file(path: &Path) -> Result<PathBuf> {
     if path.is_dir() {
         let file = path.join("project.toml");
         if !file.is_file() {
-            bail!(
-                "{} holds no project.toml: name the project file, or start one with `dolmen new flagpole DIR`",
-                path.display()
-            );
+            return Err(PathError::NoProject {
+                path: path.display().to_string(),
+            }
+            .into());
         }
         return Ok(file);
     }
     if !path.exists() {
-        bail!(
-            "{} does not exist: name a project file or its folder, or start one with `dolmen new flagpole DIR`",
-            path.display()
-        );
+        return Err(PathError::NotThere {
+            path: path.display().to_string(),
+        }
+        .into());
     }
     Ok(path.to_owned())
 }
 
 /// What there is instead of a regular file, and `None` where there is one.
-fn not_a_file(there: &fs::Metadata) -> Option<&'static str> {
+fn not_a_file(there: &fs::Metadata) -> Option<Lying> {
     #[cfg(unix)]
     {
         use std::os::unix::fs::FileTypeExt as _;
         let kind = there.file_type();
         if kind.is_fifo() || kind.is_socket() {
-            return Some("a pipe");
+            return Some(Lying::Pipe);
         }
         if kind.is_char_device() || kind.is_block_device() {
-            return Some("a device");
+            return Some(Lying::Device);
         }
     }
     match there {
-        there if there.is_dir() => Some("a folder"),
+        there if there.is_dir() => Some(Lying::Folder),
         there if there.is_file() => None,
-        _ => Some("no regular file"),
+        _ => Some(Lying::NoRegularFile),
     }
 }
 
@@ -53,11 +55,14 @@ pub fn read(path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
     let shown = || path.display().to_string();
     let unreadable = |why: std::io::Error| FileError::Unreadable {
         shown: shown(),
-        why: why.to_string(),
+        why: said_by_system(&why),
     };
     // before it is opened: opening a pipe waits for a writer
     if let Some(what) = not_a_file(&fs::metadata(path).map_err(unreadable)?) {
-        return Err(FileError::NotAFile { shown: shown(), what });
+        return Err(FileError::NotAFile {
+            shown: shown(),
+            what: what.into(),
+        });
     }
     let file = fs::File::open(path).map_err(unreadable)?;
     let bytes = file.metadata().map_err(unreadable)?.len();
@@ -94,26 +99,27 @@ pub fn start(path: &Path) -> Vec<u8> {
 pub fn read_text(path: &Path, most: u64) -> Result<String> {
     String::from_utf8(read(path, most)?).map_err(|fault| {
         let at = fault.utf8_error().valid_up_to();
-        anyhow::anyhow!(
-            "{} is not UTF-8 text (byte {at}): save it as UTF-8; Korean text saved as EUC-KR or CP949 must be converted",
-            path.display()
-        )
+        PathError::NotUtf8 {
+            path: path.display().to_string(),
+            at,
+        }
+        .into()
     })
 }
 
 /// Writes `bytes` to `path` whole or not at all: a temporary file beside it, then a rename. A link is followed; a device or a pipe is written to
 /// as it is.
 pub fn write(path: &Path, bytes: &[u8]) -> Result<()> {
-    let failed = |fault: std::io::Error| {
-        let said = match fault.kind() {
-            std::io::ErrorKind::FileTooLarge => format!(
-                "cannot write the {} bytes of {}: the system allows no file as large (`ulimit -f` tells how large); raise that limit, or write elsewhere",
-                bytes.len(),
-                path.display()
-            ),
-            _ => format!("cannot write {}", path.display()),
-        };
-        anyhow::Error::new(fault).context(said)
+    let failed = |why: std::io::Error| {
+        let path = path.display().to_string();
+        anyhow::Error::new(match why.kind() {
+            std::io::ErrorKind::FileTooLarge => PathError::TooLargeToWrite {
+                path,
+                bytes: bytes.len(),
+                why,
+            },
+            _ => PathError::CannotWrite { path, why },
+        })
     };
     if fs::metadata(path).is_ok_and(|there| !there.is_file() && !there.is_dir()) {
         let opened = fs::OpenOptions::new().write(true).open(path);
@@ -121,16 +127,14 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<()> {
         return written.map_err(failed);
     }
     let target = match path.is_symlink() {
-        true => path.canonicalize().with_context(|| {
-            format!(
-                "{} is a link to nothing: remove it, or write elsewhere",
-                path.display()
-            )
+        true => path.canonicalize().map_err(|why| PathError::LinkToNothing {
+            path: path.display().to_string(),
+            why,
         })?,
         false => path.to_owned(),
     };
     let folder = folder_of(&target);
-    fs::create_dir_all(folder).with_context(|| format!("cannot make the folder {}", folder.display()))?;
+    fs::create_dir_all(folder).map_err(|why| cannot_make(folder, why))?;
     // twice: in between, another process may have taken the part for one that was left behind
     let written = match part_then_rename(folder, &target, bytes) {
         Err(fault) if fault.kind() == std::io::ErrorKind::NotFound => {
@@ -183,21 +187,29 @@ pub(crate) fn clear_parts(folder: &Path) {
     }
 }
 
+/// That a folder cannot be made.
+pub(crate) fn cannot_make(folder: &Path, why: std::io::Error) -> PathError {
+    PathError::CannotMake {
+        path: folder.display().to_string(),
+        why,
+    }
+}
+
 /// Makes `path` a folder to be filled: refused if it holds anything, so that nothing is overwritten.
 pub fn fresh_folder(path: &Path) -> Result<()> {
     if path.exists() && !path.is_dir() {
-        bail!(
-            "{} is a file: name a folder that does not exist yet",
-            path.display()
-        );
+        return Err(PathError::IsFile {
+            path: path.display().to_string(),
+        }
+        .into());
     }
     if path.is_dir() && fs::read_dir(path)?.next().is_some() {
-        bail!(
-            "{} is not empty: name a folder that does not exist yet, so that nothing is lost",
-            path.display()
-        );
+        return Err(PathError::NotEmpty {
+            path: path.display().to_string(),
+        }
+        .into());
     }
-    fs::create_dir_all(path).with_context(|| format!("cannot make the folder {}", path.display()))
+    Ok(fs::create_dir_all(path).map_err(|why| cannot_make(path, why))?)
 }
 
 /// Makes `path` a folder with these files, or leaves everything as it was.

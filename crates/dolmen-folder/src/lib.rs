@@ -8,9 +8,11 @@ mod files;
 mod open;
 mod outputs;
 mod study_folder;
+mod wrong;
 
 pub use access::Access;
 pub use files::{fill_fresh, fresh_folder, read, read_text, start, write};
 pub use open::{Folder, Found};
 pub use outputs::Outputs;
 pub use study_folder::{JournalFile, StudyFolder, journals_beside, shard};
+pub use wrong::{ERRORS, PathError, of_folders};

@@ -1,7 +1,8 @@
 //! From paths to projects: the project file that a path means, and the files that it names.
 
+use crate::wrong::PathError;
 use crate::{Access, files};
-use anyhow::{Result, bail};
+use anyhow::Result;
 use dolmen_records::{FileError, Files, PROJECT_BYTES_MOST, stays_within};
 use dolmen_work::Opened;
 use std::path::{Path, PathBuf};
@@ -90,12 +91,11 @@ fn refuse_record(file: &Path) -> Result<()> {
             .file_name()
             .map(|n| n.to_string_lossy().into_owned())
             .unwrap_or_default();
-        bail!(
-            "{} is a record, not a project file: write a file project.toml beside it that names it, and give that\n\n\
-             schema = 1\nkind = \"survey\"\nname = {{ en = \"My survey\" }}\n[survey.one.records]\nfile = \"{name}\"\n\
-             sampling_rate = \"100 Hz\"   # where the file does not say it",
-            file.display()
-        );
+        return Err(PathError::IsRecord {
+            path: file.display().to_string(),
+            name,
+        }
+        .into());
     }
     Ok(())
 }

@@ -6,7 +6,8 @@
 use crate::Access;
 use crate::files::{clear_parts, folder_of, read, start, write};
 use crate::open::Found;
-use anyhow::{Result, bail};
+use crate::wrong::PathError;
+use anyhow::Result;
 use dolmen_report::files::{NamedFile, is_marked};
 use dolmen_work::study::fingerprint;
 use std::collections::{BTreeMap, BTreeSet};
@@ -91,14 +92,14 @@ impl Outputs {
     pub fn refuse(&self, path: &Path) -> Result<()> {
         match self.standing(path) {
             Standing::Free => Ok(()),
-            Standing::Input => bail!(
-                "{} is read by this command or named by its project: it is never replaced; write elsewhere",
-                path.display()
-            ),
-            Standing::Foreign => bail!(
-                "{} is there already, and Dolmen did not write it, or it was changed since: write elsewhere, or give --force to replace it",
-                path.display()
-            ),
+            Standing::Input => Err(PathError::IsInput {
+                path: path.display().to_string(),
+            }
+            .into()),
+            Standing::Foreign => Err(PathError::IsForeign {
+                path: path.display().to_string(),
+            }
+            .into()),
         }
     }
 
@@ -125,7 +126,7 @@ impl Outputs {
                 Standing::Free => wanted,
                 Standing::Input | Standing::Foreign => {
                     let free = self.free_beside(&wanted);
-                    beside.push(format!("{} is now {}", wanted.display(), free.display()));
+                    beside.push([wanted.display().to_string(), free.display().to_string()]);
                     free
                 }
             };
@@ -137,11 +138,7 @@ impl Outputs {
         }
         match beside.is_empty() {
             true => Ok(()),
-            false => bail!(
-                "files are there that Dolmen did not write, or that were changed since; they stay, and what was to replace them lies beside: {}; \
-                 move yours away, write elsewhere, or give --force to replace them",
-                beside.join(", ")
-            ),
+            false => Err(PathError::LieBeside { beside }.into()),
         }
     }
 

@@ -3,15 +3,17 @@
 use crate::files;
 use crate::open::Found;
 use crate::outputs::Outputs;
-use anyhow::{Context as _, Result, bail};
+use crate::wrong::{Lying, PathError, of_folders};
+use anyhow::Result;
 use dolmen_records::JOURNAL_BYTES_MOST;
 use dolmen_report::files::study_files;
-use dolmen_words::{Language, file_name};
+use dolmen_words::message::Both;
+use dolmen_words::{Language, file_name, said_by_system};
 use dolmen_work::study::{
     Journal, JournalHeader, JournalText, Run, StudyAnswer, StudyJournals, StudyKind, header_line, is_journal,
     resumed, run_line,
 };
-use dolmen_work::{WorkError, told};
+use dolmen_work::{WorkError, told_by};
 use std::fs::{self, File, OpenOptions};
 use std::io::{Seek as _, SeekFrom, Write as _};
 use std::path::{Path, PathBuf};
@@ -38,7 +40,11 @@ impl Journal for JournalFile {
         let mut file = self.file.lock().unwrap_or_else(PoisonError::into_inner);
         let written = file.write_all(line.as_bytes()).and_then(|()| file.flush());
         written.map_err(|why| WorkError::Outside {
-            why: format!("cannot write {}: {why}", self.path.display()),
+            why: Lying::CannotWrite {
+                path: self.path.display().to_string(),
+                why: said_by_system(&why),
+            }
+            .into(),
         })
     }
 }
@@ -49,7 +55,10 @@ pub fn shard(text: &str) -> Result<(usize, usize)> {
     let numbers = parts.and_then(|(part, of)| Some((part.parse().ok()?, of.parse().ok()?)));
     match numbers {
         Some((part, of)) if 1 <= part && part <= of => Ok((part, of)),
-        _ => bail!("--shard is \"{text}\", but must be k/N with k from 1 to N: 1/4 is the first of four"),
+        _ => Err(PathError::Shard {
+            given: text.to_owned(),
+        }
+        .into()),
     }
 }
 
@@ -89,23 +98,23 @@ impl StudyFolder {
     ) -> Result<(JournalFile, Vec<Run>)> {
         let path = self.journal_file(header.shard);
         let shown = path.display().to_string();
-        fs::create_dir_all(&self.path)
-            .with_context(|| format!("cannot make the folder {}", self.path.display()))?;
+        fs::create_dir_all(&self.path).map_err(|why| files::cannot_make(&self.path, why))?;
         let file = OpenOptions::new()
             .read(true)
             .write(true)
             .create(true)
             .truncate(false)
             .open(&path);
-        let mut file = file.with_context(|| format!("cannot open {shown}"))?;
+        let mut file = file.map_err(|why| PathError::CannotOpen {
+            path: shown.clone(),
+            why,
+        })?;
         if file.try_lock().is_err() {
-            bail!("{shown} is in use: another `dolmen study` is running this study");
+            return Err(PathError::InUse { path: shown }.into());
         }
         let there = files::start(&path);
         if !there.is_empty() && !is_journal(&there) {
-            bail!(
-                "{shown} is no journal of a study, and stays: move it away, or name another folder (--output)"
-            );
+            return Err(PathError::NoJournalOfStudy { path: shown }.into());
         }
         let text = if restart {
             String::new()
@@ -131,7 +140,7 @@ impl StudyFolder {
                     Ok(())
                 }
             });
-        made.with_context(|| format!("cannot write {shown}"))?;
+        made.map_err(|why| PathError::CannotWrite { path: shown, why })?;
         let file = JournalFile {
             file: Mutex::new(file),
             path,
@@ -146,19 +155,20 @@ impl StudyFolder {
             let mut found = journals_in(folder)?;
             found.extend(journals_in(&folder.join(file_name(study)))?);
             if found.is_empty() {
-                bail!(
-                    "--from {} has no journal of a study, and neither has {study} in it",
-                    folder.display(),
-                );
+                return Err(PathError::NoJournalFrom {
+                    path: folder.display().to_string(),
+                    study: study.to_owned(),
+                }
+                .into());
             }
             journals.extend(found);
         }
         journals.sort();
         if journals.is_empty() {
-            bail!(
-                "there is no journal in {}: run `dolmen study` first, or name the folders of the shards",
-                self.path.display()
-            );
+            return Err(PathError::NoJournalIn {
+                path: self.path.display().to_string(),
+            }
+            .into());
         }
         let each = journals.into_iter().map(|path| {
             Ok(JournalText {
@@ -197,7 +207,7 @@ pub fn journals_beside(found: &Found) -> Vec<StudyJournals> {
         Some(StudyJournals {
             study: study.name.clone(),
             journals: journals.map_err(|why| WorkError::Outside {
-                why: told(why.as_ref()),
+                why: Both::of(|language| told_by(why.as_ref(), language, &of_folders)),
             }),
         })
     });

@@ -235,7 +235,8 @@ impl<'t, 'i> SchemaCheck<'t, 'i> {
                 known: known.join(", "),
             }),
         };
-        self.faults.push(fault.allowed(WrongKey::UnknownKey).help(help));
+        self.faults
+            .push(fault.allowed(WrongKey::UnknownKey).help(help).of_key());
     }
 
     fn required(&mut self, table: &DeTable<'i>, span: &Range<usize>, schema: &'static Tree, path: &str) {

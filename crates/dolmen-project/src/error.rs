@@ -1,8 +1,8 @@
 //! What is wrong with a project file: every problem found, each with its place.
 
 use super::wrong::Framed;
-use dolmen_words::Language;
-use dolmen_words::message::Both;
+use dolmen_words::message::{Argument, Both, Run};
+use dolmen_words::{Language, nearest};
 use std::fmt;
 use std::ops::Range;
 use unicode_width::UnicodeWidthChar;
@@ -46,6 +46,7 @@ impl std::error::Error for ProjectError {}
 impl ProjectError {
     /// The first faults of a file, each with its place.
     pub(super) fn of(mut faults: Vec<Fault>, file: &str, text: &str) -> Self {
+        leave_out_what_follows(&mut faults);
         faults.sort_by_key(|fault| (fault.span.start, fault.path.clone()));
         faults.dedup();
         let more = faults.len().saturating_sub(PROBLEMS_MOST);
@@ -61,6 +62,12 @@ impl ProjectError {
 impl fmt::Display for ProjectError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.text(Language::English))
+    }
+}
+
+impl Argument for ProjectError {
+    fn said(&self, language: Language) -> Vec<Run> {
+        vec![Run::Name(self.text(language))]
     }
 }
 
@@ -131,6 +138,26 @@ pub(super) struct Fault {
     message: Both,
     allowed: Option<Both>,
     help: Option<Both>,
+    /// Whether it is a key that means nothing where it stands.
+    is_of_key: bool,
+}
+
+/// A misspelt key is one fault: what its table then lacks, or means in other units, is left out until it is right.
+fn leave_out_what_follows(faults: &mut Vec<Fault>) {
+    let keys: Vec<String> = faults
+        .iter()
+        .filter(|fault| fault.is_of_key)
+        .map(|fault| fault.path.clone())
+        .collect();
+    let units = keys.iter().any(|key| nearest(key, ["units"]).is_some());
+    let follows = |fault: &Fault| {
+        let of_its_table = |key: &String| match key.rsplit_once('.') {
+            Some((table, _)) => fault.path == table,
+            None => fault.span.is_empty() && fault.span.start == 0,
+        };
+        units || keys.iter().any(of_its_table)
+    };
+    faults.retain(|fault| fault.is_of_key || !follows(fault));
 }
 
 impl Fault {
@@ -141,7 +168,14 @@ impl Fault {
             message: message.into(),
             allowed: None,
             help: None,
+            is_of_key: false,
         }
+    }
+
+    /// Says that it is a key that means nothing where it stands.
+    pub(super) fn of_key(mut self) -> Self {
+        self.is_of_key = true;
+        self
     }
 
     pub(super) fn allowed(mut self, allowed: impl Into<Both>) -> Self {

@@ -41,7 +41,8 @@ pub(super) fn foreign_keys(root: &mut DeTable<'_>, faults: &mut Vec<Fault>) {
                 faults.push(
                     Fault::new(key.span(), name, message)
                         .allowed(Common::NoMeaningHere)
-                        .help(help),
+                        .help(help)
+                        .of_key(),
                 );
             }
         }

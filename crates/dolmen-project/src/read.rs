@@ -33,9 +33,10 @@ use super::tabled::{Tabled, tabled};
 use super::units::STANDARD_GRAVITY_M_S2;
 use super::unknown_variants::unknown_variants;
 use super::warned::Warned;
-use super::wrong::{Common, WrongFile};
+use super::wrong::{Common, WrongFile, said};
 use dolmen::structure::StructureError;
 use dolmen_records::{Files, NoFiles};
+use dolmen_words::message::Both;
 use serde::Deserialize;
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
@@ -350,7 +351,7 @@ fn buildable(reader: &mut Reader, structure: Option<&mut Structure>) {
         Some(Structure::Stack(stack)) => {
             if let Err(why) = stack.build(&mut Quantity::nominal) {
                 let path = why.path();
-                reader.fault(Fault::new(reader.place(path), path, why.said()));
+                reader.fault(Fault::new(reader.place(path), path, Both::from(why.sentence())));
             }
             return;
         }
@@ -365,7 +366,7 @@ fn buildable(reader: &mut Reader, structure: Option<&mut Structure>) {
             StructureError::AxialOrder { storey, .. } => format!("storeys[{storey}].axial_force"),
             _ => path.to_owned(),
         };
-        reader.fault(Fault::new(reader.place(&path), &path, why.to_string()));
+        reader.fault(Fault::new(reader.place(&path), &path, said(&why)));
     }
 }
 
@@ -399,10 +400,12 @@ fn warn_of_assumed(reader: &mut Reader, project: &Project) {
     for (paths, is_scatter) in [(values, false), (scatter, true)] {
         if let Some(first) = paths.first() {
             let listed = match paths.get(..PATHS_LISTED) {
-                Some(some) if paths.len() > PATHS_LISTED + 1 => {
-                    format!("{} and {} more", some.join(", "), paths.len() - PATHS_LISTED)
+                Some(some) if paths.len() > PATHS_LISTED + 1 => Common::AndMore {
+                    some: some.join(", "),
+                    count: paths.len() - PATHS_LISTED,
                 }
-                _ => paths.join(", "),
+                .into(),
+                _ => Both::from(paths.join(", ")),
             };
 
             let warned = match (paths.len(), is_scatter) {

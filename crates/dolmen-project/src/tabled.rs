@@ -6,6 +6,7 @@ use super::measure::Measure;
 use super::placed::place;
 use super::units::parse_unit;
 use super::wrong::{Common, WrongTable};
+use crate::wrong::said;
 use dolmen_records::{Files, SHEET_BYTES_MOST, SheetCell, SheetValue, read_sheet};
 use dolmen_words::message::Both;
 use std::collections::BTreeMap;
@@ -129,7 +130,7 @@ pub(super) fn tabled(text: &str, files: &dyn Files) -> Result<Vec<Tabled>, Vec<F
                     Both::from(WrongTable::File {
                         key: key.to_string(),
                         file: file.to_string(),
-                        why: why.to_string().into(),
+                        why: said(&why),
                     }),
                 ));
                 continue;

@@ -4,6 +4,7 @@ use super::wrong::{Common, WrongUnit};
 pub(super) use dolmen::known::STANDARD_GRAVITY_M_S2;
 use dolmen_words::Language;
 use dolmen_words::message::Both;
+use dolmen_words::message::{Argument, Run};
 
 /// Powers of metre, kilogram and second. An angle has none: N m/rad and N m are the same.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -327,13 +328,26 @@ pub fn parse_angle_rad(text: &str) -> Result<f64, AngleError> {
 }
 
 /// Why a text is no angle.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{}", self.text(Language::English))]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct AngleError {
     /// The text.
     pub text: String,
     /// What is wrong with it, and what to write.
     pub why: Both,
+}
+
+impl std::fmt::Display for AngleError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&self.text(Language::English))
+    }
+}
+
+impl std::error::Error for AngleError {}
+
+impl Argument for AngleError {
+    fn said(&self, language: Language) -> Vec<Run> {
+        vec![Run::Name(self.text(language))]
+    }
 }
 
 impl AngleError {

@@ -1,7 +1,7 @@
 //! The files that a project names: where their bytes come from, a folder, an archive, a store or memory.
 
+use dolmen_words::message::Both;
 use std::collections::BTreeMap;
-use thiserror::Error;
 
 /// Gives the bytes of files by the names that a project file writes, relative to itself.
 pub trait Files: Send + Sync {
@@ -18,20 +18,16 @@ pub trait Files: Send + Sync {
 }
 
 /// A file that could not be had.
-#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum FileError {
     /// Reading failed.
-    #[error("cannot read {shown}: {why}")]
     Unreadable {
         /// The file, as a user would look for it.
         shown: String,
         /// What the system says.
-        why: String,
+        why: Both,
     },
     /// It is larger than an input of its kind may be.
-    #[error(
-        "{shown} holds {bytes} bytes, but at most {most} are read: cut it, split it into several files, or give --largest-file"
-    )]
     TooLarge {
         /// The file, as a user would look for it.
         shown: String,
@@ -41,32 +37,23 @@ pub enum FileError {
         most: u64,
     },
     /// It lies outside the folder of the project, or may.
-    #[error(
-        "{shown} lies outside the folder of the project, or leads out of it: copy it into that folder, or give --allow-outside if you trust the \
-         project file"
-    )]
     Outside {
         /// The file, as a user would look for it.
         shown: String,
     },
     /// It is a device, a pipe or a folder.
-    #[error(
-        "{shown} is {what}, but only regular files are read: save what it gives to a file, and name that"
-    )]
     NotAFile {
         /// The file, as a user would look for it.
         shown: String,
         /// What it is: "a pipe".
-        what: &'static str,
+        what: Both,
     },
     /// There is none of this name.
-    #[error("there is no {shown}")]
     Absent {
         /// The file, as a user would look for it.
         shown: String,
     },
     /// There are no files here, only text.
-    #[error("no files are read here, only the text of the project")]
     TextAlone,
 }
 

@@ -14,6 +14,7 @@ mod seismic;
 mod sheet;
 mod start;
 mod unit;
+mod wrong;
 
 pub use files::{
     FileError, Files, JOURNAL_BYTES_MOST, MESH_BYTES_MOST, MOTION_BYTES_MOST, MemoryFiles, NoFiles,
@@ -24,3 +25,4 @@ pub use photo::{PHOTO_BYTES_MOST, PHOTO_PIXELS_MOST, Photo, PhotoError, PhotoFor
 pub use score_form::{ScoreForm, ScoreFormError, read_score_form};
 pub use sheet::{SHEET_BYTES_MOST, SheetCell, SheetError, SheetValue, read_sheet};
 pub use start::time_text;
+pub use wrong::{ERRORS, of_records};

@@ -1,5 +1,8 @@
 //! How much a file may ask of its reader: a few bytes must not become much memory or time.
 
+use crate::wrong::Unread;
+use dolmen_words::message::Both;
+
 /// Most columns of a text and channels of any file. Chosen here: more than any recorder has.
 pub(crate) const CHANNELS_MOST: usize = 4096;
 /// Most bytes of one line of a text. Chosen here: 4096 columns of 20 digits are 90 kB.
@@ -20,12 +23,9 @@ const EXPANSION_OF_LARGE_MOST: u64 = 20;
 const HEAD_BYTES: usize = 1 << 16;
 
 /// More than a file may ask of its reader.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum LimitError {
     /// A line is too long.
-    #[error(
-        "line {line} has {bytes} bytes, but at most {most} are read: write one line a sample, or a face of a mesh; are rows and columns swapped?"
-    )]
     Line {
         /// The line, from 1.
         line: usize,
@@ -35,10 +35,6 @@ pub enum LimitError {
         most: usize,
     },
     /// A line holds too many cells.
-    #[error(
-        "line {line} holds {found} cells, but at most {most} are read, more than any recorder has: are rows and columns swapped? \
-         write one line a sample"
-    )]
     Columns {
         /// The line, from 1.
         line: usize,
@@ -48,22 +44,15 @@ pub enum LimitError {
         most: usize,
     },
     /// A binary file describes too much.
-    #[error(
-        "the {format} file holds more than {most} {what}, which no recorder writes: save the channels that are needed alone"
-    )]
     Parts {
         /// Its format.
         format: &'static str,
         /// "channels", "variables".
-        what: &'static str,
+        what: Both,
         /// The limit.
         most: usize,
     },
     /// A small file becomes much memory.
-    #[error(
-        "the {format} file of {packed} bytes unpacks to {unpacked}, but at most {most} are unpacked of it, since no record of vibrations \
-         packs so tightly: {instead}"
-    )]
     Expands {
         /// Its format.
         format: &'static str,
@@ -74,7 +63,7 @@ pub enum LimitError {
         /// The limit.
         most: u64,
         /// What to do.
-        instead: &'static str,
+        instead: Both,
     },
 }
 
@@ -89,19 +78,23 @@ pub(crate) fn expanded_most(packed: usize) -> u64 {
 
 /// Refuses more channels than any recorder has.
 pub(crate) fn refuse_channels(format: &'static str, channels: usize) -> Result<(), LimitError> {
-    refuse_parts(format, "channels", channels, CHANNELS_MOST)
+    refuse_parts(format, Unread::Channels, channels, CHANNELS_MOST)
 }
 
 /// Refuses a file that describes more of something than `most`.
 pub(crate) fn refuse_parts(
     format: &'static str,
-    what: &'static str,
+    what: impl Into<Both>,
     found: usize,
     most: usize,
 ) -> Result<(), LimitError> {
     match found <= most {
         true => Ok(()),
-        false => Err(LimitError::Parts { format, what, most }),
+        false => Err(LimitError::Parts {
+            format,
+            what: what.into(),
+            most,
+        }),
     }
 }
 

@@ -1,7 +1,6 @@
 //! Photographs and drawings as they are: what their heads say, without decoding them.
 
 use imagesize::{ImageType, blob_size, image_type};
-use thiserror::Error;
 
 /// Most bytes of a photograph. Chosen here: a JPEG of a camera with 60 megapixels has 30 MB.
 pub const PHOTO_BYTES_MOST: u64 = 32 << 20;
@@ -55,22 +54,18 @@ impl std::fmt::Debug for Photo {
 }
 
 /// A file that is no photograph that can be used.
-#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum PhotoError {
     /// Another format, or no image.
-    #[error("is no JPEG or PNG image: its first bytes are {start}; save it as JPEG or PNG")]
     NotAnImage {
         /// The first bytes.
         start: String,
     },
     /// The head does not say how large it is.
-    #[error("is a damaged image: its head does not say how large it is; save it again from its original")]
     Damaged,
     /// The end is missing.
-    #[error("is cut short: the end of the image is missing; copy it again from its original")]
     CutShort,
     /// No pixels.
-    #[error("is an image of {width} × {height} pixels, which shows nothing")]
     Empty {
         /// Pixels across.
         width: u64,
@@ -78,10 +73,6 @@ pub enum PhotoError {
         height: u64,
     },
     /// Too many pixels.
-    #[error(
-        "is an image of {width} × {height} pixels, but at most {} million are used: save it smaller (3000 pixels across fill a page)",
-        PHOTO_PIXELS_MOST / 1_000_000
-    )]
     TooManyPixels {
         /// Pixels across.
         width: u64,

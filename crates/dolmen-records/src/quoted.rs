@@ -1,5 +1,8 @@
 //! Text of a file as errors quote it: short, and without signs that a terminal obeys.
 
+use crate::wrong::and_more;
+use dolmen_words::message::Both;
+
 /// Most characters of one quotation. Chosen here: two lines of a terminal.
 const CHARACTERS_MOST: usize = 200;
 /// Most names of one list. Chosen here: nobody reads more to find the one meant.
@@ -34,15 +37,15 @@ pub(crate) fn shown(text: &str) -> String {
 }
 
 /// The first names of a list, each as an error quotes it, and how many follow.
-pub(crate) fn listed<T: AsRef<str>>(names: &[T]) -> String {
+pub(crate) fn listed<T: AsRef<str>>(names: &[T]) -> Both {
     let first: Vec<String> = names
         .iter()
         .take(NAMES_MOST)
         .map(|name| shown(name.as_ref()))
         .collect();
     match names.len().saturating_sub(NAMES_MOST) {
-        0 => first.join(", "),
-        more => format!("{} and {more} more", first.join(", ")),
+        0 => first.join(", ").into(),
+        more => and_more(first.join(", "), more),
     }
 }
 
@@ -74,8 +77,11 @@ mod tests {
     #[test]
     fn holds_a_list_names_twenty() {
         let names: Vec<String> = (1..=23).map(|n| format!("ch{n}")).collect();
-        assert_eq!(listed(&names[..2]), "ch1, ch2");
-        assert!(listed(&names[..20]).ends_with("ch19, ch20"));
-        assert!(listed(&names).ends_with("ch19, ch20 and 3 more"));
+        assert_eq!(listed(&names[..2]), Both::from("ch1, ch2"));
+        assert!(listed(&names[..20]).english.ends_with("ch19, ch20"));
+        let more = listed(&names);
+        assert!(
+            more.english.ends_with("ch19, ch20 and 3 more") && more.korean.ends_with("ch19, ch20 외 3개")
+        );
     }
 }

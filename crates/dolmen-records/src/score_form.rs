@@ -11,27 +11,20 @@ const EITHER: [&str; 2] = ["body_slenderness", "slenderness_angle"];
 const VALUES: usize = 3;
 
 /// Why a form cannot be read.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ScoreFormError {
     /// It is no workbook.
-    #[error("it is no workbook (.xlsx): {0}")]
     NoWorkbook(String),
     /// No sheet has the rows of the form.
-    #[error(
-        "it is no form of the six-factor score: no sheet has the key storeys in its first column; `dolmen score --sheet form.xlsx` writes the form"
-    )]
     NoForm,
     /// A value is missing.
-    #[error("{key} is not filled: write its value into column D of its row")]
     Missing {
         /// The key of the row.
         key: &'static str,
     },
     /// Both of two that follow from each other.
-    #[error("body_slenderness and slenderness_angle are both filled: keep one, the other follows from it")]
     Both,
     /// What stands there is no number.
-    #[error("{key} is {given:?}: write a number, in the unit of its row")]
     NoNumber {
         /// The key of the row.
         key: &'static str,
@@ -39,7 +32,6 @@ pub enum ScoreFormError {
         given: String,
     },
     /// Storeys are counted.
-    #[error("storeys is {given}: write a whole number")]
     NotWhole {
         /// What stands there.
         given: String,

@@ -2,15 +2,14 @@
 
 use calamine::{Data, Dimensions, Ods, Range, Reader, Xlsx};
 use std::io::{Cursor, Read as _};
-use thiserror::Error;
 
 /// Most bytes of a table.
 pub const SHEET_BYTES_MOST: u64 = 32 << 20;
 /// Most bytes that a workbook may unpack to. Chosen here: 10,000 stones in twenty columns are 20 MB of XML.
-const UNPACKED_BYTES_MOST: u64 = 128 << 20;
+pub(crate) const UNPACKED_BYTES_MOST: u64 = 128 << 20;
 /// Most rows and columns that are looked at. Chosen here: no monument was ever measured stone by stone in more.
-const ROWS_MOST: usize = 10_000;
-const COLUMNS_MOST: usize = 256;
+pub(crate) const ROWS_MOST: usize = 10_000;
+pub(crate) const COLUMNS_MOST: usize = 256;
 
 /// What stands in a cell.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,22 +32,18 @@ pub struct SheetCell {
 }
 
 /// A table that cannot be used.
-#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum SheetError {
     /// No table by its name.
-    #[error("is no table: its name must end in .xlsx, .ods or .csv")]
     NotATable,
     /// It cannot be read.
-    #[error("cannot be read as a table: {why}")]
     Unreadable {
         /// What the reader says.
         why: String,
     },
     /// It unpacks to more than it may.
-    #[error("unpacks to more than {} MiB: save only the table of this structure", UNPACKED_BYTES_MOST >> 20)]
     TooLarge,
     /// More rows or columns than are read.
-    #[error("has {rows} rows and {columns} columns, but at most {ROWS_MOST} and {COLUMNS_MOST} are read")]
     TooMany {
         /// Rows.
         rows: usize,
@@ -56,7 +51,6 @@ pub enum SheetError {
         columns: usize,
     },
     /// There is no such sheet.
-    #[error("has no sheet \"{name}\": it has {known}")]
     NoSuchSheet {
         /// The name.
         name: String,
@@ -64,31 +58,25 @@ pub enum SheetError {
         known: String,
     },
     /// Which sheet is meant is not said.
-    #[error("has several sheets ({known}): name one, sheet = \"…\"")]
     SeveralSheets {
         /// Those there are.
         known: String,
     },
     /// A table of text has sheets.
-    #[error("is text and has no sheets: take sheet = \"…\" out")]
     NoSheets,
     /// Nothing stands in it.
-    #[error("holds no rows below its header")]
     NoRows,
     /// A formula.
-    #[error("cell {place} holds a formula: its value may be old; copy the table and paste values only")]
     Formula {
         /// The cell.
         place: String,
     },
     /// Cells that are merged.
-    #[error("cells {place} are merged: which row they belong to is not clear; split them")]
     Merged {
         /// The cells: "B2:B4".
         place: String,
     },
     /// An error of the sheet.
-    #[error("cell {place} holds {what}, which is no number and no name")]
     Other {
         /// The cell.
         place: String,

@@ -30,6 +30,10 @@ pub fn sentences() -> Vec<Template> {
     groups.push(dolmen_project::Warned::TEMPLATES);
     groups.push(dolmen_project::Doubted::TEMPLATES);
     groups.extend(dolmen_project::ERRORS);
+    groups.extend(dolmen_records::ERRORS);
+    groups.extend(dolmen_work::ERRORS);
+    groups.push(dolmen_words::advice::ADVICE);
+    groups.push(dolmen_words::SYSTEM);
     groups.extend(frame::TEMPLATES);
     groups.extend(demand::TEMPLATES);
     groups.extend(limits::TEMPLATES);

@@ -9,7 +9,15 @@ use dolmen::modal::{ObservedMode, ObservedPoint};
 use dolmen::signal::Channel;
 use dolmen_linalg::Complex64;
 use dolmen_records::{FileError, Files};
+use dolmen_words::messages;
 use std::collections::BTreeMap;
+
+messages! {
+    /// Why a file cannot be had from a store.
+    pub(crate) enum NotKept in "store.not-kept" {
+        NotKept => { en: "it is not in the store", ko: "저장소에 없다" },
+    }
+}
 
 /// Files of a project in a store, by the names that it writes.
 pub struct StoredFiles {
@@ -23,7 +31,7 @@ impl Files for StoredFiles {
         let Some((hash, bytes)) = self.files.get(name) else {
             return Err(FileError::Unreadable {
                 shown: shown(),
-                why: "it is not in the store".to_owned(),
+                why: NotKept::NotKept.into(),
             });
         };
         if *bytes > most_bytes {
@@ -36,7 +44,7 @@ impl Files for StoredFiles {
         let read = self.raw.read(hash, *bytes);
         read.map_err(|fault| FileError::Unreadable {
             shown: shown(),
-            why: fault.fault().to_string(),
+            why: fault.fault().sentence().into(),
         })
     }
 }

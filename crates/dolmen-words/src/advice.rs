@@ -1,6 +1,8 @@
 //! What can be done in the project file or with the command about an error or a note of the science. The science says what is
 //! wrong in its own words and names neither; who prints adds this.
 
+use crate::message::{Argument, Both};
+use crate::{Sentence, messages};
 use dolmen::assess::{AssessError, ChangeNote};
 use dolmen::blocks::BlocksError;
 use dolmen::modal::{ModalError, Note};
@@ -9,23 +11,100 @@ use dolmen::validation::ValidationError;
 use std::error::Error;
 use std::fmt::Display;
 
+messages! {
+    /// What to do, with the punctuation that joins it to the sentence before.
+    pub(crate) enum Advised in "science.advice" {
+        GiveBegins => {
+            en: ": give its begins, or starts = \"together\" if all began at one instant",
+            ko: ". begins를 입력하거나, 모두 같은 순간에 시작했으면 starts = \"together\"로 한다",
+        },
+        CutParts => {
+            en: " (conditioning = {{ cut = {{ from_s = …, to_s = … }} }}), a part a record",
+            ko: "(conditioning = {{ cut = {{ from_s = …, to_s = … }} }}, 부분마다 기록 하나)",
+        },
+        Cut => {
+            en: " (conditioning = {{ cut = {{ from_s = …, to_s = … }} }})",
+            ko: "(conditioning = {{ cut = {{ from_s = …, to_s = … }} }})",
+        },
+        WriteRecords => { en: ": write one record as records", ko: ". 기록이 하나이면 records로 쓴다" },
+        PoserNeedsOne => {
+            en: ": merge = \"poser\" needs one with the setups before",
+            ko: ". merge = \"poser\"이면 앞의 측정 배치와 공통인 센서가 하나 있으면 된다",
+        },
+        OneRate => {
+            en: "; decimate_factor in conditioning gives it, or take merge = \"poser\"",
+            ko: ". conditioning의 decimate_factor로 맞추거나 merge = \"poser\"로 한다",
+        },
+        CheckSays => {
+            en: ". `dolmen check` says which joint cannot carry it",
+            ko: ". 어느 접합면이 견디지 못하는지는 `dolmen check`로 본다",
+        },
+        ShortenRun => {
+            en: ": shorten the run, take longer steps or softer joints, or give --yes to `dolmen simulate`",
+            ko: ". 해석 시간을 줄이거나, 시간 간격을 키우거나, 접합면을 무르게 하거나, `dolmen simulate`에 --yes를 준다",
+        },
+        GiveModes => {
+            en: ": give it frequencies, modes or records",
+            ko: ". frequencies, modes 또는 records를 입력한다",
+        },
+        Extrapolate => { en: " (`dolmen study`, --extrapolate)", ko: "(`dolmen study`, --extrapolate)" },
+        Detrend => { en: "; detrend_degree = 1 does so", ko: "(detrend_degree = 1)" },
+        LowerDecimation => {
+            en: "; lower decimate_factor to see more",
+            ko: ". 더 보려면 decimate_factor를 낮춘다",
+        },
+        GiveRates => {
+            en: "; give the station of each the rate in brackets as its sampling_rate, and they are in them",
+            ko: ". 각 station의 sampling_rate에 괄호 안의 주파수를 입력하면 함께 분석된다",
+        },
+        AddDelays => {
+            en: "; add the delay to the begins of the station of each (a channel among others of one file: as a station of its own), and they are in them",
+            ko: ". 각 station의 begins에 지연을 더하면(한 파일의 채널이면 별도의 station으로) 함께 분석된다",
+        },
+        ExchangeNames => {
+            en: "; if they were, exchange their names in the project file and compare again",
+            ko: ". 그렇다면 프로젝트 파일에서 이름을 서로 바꾸고 다시 비교한다",
+        },
+        TurnRound => {
+            en: "; if it was, turn its direction round in the project file and compare again",
+            ko: ". 그렇다면 프로젝트 파일에서 방향을 뒤집고 다시 비교한다",
+        },
+    }
+}
+
+/// All sentences of advice.
+pub const ADVICE: &[crate::Template] = Advised::TEMPLATES;
+
 /// An error or note of the science of which a project file or the command can do something.
 pub trait Advice: Display {
     /// What to do, with the punctuation that joins it to the sentence; `None` where the sentence says all.
-    fn advice(&self) -> Option<String>;
+    fn advice(&self) -> Option<Both>;
 
     /// The sentence with its advice.
     fn advised(&self) -> String {
+        let advice = self.advice().map_or_else(String::new, |advice| advice.english);
+        format!("{self}{advice}")
+    }
+
+    /// The same in both languages.
+    fn advised_both(&self) -> Both
+    where
+        Self: Argument,
+    {
+        let own = Both::from(Sentence::of_argument(self));
         match self.advice() {
-            Some(advice) => format!("{self}{advice}"),
-            None => self.to_string(),
+            Some(advice) => Both {
+                english: own.english + &advice.english,
+                korean: own.korean + &advice.korean,
+            },
+            None => own,
         }
     }
 }
 
 /// The advice on an error of the science, whichever it is; `None` for any other error.
-pub fn advice(error: &(dyn Error + 'static)) -> Option<String> {
-    fn of<E: Advice + Error + 'static>(error: &(dyn Error + 'static)) -> Option<String> {
+pub fn advice(error: &(dyn Error + 'static)) -> Option<Both> {
+    fn of<E: Advice + Error + 'static>(error: &(dyn Error + 'static)) -> Option<Both> {
         error.downcast_ref::<E>()?.advice()
     }
     of::<SignalError>(error)
@@ -35,33 +114,27 @@ pub fn advice(error: &(dyn Error + 'static)) -> Option<String> {
         .or_else(|| of::<ValidationError>(error))
 }
 
-fn says(text: &str) -> Option<String> {
-    Some(text.to_owned())
+fn says(advice: Advised) -> Option<Both> {
+    Some(advice.into())
 }
 
 impl Advice for SignalError {
-    fn advice(&self) -> Option<String> {
+    fn advice(&self) -> Option<Both> {
         match self {
-            Self::NoStart { .. } => {
-                says(": give its begins, or starts = \"together\" if all began at one instant")
-            }
+            Self::NoStart { .. } => says(Advised::GiveBegins),
             _ => None,
         }
     }
 }
 
 impl Advice for ModalError {
-    fn advice(&self) -> Option<String> {
+    fn advice(&self) -> Option<Both> {
         match self {
-            Self::SeveralBlows { .. } => {
-                says(" (conditioning = { cut = { from_s = …, to_s = … } }), a part a record")
-            }
-            Self::ClippedDecay { .. } => says(" (conditioning = { cut = { from_s = …, to_s = … } })"),
-            Self::Setups { .. } => says(": write one record as records"),
-            Self::NoCommonReference { .. } => says(": merge = \"poser\" needs one with the setups before"),
-            Self::SetupRate { .. } => {
-                says("; decimate_factor in conditioning gives it, or take merge = \"poser\"")
-            }
+            Self::SeveralBlows { .. } => says(Advised::CutParts),
+            Self::ClippedDecay { .. } => says(Advised::Cut),
+            Self::Setups { .. } => says(Advised::WriteRecords),
+            Self::NoCommonReference { .. } => says(Advised::PoserNeedsOne),
+            Self::SetupRate { .. } => says(Advised::OneRate),
             Self::Channel(fault) => fault.advice(),
             Self::Record(why) => why.advice(),
             _ => None,
@@ -70,22 +143,20 @@ impl Advice for ModalError {
 }
 
 impl Advice for BlocksError {
-    fn advice(&self) -> Option<String> {
+    fn advice(&self) -> Option<Both> {
         match self {
-            Self::NoRest { .. } => says(". `dolmen check` says which joint cannot carry it"),
-            Self::TooLong { .. } => says(
-                ": shorten the run, take longer steps or softer joints, or give --yes to `dolmen simulate`",
-            ),
+            Self::NoRest { .. } => says(Advised::CheckSays),
+            Self::TooLong { .. } => says(Advised::ShortenRun),
             _ => None,
         }
     }
 }
 
 impl Advice for AssessError {
-    fn advice(&self) -> Option<String> {
+    fn advice(&self) -> Option<Both> {
         match self {
-            Self::NothingToCompare { .. } => says(": give it frequencies, modes or records"),
-            Self::OutsideTraining { .. } => says(" (`dolmen study`, --extrapolate)"),
+            Self::NothingToCompare { .. } => says(Advised::GiveModes),
+            Self::OutsideTraining { .. } => says(Advised::Extrapolate),
             Self::Modal(why) => why.advice(),
             _ => None,
         }
@@ -93,7 +164,7 @@ impl Advice for AssessError {
 }
 
 impl Advice for ValidationError {
-    fn advice(&self) -> Option<String> {
+    fn advice(&self) -> Option<Both> {
         match self {
             Self::Signal(why) => why.advice(),
             Self::Modal(why) => why.advice(),
@@ -105,9 +176,9 @@ impl Advice for ValidationError {
 }
 
 impl Advice for ChannelFault {
-    fn advice(&self) -> Option<String> {
+    fn advice(&self) -> Option<Both> {
         match self {
-            Self::Drifts { .. } => says("; detrend_degree = 1 does so"),
+            Self::Drifts { .. } => says(Advised::Detrend),
             Self::Constant { .. }
             | Self::Faint { .. }
             | Self::Stuck { .. }
@@ -121,17 +192,12 @@ impl Advice for ChannelFault {
 }
 
 impl Advice for Note {
-    fn advice(&self) -> Option<String> {
+    fn advice(&self) -> Option<Both> {
         match self {
             Self::Channel(fault) => fault.advice(),
-            Self::FilteredAbove { .. } => says("; lower decimate_factor to see more"),
-            Self::ClockDrift { .. } => says(
-                "; give the station of each the rate in brackets as its sampling_rate, and they are in them",
-            ),
-            Self::LateClocks { .. } => says(
-                "; add the delay to the begins of the station of each (a channel among others of one file: as a station of its own), and they are in \
-                 them",
-            ),
+            Self::FilteredAbove { .. } => says(Advised::LowerDecimation),
+            Self::ClockDrift { .. } => says(Advised::GiveRates),
+            Self::LateClocks { .. } => says(Advised::AddDelays),
             Self::BlockRowsBounded { .. }
             | Self::FewBlocks { .. }
             | Self::Tones { .. }
@@ -155,14 +221,10 @@ impl Advice for Note {
 }
 
 impl Advice for ChangeNote {
-    fn advice(&self) -> Option<String> {
+    fn advice(&self) -> Option<Both> {
         match self {
-            Self::Swapped(_) => {
-                says("; if they were, exchange their names in the project file and compare again")
-            }
-            Self::Turned(_) => {
-                says("; if it was, turn its direction round in the project file and compare again")
-            }
+            Self::Swapped(_) => says(Advised::ExchangeNames),
+            Self::Turned(_) => says(Advised::TurnRound),
             Self::NotFitted { .. }
             | Self::BeyondTheLine { .. }
             | Self::LineScatters { .. }

@@ -1,6 +1,7 @@
 //! How numbers and names are printed, in English and Korean, what a name is as that of a file, and what to do about what the science says.
 
 pub mod advice;
+pub mod errors;
 mod file_name;
 mod language;
 pub mod message;
@@ -8,9 +9,12 @@ mod nearest;
 pub mod number;
 pub mod particles;
 mod quantity;
+pub mod science;
+mod system;
 
 pub use file_name::{file_name, same_file_name};
 pub use language::Language;
 pub use message::{Sentence, Template};
 pub use nearest::nearest;
 pub use quantity::{Digits, Quantity, Unit, Values};
+pub use system::{SYSTEM, said_by_system};

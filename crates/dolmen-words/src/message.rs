@@ -115,6 +115,37 @@ impl Argument for usize {
     }
 }
 
+/// Numbers as they are written, without rounding, and words that are the same in both languages.
+macro_rules! said_as_displayed {
+    ($($kind:ty),+) => {
+        $(impl Argument for $kind {
+            fn said(&self, _language: Language) -> Vec<Run> {
+                vec![Run::Text(self.to_string())]
+            }
+        })+
+    };
+}
+
+said_as_displayed!(u8, u16, u32, u64, i32, i64, f64);
+
+impl Argument for str {
+    fn said(&self, _language: Language) -> Vec<Run> {
+        vec![Run::Name(self.to_owned())]
+    }
+}
+
+impl<T: Argument + ?Sized> Argument for &T {
+    fn said(&self, language: Language) -> Vec<Run> {
+        (**self).said(language)
+    }
+}
+
+impl<T: Argument + ?Sized> Argument for Box<T> {
+    fn said(&self, language: Language) -> Vec<Run> {
+        (**self).said(language)
+    }
+}
+
 /// A part of a sentence that is a message of its own.
 impl Argument for Sentence {
     fn said(&self, language: Language) -> Vec<Run> {

@@ -7,6 +7,7 @@ use crate::judgement::{MeasuredFrequency, measured_frequencies};
 use crate::kinds;
 use crate::opened::Opened;
 use crate::state::{Check, FrequencyContradiction, Sampled, SensitivityOf, State, TiltCheck, VariantAnswer};
+use crate::wrong::Place;
 use dolmen::assess::{Sensitivity, elasticity, probability};
 use dolmen::numeric::Random;
 use dolmen_project::{Project, Quantity, Structure};
@@ -42,8 +43,8 @@ pub fn check(opened: &Opened, options: &CheckOptions) -> Result<CheckAnswer, Wor
     let mut state = state_of(project, options.sampling)?;
     if let Some(state) = &mut state {
         state.contradictions = contradictions(project, state);
-        state.spring_fits = kinds::spring_fits(&state.check, &project.surveys)
-            .within(|| "springs that would have the measured frequencies of the surveys".to_owned())?;
+        state.spring_fits =
+            kinds::spring_fits(&state.check, &project.surveys).within(|| Place::SpringsMeasured)?;
     }
     let mut variants = Vec::new();
     for variant in &project.variants {
@@ -185,10 +186,7 @@ fn sampled(project: &Project, sampling: Sampling) -> Result<Option<Sampled>, Wor
                 drawn.insert(q.path.as_str(), random.lognormal(q.value, *cov)?);
             }
             let mut pick = |q: &Quantity| drawn.get(q.path.as_str()).copied().unwrap_or(q.value);
-            let factor = kinds::least_load_factor(project, &mut pick).within(|| {
-                "a sample of the inputs gives an impossible structure: lower the cov of the input that it names"
-                    .to_owned()
-            })?;
+            let factor = kinds::least_load_factor(project, &mut pick).within(|| Place::SampleImpossible)?;
             let factor = factor
                 .filter(|factor| !factor.is_nan())
                 .ok_or(WorkError::SampleNotANumber)?;

@@ -1,7 +1,6 @@
 //! Why a verb cannot answer.
 
 use crate::change_fault::ChangeFault;
-use crate::known::known_beside;
 use crate::motion::MotionRequestError;
 use crate::portfolio::PortfolioError;
 use crate::score::ScoreDesignsError;
@@ -22,123 +21,87 @@ use dolmen_project::{AngleError, DamperFault, ProjectError, StackFault};
 use dolmen_records::motions::MotionError;
 use dolmen_records::records::RecordError;
 use dolmen_records::{FileError, PhotoError};
+use dolmen_words::message::Both;
 use std::error::Error;
 
 /// Why a verb cannot answer: what the science, the readers or the project file refuse, each with its place, or what was asked for.
-#[derive(Debug, thiserror::Error)]
+#[derive(Debug)]
 pub enum WorkError {
     /// Where the cause lies: a file, a survey, an option.
-    #[error("{place}")]
     Within {
         /// The place.
-        place: String,
+        place: Both,
         /// What is wrong there.
-        #[source]
         cause: Box<WorkError>,
     },
     /// A file cannot be had.
-    #[error(transparent)]
     File(Box<FileError>),
     /// The project file is refused.
-    #[error(transparent)]
     Project(Box<ProjectError>),
     /// A record is refused.
-    #[error(transparent)]
     Record(Box<RecordError>),
     /// A file of a ground motion is refused.
-    #[error(transparent)]
     Motion(Box<MotionError>),
     /// A photograph is refused.
-    #[error(transparent)]
     Photo(Box<PhotoError>),
     /// The photographs of a report are too large together.
-    #[error(
-        "the photographs of one report hold more than {most} MiB together: save them smaller (3000 pixels across fill a page), or leave some out"
-    )]
     TooManyPhotos {
         /// The limit, MiB.
         most: u64,
     },
     /// An angle is refused.
-    #[error(transparent)]
     Angle(Box<AngleError>),
     /// A stack cannot be built.
-    #[error(transparent)]
     StackPart(Box<StackFault>),
     /// A damper cannot be built.
-    #[error(transparent)]
     DamperPart(Box<DamperFault>),
     /// Surveys cannot be compared.
-    #[error(transparent)]
     Change(Box<ChangeFault>),
     /// A table of structures is refused.
-    #[error(transparent)]
     Portfolio(Box<PortfolioError>),
     /// A table of designs is refused.
-    #[error(transparent)]
     Designs(Box<ScoreDesignsError>),
     /// A journal cannot be read.
-    #[error(transparent)]
     Journal(Box<JournalError>),
     /// From the science.
-    #[error(transparent)]
     Assess(Box<AssessError>),
     /// From the science.
-    #[error(transparent)]
     Blocks(Box<BlocksError>),
     /// From the science.
-    #[error(transparent)]
     Building(Box<BuildingError>),
     /// From the science.
-    #[error(transparent)]
     Damper(Box<DamperError>),
     /// From the science.
-    #[error(transparent)]
     Dynamics(Box<DynamicsError>),
     /// From the science.
-    #[error(transparent)]
     Modal(Box<ModalError>),
     /// From the science.
-    #[error(transparent)]
     Numeric(Box<NumericError>),
     /// From the science.
-    #[error(transparent)]
     Signal(Box<SignalError>),
     /// From the science.
-    #[error(transparent)]
     Stability(Box<StabilityError>),
     /// From the science.
-    #[error(transparent)]
     Stack(Box<StackError>),
     /// From the science.
-    #[error(transparent)]
     Structure(Box<StructureError>),
     /// From the science.
-    #[error(transparent)]
     Validation(Box<ValidationError>),
     /// A motion that is asked for cannot be had.
-    #[error(transparent)]
     MotionRequest(Box<MotionRequestError>),
     /// A study cannot be run, or its runs cannot be used.
-    #[error(transparent)]
     Study(Box<StudyError>),
     /// The caller could not open, read or keep what was asked of it.
-    #[error("{why}")]
     Outside {
         /// Why.
-        why: String,
+        why: Both,
     },
 
     /// Samples are asked of a stack.
-    #[error(
-        "--samples cannot draw for a stack yet: its verdict is without shaking; take --sensitivity for what moves it"
-    )]
     SamplesOfStack,
     /// The load factor of a sample is not a number.
-    #[error("the load factor of a sample is not a number: it must not be counted as standing")]
     SampleNotANumber,
     /// There is no such variant.
-    #[error("there is no variant \"{name}\": the file has {}", known_beside(name, known))]
     NoSuchVariant {
         /// The name.
         name: String,
@@ -146,7 +109,6 @@ pub enum WorkError {
         known: String,
     },
     /// There is no such survey.
-    #[error("there is no survey \"{name}\": the file has {}", known_beside(name, known))]
     NoSuchSurvey {
         /// The name.
         name: String,
@@ -154,7 +116,6 @@ pub enum WorkError {
         known: String,
     },
     /// A reference channel has a name that no channel has.
-    #[error("modal.references names {name:?}, but the channels used are {known}")]
     NoSuchReference {
         /// The name.
         name: String,
@@ -163,44 +124,33 @@ pub enum WorkError {
     },
 
     /// A run that needs a motion was prepared without one.
-    #[error("the run was prepared without a motion")]
     NoMotionPrepared,
     /// A motion shakes along x and y what moves in a plane.
-    #[error(
-        "{what} moves in one direction, but the motion has the components x and y: give one file, or turn the motion and give the component \
-         that you mean as x"
-    )]
     TwoHorizontal {
         /// What moves: "a chain".
-        what: &'static str,
+        what: Both,
     },
     /// A motion shakes only upwards what moves in a plane.
-    #[error("{what} moves horizontally, but the motion has neither x nor y")]
     NoHorizontal {
         /// What moves: "a chain".
-        what: &'static str,
+        what: Both,
     },
     /// A motion of a study has no horizontal component.
-    #[error("motion \"{name}\" has no horizontal component")]
     NoHorizontalOf {
         /// The motion.
         name: String,
     },
 
     /// A survey cannot be simulated.
-    #[error("only stacks, frames, chains and buildings can be simulated: the file has kind = \"survey\"")]
     SurveySimulated,
     /// A motion was given to report on a survey.
-    #[error("{file}: only stacks, frames and chains can be simulated; leave the motion out")]
     SurveyReported {
         /// The project file.
         file: String,
     },
     /// What is no chain is pushed.
-    #[error("--push lets a chain lean at the start: the file has another kind")]
     PushOfOther,
     /// A chain is pushed too far.
-    #[error("--push is {push_rad} rad, but must be at most {most_rad} rad in size")]
     PushTooLarge {
         /// The push, rad.
         push_rad: f64,
@@ -208,30 +158,15 @@ pub enum WorkError {
         most_rad: f64,
     },
     /// Neither a motion nor a push is given.
-    #[error(
-        "nothing moves the chain: give --motion or --motion-file, or let it lean at the start with --push \"1e-4 rad\""
-    )]
     NothingMovesChain,
     /// The joints of a chain are unknown.
-    #[error(
-        "the joints are unknown: `dolmen identify` finds stiffness that measured modes allow; write it into joints or into a variant, and \
-         simulate that with --variant"
-    )]
     JointsUnknown,
     /// The stiffness of a direction is unknown.
-    #[error(
-        "the stiffness of direction \"{direction}\" is unknown: `dolmen identify` finds those that its frequencies allow; write one of them \
-         into [direction.{direction}] or into a variant, and simulate that"
-    )]
     DirectionUnknown {
         /// The direction.
         direction: String,
     },
     /// There is no such direction.
-    #[error(
-        "there is no direction \"{direction}\": the file has {}",
-        known_beside(direction, known)
-    )]
     NoSuchDirection {
         /// The name.
         direction: String,
@@ -239,35 +174,22 @@ pub enum WorkError {
         known: String,
     },
     /// The stiffness of no direction is known.
-    #[error(
-        "the stiffness of no direction is known ({directions}): `dolmen identify` finds those that measured frequencies allow; write one of \
-         them into [direction.NAME] or into a variant, and simulate that with --variant"
-    )]
     NoDirectionKnown {
         /// The directions of the file.
         directions: String,
     },
     /// A building falls, so that nothing can be simulated.
-    #[error(
-        "the building falls under its own weight, so that nothing was simulated: `dolmen check` says where"
-    )]
     BuildingFalls,
     /// A point of a building was lost.
-    #[error("a point of the file was not watched")]
     PointNotWatched,
 
     /// The inputs of a case are refused.
-    #[error("{why}")]
     CaseRefused {
         /// Why.
-        why: String,
+        why: Both,
     },
 
     /// There is no such damper that can be tuned.
-    #[error(
-        "there is no damper \"{name}\" in {file} that stands at a place to be found: \"tmd\" and \"tlcd\" do, \"tlcmd\" and \"link\" are tuned \
-         with the others, without --damper"
-    )]
     NoSuchDamper {
         /// The name.
         name: String,
@@ -275,76 +197,52 @@ pub enum WorkError {
         file: String,
     },
     /// There is no damper.
-    #[error(
-        "{file} has no damper to tune: write a table such as [damper.roof] with kind = \"tmd\", floor, place, direction, mass_ratio and \
-         tuning, in the file or in a variant"
-    )]
     NoDamper {
         /// The project file.
         file: String,
     },
     /// Dampers of what is no building.
-    #[error(
-        "only buildings have dampers to tune: the file has another kind; start one with kind = \"building\""
-    )]
     TuneOfOther,
     /// The building falls by itself.
-    #[error("the building falls under its own weight: `dolmen check` says where")]
     BuildingFallsItself,
     /// A damper is tuned to no mode.
-    #[error("it is tuned to no mode")]
     TunedToNoMode,
     /// A floor has no outline.
-    #[error(
-        "floor {floor} has no outline, so that places on it are not known: give sides or outline in its table"
-    )]
     FloorWithoutOutline {
         /// The floor, from 1.
         floor: usize,
     },
 
     /// The score does not know such a pagoda.
-    #[error(
-        "the score does not know such a pagoda: {how}. Simulate it with dolmen study, or force the score with --extrapolate"
-    )]
     PagodaUnlike {
         /// How it differs.
-        how: String,
+        how: Both,
     },
     /// A project has no pagoda of six factors.
-    #[error(
-        "{file} has no pagoda of six factors: write pagoda = {{ storeys = 5, body_height = 6.0, … }} in a stack, or simulate its blocks with \
-         dolmen study"
-    )]
     NoPagoda {
         /// The project file.
         file: String,
     },
     /// Too few designs for a score.
-    #[error("{designs} designs are too few for a score: 50 and more with a curve are needed")]
     TooFewDesigns {
         /// How many there are.
         designs: usize,
     },
     /// Too few designs for the score of the state ranked by.
-    #[error("the score has too few designs of this state")]
     TooFewDesignsOfState,
     /// No structure can be ranked.
-    #[error("none of {structures} structures can be ranked:{reasons}")]
     NoneRanked {
         /// How many there are.
         structures: usize,
         /// Why, a line a structure.
-        reasons: String,
+        reasons: Both,
     },
     /// A project has nothing to be ranked by.
-    #[error("it has neither results of a study nor a pagoda of six factors: run dolmen study {file} first")]
     NothingToRankBy {
         /// The project file.
         file: String,
     },
     /// The project of Palisaden has no record, or none with a mode.
-    #[error("palisaden has no record")]
     PalisadenWithoutRecord,
 }
 
@@ -398,6 +296,7 @@ impl WorkError {
             WorkError::Project(why) => why.as_ref(),
             WorkError::Record(why) => why.as_ref(),
             WorkError::Motion(why) => why.as_ref(),
+            WorkError::Photo(why) => why.as_ref(),
             WorkError::Angle(why) => why.as_ref(),
             WorkError::StackPart(why) => why.as_ref(),
             WorkError::DamperPart(why) => why.as_ref(),
@@ -428,13 +327,13 @@ pub trait Within<T> {
     ///
     /// # Errors
     /// That of `self`, within the place.
-    fn within(self, place: impl FnOnce() -> String) -> Result<T, WorkError>;
+    fn within<P: Into<Both>>(self, place: impl FnOnce() -> P) -> Result<T, WorkError>;
 }
 
 impl<T, E: Into<WorkError>> Within<T> for Result<T, E> {
-    fn within(self, place: impl FnOnce() -> String) -> Result<T, WorkError> {
+    fn within<P: Into<Both>>(self, place: impl FnOnce() -> P) -> Result<T, WorkError> {
         self.map_err(|cause| WorkError::Within {
-            place: place(),
+            place: place().into(),
             cause: Box::new(cause.into()),
         })
     }

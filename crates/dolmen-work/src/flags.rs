@@ -1,7 +1,10 @@
 //! Which kinds of structure use which flags of the command: a flag without effect is refused.
 
+use crate::wrong::FlagWords;
 use Kind::{Building, Chain, Frame, Stack, Survey};
 use dolmen_project::Structure;
+use dolmen_words::message::{Argument, Both, Run};
+use dolmen_words::{Language, Sentence};
 
 /// The kind of a structure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -100,9 +103,9 @@ struct Flag {
     /// The kinds for which it has an effect.
     kinds: &'static [Kind],
     /// What it is for; `None`: "is for" and its kinds.
-    is_for: Option<&'static str>,
+    is_for: Option<fn() -> FlagWords>,
     /// Kinds for which it has no effect, with what to do instead; the others read "this file has a KIND".
-    instead: &'static [(Kind, &'static str)],
+    instead: &'static [(Kind, fn() -> FlagWords)],
 }
 
 const MOVING: &[Kind] = &[Chain, Frame, Stack, Building];
@@ -138,15 +141,9 @@ const MOTION: [&str; 16] = [
 ];
 
 /// What drawing samples is for; a stack's verdict has no load factor to scatter.
-const SAMPLES: Option<&str> = Some("draws the load factor of a chain, frame or building");
-const NO_SAMPLES: &[(Kind, &str)] = &[(
-    Stack,
-    "it cannot draw for a stack yet: its verdict is without shaking; take --sensitivity for what moves it",
-)];
-const NO_SAMPLES_REPORT: &[(Kind, &str)] = &[(
-    Stack,
-    "it cannot draw for a stack yet: its verdict is without shaking",
-)];
+const SAMPLES: Option<fn() -> FlagWords> = Some(|| FlagWords::DrawsLoadFactor);
+const NO_SAMPLES: &[(Kind, fn() -> FlagWords)] = &[(Stack, || FlagWords::NotForStackCheck)];
+const NO_SAMPLES_REPORT: &[(Kind, fn() -> FlagWords)] = &[(Stack, || FlagWords::NotForStackReport)];
 
 /// The flags of every verb but those of [`MOTION`].
 const FLAGS: &[Flag] = &[
@@ -163,19 +160,19 @@ const FLAGS: &[Flag] = &[
     flag(FlagVerb::Check, "sensitivity", MOVING),
     flag(FlagVerb::Simulate, "variant", MOVING),
     Flag {
-        is_for: Some("names a direction of a frame"),
+        is_for: Some(|| FlagWords::NamesDirection),
         instead: &[
-            (Chain, "a chain moves in one plane"),
-            (Building, "a building moves in plan, --turn turns the motion"),
+            (Chain, || FlagWords::ChainInOnePlane),
+            (Building, || FlagWords::BuildingInPlan),
         ],
         ..flag(FlagVerb::Simulate, "direction", &[Frame])
     },
     Flag {
-        is_for: Some("lets a chain lean at the start"),
+        is_for: Some(|| FlagWords::LeansChain),
         ..flag(FlagVerb::Simulate, "push", &[Chain])
     },
     Flag {
-        instead: &[(Building, "a building's displacements are small")],
+        instead: &[(Building, || FlagWords::BuildingSmall)],
         ..flag(FlagVerb::Simulate, "rotations", &[Chain])
     },
     flag(FlagVerb::Simulate, "law", &[Stack]),
@@ -220,13 +217,36 @@ const FLAGS: &[Flag] = &[
 ];
 
 /// A flag that was typed and has no effect on any of the kinds given.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("--{flag} {reason}")]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ForeignFlag {
     /// The flag, without the dashes.
     pub flag: String,
     /// The kinds that use it, and that of the file.
-    pub reason: String,
+    pub reason: Both,
+}
+
+impl ForeignFlag {
+    fn sentence(&self) -> Sentence {
+        FlagWords::Refused {
+            flag: self.flag.clone(),
+            reason: self.reason.clone(),
+        }
+        .into()
+    }
+}
+
+impl std::fmt::Display for ForeignFlag {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&self.sentence().text(Language::English))
+    }
+}
+
+impl std::error::Error for ForeignFlag {}
+
+impl Argument for ForeignFlag {
+    fn said(&self, language: Language) -> Vec<Run> {
+        self.sentence().runs(language).to_vec()
+    }
 }
 
 /// The flag of a verb; `None` if the table does not have it.
@@ -271,25 +291,38 @@ pub fn refuse_foreign<'a>(
     Ok(())
 }
 
-fn reason(flag: &Flag, kind: Kind) -> String {
+fn reason(flag: &Flag, kind: Kind) -> Both {
     let is_for = match flag.is_for {
-        Some(words) => words.to_owned(),
-        None => format!("is for {}", listed(flag.kinds)),
+        Some(words) => words(),
+        None => FlagWords::IsFor {
+            kinds: listed(flag.kinds),
+        },
     };
-    let file = format!("this file has a {}", kind.word());
+    let (is_for, kind_word) = (Both::from(is_for), kind.word().to_owned());
     match flag.instead.iter().find(|(of, _)| *of == kind) {
-        Some((_, words)) => format!("{is_for}: {file}, and {words}"),
-        None => format!("{is_for}: {file}"),
+        Some((_, words)) => FlagWords::ThisFileAnd {
+            is_for,
+            kind: kind_word,
+            instead: words().into(),
+        },
+        None => FlagWords::ThisFile {
+            is_for,
+            kind: kind_word,
+        },
     }
+    .into()
 }
 
 /// "chains, frames and buildings".
-fn listed(kinds: &[Kind]) -> String {
-    let words: Vec<String> = kinds.iter().map(|kind| format!("{}s", kind.word())).collect();
-    match words.as_slice() {
-        [] => String::new(),
-        [one] => one.clone(),
-        [first @ .., last] => format!("{} and {last}", first.join(", ")),
+fn listed(kinds: &[Kind]) -> Both {
+    let english: Vec<String> = kinds.iter().map(|kind| format!("{}s", kind.word())).collect();
+    let korean: Vec<&str> = kinds.iter().map(|kind| kind.word()).collect();
+    Both {
+        english: match english.as_slice() {
+            [first @ .., last] if !first.is_empty() => format!("{} and {last}", first.join(", ")),
+            all => all.concat(),
+        },
+        korean: korean.join(", "),
     }
 }
 

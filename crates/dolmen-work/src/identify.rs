@@ -8,6 +8,7 @@ use crate::opened::Opened;
 use crate::progress::{Progress, Stage};
 use crate::record;
 use crate::surveyed::{RecordAnswer, SetupsAnswer, StiffnessAnswer, SurveyAnswer, WithoutStiffness};
+use crate::wrong::Place;
 use dolmen::modal::{
     Criteria, Identify, MergeSetups, Modes, doubt_sensors, identify as modes_of, joint_setups, merge_setups,
 };
@@ -96,7 +97,9 @@ pub(crate) fn found_in(
     files: &dyn Files,
     progress: &dyn Progress,
 ) -> Result<SurveyAnswer, WorkError> {
-    let context = || format!("survey {}", survey.name);
+    let context = || Place::OfSurvey {
+        name: survey.name.clone(),
+    };
     let records = match &survey.records {
         Some(source) => Some(of_record(source, files, progress).within(context)?.0),
         None => None,
@@ -138,7 +141,7 @@ fn of_setups(survey: &Survey, files: &dyn Files, progress: &dyn Progress) -> Res
                 ..options(first, measured[0].channels())?
             };
             let joint = joint_setups(&measured, &options, merge.pairing.place_within_m)
-                .within(|| "all setups as one".to_owned())?;
+                .within(|| Place::AllSetups)?;
             progress.end();
             Some(joint)
         }
@@ -157,7 +160,9 @@ fn of_survey(
     files: &dyn Files,
     progress: &dyn Progress,
 ) -> Result<SurveyAnswer, WorkError> {
-    let context = || format!("survey {}", survey.name);
+    let context = || Place::OfSurvey {
+        name: survey.name.clone(),
+    };
     let mut answer = found_in(survey, files, progress)?;
     let mut stiffness = Vec::new();
     for direction in survey.modes.keys() {

@@ -1,12 +1,18 @@
 //! Names that there are, beside one that there is not.
 
+use crate::wrong::KnownNames;
+use dolmen_words::message::Both;
 use dolmen_words::nearest;
 
 /// "none", "loose, wedged", "loose, wedged (did you mean \"wedged\"?)".
-pub(crate) fn known_beside(name: &str, known: &str) -> String {
+pub(crate) fn known_beside(name: &str, known: &str) -> Both {
     match nearest(name, known.split(", ")) {
-        _ if known.is_empty() || known == "none" => "none".to_owned(),
-        Some(near) => format!("{known} (did you mean \"{near}\"?)"),
-        None => known.to_owned(),
+        _ if known.is_empty() || known == "none" => KnownNames::None.into(),
+        Some(near) => KnownNames::DidYouMean {
+            known: known.to_owned(),
+            near: near.to_owned(),
+        }
+        .into(),
+        None => known.into(),
     }
 }

@@ -49,6 +49,7 @@ mod validate;
 mod version;
 pub mod watch;
 pub mod watched;
+mod wrong;
 
 pub use change_fault::ChangeFault;
 pub use check::{CheckOptions, Sampling, check};
@@ -62,6 +63,7 @@ pub use report::{ReportOptions, report};
 pub use simulate::{PreparedSimulation, SimulateOptions, prepare};
 pub use survey_dates::date as survey_date;
 pub use tilt_left_out::TiltLeftOut;
-pub use told::{complaint, did_not_converge, told, told_in};
+pub use told::{Sayable, complaint, did_not_converge, told, told_both, told_by, told_in};
 pub use undamped::{IdentifiedDamping, Undamped};
 pub use validate::validate;
+pub use wrong::ERRORS;

@@ -3,6 +3,7 @@
 use crate::change_fault::ChangeFault;
 use crate::error::WorkError;
 use crate::portfolio::PortfolioError;
+use crate::wrong::of_work;
 use dolmen::assess::AssessError;
 use dolmen::blocks::BlocksError;
 use dolmen::damper::DamperError;
@@ -12,11 +13,14 @@ use dolmen::stability::StabilityError;
 use dolmen::structure::StructureError;
 use dolmen::structure::building::BuildingError;
 use dolmen::validation::ValidationError;
-use dolmen_project::{AngleError, DamperFault, ProjectError, headed};
+use dolmen_project::{DamperFault, headed};
 use dolmen_records::motions::MotionError;
 use dolmen_records::records::RecordError;
 use dolmen_words::Language;
 use dolmen_words::advice::advice;
+use dolmen_words::errors::text_of;
+use dolmen_words::message::{Argument, Both};
+use dolmen_words::said_by_system;
 use std::error::Error;
 
 /// The error of the science within one of a layer above that hands it on as it is.
@@ -60,18 +64,32 @@ pub fn told(fault: &(dyn Error + 'static)) -> String {
     told_in(fault, Language::English)
 }
 
-/// The same in a language, where there is a sentence in it: of project files and angles.
+/// The same in both languages.
+pub fn told_both(fault: &(dyn Error + 'static)) -> Both {
+    Both::of(|language| told_in(fault, language))
+}
+
+/// The same in a language. What the system, a database or another library says is in their own.
 pub fn told_in(fault: &(dyn Error + 'static), language: Language) -> String {
+    told_by(fault, language, &|_| None)
+}
+
+/// The same, with errors of crates above that `others` knows.
+pub fn told_by(fault: &(dyn Error + 'static), language: Language, others: Sayable<'_>) -> String {
     let each = chain(fault).map(|cause| {
-        let advice = advice(handed_on(cause)).unwrap_or_default();
-        format!("{}{advice}", said(cause, language))
+        let advice =
+            advice(handed_on(cause)).map_or_else(String::new, |advice| advice.text(language).to_owned());
+        format!("{}{advice}", said(cause, language, others))
     });
     short_numbers(&each.collect::<Vec<_>>().join(": "))
 }
 
+/// Errors that can be said in both languages.
+pub type Sayable<'o> = &'o dyn for<'e> Fn(&'e (dyn Error + 'static)) -> Option<&'e dyn Argument>;
+
 /// The same as it stands on a terminal, "error: " before it.
-pub fn complaint(fault: &(dyn Error + 'static), language: Language) -> String {
-    let text = told_in(fault, language);
+pub fn complaint(fault: &(dyn Error + 'static), language: Language, others: Sayable<'_>) -> String {
+    let text = told_by(fault, language, others);
     let starts = [Language::English, Language::Korean].map(|language| headed("", language));
     match starts
         .iter()
@@ -83,15 +101,14 @@ pub fn complaint(fault: &(dyn Error + 'static), language: Language) -> String {
 }
 
 /// An error without its causes.
-fn said(cause: &(dyn Error + 'static), language: Language) -> String {
-    let own = handed_on(cause);
-    if let Some(project) = own.downcast_ref::<ProjectError>() {
-        return project.text(language);
+fn said(cause: &(dyn Error + 'static), language: Language, others: Sayable<'_>) -> String {
+    match others(cause).or_else(|| of_work(cause)) {
+        Some(known) => text_of(known, language),
+        None => match cause.downcast_ref::<std::io::Error>() {
+            Some(system) => said_by_system(system).text(language).to_owned(),
+            None => cause.to_string(),
+        },
     }
-    if let Some(angle) = own.downcast_ref::<AngleError>() {
-        return angle.text(language);
-    }
-    cause.to_string()
 }
 
 /// Numbers of more than 15 digits in a row with a power of ten: an error may quote 1e300.

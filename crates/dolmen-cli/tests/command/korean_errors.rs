@@ -26,3 +26,23 @@ fn regress_an_error_of_a_project_file_is_told_in_the_language_asked_for() {
     );
     assert_eq!((korean.status, english.status), (2, 2));
 }
+
+#[test]
+fn regress_a_misspelt_key_is_one_error() {
+    let scratch = Scratch::with_examples("one_error");
+    let file = scratch.path().join("examples/naju_flagpole/wind.toml");
+    let text = fs::read_to_string(&file).unwrap();
+    for (right, wrong) in [
+        ("\nunits = ", "\nunit = "),
+        ("\njoints = ", "\njoint = "),
+        ("speed = { value = 30", "sped = { value = 30"),
+        ("length = 3.68", "lenght = 3.68"),
+        ("\nlinks = ", "\nlink = "),
+    ] {
+        assert!(text.contains(right), "{right}");
+        fs::write(&file, text.replacen(right, wrong, 1)).unwrap();
+        let said = scratch.dolmen("check examples/naju_flagpole/wind.toml --language en");
+        let errors = said.stderr.lines().filter(|line| line.starts_with("error"));
+        assert_eq!(errors.count(), 1, "{}", said.stderr);
+    }
+}

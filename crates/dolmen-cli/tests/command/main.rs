@@ -24,6 +24,7 @@ mod judgements;
 mod keys;
 mod korean;
 mod korean_errors;
+mod korean_inputs;
 mod layout;
 mod limits;
 mod names;

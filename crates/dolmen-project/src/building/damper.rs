@@ -2,9 +2,11 @@
 
 use super::built_damper::{BuiltDamper, TunedTo};
 use crate::quantity::{Pick, Quantity};
+use crate::wrong::StillMode;
 use dolmen::damper::{AttachedDamper, ColumnAsMass, DamperError, DamperKind, TuningRule};
 use dolmen::dynamics::VibratingBuilding;
 use dolmen::structure::building::{BuildingError, BuildingMode, PlanDirection};
+use dolmen_words::message::Both;
 use std::f64::consts::TAU;
 
 /// The mass of a damper.
@@ -122,23 +124,18 @@ pub struct DamperPart {
 }
 
 /// Why a damper cannot be.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum DamperFault {
     /// Its mode does not move there.
-    #[error(
-        "damper.{name}: mode {mode} does not move at its place along its direction ({why}): no mass ratio can be taken of it; place or \
-         turn the damper, or name another mode"
-    )]
     Still {
         /// The damper.
         name: String,
         /// Its mode.
         mode: usize,
         /// What the mode does there.
-        why: String,
+        why: Both,
     },
     /// There is no such mode.
-    #[error("damper.{name}: mode = {mode}, but the building has {most} modes")]
     Mode {
         /// The damper.
         name: String,
@@ -148,10 +145,6 @@ pub enum DamperFault {
         most: usize,
     },
     /// It weighs more than what it damps.
-    #[error(
-        "damper.{name}: its mass ratio is {mass_ratio:.4}, more than 1: it would be heavier than the modal mass of mode {mode}, which is \
-         {modal_mass_kg:.0} kg at its place; is the unit of its mass right?"
-    )]
     Heavy {
         /// The damper.
         name: String,
@@ -163,13 +156,8 @@ pub enum DamperFault {
         modal_mass_kg: f64,
     },
     /// Its tuning cannot be.
-    #[error(transparent)]
-    Tuning(#[from] DamperError),
+    Tuning(DamperError),
     /// It weighs more than the building.
-    #[error(
-        "damper.{name}: its mass would be {mass_kg:.0} kg, more than the whole building's {building_kg:.0} kg: mode {mode} hardly moves at its \
-         place, so that its modal mass there is large; place it farther from the mode's centre, or give mass"
-    )]
     HeavierThanAll {
         /// The damper.
         name: String,
@@ -181,7 +169,6 @@ pub enum DamperFault {
         mode: usize,
     },
     /// The building refuses it.
-    #[error("damper.{name}: {why}")]
     Place {
         /// The damper.
         name: String,
@@ -485,18 +472,18 @@ impl DamperPart {
         let size = u.hypot(v).max(gyration * mode.shape[base + 2].abs());
         if along.abs() <= STILL * size || size == 0.0 {
             let why = if u.abs().max(v.abs()) <= STILL * size {
-                "it turns about that place"
+                StillMode::TurnsAboutIt
             } else if v.abs() <= STILL * u.abs() {
-                "it moves only in x here"
+                StillMode::OnlyInX
             } else if u.abs() <= STILL * v.abs() {
-                "it moves only in y here"
+                StillMode::OnlyInY
             } else {
-                "it moves across that direction"
+                StillMode::Across
             };
             return Err(DamperFault::Still {
                 name,
                 mode: number,
-                why: why.to_owned(),
+                why: why.into(),
             });
         }
         Ok(AtMode {

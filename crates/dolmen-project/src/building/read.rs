@@ -14,6 +14,7 @@ use crate::needed::{countable, heaviness, lengths, missing};
 use crate::quantity::Quantity;
 use crate::reader::Reader;
 use crate::wrong::WrongBuilding;
+use crate::wrong::said;
 use dolmen::dynamics::{DynamicsError, VibratingBuilding};
 use dolmen::structure::Building;
 use dolmen::structure::building::{BuildingError, Outline, PDelta, PlanDirection};
@@ -462,7 +463,7 @@ pub(crate) fn buildable(reader: &mut Reader, part: &mut BuildingPart) {
                 BuildingError::Outside { floor, .. } => format!("floors[{}]", part.part_of_floor(*floor)),
                 _ => "floors".to_owned(),
             };
-            reader.fault(Fault::new(reader.place(&path), &path, why.to_string()));
+            reader.fault(Fault::new(reader.place(&path), &path, said(&why)));
             return;
         }
     };
@@ -476,11 +477,11 @@ pub(crate) fn buildable(reader: &mut Reader, part: &mut BuildingPart) {
     let vibrating = match VibratingBuilding::new(building, &part.damping(pick), Vec::new()) {
         Ok(vibrating) => vibrating,
         Err(DynamicsError::Building(why @ BuildingError::Linalg(_))) => {
-            reader.fault(Fault::new(reader.place("floors"), "floors", why.to_string()));
+            reader.fault(Fault::new(reader.place("floors"), "floors", said(&why)));
             return;
         }
         Err(why) => {
-            let message = WrongBuilding::Damping { why: why.to_string() };
+            let message = WrongBuilding::Damping { why: said(&why) };
             reader.fault(Fault::new(reader.place("damping"), "damping", message));
             return; // dampers are tuned to damped modes
         }

@@ -7,6 +7,7 @@ use crate::error::Fault;
 use crate::quantity::Quantity;
 use crate::reader::Reader;
 use crate::wrong::WrongDamper;
+use crate::wrong::said;
 use dolmen::damper::DamperKind;
 use dolmen::dynamics::VibratingBuilding;
 use dolmen::structure::Building;
@@ -38,7 +39,7 @@ pub(super) fn judge_dampers(reader: &mut Reader, part: &BuildingPart, vibrating:
         let built = match damper.build(&around, &mut Quantity::nominal) {
             Ok(built) => built,
             Err(why) => {
-                reader.fault(Fault::new(reader.place(&path), &path, why.to_string()));
+                reader.fault(Fault::new(reader.place(&path), &path, said(&why)));
                 continue;
             }
         };

@@ -7,6 +7,7 @@ use crate::error::Fault;
 use crate::file_number::At;
 use crate::measure::{Bound, Measure};
 use crate::reader::Reader;
+use crate::wrong::said;
 use crate::wrong::{Common, WrongSite, either};
 use dolmen::assess::demand::{EurocodeGround, EurocodeType, KoreanSite, KoreanZone, Site};
 use dolmen::assess::{AssessError, Hazard};
@@ -215,7 +216,7 @@ fn hazard(reader: &mut Reader, raw: &At<HazardRaw>) -> Option<HazardPart> {
             source: HazardSource::File,
         }),
         Err(why) => {
-            refuse(why.to_string().into(), WrongSite::PeaksRiseAndSo);
+            refuse(said(&why), WrongSite::PeaksRiseAndSo);
             None
         }
     }
@@ -430,7 +431,7 @@ fn rows_of_file(reader: &mut Reader, file: &At<String>) -> Option<Vec<[f64; 2]>>
     let bytes = match reader.files.read(&file.value, TABLE_BYTES_MOST) {
         Ok(bytes) => bytes,
         Err(why) => {
-            refuse(reader, why.to_string().into());
+            refuse(reader, said(&why));
             return None;
         }
     };

@@ -8,6 +8,7 @@ use crate::measure::{Bound, Measure};
 use crate::quantity::Quantity;
 use crate::reader::Reader;
 use crate::wrong::WrongStack;
+use crate::wrong::said;
 use dolmen::structure::stack::StackError;
 
 /// Most storeys: as the science allows.
@@ -76,11 +77,7 @@ pub(super) fn pagoda(reader: &mut Reader, raw: &At<PagodaRaw>) -> Option<(Pagoda
                 none if none.is_empty() => raw.span.clone(), // a default that does not go with the others
                 place => place,
             };
-            reader.fault(Fault::new(
-                place,
-                &path,
-                WrongStack::Pagoda { why: why.to_string() },
-            ));
+            reader.fault(Fault::new(place, &path, WrongStack::Pagoda { why: said(&why) }));
             None
         }
     }

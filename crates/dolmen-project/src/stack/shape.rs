@@ -8,10 +8,12 @@ use crate::measure::{Bound, Measure};
 use crate::needed::lengths;
 use crate::quantity::Quantity;
 use crate::reader::Reader;
+use crate::wrong::said;
 use crate::wrong::{Common, WrongStack, either};
 use dolmen::structure::stack::Solid;
 use dolmen_records::MESH_BYTES_MOST;
 use dolmen_records::meshes::read_mesh;
+use dolmen_words::message::Both;
 use std::ops::Range;
 
 /// Most sides of a prism: as the science allows; more are a drum.
@@ -282,19 +284,19 @@ fn mesh(reader: &mut Reader, raw: &At<BlockRaw>, path: &str, name: &str) -> Opti
         }
         None => reader.bare_unit(Measure::Length).1,
     };
-    let refuse = |reader: &mut Reader, why: String| {
+    let refuse = |reader: &mut Reader, why: Both| {
         let message = WrongStack::MeshOf {
             file_path: file_path.to_string(),
             file: file.value.to_string(),
             name: name.to_string(),
-            why: why.into(),
+            why,
         };
         reader.fault(Fault::new(file.span.clone(), &file_path, message));
     };
     let read = reader.files.read(&file.value, MESH_BYTES_MOST);
     let mesh = read
-        .map_err(|why| why.to_string())
-        .and_then(|bytes| read_mesh(&bytes).map_err(|why| why.to_string()));
+        .map_err(|why| said(&why))
+        .and_then(|bytes| read_mesh(&bytes).map_err(|why| said(&why)));
     let mesh = match mesh {
         Ok(mesh) => mesh.merged().scaled(metres),
         Err(why) => {
@@ -310,7 +312,7 @@ fn mesh(reader: &mut Reader, raw: &At<BlockRaw>, path: &str, name: &str) -> Opti
             frame,
         }))),
         Err(why) => {
-            refuse(reader, why.to_string());
+            refuse(reader, said(&why));
             None
         }
     }

@@ -9,6 +9,7 @@ use crate::measure::{Bound, Measure};
 use crate::reader::Reader;
 use crate::way::way;
 use crate::written::short;
+use crate::wrong::said;
 use crate::wrong::{Common, WrongRecords};
 use dolmen::signal::Starts;
 use dolmen_records::motions::start_of_text;
@@ -362,7 +363,7 @@ fn sample_unit(reader: &mut Reader, unit: &At<String>, path: &str) {
             unit: unit.value.trim().to_string(),
         };
         let fault = Fault::new(unit.span.clone(), path, message);
-        reader.fault(fault.allowed(Common::UnknownUnit).help(why.to_string()));
+        reader.fault(fault.allowed(Common::UnknownUnit).help(said(&why)));
     }
 }
 

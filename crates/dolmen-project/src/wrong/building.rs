@@ -111,7 +111,7 @@ messages! {
             ko: "점 \"{name}\"의 위치가 점 \"{other}\"와(과) 같다",
         },
         IsItsPlaceRight => { en: "is its place right?", ko: "위치가 맞는가?" },
-        Damping { why: String } => { en: "damping: {why}", ko: "damping(감쇠): {why}" },
+        Damping { why: Both } => { en: "damping: {why}", ko: "damping(감쇠): {why}" },
         ButFloorsHaveT { path: String, written: String } => {
             en: "{path} = {written}, but floors have 1 t to 20 000 t",
             ko: "{path} = {written}인데, 층의 질량은 1~20 000 t이다",

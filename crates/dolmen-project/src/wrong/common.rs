@@ -16,6 +16,7 @@ messages! {
         StiffnessUnit => { en: "is it in N/mm, kN/mm or kN/m?", ko: "단위가 N/mm, kN/mm, kN/m 중 어느 것인가?" },
         DidYouMean { near: String } => { en: "did you mean \"{near}\"?", ko: "\"{near}\"을(를) 쓰려던 것인가?" },
         NoMeaningHere => { en: "has no meaning here", ko: "여기에는 쓸 수 없다" },
+        AndMore { some: String, count: usize } => { en: "{some} and {count} more", ko: "{some} 외 {count}개" },
         TakeItOut => { en: "take it out", ko: "삭제한다" },
         HasNumbers { path: String, count: String } => {
             en: "{path} has {count} numbers",

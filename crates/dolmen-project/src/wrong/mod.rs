@@ -4,6 +4,7 @@ mod building;
 mod chain;
 mod common;
 mod damper;
+mod faults;
 mod frame;
 mod framed;
 mod keys;
@@ -13,11 +14,13 @@ mod numbers;
 mod parser;
 mod records;
 mod report;
+mod said;
 mod schema_words;
 mod site;
 mod slips;
 mod stack;
 mod stack_slips;
+mod still_mode;
 mod study;
 mod survey;
 mod tables;
@@ -38,11 +41,13 @@ pub(crate) use numbers::WrongNumber;
 pub(crate) use parser::{AtItsPlace, Expected, OfParser, of_parser};
 pub(crate) use records::WrongRecords;
 pub(crate) use report::WrongReport;
+pub(crate) use said::said;
 pub(crate) use schema_words::{Meaning, Needed, OtherMeaning, of_schema};
 pub(crate) use site::WrongSite;
 pub(crate) use slips::Slip;
 pub(crate) use stack::WrongStack;
 pub(crate) use stack_slips::StackSlip;
+pub(crate) use still_mode::StillMode;
 pub(crate) use study::WrongStudy;
 pub(crate) use survey::WrongSurvey;
 pub(crate) use tables::WrongTable;
@@ -50,6 +55,8 @@ pub(crate) use toml::WrongToml;
 pub(crate) use units::WrongUnit;
 pub(crate) use whole::WrongFile;
 
+use crate::building::DamperFault;
+use crate::stack::StackFault;
 use dolmen_words::Template;
 use dolmen_words::message::Both;
 
@@ -63,7 +70,7 @@ pub(crate) fn either<T: AsRef<str>>(words: &[T]) -> Both {
 }
 
 /// All sentences of errors of project files.
-pub const ERRORS: [&[Template]; 28] = [
+pub const ERRORS: [&[Template]; 31] = [
     Framed::TEMPLATES,
     Common::TEMPLATES,
     WrongToml::TEMPLATES,
@@ -92,4 +99,7 @@ pub const ERRORS: [&[Template]; 28] = [
     AtItsPlace::TEMPLATES,
     WrongRecords::TEMPLATES,
     WrongReport::TEMPLATES,
+    StackFault::TEMPLATES,
+    DamperFault::TEMPLATES,
+    StillMode::TEMPLATES,
 ];

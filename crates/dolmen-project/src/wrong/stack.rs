@@ -62,7 +62,7 @@ messages! {
             en: "keep one of them: it determines the other",
             ko: "둘 중 하나만 남긴다. 하나가 다른 하나를 결정한다",
         },
-        Pagoda { why: String } => { en: "pagoda: {why}", ko: "pagoda(석탑): {why}" },
+        Pagoda { why: Both } => { en: "pagoda: {why}", ko: "pagoda(석탑): {why}" },
         PagodaOther => { en: "a pagoda", ko: "석탑(pagoda)" },
         Arch => { en: "an arch", ko: "홍예(arch)" },
         Wall => { en: "a wall", ko: "돌담(wall)" },
@@ -147,13 +147,5 @@ messages! {
             ko: "{file_path} = \"{file}\", '{name}'의 메시: {why}",
         },
         OfBlock => { en: "block", ko: "부재" },
-        Apart { upper: String, lower: String, allowed_m: String } => {
-            en: "'{upper}' is said to stand on '{lower}', but they do not touch: a bed there must lie within {allowed_m} m of it and be level with it to 5°",
-            ko: "'{upper}'이(가) '{lower}' 위에 놓인다고 하였으나 서로 닿지 않는다. 접합면의 높이 차는 {allowed_m} m, 기울기 차는 5° 이내이어야 한다",
-        },
-        GivenTwice { path: String, upper: String, lower: String, first: String } => {
-            en: "{path} gives the joint of '{upper}' on '{lower}' a second time, after contacts[{first}]: keep one of them",
-            ko: "{path}이(가) '{lower}' 위 '{upper}'의 접합면을 contacts[{first}]에 이어 다시 준다. 둘 중 하나만 남긴다",
-        },
     }
 }

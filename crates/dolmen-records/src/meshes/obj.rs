@@ -4,6 +4,7 @@ use super::mesh::{CORNERS_MOST, number, words};
 use super::{Mesh, MeshError};
 use crate::limits::line_end;
 use crate::number::parse_number;
+use crate::wrong::OfMesh;
 
 /// A mesh from the bytes of an OBJ file; all its objects together.
 ///
@@ -36,14 +37,14 @@ pub fn read_obj(bytes: &[u8]) -> Result<Mesh, MeshError> {
                 let corners = words.map(|word| corner(word, vertices, number_of_line));
                 let corners: Vec<usize> = corners.collect::<Result<_, _>>()?;
                 let what = match corners.len() {
-                    0..3 => Some("a face has fewer than 3 vertices"),
+                    0..3 => Some(OfMesh::FewCorners),
                     3..=CORNERS_MOST => None,
-                    _ => Some("a face has more than 65536 vertices"),
+                    _ => Some(OfMesh::ManyCorners),
                 };
                 if let Some(what) = what {
                     return Err(MeshError::Line {
                         line: number_of_line,
-                        what,
+                        what: what.into(),
                     });
                 }
                 mesh.push_polygon(&corners);
@@ -70,7 +71,7 @@ fn vertex<'a>(words: impl Iterator<Item = &'a [u8]>, line: usize) -> Result<[f64
         .collect::<Result<_, _>>()?;
     <[f64; 3]>::try_from(place).map_err(|_| MeshError::Line {
         line,
-        what: "a vertex needs three coordinates",
+        what: OfMesh::ThreeCoordinates.into(),
     })
 }
 

@@ -6,6 +6,7 @@
 use super::mesh::{CORNERS_MOST, number, words};
 use super::{Mesh, MeshError};
 use crate::limits::line_end;
+use crate::wrong::OfMesh;
 
 #[derive(Clone, Copy, PartialEq)]
 enum Coding {
@@ -96,7 +97,7 @@ pub fn read_ply(bytes: &[u8]) -> Result<Mesh, MeshError> {
         if is_vertex && places.contains(&None) {
             return Err(MeshError::Line {
                 line: header.lines,
-                what: "the vertices have no x, y and z",
+                what: OfMesh::NoCoordinates.into(),
             });
         }
         if element.properties.is_empty() {
@@ -114,7 +115,7 @@ pub fn read_ply(bytes: &[u8]) -> Result<Mesh, MeshError> {
                     if values.is_empty() {
                         return Err(MeshError::Byte {
                             offset: body.at,
-                            what: "a face before here has no vertices",
+                            what: OfMesh::FaceWithoutVertices.into(),
                         });
                     }
                     mesh.push_polygon(&corners(&values, vertices, at)?);
@@ -126,7 +127,7 @@ pub fn read_ply(bytes: &[u8]) -> Result<Mesh, MeshError> {
                 if !vertex.iter().all(|value| value.is_finite()) {
                     return Err(MeshError::Byte {
                         offset: body.at,
-                        what: "a vertex before here is not finite",
+                        what: OfMesh::VertexNotFinite.into(),
                     });
                 }
                 mesh.vertices.push(vertex);
@@ -159,19 +160,24 @@ fn header(bytes: &[u8]) -> Result<Header, MeshError> {
         body: 0,
         lines: 0,
     };
-    let refuse = |line: usize, what: &'static str| Err(MeshError::Line { line, what });
+    let refuse = |line: usize, what: OfMesh| {
+        Err(MeshError::Line {
+            line,
+            what: what.into(),
+        })
+    };
     let mut has_format = false;
     for line in bytes.split_inclusive(|&b| b == b'\n') {
         header.lines += 1;
         line_end(line, header.lines)?;
         if header.lines > HEADER_LINES_MOST {
-            return refuse(header.lines, "the header has more than 16384 lines");
+            return refuse(header.lines, OfMesh::LongHeader);
         }
         header.body += line.len();
         let words: Vec<&[u8]> = words(line).collect();
         match words[..] {
             [b"ply"] if header.lines == 1 => {}
-            _ if header.lines == 1 => return refuse(1, "the first line of a PLY file is \"ply\""),
+            _ if header.lines == 1 => return refuse(1, OfMesh::FirstLine),
             [b"format", coding, ..] => {
                 has_format = true;
                 header.coding = match coding {
@@ -179,17 +185,14 @@ fn header(bytes: &[u8]) -> Result<Header, MeshError> {
                     b"binary_little_endian" => Coding::Little,
                     b"binary_big_endian" => Coding::Big,
                     _ => {
-                        return refuse(
-                            header.lines,
-                            "the format must be ascii, binary_little_endian or binary_big_endian",
-                        );
+                        return refuse(header.lines, OfMesh::Format);
                     }
                 };
             }
             [b"element", name, count] => {
                 let count = std::str::from_utf8(count).ok().and_then(|text| text.parse().ok());
                 let Some(count) = count else {
-                    return refuse(header.lines, "the number of elements is no number");
+                    return refuse(header.lines, OfMesh::ElementCount);
                 };
                 header.elements.push(Element {
                     name: name.to_vec(),
@@ -199,10 +202,10 @@ fn header(bytes: &[u8]) -> Result<Header, MeshError> {
             }
             [b"property", b"list", length, kind, name] => {
                 let (Some(length), Some(kind)) = (Kind::of(length), Kind::of(kind)) else {
-                    return refuse(header.lines, "a type of number is not known");
+                    return refuse(header.lines, OfMesh::TypeOfNumber);
                 };
                 let Some(element) = header.elements.last_mut() else {
-                    return refuse(header.lines, "a property comes before the first element");
+                    return refuse(header.lines, OfMesh::PropertyFirst);
                 };
                 element.properties.push(Property {
                     name: name.to_vec(),
@@ -212,10 +215,10 @@ fn header(bytes: &[u8]) -> Result<Header, MeshError> {
             }
             [b"property", kind, name] => {
                 let Some(kind) = Kind::of(kind) else {
-                    return refuse(header.lines, "a type of number is not known");
+                    return refuse(header.lines, OfMesh::TypeOfNumber);
                 };
                 let Some(element) = header.elements.last_mut() else {
-                    return refuse(header.lines, "a property comes before the first element");
+                    return refuse(header.lines, OfMesh::PropertyFirst);
                 };
                 element.properties.push(Property {
                     name: name.to_vec(),
@@ -225,10 +228,10 @@ fn header(bytes: &[u8]) -> Result<Header, MeshError> {
             }
             [b"end_header"] if has_format => return Ok(header),
             [b"comment" | b"obj_info", ..] | [] => {}
-            _ => return refuse(header.lines, "this is no line of the header of a PLY file"),
+            _ => return refuse(header.lines, OfMesh::NoHeaderLine),
         }
     }
-    refuse(header.lines, "the header has no end_header")
+    refuse(header.lines, OfMesh::NoEndHeader)
 }
 
 struct Body<'a> {
@@ -249,32 +252,36 @@ impl Body<'_> {
     }
 
     fn values(&mut self, property: &Property, is_vertex: bool, item: usize) -> Result<Vec<f64>, MeshError> {
-        let element = if is_vertex { "vertex" } else { "element" };
-        let Some(length) = property.length else {
-            return Ok(vec![self.value(property.kind, element, item)?]);
+        let element = if is_vertex {
+            OfMesh::Vertex
+        } else {
+            OfMesh::Element
         };
-        let length = self.value(length, element, item)?;
+        let Some(length) = property.length else {
+            return Ok(vec![self.value(property.kind, &element, item)?]);
+        };
+        let length = self.value(length, &element, item)?;
         if !(length >= 0.0 && length <= CORNERS_MOST as f64 && length.fract() == 0.0) {
             return Err(match self.coding {
                 Coding::Text => MeshError::Line {
                     line: self.line,
-                    what: "the length of a list is not between 0 and 65536",
+                    what: OfMesh::ListLength.into(),
                 },
                 _ => MeshError::Byte {
                     offset: self.at,
-                    what: "the length of a list is not between 0 and 65536",
+                    what: OfMesh::ListLength.into(),
                 },
             });
         }
         (0..length as usize)
-            .map(|_| self.value(property.kind, element, item))
+            .map(|_| self.value(property.kind, &element, item))
             .collect()
     }
 
-    fn value(&mut self, kind: Kind, element: &'static str, number_of_item: usize) -> Result<f64, MeshError> {
+    fn value(&mut self, kind: Kind, element: &OfMesh, number_of_item: usize) -> Result<f64, MeshError> {
         let cut_short = MeshError::CutShort {
             offset: self.at,
-            element,
+            element: element.clone().into(),
             number: number_of_item,
         };
         if self.coding == Coding::Text {
@@ -328,7 +335,7 @@ impl Body<'_> {
         if !rest[..end].trim_ascii().is_empty() {
             return Err(MeshError::Line {
                 line: self.line,
-                what: "the line holds more values than the header says",
+                what: OfMesh::LongLine.into(),
             });
         }
         self.at += end;

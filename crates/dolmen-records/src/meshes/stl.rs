@@ -6,6 +6,7 @@
 use super::mesh::{Merging, number, words};
 use super::{Mesh, MeshError};
 use crate::limits::line_end;
+use crate::wrong::OfMesh;
 
 const HEAD: usize = 84;
 const TRIANGLE: usize = 50;
@@ -55,7 +56,7 @@ fn binary(bytes: &[u8], expected: u64) -> Result<Mesh, MeshError> {
         if !corners.iter().flatten().all(|v| v.is_finite()) {
             return Err(MeshError::Byte {
                 offset: HEAD + TRIANGLE * number,
-                what: "a corner of a triangle is not finite",
+                what: OfMesh::CornerNotFinite.into(),
             });
         }
         let triangle = corners.map(|corner| merging.place(corner));
@@ -79,7 +80,7 @@ fn text(bytes: &[u8]) -> Result<Mesh, MeshError> {
                     .collect::<Result<_, _>>()?;
                 let place = <[f64; 3]>::try_from(place).map_err(|_| MeshError::Line {
                     line: line_number,
-                    what: "a vertex needs three coordinates",
+                    what: OfMesh::ThreeCoordinates.into(),
                 })?;
                 mesh.vertices.push(place);
             }
@@ -89,7 +90,7 @@ fn text(bytes: &[u8]) -> Result<Mesh, MeshError> {
                 if corners.len() < 3 {
                     return Err(MeshError::Line {
                         line: line_number,
-                        what: "a loop has fewer than 3 vertices",
+                        what: OfMesh::ShortLoop.into(),
                     });
                 }
                 mesh.push_polygon(&corners);
@@ -99,7 +100,7 @@ fn text(bytes: &[u8]) -> Result<Mesh, MeshError> {
             Some(_) => {
                 return Err(MeshError::Line {
                     line: line_number,
-                    what: "this is no line of an STL file",
+                    what: OfMesh::NoStlLine.into(),
                 });
             }
         }
@@ -107,7 +108,7 @@ fn text(bytes: &[u8]) -> Result<Mesh, MeshError> {
     if loop_from != mesh.vertices.len() {
         return Err(MeshError::Line {
             line: bytes.split(|&b| b == b'\n').count(),
-            what: "the file ends within a triangle: it was cut short",
+            what: OfMesh::EndsInTriangle.into(),
         });
     }
     Ok(mesh)

@@ -29,10 +29,9 @@ pub struct SeriesFile {
 }
 
 /// Why poses cannot be written.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum PoseError {
     /// Another number of poses than blocks.
-    #[error("{poses} poses are given for {blocks} blocks: give one of each, in the order of the stack")]
     Count {
         /// Poses given.
         poses: usize,
@@ -40,7 +39,6 @@ pub enum PoseError {
         blocks: usize,
     },
     /// A pose that is not finite.
-    #[error("the pose of block {block} is not finite")]
     NotFinite {
         /// The block, from 0.
         block: usize,

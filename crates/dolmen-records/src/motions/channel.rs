@@ -4,6 +4,7 @@ use super::plausible::refuse_implausible;
 use super::{MotionError, MotionFormat, MotionOptions, Orientation, SeismicError, StatedPeak, text};
 use crate::seismic::{Raw, motion_channels};
 use crate::unit::Unit;
+use crate::wrong::OfStation;
 use dolmen::signal::Quantity;
 
 /// Share by which the peak of a channel may differ from the one its header states. Chosen here: headers print 3 digits or more.
@@ -115,12 +116,16 @@ pub fn read_component(bytes: &[u8], options: &MotionOptions) -> Result<Component
 /// A channel in SI units.
 fn finished(raw: Raw, options: &MotionOptions) -> Result<ComponentReading, MotionError> {
     let other = match raw.quantity {
-        Some(Quantity::Velocity) => Some("velocities"),
-        Some(Quantity::Displacement) => Some("displacements"),
+        Some(Quantity::Velocity) => Some(OfStation::Velocities),
+        Some(Quantity::Displacement) => Some(OfStation::Displacements),
         _ => None,
     };
     if let Some(what) = other {
-        return Err(SeismicError::Quantity { line: 0, what }.into());
+        return Err(SeismicError::Quantity {
+            line: 0,
+            what: what.into(),
+        }
+        .into());
     }
     let unit = match (options.unit, raw.unit) {
         (Some(given), Some(found)) if given != found => {

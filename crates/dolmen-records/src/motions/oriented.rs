@@ -8,6 +8,7 @@
 
 use super::read::motion_of;
 use super::{ComponentReading, MotionError, MotionOptions, Orientation, read_channels};
+use crate::wrong::Turned;
 use dolmen::signal::{Component, GroundMotion};
 
 /// Least sine of the angle between two horizontal channels. Chosen here: below 30° the errors of both are doubled.
@@ -44,7 +45,10 @@ pub fn read_oriented(
 ) -> Result<GroundMotion, MotionError> {
     if !x_azimuth_deg.is_finite() {
         return Err(MotionError::Orientation {
-            why: format!("the azimuth of x is {x_azimuth_deg}, but must be a number of degrees"),
+            why: Turned::Azimuth {
+                azimuth_deg: x_azimuth_deg,
+            }
+            .into(),
         });
     }
     let mut horizontal: Vec<(f64, ComponentReading)> = Vec::new();
@@ -59,19 +63,21 @@ pub fn read_oriented(
                     vertical.push(channel);
                 }
                 None => {
-                    let why = format!("channel \"{}\" does not say which way it points", channel.name);
-                    return Err(MotionError::Orientation { why });
+                    let why = Turned::NoDirection {
+                        channel: channel.name,
+                    };
+                    return Err(MotionError::Orientation { why: why.into() });
                 }
             }
         }
     }
     let found = (horizontal.len(), vertical.len());
     if !matches!(found, (2, 0) | (2, 1) | (0, 1)) {
-        let why = format!(
-            "there are {} horizontal and {} vertical channels, but must be two and at most one",
-            found.0, found.1
-        );
-        return Err(MotionError::Orientation { why });
+        let why = Turned::ChannelsOfDirections {
+            horizontal: found.0,
+            vertical: found.1,
+        };
+        return Err(MotionError::Orientation { why: why.into() });
     }
     let mut placed: Vec<(Component, ComponentReading)> = Vec::new();
     if let [first, second] = &horizontal[..] {
@@ -93,9 +99,11 @@ fn turned(
     let [(sin1, cos1), (sin2, cos2)] = [first_deg, second_deg].map(|deg| exact_sin_cos(*deg));
     let determinant = cos1 * sin2 - sin1 * cos2;
     if determinant.abs() < SINE_LEAST {
-        let why =
-            format!("the horizontal channels point to {first_deg}° and {second_deg}°, less than 30° apart");
-        return Err(MotionError::Orientation { why });
+        let why = Turned::NearlyParallel {
+            first_deg: *first_deg,
+            second_deg: *second_deg,
+        };
+        return Err(MotionError::Orientation { why: why.into() });
     }
     let (sin, cos) = exact_sin_cos(x_azimuth_deg);
     let (mut x, mut y) = (first.clone(), second.clone());

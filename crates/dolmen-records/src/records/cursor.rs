@@ -1,6 +1,7 @@
 //! Numbers of a binary file, each access checked against its length.
 
 use super::RecordError;
+use dolmen_words::message::Both;
 
 /// A place in a binary file, in one byte order. Nothing is allocated before the bytes it is read from are known to be there.
 #[derive(Clone, Copy, Debug)]
@@ -82,7 +83,7 @@ impl<'a> Cursor<'a> {
     numbers!(u8: u8, i8: i8, u16: u16, i16: i16, u32: u32, i32: i32, u64: u64, i64: i64, f32: f32, f64: f64);
 
     /// An error at this place.
-    pub(super) fn damaged(&self, what: impl Into<String>) -> RecordError {
+    pub(super) fn damaged(&self, what: impl Into<Both>) -> RecordError {
         RecordError::Damaged {
             format: self.format,
             at: self.at as u64,

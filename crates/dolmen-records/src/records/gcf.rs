@@ -18,6 +18,7 @@ use super::series::{Found, Series};
 use super::{FileUnit, RecordError, RecordFormat};
 use crate::breaks::Break;
 use crate::limits::refuse_channels;
+use crate::wrong::Damage;
 use std::collections::BTreeMap;
 
 const FORMAT: &str = "gcf";
@@ -83,9 +84,13 @@ impl Block {
         let packed = usize::from(compression & 7);
         let words = usize::from(words);
         if second > DAY_S || part >= parts || !matches!(packed, 1 | 2 | 4) || words > WORDS_MOST {
-            return Err(cursor.damaged(format!(
-                "no header of a block: second {second} of the day, part {part} of {parts}, compression {packed}, {words} words"
-            )));
+            return Err(cursor.damaged(Damage::BlockHeader {
+                second: second.to_string(),
+                part: part.to_string(),
+                parts: parts.to_string(),
+                packed: packed.to_string(),
+                words: words.to_string(),
+            }));
         }
         Ok(Block {
             system,
@@ -106,7 +111,7 @@ impl Block {
         let mut value = f64::from(cursor.i32()?); // whole numbers: doubles hold them and their sums
         let mut samples = number.series(cursor, self.words * self.packed)?;
         if samples.first().is_some_and(|first| *first != 0.0) {
-            return Err(cursor.damaged("the first difference of the block is not 0"));
+            return Err(cursor.damaged(Damage::FirstDifference));
         }
         for sample in &mut samples {
             value += *sample;
@@ -114,9 +119,10 @@ impl Block {
         }
         let last = f64::from(cursor.i32()?);
         if last != value {
-            return Err(cursor.damaged(format!(
-                "the block ends at {value}, but states {last} as its last sample"
-            )));
+            return Err(cursor.damaged(Damage::BlockEnd {
+                value: value.to_string(),
+                last: last.to_string(),
+            }));
         }
         Ok(samples)
     }
@@ -150,7 +156,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Found, RecordError> {
         cursor.go(at + BLOCK)?;
     }
     if streams.series.is_empty() {
-        return Err(cursor.damaged("no block holds samples"));
+        return Err(cursor.damaged(Damage::NoBlockHolds));
     }
     let note = (texts > 0).then(|| format!("{texts} blocks of text of the recorder were passed over"));
     Ok(Found {

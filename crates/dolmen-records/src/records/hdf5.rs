@@ -19,6 +19,7 @@ use super::hdf5_objects::{Message, Object, Stored, messages};
 use super::mat_elements::{Matrix, is_wanted, refuse_expansion};
 use crate::limits::{PARTS_MOST, refuse_parts};
 use crate::quoted::shown;
+use crate::wrong::{Damage, Unread};
 
 const SYMBOL_TABLE: u16 = 0x11;
 const LINK: u16 = 0x06;
@@ -102,7 +103,7 @@ fn members(file: &File, group: u64, unvisited: &mut Unvisited) -> Result<Vec<(St
             }
             LINK => {
                 found.extend(link(&mut cursor)?);
-                refuse_parts(FORMAT, "variables", found.len(), PARTS_MOST)?;
+                refuse_parts(FORMAT, Unread::Variables, found.len(), PARTS_MOST)?;
             }
             LINK_INFO => {
                 cursor.take(1)?;
@@ -111,8 +112,8 @@ fn members(file: &File, group: u64, unvisited: &mut Unvisited) -> Result<Vec<(St
                 if cursor.u64()? != NOWHERE {
                     return Err(RecordError::NotReadHere {
                         format: FORMAT,
-                        what: "an HDF5 group with so many members that they stand apart".to_owned(),
-                        instead: "save the record alone, or with save(\"file.mat\", \"-v7\")",
+                        what: Unread::LargeGroup.into(),
+                        instead: Unread::SaveAlone.into(),
                     });
                 }
             }
@@ -126,7 +127,7 @@ fn members(file: &File, group: u64, unvisited: &mut Unvisited) -> Result<Vec<(St
 fn heap_data(file: &File, heap: u64) -> Result<u64, RecordError> {
     let mut cursor = file.at(heap)?;
     if cursor.take(4)? != b"HEAP" {
-        return Err(cursor.damaged("a heap of names has no mark"));
+        return Err(cursor.damaged(Damage::HeapOfNames));
     }
     cursor.take(20)?;
     cursor.u64()
@@ -145,20 +146,20 @@ fn symbols(
     unvisited.node(&cursor)?;
     if level == Some(0) {
         if cursor.take(4)? != b"SNOD" {
-            return Err(cursor.damaged("a node of names has no mark"));
+            return Err(cursor.damaged(Damage::NodeOfNames));
         }
         cursor.take(2)?;
         for _ in 0..cursor.u16()? {
             let (name, address) = (cursor.u64()?, cursor.u64()?);
             cursor.take(24)?;
             found.push((text(file, names.saturating_add(name))?, address));
-            refuse_parts(FORMAT, "variables", found.len(), PARTS_MOST)?;
+            refuse_parts(FORMAT, Unread::Variables, found.len(), PARTS_MOST)?;
         }
         return Ok(());
     }
     let (head, own) = (cursor.take(5)?, cursor.u8()?);
     if head != b"TREE\0" || level.is_some_and(|level| own.checked_add(1) != Some(level)) {
-        return Err(cursor.damaged("a node of the tree of names has no mark, or another level"));
+        return Err(cursor.damaged(Damage::TreeOfNames));
     }
     let entries = cursor.u16()?;
     cursor.take(16 + 8)?;
@@ -177,7 +178,7 @@ fn text(file: &File, address: u64) -> Result<String, RecordError> {
     let end = all
         .iter()
         .position(|b| *b == 0)
-        .ok_or_else(|| cursor.damaged("a name has no end"))?;
+        .ok_or_else(|| cursor.damaged(Damage::NameWithoutEnd))?;
     Ok(shown(&String::from_utf8_lossy(&all[..end])))
 }
 

@@ -10,6 +10,7 @@ use super::cursor::Cursor;
 use super::hdf5_file::{FORMAT, File, NOWHERE, Unvisited};
 use super::hdf5_objects::{Filter, Layout, Object, Stored};
 use super::unpacked::Unpacker;
+use crate::wrong::{Damage, Unread};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
@@ -53,12 +54,12 @@ pub(super) fn values(
     let here = Cursor::new(&[], FORMAT);
     let count = columns
         .checked_mul(rows)
-        .ok_or_else(|| here.damaged(format!("a matrix has {rows} × {columns} numbers")))?;
-    let refused = |what: &str| {
+        .ok_or_else(|| here.damaged(Damage::MatrixNumbers { rows, columns }))?;
+    let refused = |what: Unread| {
         Err(RecordError::NotReadHere {
             format: FORMAT,
-            what: what.to_owned(),
-            instead: "save it again with save(\"file.mat\", \"-v7\")",
+            what: what.into(),
+            instead: Unread::SaveV7.into(),
         })
     };
     let numbers = |cursor: Cursor| stored.number.series(&mut cursor.ordered(stored.big), count);
@@ -67,7 +68,11 @@ pub(super) fn values(
         Some(Layout::At { address, bytes }) => {
             let mut cursor = file.at(*address)?;
             if *bytes != (count as u64).saturating_mul(stored.number.bytes() as u64) {
-                return Err(cursor.damaged(format!("{bytes} bytes hold {rows} × {columns} numbers")));
+                return Err(cursor.damaged(Damage::BytesHold {
+                    bytes: *bytes,
+                    rows,
+                    columns,
+                }));
             }
             let data = cursor.take(usize::try_from(*bytes).unwrap_or(usize::MAX))?;
             unvisited.numbers(data.len(), &cursor)?;
@@ -75,20 +80,20 @@ pub(super) fn values(
         }
         Some(Layout::Chunks { sides, tree }) => {
             if object.filters.iter().any(|f| matches!(f, Filter::Unknown(_))) {
-                return refused("an HDF5 filter other than shuffle, deflate and checksum");
+                return refused(Unread::OtherFilter);
             }
             if (1..object.filters.len()).any(|k| object.filters[k..].contains(&object.filters[k - 1])) {
-                return Err(here.damaged("chunks went through one filter twice"));
+                return Err(here.damaged(Damage::FilterTwice));
             }
             // one dimension is a matrix of one column
             let sides: Vec<usize> = sides.iter().map(|side| *side as usize).collect();
             let (chunk, rank) = match sides[..] {
                 [rows, _] => ([1, rows], 1),
                 [columns, rows, _] => ([columns, rows], 2),
-                _ => return Err(here.damaged("chunks have another number of sides than the matrix")),
+                _ => return Err(here.damaged(Damage::ChunkSides)),
             };
             if sides.last() != Some(&stored.number.bytes()) || chunk.contains(&0) {
-                return Err(here.damaged("a chunk has no size, or numbers of another"));
+                return Err(here.damaged(Damage::ChunkSize));
             }
             let mut chunks = BTreeMap::new();
             chunks_below(file, *tree, rank, None, unvisited, &mut chunks)?;
@@ -101,7 +106,7 @@ pub(super) fn values(
             }
             .together(&chunks, unvisited)
         }
-        Some(Layout::Unknown) | None => refused("an HDF5 layout that MATLAB does not write"),
+        Some(Layout::Unknown) | None => refused(Unread::OtherLayout),
     }
 }
 
@@ -129,7 +134,7 @@ fn chunks_below(
     unvisited.node(&cursor)?;
     let (head, own) = (cursor.take(5)?, cursor.u8()?);
     if head != b"TREE\x01" || level.is_some_and(|level| own.checked_add(1) != Some(level)) {
-        return Err(cursor.damaged("a node of the tree of chunks has no mark, or another level"));
+        return Err(cursor.damaged(Damage::ChunkTree));
     }
     let entries = cursor.u16()?;
     cursor.take(16)?;
@@ -155,7 +160,7 @@ fn chunks_below(
             )
             .is_some()
         {
-            return Err(cursor.damaged("two chunks begin at one place"));
+            return Err(cursor.damaged(Damage::ChunksMeet));
         }
     }
     Ok(())
@@ -182,12 +187,13 @@ impl Chunked<'_> {
             .div_ceil(self.chunk[0])
             .checked_mul(rows.div_ceil(self.chunk[1]));
         if needed != Some(chunks.len()) {
-            return Err(here.damaged(format!(
-                "a matrix of {rows} × {columns} numbers has {} chunks of {} × {}: a part was never written",
-                chunks.len(),
-                self.chunk[1],
-                self.chunk[0]
-            )));
+            return Err(here.damaged(Damage::ChunksMissing {
+                rows,
+                columns,
+                chunks: chunks.len(),
+                high: self.chunk[1],
+                wide: self.chunk[0],
+            }));
         }
         for place in chunks.values() {
             unvisited.numbers(place.bytes as usize, &here)?;
@@ -198,7 +204,7 @@ impl Chunked<'_> {
             let [from_column, from_row] = begins.map(|x| usize::try_from(x).unwrap_or(usize::MAX));
             let aligned = from_column % self.chunk[0] == 0 && from_row % self.chunk[1] == 0;
             if !aligned || from_column >= columns || from_row >= rows {
-                return Err(here.damaged("a chunk begins where none can"));
+                return Err(here.damaged(Damage::ChunkPlace));
             }
             let numbers = self.numbers(place, &mut unpacker)?;
             let count = self.chunk[1].min(rows - from_row);
@@ -218,10 +224,10 @@ impl Chunked<'_> {
         let count = self.chunk[0].saturating_mul(self.chunk[1]);
         let whole = count.saturating_mul(size);
         if whole > packed.len().saturating_mul(INFLATION_MOST) {
-            return Err(cursor.damaged(format!(
-                "a chunk of {whole} bytes is packed into {}",
-                packed.len()
-            )));
+            return Err(cursor.damaged(Damage::ChunkPacked {
+                whole,
+                packed: packed.len(),
+            }));
         }
         let mut data = Cow::Borrowed(packed);
         for (k, filter) in self.filters.iter().enumerate().rev() {
@@ -243,14 +249,17 @@ impl Chunked<'_> {
                 Filter::Deflate => Cow::Owned(
                     unpacker
                         .whole(&data, whole + 4)
-                        .map_err(|why| cursor.damaged(format!("a chunk does not unpack: {why}")))?,
+                        .map_err(|why| cursor.damaged(Damage::ChunkDoesNotUnpack { why: why.into() }))?,
                 ),
                 Filter::Shuffle => Cow::Owned(unshuffled(&data, size)),
                 Filter::Unknown(_) => data,
             };
         }
         if data.len() != whole {
-            return Err(cursor.damaged(format!("a chunk of {whole} bytes unpacks to {}", data.len())));
+            return Err(cursor.damaged(Damage::ChunkUnpacks {
+                whole,
+                unpacked: data.len(),
+            }));
         }
         let mut numbers = Cursor::new(&data, FORMAT).ordered(self.stored.big);
         self.stored.number.series(&mut numbers, count)

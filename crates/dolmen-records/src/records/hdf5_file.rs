@@ -2,6 +2,7 @@
 
 use super::RecordError;
 use super::cursor::Cursor;
+use crate::wrong::Damage;
 
 pub(super) const FORMAT: &str = "mat";
 const SIGNATURE: &[u8] = b"\x89HDF\r\n\x1a\n";
@@ -24,7 +25,11 @@ impl<'a> File<'a> {
             .and_then(|x| usize::try_from(x).ok());
         match place {
             Some(place) if address != NOWHERE => cursor.go(place)?,
-            _ => return Err(cursor.damaged(format!("an address is {address:#x}"))),
+            _ => {
+                return Err(cursor.damaged(Damage::Address {
+                    address: format!("{address:#x}"),
+                }));
+            }
         }
         Ok(cursor)
     }
@@ -58,22 +63,22 @@ impl Unvisited {
     }
 
     pub(super) fn header(&mut self, bytes: usize, here: &Cursor) -> Result<(), RecordError> {
-        visit(&mut self.headers, bytes, here, "headers of objects")
+        visit(&mut self.headers, bytes, here, Damage::HeadersOfObjects)
     }
 
     pub(super) fn node(&mut self, here: &Cursor) -> Result<(), RecordError> {
-        visit(&mut self.nodes, 1, here, "trees")
+        visit(&mut self.nodes, 1, here, Damage::Trees)
     }
 
     pub(super) fn numbers(&mut self, bytes: usize, here: &Cursor) -> Result<(), RecordError> {
-        visit(&mut self.numbers, bytes, here, "numbers of variables")
+        visit(&mut self.numbers, bytes, here, Damage::NumbersOfVariables)
     }
 }
 
-fn visit(left: &mut usize, count: usize, here: &Cursor, what: &str) -> Result<(), RecordError> {
+fn visit(left: &mut usize, count: usize, here: &Cursor, what: Damage) -> Result<(), RecordError> {
     *left = left
         .checked_sub(count)
-        .ok_or_else(|| here.damaged(format!("{what} run in a circle, or lie on one another")))?;
+        .ok_or_else(|| here.damaged(Damage::Circle { what: what.into() }))?;
     Ok(())
 }
 
@@ -86,7 +91,7 @@ pub(super) fn superblock(bytes: &[u8]) -> Result<(File<'_>, u64), RecordError> {
         cursor.go(place)?;
         place *= 2;
         if place > bytes.len() {
-            return Err(cursor.damaged("there is no HDF5 behind MATLAB's header"));
+            return Err(cursor.damaged(Damage::NoHdf5));
         }
     }
     cursor.go(place + SIGNATURE.len())?;
@@ -103,10 +108,10 @@ pub(super) fn superblock(bytes: &[u8]) -> Result<(File<'_>, u64), RecordError> {
             cursor.take(1)?;
             sizes
         }
-        _ => return Err(cursor.damaged(format!("version {version} of HDF5's first block is not known"))),
+        _ => return Err(cursor.damaged(Damage::FirstBlock { version })),
     };
     if sizes != [8, 8] {
-        return Err(cursor.damaged("addresses and lengths have other sizes than 8 bytes"));
+        return Err(cursor.damaged(Damage::AddressSizes));
     }
     let base = cursor.u64()?;
     cursor.u64()?;

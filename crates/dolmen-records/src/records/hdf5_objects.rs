@@ -11,6 +11,7 @@
 use super::RecordError;
 use super::cursor::{Cursor, Number};
 use super::hdf5_file::{FORMAT, File, Unvisited};
+use crate::wrong::{Damage, Unread};
 
 const CONTINUATION: u16 = 0x10;
 /// Bit of a message that stands elsewhere.
@@ -46,7 +47,7 @@ pub(super) fn messages<'a>(
         }
     } else {
         if first[0] != 1 {
-            return Err(cursor.damaged("an object header has neither mark nor version 1"));
+            return Err(cursor.damaged(Damage::ObjectHeader));
         }
         cursor.take(4)?;
         let size = u64::from(cursor.u32()?);
@@ -73,8 +74,8 @@ pub(super) fn messages<'a>(
             } else if sort != 0 && flags & SHARED != 0 {
                 return Err(RecordError::NotReadHere {
                     format: FORMAT,
-                    what: "HDF5 messages that objects share".to_owned(),
-                    instead: "save it again with save(\"file.mat\", \"-v7\")",
+                    what: Unread::SharedMessages.into(),
+                    instead: Unread::SaveV7.into(),
                 });
             } else if sort != 0 {
                 found.push(Message { sort, data });
@@ -98,7 +99,7 @@ fn continuation<'a>(file: &File<'a>, data: &[u8], newer: bool) -> Result<&'a [u8
         .and_then(|b| b.get(..b.len().checked_sub(4)?))
     {
         Some(inner) => Ok(inner),
-        None => Err(there.damaged("a further block of an object header has no mark")),
+        None => Err(there.damaged(Damage::FurtherBlock)),
     }
 }
 
@@ -185,9 +186,11 @@ fn sides(cursor: &mut Cursor) -> Result<Vec<usize>, RecordError> {
     let mut sides = Vec::new();
     for _ in 0..rank {
         let side = cursor.u64()?;
-        sides.push(
-            usize::try_from(side).map_err(|_| cursor.damaged(format!("a side of a matrix is {side}")))?,
-        );
+        sides.push(usize::try_from(side).map_err(|_| {
+            cursor.damaged(Damage::Side {
+                side: side.to_string(),
+            })
+        })?);
     }
     Ok(sides)
 }

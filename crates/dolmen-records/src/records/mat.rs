@@ -9,6 +9,8 @@ use super::series::{Found, Series, rate_of_step};
 use super::{RecordError, RecordFormat};
 use crate::limits::refuse_channels;
 use crate::quoted::listed;
+use crate::wrong::Unread;
+use dolmen_words::message::Both;
 
 const FORMAT: &str = "mat";
 /// Names of a number that is the sampling rate, Hz, in lower case without underscores.
@@ -45,8 +47,11 @@ pub(super) fn read(bytes: &[u8]) -> Result<Found, RecordError> {
     if length < 2 {
         return Err(RecordError::NotReadHere {
             format: FORMAT,
-            what: format!("no numeric matrix of samples (it holds {})", names(&all, &passed)),
-            instead: "save the samples as a matrix of its own, not within a struct or cell",
+            what: Unread::NoMatrix {
+                held: names(&all, &passed),
+            }
+            .into(),
+            instead: Unread::SaveMatrix.into(),
         });
     }
     let mut rate_hz = None;
@@ -77,12 +82,12 @@ pub(super) fn read(bytes: &[u8]) -> Result<Found, RecordError> {
     if series.is_empty() {
         return Err(RecordError::NotReadHere {
             format: FORMAT,
-            what: "time stamps without samples".to_owned(),
-            instead: "save the samples beside them",
+            what: Unread::TimesAlone.into(),
+            instead: Unread::SaveBeside.into(),
         });
     }
     series.iter_mut().for_each(|one| one.sampling_rate_hz = rate_hz);
-    let note = (!passed.is_empty()).then(|| format!("passed over: {}", listed(&passed)));
+    let note = (!passed.is_empty()).then(|| format!("passed over: {}", listed(&passed).english));
     Ok(Found {
         format: RecordFormat::Mat,
         series,
@@ -90,14 +95,14 @@ pub(super) fn read(bytes: &[u8]) -> Result<Found, RecordError> {
     })
 }
 
-fn names(all: &[Matrix], passed: &[String]) -> String {
+fn names(all: &[Matrix], passed: &[String]) -> Both {
     let names: Vec<&str> = all
         .iter()
         .map(|m| m.name.as_str())
         .chain(passed.iter().map(String::as_str))
         .collect();
     if names.is_empty() {
-        "nothing".to_owned()
+        Unread::Nothing.into()
     } else {
         listed(&names)
     }
@@ -109,13 +114,13 @@ fn agreed(known: &mut Option<f64>, rate: f64, name: &str) -> Result<(), RecordEr
     if !(rate > 0.0 && rate.is_finite()) {
         return Err(RecordError::Variable {
             name: name.to_owned(),
-            what: format!("gives a sampling rate of {rate} Hz"),
+            what: Unread::Rate { rate }.into(),
         });
     }
     match known {
         Some(other) if (*other / rate - 1.0).abs() > TOLERANCE => Err(RecordError::Variable {
             name: name.to_owned(),
-            what: format!("gives a sampling rate of {rate} Hz, but another {other} Hz"),
+            what: Unread::TwoRates { rate, other: *other }.into(),
         }),
         Some(_) => Ok(()),
         None => {
@@ -135,7 +140,7 @@ fn stamps(matrix: &Matrix) -> Result<f64, RecordError> {
         true => Ok(rate_of_step(step, 1e-9)),
         false => Err(RecordError::Variable {
             name: matrix.name.clone(),
-            what: "holds time stamps that are not even: samples are missing or the clock jumped".to_owned(),
+            what: Unread::UnevenStamps.into(),
         }),
     }
 }

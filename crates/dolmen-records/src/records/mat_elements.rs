@@ -13,6 +13,7 @@ use super::cursor::{Cursor, Number};
 use super::unpacked::Unpacker;
 use crate::limits::{LimitError, PARTS_MOST, expanded_most, refuse_parts};
 use crate::quoted::shown;
+use crate::wrong::{Damage, Unread};
 
 const FORMAT: &str = "mat";
 const HEADER: usize = 128;
@@ -48,7 +49,7 @@ pub(super) fn refuse_expansion(file: usize, unpacked: u64) -> Result<(), LimitEr
             packed: file,
             unpacked,
             most,
-            instead: "save it with save(\"file.mat\", \"-v6\"), which packs nothing",
+            instead: Unread::SaveV6.into(),
         }),
     }
 }
@@ -72,17 +73,17 @@ pub(super) fn matrices(bytes: &[u8]) -> Result<(Vec<Matrix>, Vec<String>), Recor
     let big = match cursor.take(2)? {
         b"IM" => false,
         b"MI" => true,
-        _ => return Err(cursor.damaged("the mark of the byte order is none")),
+        _ => return Err(cursor.damaged(Damage::ByteOrder)),
     };
     if version != if big { [1, 0] } else { [0, 1] } {
-        return Err(cursor.damaged("the version is not that of MAT 5"));
+        return Err(cursor.damaged(Damage::NotMat5));
     }
     let mut cursor = cursor.ordered(big);
     let mut unpacker = Unpacker::new();
     let mut elements = Vec::new();
     while cursor.left() > 0 {
         elements.push(element(&mut cursor, &mut unpacker)?);
-        refuse_parts(FORMAT, "variables", elements.len(), PARTS_MOST)?;
+        refuse_parts(FORMAT, Unread::Variables, elements.len(), PARTS_MOST)?;
     }
     let longest = |head: &Head| head.as_ref().map_or(0, |m| m.rows.max(m.columns));
     let samples = elements.iter().map(|(_, head)| longest(head)).max().unwrap_or(0);
@@ -103,11 +104,11 @@ pub(super) fn matrices(bytes: &[u8]) -> Result<(Vec<Matrix>, Vec<String>), Recor
     let (mut found, mut passed) = (Vec::new(), Vec::new());
     for (element, head) in elements {
         let is_wanted = wanted(&head);
-        let unpacked = |why| {
-            cursor.damaged(format!(
-                "the packed variable {} does not unpack: {why}",
-                name(&head)
-            ))
+        let unpacked = |why: Damage| {
+            cursor.damaged(Damage::VariableDoesNotUnpack {
+                name: name(&head).to_owned(),
+                why: why.into(),
+            })
         };
         let read = match element {
             Element::Plain(data) => matrix(data, big, is_wanted)?,
@@ -148,18 +149,15 @@ fn element<'a>(cursor: &mut Cursor<'a>, unpacker: &mut Unpacker) -> Result<(Elem
             head(&mut Cursor::new(data, FORMAT).ordered(big))?,
         ),
         COMPRESSED => {
-            let first = unpacker.head(data, HEAD_BYTES).map_err(|why| {
-                cursor.damaged(format!(
-                    "the packed variable before this place does not unpack: {why}"
-                ))
-            })?;
+            let first = unpacker
+                .head(data, HEAD_BYTES)
+                .map_err(|why: Damage| cursor.damaged(Damage::BeforeDoesNotUnpack { why: why.into() }))?;
             let mut within = Cursor::new(&first, FORMAT).ordered(big);
             let tag = Tag::read(&mut within)?;
             if tag.sort != MATRIX {
                 return Err(no_variable(cursor, tag.sort));
             }
-            let head = head(&mut within)
-                .map_err(|_| cursor.damaged("the packed variable before this place has no whole head"))?;
+            let head = head(&mut within).map_err(|_| cursor.damaged(Damage::NoWholeHead))?;
             (
                 // padding may follow
                 Element::Packed(data, within_tag(tag.length)),
@@ -182,9 +180,7 @@ fn within_tag(length: usize) -> usize {
 
 /// A variable passed over in silence would make another record of the file.
 fn no_variable(cursor: &Cursor, sort: u32) -> RecordError {
-    cursor.damaged(format!(
-        "the element before this place has type {sort}, which is no variable"
-    ))
+    cursor.damaged(Damage::ElementType { sort })
 }
 
 /// Type and length of an element.
@@ -206,7 +202,7 @@ impl Tag {
                     length,
                     small: true,
                 }),
-                false => Err(cursor.damaged("an element in short form is longer than 4 bytes")),
+                false => Err(cursor.damaged(Damage::ShortForm)),
             };
         }
         Ok(Tag {
@@ -252,16 +248,18 @@ fn head(cursor: &mut Cursor) -> Result<Head, RecordError> {
     let (class, flag) = (word[0], word[1]);
     let (sort, dimensions) = part(cursor)?;
     if sort != 5 {
-        return Err(cursor.damaged("the dimensions of a matrix are no integers of 32 bits"));
+        return Err(cursor.damaged(Damage::Dimensions));
     }
     let mut sides = Cursor::new(dimensions, FORMAT).ordered(big);
     let count = dimensions.len() / 4;
     let mut size = Vec::with_capacity(count);
     for _ in 0..count {
         let side = sides.i32()?;
-        size.push(
-            usize::try_from(side).map_err(|_| cursor.damaged(format!("a side of a matrix is {side}")))?,
-        );
+        size.push(usize::try_from(side).map_err(|_| {
+            cursor.damaged(Damage::Side {
+                side: side.to_string(),
+            })
+        })?);
     }
     let (_, name) = part(cursor)?;
     let name = shown(&String::from_utf8_lossy(name));
@@ -306,17 +304,22 @@ fn matrix(data: &[u8], big: bool, is_wanted: bool) -> Result<Head, RecordError> 
     } = &matrix;
     let (sort, values) = part(&mut cursor)?;
     let Some(number) = number(sort) else {
-        return Err(cursor.damaged(format!("the values of {name} have type {sort}, which is none")));
+        return Err(cursor.damaged(Damage::ValueType {
+            name: name.clone(),
+            sort,
+        }));
     };
     if rows
         .checked_mul(*columns)
         .and_then(|n| n.checked_mul(number.bytes()))
         != Some(values.len())
     {
-        return Err(cursor.damaged(format!(
-            "{name} is {rows} × {columns}, but holds {} bytes of values",
-            values.len()
-        )));
+        return Err(cursor.damaged(Damage::ValueBytes {
+            name: name.clone(),
+            rows: *rows,
+            columns: *columns,
+            bytes: values.len(),
+        }));
     }
     if is_wanted {
         matrix.values = number.series(&mut Cursor::new(values, FORMAT).ordered(big), rows * columns)?;

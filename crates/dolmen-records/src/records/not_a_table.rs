@@ -3,12 +3,12 @@
 use super::date_text::is_date;
 use super::dialect::{Decimal, Delimiter, Line, unquoted};
 use crate::number::parse_cell;
+use crate::wrong::DiffersFromATable;
+use dolmen_words::message::{Argument, Run};
+use dolmen_words::{Language, Sentence};
 
 /// A text that is no table of numbers. A project may name any file of whoever opens it, so that nothing of the text is told.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error(
-    "the file does not look like a table of numbers (its first {lines} lines hold {numbers} numbers in {cells} cells): is it the right file?"
-)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NotATable {
     /// Lines looked at.
     pub lines: usize,
@@ -16,6 +16,31 @@ pub struct NotATable {
     pub numbers: usize,
     /// Their cells that are not empty.
     pub cells: usize,
+}
+
+impl NotATable {
+    fn sentence(&self) -> Sentence {
+        DiffersFromATable::NotATable {
+            lines: self.lines,
+            numbers: self.numbers,
+            cells: self.cells,
+        }
+        .into()
+    }
+}
+
+impl std::fmt::Display for NotATable {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&self.sentence().text(Language::English))
+    }
+}
+
+impl std::error::Error for NotATable {}
+
+impl Argument for NotATable {
+    fn said(&self, language: Language) -> Vec<Run> {
+        self.sentence().runs(language).to_vec()
+    }
 }
 
 /// Numbers and cells of a line.

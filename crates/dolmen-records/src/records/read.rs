@@ -7,7 +7,9 @@ use super::{
     wav,
 };
 use crate::limits::head;
+use crate::wrong::Unread;
 use dolmen::signal::scale;
+use dolmen_words::message::Both;
 
 /// A record from the bytes of a file: CSV, NPY, UFF 58, WAV, MAT 5 and 7.3, SAF, GCF, TDMS, miniSEED, SAC, K-NET, ESM, COSMOS.
 ///
@@ -33,9 +35,13 @@ pub fn read_record(bytes: &[u8], options: &RecordOptions) -> Result<Reading, Rec
     if !is_npy && let Some(found) = channels(bytes, options) {
         let found = found?;
         return match options.format {
-            Some(format) if format != found.format => {
-                Err(not_of(format, format!("a {} file", found.format.name())))
-            }
+            Some(format) if format != found.format => Err(not_of(
+                format,
+                Unread::FileOf {
+                    format: found.format.name().to_owned(),
+                }
+                .into(),
+            )),
             _ => assembled(found, options),
         };
     }
@@ -79,7 +85,7 @@ fn channels(bytes: &[u8], options: &RecordOptions) -> Option<Result<Found, Recor
     }
 }
 
-fn not_of(format: RecordFormat, begins: String) -> RecordError {
+fn not_of(format: RecordFormat, begins: Both) -> RecordError {
     RecordError::NotOfFormat {
         format: format.name(),
         begins,
@@ -87,16 +93,16 @@ fn not_of(format: RecordFormat, begins: String) -> RecordError {
 }
 
 /// What a file of no other format begins like.
-fn sort(bytes: &[u8]) -> String {
+fn sort(bytes: &[u8]) -> Both {
     let is_sign = |b: &u8| *b >= b' ' || b.is_ascii_whitespace();
     if bytes.starts_with(super::npy::MAGIC) {
-        "an npy file"
+        Unread::NpyFile
     } else if head(bytes).iter().all(is_sign) {
-        "text"
+        Unread::Text
     } else {
-        "a binary file"
+        Unread::BinaryFile
     }
-    .to_owned()
+    .into()
 }
 
 #[cfg(test)]

@@ -24,6 +24,7 @@ use super::{FileUnit, RecordError, RecordFormat};
 use crate::number::parse_number;
 use crate::quoted::shown;
 use crate::start::time_of;
+use crate::wrong::Expected;
 
 const FORMAT: &str = "saf";
 const FIRST: &[u8] = b"SESAME ASCII data format";
@@ -50,7 +51,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Found, RecordError> {
     if header.names.is_empty() {
         return Err(RecordError::HeaderLacks {
             format: FORMAT,
-            what: "CH0_ID, CH1_ID, … (the channels)",
+            what: Expected::SafChannels.into(),
         });
     }
     let count = header.names.len();
@@ -128,33 +129,33 @@ fn header(bytes: &[u8]) -> Result<(Header, usize, usize), RecordError> {
             continue;
         };
         let (key, value) = (key.trim(), value.trim());
-        let refused = |wanted| RecordError::LineIsNot {
+        let refused = |wanted: Expected| RecordError::LineIsNot {
             format: FORMAT,
             line: line.number,
             text: value.chars().take(80).collect(),
-            wanted,
+            wanted: wanted.into(),
         };
         match key {
             "STA_CODE" => header.station = value.to_owned(),
             "UNITS" => header.unit = Some(value.to_owned()),
             "SAMP_FREQ" => {
                 let rate = value.parse::<f64>().ok().filter(|f| *f > 0.0 && f.is_finite());
-                header.rate_hz = Some(rate.ok_or_else(|| refused("a sampling rate, Hz"))?);
+                header.rate_hz = Some(rate.ok_or_else(|| refused(Expected::SafRate))?);
             }
-            "NDAT" => header.samples = Some(value.parse().map_err(|_| refused("a number of samples"))?),
+            "NDAT" => header.samples = Some(value.parse().map_err(|_| refused(Expected::NumberOfSamples))?),
             "START_TIME" => {
                 let parts: Vec<f64> = value
                     .split_whitespace()
                     .filter_map(|part| part.parse().ok())
                     .collect();
                 let begins = <[f64; 6]>::try_from(parts).ok().and_then(time_of);
-                header.begins_s = Some(begins.ok_or_else(|| refused("year month day hour minute second"))?);
+                header.begins_s = Some(begins.ok_or_else(|| refused(Expected::SafTime))?);
             }
             key => {
                 let channel = key.strip_prefix("CH").and_then(|key| key.strip_suffix("_ID"));
                 if let Some(Ok(place)) = channel.map(str::parse::<usize>) {
                     if place != header.names.len() || place >= CHANNELS_MOST {
-                        return Err(refused("the next channel: CH0_ID, CH1_ID, … in order"));
+                        return Err(refused(Expected::SafNextChannel));
                     }
                     let words: Vec<&str> = value.split_whitespace().collect();
                     header.names.push(shown(&words.join(" ")));
@@ -164,6 +165,6 @@ fn header(bytes: &[u8]) -> Result<(Header, usize, usize), RecordError> {
     }
     Err(RecordError::HeaderLacks {
         format: FORMAT,
-        what: "the line #### that ends it",
+        what: Expected::SafEnd.into(),
     })
 }

@@ -16,6 +16,7 @@ use super::unit::unit_of_label;
 use super::{FileUnit, RecordError, RecordFormat};
 use crate::limits::{PARTS_MOST, refuse_channels, refuse_parts};
 use crate::quoted::shown;
+use crate::wrong::{Damage, Unread};
 use std::collections::BTreeMap;
 
 const FORMAT: &str = "tdms";
@@ -49,11 +50,11 @@ pub(super) fn is_tdms(bytes: &[u8]) -> bool {
     bytes.starts_with(b"TDSm") || bytes.starts_with(b"TDSh")
 }
 
-fn unread(what: impl Into<String>, instead: &'static str) -> RecordError {
+fn unread(what: Unread, instead: Unread) -> RecordError {
     RecordError::NotReadHere {
         format: FORMAT,
         what: what.into(),
-        instead,
+        instead: instead.into(),
     }
 }
 
@@ -118,7 +119,7 @@ impl File {
             return Ok(*place);
         }
         let place = self.objects.len();
-        refuse_parts(FORMAT, "groups and channels", place + 1, PARTS_MOST)?;
+        refuse_parts(FORMAT, Unread::GroupsAndChannels, place + 1, PARTS_MOST)?;
         self.objects.push(Object {
             path: path.clone(),
             ..Default::default()
@@ -153,10 +154,7 @@ impl File {
 
 pub(super) fn read(bytes: &[u8]) -> Result<Found, RecordError> {
     if bytes.starts_with(b"TDSh") {
-        return Err(unread(
-            "only the index of a file (.tdms_index)",
-            "name the .tdms file beside it",
-        ));
+        return Err(unread(Unread::OnlyIndex, Unread::NameTdms));
     }
     let mut file = File::default();
     let mut cursor = Cursor::new(bytes, FORMAT);
@@ -170,20 +168,17 @@ pub(super) fn read(bytes: &[u8]) -> Result<Found, RecordError> {
 fn segment<'a>(start: Cursor<'a>, file: &mut File) -> Result<Cursor<'a>, RecordError> {
     let mut cursor = start.ordered(false);
     if cursor.take(4)? != b"TDSm" {
-        return Err(start.damaged("no segment begins here"));
+        return Err(start.damaged(Damage::NoSegment));
     }
     let flags = cursor.u32()?;
     let mut cursor = cursor.ordered(flags & BIG_ENDIAN != 0);
     cursor.u32()?; // version
     let (length, description) = (cursor.u64()?, cursor.u64()?);
     if length == OPEN {
-        return Err(cursor.damaged("the segment was never closed: the recorder stopped while it wrote"));
+        return Err(cursor.damaged(Damage::SegmentOpen));
     }
     if flags & DAQMX != 0 {
-        return Err(unread(
-            "raw data of DAQmx with its scaling",
-            "export scaled values from LabVIEW",
-        ));
+        return Err(unread(Unread::Daqmx, Unread::ExportScaled));
     }
     let begin = start.at() + LEAD_IN;
     let place = |after: u64| {
@@ -192,10 +187,10 @@ fn segment<'a>(start: Cursor<'a>, file: &mut File) -> Result<Cursor<'a>, RecordE
             .and_then(|after| begin.checked_add(after))
     };
     let (Some(end), Some(data)) = (place(length), place(description)) else {
-        return Err(start.damaged("the length of the segment is none"));
+        return Err(start.damaged(Damage::SegmentLength));
     };
     if data > end {
-        return Err(start.damaged("the description of the segment is longer than the segment"));
+        return Err(start.damaged(Damage::DescriptionTooLong));
     }
     cursor.go(end)?;
     let next = cursor;
@@ -207,7 +202,7 @@ fn segment<'a>(start: Cursor<'a>, file: &mut File) -> Result<Cursor<'a>, RecordE
         objects(&mut cursor, file)?;
     }
     if cursor.at() > data && flags & RAW_DATA != 0 {
-        return Err(start.damaged("the description of the segment runs into its samples"));
+        return Err(start.damaged(Damage::DescriptionRunsOn));
     }
     if flags & RAW_DATA != 0 && end > data {
         cursor.go(data)?;
@@ -225,7 +220,7 @@ fn objects(cursor: &mut Cursor, file: &mut File) -> Result<(), RecordError> {
     for _ in 0..cursor.u32()? {
         let path = text(cursor)?;
         if path.len() > PATH_BYTES_MOST {
-            return Err(cursor.damaged(format!("a path has {} bytes", path.len())));
+            return Err(cursor.damaged(Damage::PathBytes { bytes: path.len() }));
         }
         let place = file.place(path)?;
         let object = &mut file.objects[place];
@@ -235,14 +230,11 @@ fn objects(cursor: &mut Cursor, file: &mut File) -> Result<(), RecordError> {
                 // as in the segment before
                 Some(raw) => raw.values > 0,
                 None => {
-                    return Err(cursor.damaged("samples lie as in the segment before, but there are none"));
+                    return Err(cursor.damaged(Damage::NoneBefore));
                 }
             },
             0x1269 | 0x1369 => {
-                return Err(unread(
-                    "raw data of DAQmx with its scaling",
-                    "export scaled values from LabVIEW",
-                ));
+                return Err(unread(Unread::Daqmx, Unread::ExportScaled));
             }
             length => {
                 let raw = raw(cursor, length, &object.path)?;
@@ -266,17 +258,17 @@ fn raw(cursor: &mut Cursor, length: u32, path: &str) -> Result<Raw, RecordError>
     let code = cursor.u32()?;
     let Some(number) = number(code) else {
         return Err(unread(
-            format!("samples of type {code:#x} in {}", shown(path)),
-            "write integers or floats of up to 64 bits",
+            Unread::SamplesOfType {
+                code: format!("{code:#x}"),
+                path: shown(path),
+            },
+            Unread::WriteNumbers,
         ));
     };
     let dimension = cursor.u32()?;
     let values = usize::try_from(cursor.u64()?).ok();
     let (20, 1, Some(values)) = (length, dimension, values) else {
-        return Err(cursor.damaged(format!(
-            "the samples of {} are not described as numbers of one dimension",
-            shown(path)
-        )));
+        return Err(cursor.damaged(Damage::OneDimension { path: shown(path) }));
     };
     Ok(Raw { number, values })
 }
@@ -302,7 +294,9 @@ fn value(cursor: &mut Cursor) -> Result<Option<Value>, RecordError> {
         0x21 => cursor.u8().map(|_| None),
         0x0008_000C => cursor.take(8).map(|_| None),
         0x0010_000D | 0xF | 0x1B => cursor.take(16).map(|_| None),
-        code => Err(cursor.damaged(format!("a property has type {code:#x}, which is none"))),
+        code => Err(cursor.damaged(Damage::PropertyType {
+            code: format!("{code:#x}"),
+        })),
     }
 }
 
@@ -318,16 +312,12 @@ fn samples(cursor: &mut Cursor, file: &mut File, bytes: usize, interleaved: bool
         .try_fold(0usize, |sum, size| sum.checked_add(size?));
     let chunk = chunk
         .filter(|chunk| *chunk > 0 && bytes.is_multiple_of(*chunk))
-        .ok_or_else(|| {
-            cursor.damaged(format!(
-                "{bytes} bytes of samples are no whole chunks of the objects described: was it cut short?"
-            ))
-        })?;
+        .ok_or_else(|| cursor.damaged(Damage::NoWholeChunks { bytes }))?;
     for _ in 0..bytes / chunk {
         if interleaved {
             let values = listed.first().map_or(0, |(_, raw)| raw.values);
             if listed.iter().any(|(_, raw)| raw.values != values) {
-                return Err(cursor.damaged("interleaved objects differ in their number of samples"));
+                return Err(cursor.damaged(Damage::InterleavedUnlike));
             }
             for _ in 0..values {
                 for (place, raw) in &listed {
@@ -368,11 +358,11 @@ fn series(file: File, cursor: &Cursor) -> Result<Found, RecordError> {
             && *scales > 0.0
         {
             return Err(unread(
-                format!(
-                    "channel {} with {scales} scalings of its own",
-                    shown(&object.path)
-                ),
-                "export scaled values from LabVIEW",
+                Unread::ScalingsOfChannel {
+                    path: shown(&object.path),
+                    scales: scales.to_string(),
+                },
+                Unread::ExportScaled,
             ));
         }
         let seconds = |name: &str| match property(name) {
@@ -405,7 +395,7 @@ fn series(file: File, cursor: &Cursor) -> Result<Found, RecordError> {
         });
     }
     if found.is_empty() {
-        return Err(cursor.damaged("no channel holds samples"));
+        return Err(cursor.damaged(Damage::NoChannelHolds));
     }
     Ok(Found {
         format: RecordFormat::Tdms,

@@ -22,6 +22,7 @@ use crate::limits::head;
 use crate::number::parse_number;
 use crate::quoted::{listed, shown};
 use crate::unit::Unit;
+use crate::wrong::{Expected, Unread};
 use dolmen::signal::Quantity;
 use std::collections::BTreeMap;
 
@@ -76,7 +77,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Found, RecordError> {
             continue;
         }
         if line.trim() != "-1" {
-            return Err(lines.is_not(&line, "the −1 that begins a dataset"));
+            return Err(lines.is_not(&line, Expected::DatasetBegins));
         }
         let Some(kind) = lines.next()? else { break };
         let number = cell(&kind, 0, 6).trim().to_owned();
@@ -89,13 +90,13 @@ pub(super) fn read(bytes: &[u8]) -> Result<Found, RecordError> {
             "2411" => long_nodes(&mut lines, &mut beside)?,
             "164" => units(&mut lines, &mut beside)?,
             "151" => {
-                let title = lines.want("the title of a dataset 151")?;
+                let title = lines.want(Expected::Title151)?;
                 beside.title =
                     Some(title.trim().to_owned()).filter(|title| !title.is_empty() && title != "NONE");
             }
             "18" | "2420" => beside.turned = true,
             _ if number.parse::<u32>().is_ok() => *beside.passed.entry(number).or_default() += 1,
-            _ => return Err(lines.is_not(&kind, "the number of a dataset")),
+            _ => return Err(lines.is_not(&kind, Expected::DatasetNumber)),
         }
         end(&mut lines)?;
     }
@@ -105,7 +106,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Found, RecordError> {
 /// Goes past the −1 that ends a dataset.
 fn end(lines: &mut Lines) -> Result<(), RecordError> {
     loop {
-        if lines.want("the −1 that ends a dataset")?.trim() == "-1" {
+        if lines.want(Expected::DatasetEnds)?.trim() == "-1" {
             return Ok(());
         }
     }
@@ -125,19 +126,18 @@ fn finished(functions: Vec<Function>, beside: Beside) -> Result<Found, RecordErr
     if functions.is_empty() {
         return Err(RecordError::NotReadHere {
             format: FORMAT,
-            what: format!(
-                "no time series (it holds datasets {})",
-                if passed.is_empty() {
-                    "without any".to_owned()
-                } else {
-                    listed(&passed)
-                }
-            ),
-            instead: "export the time series as dataset 58, function type 1",
+            what: Unread::NoSeries {
+                held: match passed.is_empty() {
+                    true => Unread::WithoutAny.into(),
+                    false => listed(&passed),
+                },
+            }
+            .into(),
+            instead: Unread::Dataset58.into(),
         });
     }
     if !passed.is_empty() {
-        notes.push(format!("datasets passed over: {}", listed(&passed)));
+        notes.push(format!("datasets passed over: {}", listed(&passed).english));
     }
     if beside.turned {
         notes.push(
@@ -240,18 +240,21 @@ fn binary(lines: &Lines, kind: &str) -> Result<Option<Binary>, RecordError> {
         .filter_map(|word| word.parse().ok())
         .collect();
     let &[order, floats, LINES, bytes, ..] = words.as_slice() else {
-        return Err(lines.is_not(kind, "\"58b\", order of bytes, of floats, 11 lines, bytes"));
+        return Err(lines.is_not(kind, Expected::Header58b));
     };
     let big = match order {
         1 => false,
         2 => true,
-        _ => return Err(lines.is_not(kind, "a 58b with order of bytes 1 or 2")),
+        _ => return Err(lines.is_not(kind, Expected::ByteOrder58b)),
     };
     if floats != 2 {
         return Err(RecordError::NotReadHere {
             format: FORMAT,
-            what: format!("binary numbers of kind {floats} (VAX, IBM)"),
-            instead: "write IEEE 754 (kind 2), or text",
+            what: Unread::BinaryNumbers {
+                floats: floats.to_string(),
+            }
+            .into(),
+            instead: Unread::Ieee754.into(),
         });
     }
     Ok(Some(Binary { big, bytes }))
@@ -262,20 +265,20 @@ fn function(lines: &mut Lines, kind: &str) -> Result<Option<Function>, RecordErr
     let binary = binary(lines, kind)?;
     let mut text = Vec::with_capacity(LINES);
     for _ in 0..LINES {
-        text.push(lines.want("one of the 11 lines of a dataset 58")?);
+        text.push(lines.want(Expected::Lines58)?);
     }
     let (sixth, seventh, eighth, ninth) = (&text[5], &text[6], &text[7], &text[8]);
-    let wanted = "the codes of a dataset 58 in their columns";
+    let wanted = || Expected::Codes58;
     let code = |line: &str, from: usize, width: usize| {
-        whole(&cell(line, from, width)).ok_or_else(|| lines.is_not(line, wanted))
+        whole(&cell(line, from, width)).ok_or_else(|| lines.is_not(line, wanted()))
     };
     let real =
-        |line: &str, from: usize| decimal(&cell(line, from, 13)).ok_or_else(|| lines.is_not(line, wanted));
+        |line: &str, from: usize| decimal(&cell(line, from, 13)).ok_or_else(|| lines.is_not(line, wanted()));
     let sort = code(sixth, 0, 5)?;
     let (node, direction) = (code(sixth, 41, 10)?, code(sixth, 51, 4)?);
     let kind_of_numbers = code(seventh, 0, 10)?;
-    let count =
-        usize::try_from(code(seventh, 10, 10)?).map_err(|_| lines.is_not(seventh, "a count of samples"))?;
+    let count = usize::try_from(code(seventh, 10, 10)?)
+        .map_err(|_| lines.is_not(seventh, Expected::CountOfSamples))?;
     let even = code(seventh, 20, 10)? == 1;
     let (first, step) = (real(seventh, 30)?, real(seventh, 43)?);
     let is_time = TIME_RESPONSE.contains(&sort) && code(eighth, 0, 10)? == TIME;
@@ -284,7 +287,7 @@ fn function(lines: &mut Lines, kind: &str) -> Result<Option<Function>, RecordErr
         4 => 8,
         5 => 8,
         6 => 16,
-        _ => return Err(lines.is_not(seventh, "numbers of kind 2, 4, 5 or 6")),
+        _ => return Err(lines.is_not(seventh, Expected::NumberKind)),
     };
     if !is_time {
         if let Some(binary) = &binary {
@@ -295,16 +298,19 @@ fn function(lines: &mut Lines, kind: &str) -> Result<Option<Function>, RecordErr
     if kind_of_numbers > 4 || !even {
         return Err(RecordError::NotReadHere {
             format: FORMAT,
-            what: format!(
-                "a time series of {} (line {})",
-                if even { "complex numbers" } else { "uneven steps" },
-                lines.number()
-            ),
-            instead: "resample it to even steps of real numbers",
+            what: Unread::SeriesOf {
+                numbers: match even {
+                    true => Unread::ComplexNumbers.into(),
+                    false => Unread::UnevenSteps.into(),
+                },
+                line: lines.number(),
+            }
+            .into(),
+            instead: Unread::Resample.into(),
         });
     }
     if !(step > 0.0 && step.is_finite() && first.is_finite()) {
-        return Err(lines.is_not(seventh, "a first time and a positive step, s"));
+        return Err(lines.is_not(seventh, Expected::FirstTimeAndStep));
     }
     let quantity = code(ninth, 0, 10)?;
     let samples = match &binary {
@@ -355,7 +361,7 @@ fn packed(lines: &mut Lines, binary: &Binary, count: usize, size: usize) -> Resu
 fn printed(lines: &mut Lines, count: usize, width: usize) -> Result<Vec<f64>, RecordError> {
     let mut samples = Vec::new();
     while samples.len() < count {
-        let line = lines.want("the samples of a dataset 58")?;
+        let line = lines.want(Expected::Samples58)?;
         let words: Vec<&str> = line.split_whitespace().collect();
         let apart: Option<Vec<f64>> = words.iter().map(|word| decimal(word)).collect();
         let row = apart.or_else(|| {
@@ -365,7 +371,7 @@ fn printed(lines: &mut Lines, count: usize, width: usize) -> Result<Vec<f64>, Re
         match row {
             Some(row) if !row.is_empty() && row.iter().all(|x| x.is_finite()) => samples.extend(row),
             _ if line.trim() == "-1" => break,
-            _ => return Err(lines.is_not(&line, "a line of samples")),
+            _ => return Err(lines.is_not(&line, Expected::LineOfSamples)),
         }
     }
     if samples.len() != count {
@@ -382,11 +388,11 @@ fn printed(lines: &mut Lines, count: usize, width: usize) -> Result<Vec<f64>, Re
 fn nodes(lines: &mut Lines, beside: &mut Beside) -> Result<(), RecordError> {
     while let Some(line) = lines.peek()?.filter(|line| line.trim() != "-1") {
         lines.next()?;
-        let wanted = "a node: label, three codes, x, y, z";
-        let label = whole(&cell(&line, 0, 10)).ok_or_else(|| lines.is_not(&line, wanted))?;
+        let wanted = || Expected::Node;
+        let label = whole(&cell(&line, 0, 10)).ok_or_else(|| lines.is_not(&line, wanted()))?;
         let mut xyz = [0.0; 3];
         for (k, place) in xyz.iter_mut().enumerate() {
-            *place = decimal(&cell(&line, 40 + 13 * k, 13)).ok_or_else(|| lines.is_not(&line, wanted))?;
+            *place = decimal(&cell(&line, 40 + 13 * k, 13)).ok_or_else(|| lines.is_not(&line, wanted()))?;
         }
         beside.nodes.insert(label, xyz);
     }
@@ -397,10 +403,10 @@ fn nodes(lines: &mut Lines, beside: &mut Beside) -> Result<(), RecordError> {
 fn long_nodes(lines: &mut Lines, beside: &mut Beside) -> Result<(), RecordError> {
     while let Some(line) = lines.peek()?.filter(|line| line.trim() != "-1") {
         lines.next()?;
-        let label = whole(&cell(&line, 0, 10)).ok_or_else(|| lines.is_not(&line, "the label of a node"))?;
-        let places = lines.want("the coordinates of a node")?;
+        let label = whole(&cell(&line, 0, 10)).ok_or_else(|| lines.is_not(&line, Expected::NodeLabel))?;
+        let places = lines.want(Expected::NodeCoordinates)?;
         let xyz: Vec<f64> = places.split_whitespace().filter_map(decimal).collect();
-        let xyz = <[f64; 3]>::try_from(xyz).map_err(|_| lines.is_not(&places, "x, y, z of a node"))?;
+        let xyz = <[f64; 3]>::try_from(xyz).map_err(|_| lines.is_not(&places, Expected::NodePlace))?;
         beside.nodes.insert(label, xyz);
     }
     Ok(())
@@ -408,12 +414,11 @@ fn long_nodes(lines: &mut Lines, beside: &mut Beside) -> Result<(), RecordError>
 
 /// Dataset 164: lengths of the file a metre.
 fn units(lines: &mut Lines, beside: &mut Beside) -> Result<(), RecordError> {
-    lines.want("the code of a system of units")?;
-    let line = lines.want("the factors of length, force and temperature")?;
+    lines.want(Expected::UnitsCode)?;
+    let line = lines.want(Expected::UnitFactors)?;
     let factor = decimal(&cell(&line, 0, 25)).or_else(|| line.split_whitespace().next().and_then(decimal));
     let factor = factor.filter(|length| *length > 0.0 && length.is_finite());
-    beside.length =
-        Some(factor.ok_or_else(|| lines.is_not(&line, "the factors of length, force and temperature"))?);
+    beside.length = Some(factor.ok_or_else(|| lines.is_not(&line, Expected::UnitFactors))?);
     Ok(())
 }
 

@@ -3,6 +3,7 @@
 use super::RecordError;
 use crate::limits::{LimitError, line_end};
 use crate::number::parse_number;
+use crate::wrong::Expected;
 
 pub(super) const FORMAT: &str = "uff";
 
@@ -48,12 +49,12 @@ impl<'a> Lines<'a> {
     }
 
     /// The next line, or a refusal that says what it should have been.
-    pub(super) fn want(&mut self, wanted: &'static str) -> Result<String, RecordError> {
+    pub(super) fn want(&mut self, wanted: Expected) -> Result<String, RecordError> {
         let line = self.number + 1;
         self.next()?.ok_or(RecordError::EndsBefore {
             format: FORMAT,
             line,
-            wanted,
+            wanted: wanted.into(),
         })
     }
 
@@ -76,12 +77,12 @@ impl<'a> Lines<'a> {
         Ok(taken)
     }
 
-    pub(super) fn is_not(&self, line: &str, wanted: &'static str) -> RecordError {
+    pub(super) fn is_not(&self, line: &str, wanted: Expected) -> RecordError {
         RecordError::LineIsNot {
             format: FORMAT,
             line: self.number,
             text: line.trim().chars().take(80).collect(),
-            wanted,
+            wanted: wanted.into(),
         }
     }
 }

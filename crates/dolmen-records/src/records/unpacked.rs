@@ -1,5 +1,6 @@
 //! What deflate packed, unpacked no further than a file says it goes.
 
+use crate::wrong::Damage;
 use miniz_oxide::inflate::TINFLStatus;
 use miniz_oxide::inflate::core::inflate_flags::{
     TINFL_FLAG_COMPUTE_ADLER32, TINFL_FLAG_PARSE_ZLIB_HEADER, TINFL_FLAG_USING_NON_WRAPPING_OUTPUT_BUF,
@@ -20,20 +21,20 @@ impl Unpacker {
     }
 
     /// The first bytes of a stream, at most so many.
-    pub(super) fn head(&mut self, packed: &[u8], most: usize) -> Result<Vec<u8>, &'static str> {
+    pub(super) fn head(&mut self, packed: &[u8], most: usize) -> Result<Vec<u8>, Damage> {
         let (head, _) = self.first(packed, most)?;
         Ok(head)
     }
 
     /// All bytes of a stream, at most so many.
-    pub(super) fn whole(&mut self, packed: &[u8], most: usize) -> Result<Vec<u8>, &'static str> {
+    pub(super) fn whole(&mut self, packed: &[u8], most: usize) -> Result<Vec<u8>, Damage> {
         match self.first(packed, most)? {
             (whole, TINFLStatus::Done) => Ok(whole),
-            _ => Err("it holds more than it says"),
+            _ => Err(Damage::ItHoldsMore),
         }
     }
 
-    fn first(&mut self, packed: &[u8], most: usize) -> Result<(Vec<u8>, TINFLStatus), &'static str> {
+    fn first(&mut self, packed: &[u8], most: usize) -> Result<(Vec<u8>, TINFLStatus), Damage> {
         self.0.init();
         let mut out = vec![0; most];
         let flags = ZLIB | TINFL_FLAG_USING_NON_WRAPPING_OUTPUT_BUF;
@@ -46,7 +47,7 @@ impl Unpacker {
     }
 
     /// Goes through a stream of at most so many bytes, of which nothing is wanted but that its sum is right.
-    pub(super) fn verified(&mut self, packed: &[u8], most: usize) -> Result<(), &'static str> {
+    pub(super) fn verified(&mut self, packed: &[u8], most: usize) -> Result<(), Damage> {
         self.0.init();
         let mut window = vec![0; WINDOW];
         let (mut at, mut place, mut total) = (0, 0, 0);
@@ -56,7 +57,7 @@ impl Unpacker {
             place = (place + written) % WINDOW;
             total += written;
             match status {
-                _ if total > most => return Err("it holds more than it says"),
+                _ if total > most => return Err(Damage::ItHoldsMore),
                 TINFLStatus::Done => return Ok(()),
                 TINFLStatus::HasMoreOutput => {}
                 other => return Err(fault(other)),
@@ -65,11 +66,11 @@ impl Unpacker {
     }
 }
 
-fn fault(status: TINFLStatus) -> &'static str {
+fn fault(status: TINFLStatus) -> Damage {
     match status {
-        TINFLStatus::Adler32Mismatch => "its sum is wrong",
-        TINFLStatus::FailedCannotMakeProgress | TINFLStatus::NeedsMoreInput => "it ends too early",
-        _ => "its codes are none",
+        TINFLStatus::Adler32Mismatch => Damage::WrongSum,
+        TINFLStatus::FailedCannotMakeProgress | TINFLStatus::NeedsMoreInput => Damage::EndsTooEarly,
+        _ => Damage::NoCodes,
     }
 }
 
@@ -86,21 +87,21 @@ mod tests {
         assert_eq!(unpacker.head(&packed, 100).as_deref(), Ok(&bytes[..100]));
         assert_eq!(unpacker.whole(&packed, bytes.len()).as_deref(), Ok(&bytes[..]));
         assert_eq!(unpacker.verified(&packed, bytes.len()), Ok(()));
-        let more = Err("it holds more than it says");
+        let more = Err(Damage::ItHoldsMore);
         assert_eq!(unpacker.whole(&packed, bytes.len() - 1).map(drop), more);
         assert_eq!(unpacker.verified(&packed, bytes.len() - 1), more);
         let mut changed = packed.clone();
         let last = changed.len() - 1;
         changed[last] ^= 1;
-        assert_eq!(unpacker.verified(&changed, bytes.len()), Err("its sum is wrong"));
+        assert_eq!(unpacker.verified(&changed, bytes.len()), Err(Damage::WrongSum));
         assert_eq!(
             unpacker.whole(&changed, bytes.len()).map(drop),
-            Err("its sum is wrong")
+            Err(Damage::WrongSum)
         );
         assert_eq!(
             unpacker.verified(&packed[..last], bytes.len()),
-            Err("it ends too early")
+            Err(Damage::EndsTooEarly)
         );
-        assert_eq!(unpacker.whole(&[0; 8], 10).map(drop), Err("its codes are none"));
+        assert_eq!(unpacker.whole(&[0; 8], 10).map(drop), Err(Damage::NoCodes));
     }
 }

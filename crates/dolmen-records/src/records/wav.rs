@@ -13,6 +13,7 @@ use super::cursor::{Cursor, Number};
 use super::series::{Found, Series};
 use super::{FileUnit, RecordError, RecordFormat, RecordOptions};
 use crate::limits::refuse_channels;
+use crate::wrong::{Damage, Unread};
 
 const FORMAT: &str = "wav";
 const INTEGERS: u16 = 1;
@@ -35,16 +36,13 @@ struct Frames {
 }
 
 pub(super) fn read(bytes: &[u8], options: &RecordOptions) -> Result<Found, RecordError> {
-    let unread = |what: &str, instead: &'static str| RecordError::NotReadHere {
+    let unread = |what: Unread, instead: Unread| RecordError::NotReadHere {
         format: FORMAT,
-        what: what.to_owned(),
-        instead,
+        what: what.into(),
+        instead: instead.into(),
     };
     if !bytes.starts_with(b"RIFF") {
-        return Err(unread(
-            "the variant RF64 or RIFX",
-            "write files below 4 GiB, as plain WAV",
-        ));
+        return Err(unread(Unread::Riff, Unread::PlainWav));
     }
     let mut cursor = Cursor::new(bytes, FORMAT);
     cursor.take(4)?;
@@ -72,14 +70,14 @@ pub(super) fn read(bytes: &[u8], options: &RecordOptions) -> Result<Found, Recor
         }
     }
     let (Some(told), Some(data)) = (told, data) else {
-        return Err(cursor.damaged("the chunks \"fmt \" and \"data\" are not both there, in this order"));
+        return Err(cursor.damaged(Damage::NoChunks));
     };
     let frame = told.number.bytes() * told.channels;
     if !data.len().is_multiple_of(frame) {
-        return Err(cursor.damaged(format!(
-            "{} bytes of samples are no whole frames of {frame}",
-            data.len()
-        )));
+        return Err(cursor.damaged(Damage::NoWholeFrames {
+            bytes: data.len(),
+            frame,
+        }));
     }
     let scaled = options.scale.is_some()
         || (!options.picks.is_empty() && options.picks.iter().all(|pick| pick.scale.is_some()));
@@ -128,15 +126,21 @@ fn frames(cursor: &mut Cursor) -> Result<Frames, RecordError> {
         (sort, bits) => {
             return Err(RecordError::NotReadHere {
                 format: FORMAT,
-                what: format!("samples of {bits} bits coded as {sort}"),
-                instead: "write it as integers of 16, 24 or 32 bits or as floats, without compression",
+                what: Unread::CodedSamples {
+                    bits: bits.to_string(),
+                    sort: sort.to_string(),
+                }
+                .into(),
+                instead: Unread::WavNumbers.into(),
             });
         }
     };
     if channels == 0 || frame != channels * number.bytes() || rate_hz <= 0.0 {
-        return Err(cursor.damaged(format!(
-            "{channels} channels, {rate_hz} Hz and {frame} bytes a frame do not agree"
-        )));
+        return Err(cursor.damaged(Damage::FramesDisagree {
+            channels,
+            rate_hz,
+            frame,
+        }));
     }
     Ok(Frames {
         number,

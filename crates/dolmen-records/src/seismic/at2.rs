@@ -16,6 +16,7 @@ use super::{Orientation, SeismicError};
 use crate::limits::head;
 use crate::number::parse_number;
 use crate::unit::Unit;
+use crate::wrong::OfStation;
 
 /// NPTS stands within so many lines; the databases put it into the fourth.
 const HEADER_LINES_MOST: usize = 10;
@@ -82,9 +83,15 @@ fn unit_of(line: &[u8], number: usize, unit_is_given: bool) -> Result<Option<Uni
     let Some((what, unit)) = upper.split_once("UNITS OF") else {
         return Ok(None);
     };
-    let other = [("VELOCITY", "velocities"), ("DISPLACEMENT", "displacements")];
+    let other = [
+        ("VELOCITY", OfStation::Velocities),
+        ("DISPLACEMENT", OfStation::Displacements),
+    ];
     if let Some((_, what)) = other.iter().find(|(word, _)| what.contains(word)) {
-        return Err(SeismicError::Quantity { line: number, what });
+        return Err(SeismicError::Quantity {
+            line: number,
+            what: what.clone().into(),
+        });
     }
     let word = unit.split_whitespace().next().unwrap_or_default();
     let word = word.trim_end_matches(['.', ',']);

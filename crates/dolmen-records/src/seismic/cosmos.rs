@@ -17,6 +17,7 @@ use super::units::acceleration_unit;
 use super::{Orientation, SeismicError};
 use crate::limits::refuse_channels;
 use crate::unit::Unit;
+use crate::wrong::OfStation;
 
 /// How a value that is not known is written.
 const UNKNOWN: f64 = -999.0;
@@ -47,68 +48,60 @@ pub(super) fn read(bytes: &[u8]) -> Result<Vec<Raw>, SeismicError> {
             refuse_channels("cosmos", channels.len() + 1)?;
             channels.push(channel(&mut lines, channels.len())?);
         } else {
-            return Err(refused(
-                line,
-                "the first line of a COSMOS channel, \"… acceleration (Format v01.20 with 13 text lines)\"",
-            ));
+            return Err(refused(line, OfStation::CosmosTitle));
         }
     }
     Ok(channels)
 }
 
 /// The first number of a line.
-fn leading(line: Line, wanted: &'static str) -> Result<usize, SeismicError> {
+fn leading(line: Line, wanted: OfStation) -> Result<usize, SeismicError> {
     let text = text(line);
     let count = text.split_whitespace().next().and_then(|word| word.parse().ok());
     count.ok_or_else(|| refused(line, wanted))
 }
 
 /// The values of an integer or real header.
-fn values(lines: &mut Lines, wanted: &'static str) -> Result<Vec<f64>, SeismicError> {
-    let line = lines.want(wanted)?;
-    let count = leading(line, wanted)?;
+fn values(lines: &mut Lines, wanted: OfStation) -> Result<Vec<f64>, SeismicError> {
+    let line = lines.want(wanted.clone())?;
+    let count = leading(line, wanted.clone())?;
     let columns = Columns::of_format(&text(line)).filter(|_| count <= HEADER_MOST);
     columns.ok_or_else(|| refused(line, wanted))?.read(lines, count)
 }
 
 fn channel(lines: &mut Lines, index: usize) -> Result<Raw, SeismicError> {
-    const FIRST: &str = "the first line of a COSMOS channel";
-    const DATA: &str = "the line before the samples, \"42000 acceleration pts, approx 210 secs, units=cm/sec2(04),Format=(8F10.5)\"";
-    let first = lines.want(FIRST)?;
+    let first = lines.want(OfStation::CosmosFirst)?;
     let told = text(first);
     let mut words = told.split_whitespace().skip_while(|word| *word != "with").skip(1);
     let text_lines = words.next().and_then(|word| word.parse::<usize>().ok());
     let text_lines = text_lines
         .filter(|count| (6..=HEADER_MOST).contains(count))
-        .ok_or_else(|| refused(first, FIRST))?;
+        .ok_or_else(|| refused(first, OfStation::CosmosFirst))?;
     let mut head = vec![told];
     while head.len() < text_lines {
-        head.push(text(lines.want("a line of the text header")?));
+        head.push(text(lines.want(OfStation::CosmosText)?));
     }
-    let integers = values(
-        lines,
-        "\"100 Integer-header values follow on  10 lines, Format= (10I8)\"",
-    )?;
-    let reals = values(
-        lines,
-        "\"100 Real-header values follow on  20 lines, Format= (5F15.6)\"",
-    )?;
-    let wanted = "\"6 Comment line(s) follow\"";
-    let comments = leading(lines.want(wanted)?, wanted)?;
+    let integers = values(lines, OfStation::CosmosIntegers)?;
+    let reals = values(lines, OfStation::CosmosReals)?;
+    let wanted = OfStation::CosmosComments;
+    let comments = leading(lines.want(wanted.clone())?, wanted)?;
     for _ in 0..comments {
-        lines.want("a comment")?;
+        lines.want(OfStation::CosmosComment)?;
     }
-    let line = lines.want(DATA)?;
-    let (count, told) = (leading(line, DATA)?, text(line));
-    let columns = Columns::of_format(&told).ok_or_else(|| refused(line, DATA))?;
+    let line = lines.want(OfStation::CosmosData)?;
+    let (count, told) = (leading(line, OfStation::CosmosData)?, text(line));
+    let columns = Columns::of_format(&told).ok_or_else(|| refused(line, OfStation::CosmosData))?;
     let lower = told.to_lowercase();
     if !lower.contains("acceleration") {
         let what = if lower.contains("velocity") {
-            "velocities"
+            OfStation::Velocities
         } else {
-            "no accelerations"
+            OfStation::NoAccelerations
         };
-        return Err(SeismicError::Quantity { line: line.0, what });
+        return Err(SeismicError::Quantity {
+            line: line.0,
+            what: what.into(),
+        });
     }
     let units = told.split("units=").nth(1).unwrap_or_default();
     let word = units.split(['(', ',']).next().unwrap_or_default().trim();
@@ -120,9 +113,9 @@ fn channel(lines: &mut Lines, index: usize) -> Result<Raw, SeismicError> {
         text: word.to_owned(),
     })?;
     let samples = columns.read(lines, count)?;
-    let end = lines.want("\"End-of-data\" after the samples")?;
+    let end = lines.want(OfStation::CosmosEnd)?;
     if !end.1.trim_ascii_start().starts_with(b"End-of-data") {
-        return Err(refused(end, "\"End-of-data\" after the samples"));
+        return Err(refused(end, OfStation::CosmosEnd));
     }
     passed_over(lines)?;
     let known = |values: &[f64], at: usize| values.get(at).copied().filter(|value| *value != UNKNOWN);
@@ -164,14 +157,14 @@ fn passed_over(lines: &mut Lines) -> Result<(), SeismicError> {
         if !other {
             break;
         }
-        let wanted = "the line before velocities or displacements";
+        let wanted = OfStation::CosmosOther;
         let (count, columns) = (
-            leading(line, wanted)?,
+            leading(line, wanted.clone())?,
             Columns::of_format(&told).ok_or_else(|| refused(line, wanted))?,
         );
         lines.next();
         columns.read(lines, count)?;
-        lines.want("\"End-of-data\" after velocities or displacements")?;
+        lines.want(OfStation::CosmosOtherEnd)?;
     }
     Ok(())
 }

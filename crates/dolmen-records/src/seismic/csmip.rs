@@ -14,6 +14,7 @@ use super::units::acceleration_unit;
 use super::{Orientation, SeismicError};
 use crate::limits::refuse_channels;
 use crate::quoted::shown;
+use crate::wrong::OfStation;
 
 /// The shortest line that says something: "Chan 1:".
 const LINE_LEAST: usize = 7;
@@ -50,12 +51,7 @@ fn series(line: Line) -> Result<Option<Series>, SeismicError> {
     if !first && !second {
         return Ok(None);
     }
-    let refuse = || {
-        refused(
-            line,
-            "a count, a time step, a unit and a format before the samples",
-        )
-    };
+    let refuse = || refused(line, OfStation::CsmipData);
     let words: Vec<&str> = told.split_whitespace().collect();
     let number_after = |word: &str| {
         let at = words.iter().position(|w| *w == word)?;

@@ -14,6 +14,7 @@ use super::raw::{MotionFormat, Raw};
 use super::units::acceleration_unit;
 use super::{Orientation, SeismicError};
 use crate::start;
+use crate::wrong::OfStation;
 
 /// The header ends within so many lines; DYNA 1.2 has 64.
 const HEADER_LINES_MOST: usize = 200;
@@ -54,18 +55,18 @@ pub(super) fn read(bytes: &[u8]) -> Result<Vec<Raw>, SeismicError> {
             lines: header.len(),
         })
     };
-    let positive = |label: &'static str, wanted: &'static str| {
+    let positive = |label: &'static str, wanted: OfStation| {
         let (line, text) = want(label)?;
         let value = number(line, text.as_bytes())?;
         let bad = || SeismicError::Line {
             line,
             text: text.to_owned(),
-            wanted,
+            wanted: wanted.into(),
         };
         (value > 0.0).then_some(value).ok_or_else(bad)
     };
-    let time_step_s = positive("SAMPLING_INTERVAL_S", "a time step in seconds")?;
-    let stated = positive("NDATA", "a number of samples")?;
+    let time_step_s = positive("SAMPLING_INTERVAL_S", OfStation::EsmStep)?;
+    let stated = positive("NDATA", OfStation::EsmCount)?;
     // in capitals in the database, in small letters in what its partners make
     let data_type = find("DATA_TYPE").map(|(line, text)| (line, text, text.to_ascii_uppercase()));
     match data_type
@@ -76,21 +77,21 @@ pub(super) fn read(bytes: &[u8]) -> Result<Vec<Raw>, SeismicError> {
         Some((line, _, "VELOCITY")) => {
             return Err(SeismicError::Quantity {
                 line,
-                what: "velocities",
+                what: OfStation::Velocities.into(),
             });
         }
         Some((line, _, "DISPLACEMENT")) => {
             return Err(SeismicError::Quantity {
                 line,
-                what: "displacements",
+                what: OfStation::Displacements.into(),
             });
         }
         Some((line, other, _)) => {
-            let wanted = "\"ACCELERATION\" as the data type";
+            let wanted = OfStation::EsmType;
             return Err(SeismicError::Line {
                 line,
                 text: other.to_owned(),
-                wanted,
+                wanted: wanted.into(),
             });
         }
     }

@@ -14,6 +14,7 @@ use super::raw::{MotionFormat, Raw};
 use super::{Orientation, SeismicError};
 use crate::start;
 use crate::unit::Unit;
+use crate::wrong::OfStation;
 
 const FIRST: &[u8] = b"Origin Time";
 const HEADER_LINES: usize = 17;
@@ -53,12 +54,16 @@ impl Header<'_> {
         Ok((line.0, rest.trim().to_owned()))
     }
 
-    fn number(&self, label: &'static str, suffix: &str, wanted: &'static str) -> Result<f64, SeismicError> {
+    fn number(&self, label: &'static str, suffix: &str, wanted: OfStation) -> Result<f64, SeismicError> {
         let (line, text) = self.after(label)?;
         let number = text.trim_end_matches(suffix).trim().parse::<f64>().ok();
         number
             .filter(|value| value.is_finite() && *value > 0.0)
-            .ok_or(SeismicError::Line { line, text, wanted })
+            .ok_or(SeismicError::Line {
+                line,
+                text,
+                wanted: wanted.into(),
+            })
     }
 }
 
@@ -66,17 +71,17 @@ pub(super) fn read(bytes: &[u8]) -> Result<Vec<Raw>, SeismicError> {
     let mut lines = Lines::new(bytes);
     let mut header = Header(Vec::new());
     for _ in 0..HEADER_LINES {
-        let line = lines.want("one of the 17 lines of a K-NET header")?;
+        let line = lines.want(OfStation::KnetHeader)?;
         header.0.push(line);
         if line.1.starts_with(b"Memo.") {
             break;
         }
     }
-    let rate_hz = header.number("Sampling Freq(Hz)", "Hz", "a sampling rate such as 100Hz")?;
-    let duration_s = header.number("Duration Time(s)", "", "a duration in seconds")?;
+    let rate_hz = header.number("Sampling Freq(Hz)", "Hz", OfStation::KnetRate)?;
+    let duration_s = header.number("Duration Time(s)", "", OfStation::KnetDuration)?;
     let (line, scale) = header.after("Scale Factor")?;
-    let wanted = "a scale such as 3920(gal)/6182761";
-    let bad_scale = || refused((line, scale.as_bytes()), wanted);
+    let wanted = || OfStation::KnetScale;
+    let bad_scale = || refused((line, scale.as_bytes()), wanted());
     let (of, divisor) = scale.split_once('/').ok_or_else(bad_scale)?;
     let of = of.trim().strip_suffix("(gal)").ok_or_else(bad_scale)?;
     let positive = |text: &str| {
@@ -92,7 +97,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Vec<Raw>, SeismicError> {
     let (_, direction) = header.after("Dir.")?;
     let kik_net = KIK_NET.iter().find(|(number, ..)| *number == direction);
     let (word, place) = kik_net.map_or((direction.as_str(), ""), |(_, word, place)| (*word, *place));
-    let peak = header.number("Max. Acc. (gal)", "", "the peak in gal").ok();
+    let peak = header.number("Max. Acc. (gal)", "", OfStation::KnetPeak).ok();
     let (_, station) = header.after("Station Code")?;
     let begins = header
         .after("Record Time")

@@ -3,6 +3,7 @@
 use super::SeismicError;
 use crate::limits::{LimitError, line_end};
 use crate::number::parse_number;
+use crate::wrong::OfStation;
 
 /// A line: its number from 1 and its bytes without the line end.
 pub(super) type Line<'a> = (usize, &'a [u8]);
@@ -19,9 +20,12 @@ impl<'a> Lines<'a> {
     }
 
     /// The next line, or a refusal that says what it should have been.
-    pub(super) fn want(&mut self, wanted: &'static str) -> Result<Line<'a>, SeismicError> {
+    pub(super) fn want(&mut self, wanted: OfStation) -> Result<Line<'a>, SeismicError> {
         let line = self.read + 1;
-        self.next().ok_or(SeismicError::EndsEarly { line, wanted })
+        self.next().ok_or(SeismicError::EndsEarly {
+            line,
+            wanted: wanted.into(),
+        })
     }
 
     /// The next line, which stays.
@@ -74,11 +78,11 @@ pub(super) fn text((_, line): Line) -> String {
 }
 
 /// "the line is not what it should be".
-pub(super) fn refused((line, text): Line, wanted: &'static str) -> SeismicError {
+pub(super) fn refused((line, text): Line, wanted: OfStation) -> SeismicError {
     SeismicError::Line {
         line,
         text: excerpt(text),
-        wanted,
+        wanted: wanted.into(),
     }
 }
 
@@ -129,10 +133,7 @@ impl Columns {
     pub(super) fn numbers(self, (number_of_line, line): Line) -> Result<Vec<f64>, SeismicError> {
         let line = line.trim_ascii_end();
         if line.len() > self.on_a_line * self.width {
-            return Err(refused(
-                (number_of_line, line),
-                "a line of numbers in the columns that the header tells",
-            ));
+            return Err(refused((number_of_line, line), OfStation::NumbersInColumns));
         }
         line.chunks(self.width)
             .map(|cell| number(number_of_line, cell))

@@ -19,6 +19,7 @@ use super::{Orientation, SeismicError};
 use crate::breaks::Break;
 use crate::limits::refuse_channels;
 use crate::start;
+use crate::wrong::OfStation;
 use std::collections::BTreeMap;
 
 const HEADER_BYTES: usize = 48;
@@ -52,7 +53,7 @@ impl Bytes<'_> {
         let chunk = self.record.get(at..).and_then(|rest| rest.first_chunk::<N>());
         let mut bytes = *chunk.ok_or(SeismicError::Damaged {
             at: self.at,
-            what: "a field lies outside of the record",
+            what: OfStation::FieldOutside.into(),
         })?;
         if !self.little {
             bytes.reverse();
@@ -94,7 +95,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Vec<Raw>, SeismicError> {
         if rest.len() < HEADER_BYTES || !is_header(rest) {
             return Err(SeismicError::Damaged {
                 at: at as u64,
-                what: "no header of a data record begins here",
+                what: OfStation::NoDataRecord.into(),
             });
         }
         let record = header(rest, at as u64)?;
@@ -115,7 +116,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Vec<Raw>, SeismicError> {
     match channels.raw.is_empty() {
         true => Err(SeismicError::Damaged {
             at: 0,
-            what: "no record holds samples",
+            what: OfStation::NoRecordHolds.into(),
         }),
         false => Ok(channels.raw),
     }
@@ -195,7 +196,10 @@ pub(super) fn whole(channels: Vec<Raw>) -> Result<Vec<Raw>, SeismicError> {
 }
 
 fn header(record: &[u8], at: u64) -> Result<Record, SeismicError> {
-    let refuse = |what: &'static str| SeismicError::Damaged { at, what };
+    let refuse = |what: OfStation| SeismicError::Damaged {
+        at,
+        what: what.into(),
+    };
     let big = Bytes {
         record,
         little: false,
@@ -210,13 +214,11 @@ fn header(record: &[u8], at: u64) -> Result<Record, SeismicError> {
         (true, _) => big,
         (_, true) => little,
         _ => {
-            return Err(refuse(
-                "the year and day of the header are none in either byte order",
-            ));
+            return Err(refuse(OfStation::YearAndDay));
         }
     };
     let [hour, minute, second] = [24, 25, 26].map(|at| i64::from(record[at]));
-    let day = start::days(i64::from(bytes.u16(20)?), 1, 1).ok_or(refuse("the year is none"))?;
+    let day = start::days(i64::from(bytes.u16(20)?), 1, 1).ok_or(refuse(OfStation::Year))?;
     let mut begins_s = start::seconds(day + i64::from(bytes.u16(22)?) - 1, hour, minute, second as f64)
         + f64::from(bytes.u16(28)?) * 1e-4;
     const CORRECTED: u8 = 2;
@@ -254,19 +256,17 @@ fn header(record: &[u8], at: u64) -> Result<Record, SeismicError> {
         }
         let next = usize::from(bytes.u16(blockette + 2)?);
         if next != 0 && next <= blockette {
-            return Err(refuse("the blockettes of the record go round in a circle"));
+            return Err(refuse(OfStation::Blockettes));
         }
         blockette = next;
     }
-    let [encoding, order, exponent] = coded.ok_or(refuse(
-        "blockette 1000, which says how samples are coded, is missing",
-    ))?;
+    let [encoding, order, exponent] = coded.ok_or(refuse(OfStation::NoBlockette1000))?;
     if !RECORD_EXPONENTS.contains(&exponent) {
-        return Err(refuse("the length of the record is none that SEED allows"));
+        return Err(refuse(OfStation::RecordLength));
     }
     let samples = usize::from(bytes.u16(30)?);
     if samples > 0 && !(rate_hz.is_finite() && rate_hz > 0.0) {
-        return Err(refuse("the sampling rate is not positive"));
+        return Err(refuse(OfStation::RateNotPositive));
     }
     let code = |range: std::ops::Range<usize>| {
         String::from_utf8_lossy(&record[range])
@@ -300,8 +300,11 @@ fn rate(factor: i16, multiplier: i16) -> f64 {
 }
 
 fn samples(record: &[u8], told: &Record, at: u64) -> Result<Vec<f64>, SeismicError> {
-    let refuse = |what: &'static str| SeismicError::Damaged { at, what };
-    let outside = refuse("the samples begin outside of the record");
+    let refuse = |what: OfStation| SeismicError::Damaged {
+        at,
+        what: what.into(),
+    };
+    let outside = refuse(OfStation::SamplesOutside);
     let data = record
         .get(told.data..)
         .filter(|_| told.data >= HEADER_BYTES)
@@ -313,7 +316,7 @@ fn samples(record: &[u8], told: &Record, at: u64) -> Result<Vec<f64>, SeismicErr
     };
     let plain = |width: usize, value: &dyn Fn(usize) -> Result<f64, SeismicError>| {
         if told.samples * width > data.len() {
-            return Err(refuse("the record is too short for its samples"));
+            return Err(refuse(OfStation::RecordTooShort));
         }
         (0..told.samples).map(|i| value(i * width)).collect()
     };

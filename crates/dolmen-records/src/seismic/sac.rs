@@ -17,6 +17,7 @@ use super::lines::{Lines, all_numbers, number, refused, text};
 use super::raw::{MotionFormat, Raw};
 use super::{Orientation, SeismicError};
 use crate::start;
+use crate::wrong::OfStation;
 use dolmen::signal::Quantity;
 
 const FLOATS: usize = 70;
@@ -79,18 +80,15 @@ impl Header {
 
     /// Everything but the samples, if they are a time series of accelerations, and how many there must be.
     fn raw(&self, format: MotionFormat) -> Result<(Raw, usize), SeismicError> {
-        let refuse = |what: &'static str, found: f64| SeismicError::Sac { what, found };
+        let refuse = |what: OfStation, found: f64| SeismicError::Sac {
+            what: what.into(),
+            found,
+        };
         if self.integers[15] != TIME_SERIES {
-            return Err(refuse(
-                "IFTYPE must be 1, a time series",
-                self.integers[15] as f64,
-            ));
+            return Err(refuse(OfStation::SacType, self.integers[15] as f64));
         }
         if self.integers[35] != 1 {
-            return Err(refuse(
-                "LEVEN must be 1, even steps: resample it before",
-                self.integers[35] as f64,
-            ));
+            return Err(refuse(OfStation::SacEven, self.integers[35] as f64));
         }
         let quantity = match self.integers[16] {
             DISPLACEMENT => Some(Quantity::Displacement),
@@ -98,10 +96,9 @@ impl Header {
             _ => None,
         };
         let step = self.float(0).filter(|step| *step > 0.0);
-        let time_step_s = step.ok_or(refuse("DELTA must be a positive time step, s", self.floats[0]))?;
+        let time_step_s = step.ok_or(refuse(OfStation::SacStep, self.floats[0]))?;
         let count = self.integers[9];
-        let count =
-            usize::try_from(count).map_err(|_| refuse("NPTS must be the number of samples", count as f64))?;
+        let count = usize::try_from(count).map_err(|_| refuse(OfStation::SacCount, count as f64))?;
         let name = [self.text(21), self.text(0), self.text(20)]
             .into_iter()
             .filter(|part| !part.is_empty());
@@ -208,11 +205,10 @@ pub(super) fn is_alphanumeric(bytes: &[u8]) -> bool {
 }
 
 fn alphanumeric_numbers(lines: &mut Lines) -> Result<(Vec<f64>, Vec<i64>), SeismicError> {
-    const WANTED: &str = "a line of 5 numbers of a SAC header";
     let mut part = |rows: usize| {
         let mut values = Vec::new();
         for _ in 0..rows {
-            let line = lines.want(WANTED)?;
+            let line = lines.want(OfStation::SacNumbers)?;
             let cells = line
                 .1
                 .split(u8::is_ascii_whitespace)
@@ -221,7 +217,7 @@ fn alphanumeric_numbers(lines: &mut Lines) -> Result<(Vec<f64>, Vec<i64>), Seism
                 .map(|cell| number(line.0, cell))
                 .collect::<Result<Vec<f64>, _>>()?;
             if row.len() != ON_A_LINE {
-                return Err(refused(line, WANTED));
+                return Err(refused(line, OfStation::SacNumbers));
             }
             values.extend(row);
         }
@@ -237,7 +233,7 @@ pub(super) fn read_alphanumeric(bytes: &[u8]) -> Result<Vec<Raw>, SeismicError> 
     let (floats, integers) = alphanumeric_numbers(&mut lines)?;
     let mut texts = Vec::new();
     for _ in 0..TEXT_LINES {
-        let line = text(lines.want("a line of texts of a SAC header")?);
+        let line = text(lines.want(OfStation::SacTexts)?);
         let characters: Vec<char> = line.chars().chain(std::iter::repeat(' ')).take(24).collect();
         texts.extend(characters.chunks(8).map(|word| word.iter().collect::<String>()));
     }

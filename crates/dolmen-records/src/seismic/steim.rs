@@ -6,6 +6,7 @@
 //! Source: FDSN (2012) *SEED Reference Manual*, version 2.4, appendix B.
 
 use super::SeismicError;
+use crate::wrong::OfStation;
 
 /// Which of the two.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,7 +26,10 @@ pub(super) fn unpacked(
     little: bool,
     at: u64,
 ) -> Result<Vec<f64>, SeismicError> {
-    let refuse = |what: &'static str| SeismicError::Damaged { at, what };
+    let refuse = |what: OfStation| SeismicError::Damaged {
+        at,
+        what: what.into(),
+    };
     let mut differences: Vec<i64> = Vec::with_capacity(samples.min(data.len()));
     let (mut first, mut last) = (0, 0);
     for (number, frame) in data.chunks_exact(FRAME_BYTES).enumerate() {
@@ -70,9 +74,7 @@ pub(super) fn unpacked(
                 (3, Steim::Two, 1) => split(packed, 6, 5, &mut differences),
                 (3, Steim::Two, 2) => split(packed, 7, 4, &mut differences),
                 _ => {
-                    return Err(refuse(
-                        "a word of its frames has a code that Steim packing does not know",
-                    ));
+                    return Err(refuse(OfStation::SteimCode));
                 }
             }
         }
@@ -81,7 +83,7 @@ pub(super) fn unpacked(
         }
     }
     if differences.len() < samples {
-        return Err(refuse("its frames hold fewer samples than the header says"));
+        return Err(refuse(OfStation::SteimFewer));
     }
     let mut value = first;
     let mut values = Vec::with_capacity(samples);
@@ -92,9 +94,7 @@ pub(super) fn unpacked(
         values.push(value as f64);
     }
     if value != last {
-        return Err(refuse(
-            "the last sample unpacked is not the one that the first frame tells: the record is damaged",
-        ));
+        return Err(refuse(OfStation::SteimLast));
     }
     Ok(values)
 }

@@ -210,11 +210,10 @@ impl Body<'_> {
         let head = language.pick("Not reported on", "보고서에서 제외됨");
         self.heading(1, &number, head);
         for other in others {
-            let mark = language.pick("", "[영문] ");
             said(
                 &mut self.xml,
                 "ListBullet",
-                &format!("{}: {mark}{}", other.file, other.why),
+                &format!("{}: {}", other.file, other.why),
             );
         }
     }

@@ -82,7 +82,7 @@ fn contents(answers: &[ProjectReport], others: &[NotReported], language: Languag
             @for other in others {
                 p.note {
                     (language.pick("Not reported on: ", "보고서에서 제외됨: ")) code { (other.file) } ": "
-                    (language.pick("", "[영문] ")) (other.why)
+                    (other.why)
                 }
             }
         }

@@ -91,7 +91,7 @@ pub(crate) fn path_words(path: &str, language: Language) -> String {
             .pick("damping ratio of the first mode", "1차 모드 감쇠비")
             .to_string();
     }
-    if let Some(words) = direction_words(path, language) {
+    if let Some(words) = direction_words(path, language).or_else(|| damper_words(path, language)) {
         return words;
     }
     let Some((part, quantity)) = path.rsplit_once('.') else {
@@ -156,6 +156,16 @@ fn direction_words(path: &str, language: Language) -> Option<String> {
     })
 }
 
+/// `damper.roof.masses[1].share` as "damper roof mass 1 share"; the name is the user's.
+fn damper_words(path: &str, language: Language) -> Option<String> {
+    let (name, rest) = path.strip_prefix("damper.")?.split_once('.')?;
+    let quantity = stack_words(rest, language)?;
+    Some(format!(
+        "{} {name}, {quantity}",
+        language.pick("damper", "감쇠기")
+    ))
+}
+
 /// `blocks[5].openings[1].position[2]` as "block 5 opening 1 position y", segment by segment.
 fn stack_words(path: &str, language: Language) -> Option<String> {
     let each = path.split('.').map(|segment| {
@@ -172,6 +182,18 @@ fn stack_words(path: &str, language: Language) -> Option<String> {
             "openings" => format!("{} {number}", language.pick("opening", "개구부")),
             "contacts" => format!("{} {number}", language.pick("contact", "접촉면")),
             "ties" => format!("{} {number}", language.pick("tie", "연결재")),
+            "links" => format!("{} {number}", language.pick("link", "부재")),
+            "joints" => format!("{} {number}", language.pick("joint", "접합면")),
+            "storeys" => format!("{} {number}", language.pick("storey", "층")),
+            "loads" => format!("{} {number}", language.pick("load", "하중")),
+            "masses" => format!("{} {number}", language.pick("mass", "질량")),
+            "ratios" => format!("{} {number}", language.pick("ratio", "감쇠비")),
+            "columns" => language.pick("columns:", "기둥").to_owned(),
+            "wind" => language.pick("wind:", "바람").to_owned(),
+            "combination" => language.pick("combination", "하중조합").to_owned(),
+            "areas" | "surfaces" | "parts" if path.starts_with("wind") => {
+                format!("{} {number}", language.pick("surface", "수풍면"))
+            }
             "floors" => format!("{} {number}", language.pick("floor", "바닥")),
             "walls" => format!("{} {number}", language.pick("wall", "벽체")),
             "damping" => language.pick("damping", "감쇠").to_owned(),
@@ -268,6 +290,27 @@ fn quantity_word(quantity: &str, language: Language) -> Option<&'static str> {
         "gap" => language.pick("gap", "유격"),
         "axial_stiffness" => language.pick("axial stiffness", "축강성"),
         "tension_strength" => language.pick("tensile strength", "인장강도"),
+        "strength" => language.pick("compressive strength", "압축강도"),
+        "bed_depth" => language.pick("bed depth", "밑면 깊이"),
+        "bed_stiffness" => language.pick("bed stiffness", "밑면 강성"),
+        "force" => language.pick("force", "힘"),
+        "moment" => language.pick("moment", "모멘트"),
+        "speed" => language.pick("speed", "풍속"),
+        "pressure" => language.pick("pressure", "풍압"),
+        "force_coefficient" => language.pick("force coefficient", "풍력계수"),
+        "area" => language.pick("area", "면적"),
+        "gyration" => language.pick("radius of gyration", "회전반경"),
+        "stroke" => language.pick("room each way", "여유 공간"),
+        "liquid_stroke" => language.pick("room of the liquid each way", "액체의 여유 공간"),
+        "mass_ratio" => language.pick("mass ratio", "질량비"),
+        "frequency" => language.pick("frequency", "진동수"),
+        "frequency_ratio" => language.pick("frequency ratio", "진동수비"),
+        "length_ratio" => language.pick("length ratio", "길이비"),
+        "liquid_share" => language.pick("share of the liquid", "액체의 비율"),
+        "liquid_frequency" => language.pick("frequency of the liquid", "액체의 진동수"),
+        "liquid_damping_ratio" => language.pick("damping ratio of the liquid", "액체의 감쇠비"),
+        "share" => language.pick("share", "비율"),
+        "coefficient" => language.pick("coefficient", "감쇠계수"),
         "shear_strength" => language.pick("shear strength", "전단강도"),
         _ => return None,
     })
@@ -303,6 +346,27 @@ mod tests {
                 "direction.x.friction.coefficient",
                 "direction x: friction coefficient",
                 "x 방향 마찰계수",
+            ),
+            (
+                "joints[1].strength",
+                "joint 1 compressive strength",
+                "접합면 1 압축강도",
+            ),
+            ("loads[2].moment", "load 2 moment", "하중 2 모멘트"),
+            (
+                "storeys[1].columns.bed_stiffness",
+                "storey 1 columns: bed stiffness",
+                "층 1 기둥 밑면 강성",
+            ),
+            (
+                "wind.force_coefficient",
+                "wind: force coefficient",
+                "바람 풍력계수",
+            ),
+            (
+                "damper.roof.masses[1].share",
+                "damper roof, mass 1 share",
+                "감쇠기 roof, 질량 1 비율",
             ),
             ("nothing.known[1]", "nothing.known[1]", "nothing.known[1]"),
         ] {

@@ -61,6 +61,6 @@ pub fn rank_json(answer: &PortfolioAnswer) -> Value {
         "designs": answer.designs,
         "draws": answer.draws,
         "structures": rows.collect::<Vec<_>>(),
-        "left_out": left_out.map(|one| json!({ "name": one.name, "why": one.why })).collect::<Vec<_>>(),
+        "left_out": left_out.map(|one| json!({ "name": one.name, "why": one.why.english })).collect::<Vec<_>>(),
     })
 }

@@ -68,7 +68,7 @@ messages! {
             en: "Without a place, look at these yourself: {count}",
             ko: "순위를 매기지 못한 구조물 {count}기: 직접 검토 필요",
         },
-        LeftOut { name: String, why: String } => { en: "{name}: {why}", ko: "{name}: [영문] {why}" },
+        LeftOut { name: String, why: Both } => { en: "{name}: {why}", ko: "{name}: {why}" },
     }
 }
 

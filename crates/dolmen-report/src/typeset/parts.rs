@@ -209,10 +209,9 @@ impl Parts {
         let language = self.language;
         self.deeper = 0;
         self.heading(1, language.pick("Not reported on", "보고서에서 제외됨"));
-        let said = others.iter().map(|other| {
-            let mark = language.pick("", "[영문] ");
-            format!("{}: {mark}{}", other.file, other.why)
-        });
+        let said = others
+            .iter()
+            .map(|other| format!("{}: {}", other.file, other.why));
         self.list(said);
     }
 }

@@ -3,6 +3,7 @@
 use super::{BuildingAnswer, BuildingSpectral, DampedSpectral, MINOR_RATIO, StandingBuilding};
 use crate::error::{Within as _, WorkError};
 use crate::told::told;
+use crate::wrong::Place;
 use dolmen::assess::demand::SiteDemand;
 use dolmen::damper::{AttachedDamper, DampedSpectralAnalysis, damped_spectral_analysis};
 use dolmen::dynamics::{
@@ -107,11 +108,9 @@ struct Moved {
 fn spectrum_of(site: &SiteDemand) -> impl Fn(f64, f64) -> Result<[f64; 2], WorkError> {
     |period_s, damping_ratio| {
         let read = site.spectrum.acceleration_m_s2(period_s, damping_ratio);
-        let of = || {
-            format!(
-                "a mode has a period of {period_s:.4} s and {:.3} % damping, and every mode counts",
-                100.0 * damping_ratio
-            )
+        let of = || Place::EveryModeCounts {
+            period_s: format!("{period_s:.4}"),
+            damping_percent: format!("{:.3}", 100.0 * damping_ratio),
         };
         Ok([read.within(of)?; 2])
     }

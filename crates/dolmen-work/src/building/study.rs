@@ -2,13 +2,14 @@
 
 use super::simulate::steps_per_sample;
 use crate::study::{BuildingMeasures, Run, RunMeasures, RunOutcome};
-use crate::told::told;
+use crate::told::told_both;
 use dolmen::damper::{AttachedDamper, damped_building_history};
 use dolmen::dynamics::{
     BuildingHistory, BuildingRun, Histories, TunedMass, VibratingBuilding, building_history,
 };
 use dolmen::signal::GroundMotion;
 use dolmen_project::{BuildingPart, BuiltDamper, Pick, StudyPart, strokes_of};
+use dolmen_words::message::Both;
 
 /// Longest step between samples of a motion, s: that of `dolmen simulate`.
 const STEP_S: f64 = 0.01;
@@ -21,8 +22,8 @@ pub(crate) struct BuildingModel {
 }
 
 /// The building of a study, or why it cannot be.
-pub(crate) fn model(part: &BuildingPart, pick: Pick<'_>) -> Result<BuildingModel, String> {
-    let words = |why: &(dyn std::error::Error + 'static)| told(why);
+pub(crate) fn model(part: &BuildingPart, pick: Pick<'_>) -> Result<BuildingModel, Both> {
+    let words = |why: &(dyn std::error::Error + 'static)| told_both(why);
     let building = part.vibrating(pick).map_err(|why| words(&why))?;
     let dampers = part.dampers(&building, pick).map_err(|why| words(&why))?;
     let masses: Option<Vec<TunedMass>> = dampers.iter().map(BuiltDamper::tuned_mass).collect();
@@ -37,16 +38,12 @@ pub(crate) fn model(part: &BuildingPart, pick: Pick<'_>) -> Result<BuildingModel
     })
 }
 
-fn history(
-    model: &BuildingModel,
-    motion: &GroundMotion,
-    run: &BuildingRun,
-) -> Result<BuildingHistory, String> {
+fn history(model: &BuildingModel, motion: &GroundMotion, run: &BuildingRun) -> Result<BuildingHistory, Both> {
     if model.building.tuned_masses().len() == model.dampers.len() {
-        return building_history(&model.building, motion, run).map_err(|why| told(&why));
+        return building_history(&model.building, motion, run).map_err(|why| told_both(&why));
     }
     let attached: Vec<AttachedDamper> = model.dampers.iter().map(BuiltDamper::attached).collect();
-    damped_building_history(&model.building, &attached, motion, run).map_err(|why| told(&why))
+    damped_building_history(&model.building, &attached, motion, run).map_err(|why| told_both(&why))
 }
 
 /// Runs a building.
@@ -61,7 +58,7 @@ pub(crate) fn row(study: &StudyPart, mut run: Run, model: &BuildingModel, motion
         Ok(found) => found,
         Err(why) => {
             run.outcome = RunOutcome::Refused;
-            run.why = why;
+            run.why = why.english;
             return run;
         }
     };

@@ -6,6 +6,7 @@ use super::tune_answer::{RoomCheck, RowStroke};
 use super::tuned::standing;
 use crate::error::{Within as _, WorkError};
 use crate::motion::{self, MotionRequest};
+use crate::wrong::Place;
 use dolmen::dynamics::{BuildingRun, Histories, VibratingBuilding};
 use dolmen::signal::GroundMotion;
 use dolmen_project::{BuildingPart, BuiltDamper, Project, strokes_of};
@@ -29,7 +30,9 @@ pub(crate) fn room_check(
     let mut motions: Vec<(String, GroundMotion)> = Vec::new();
     for part in &project.motions {
         let read = motion::prepared(&MotionRequest::named(&part.name), (project, files));
-        let read = read.within(|| format!("motion.{}, under which strokes are judged", part.name))?;
+        let read = read.within(|| Place::StrokesUnder {
+            motion: part.name.clone(),
+        })?;
         motions.push((part.name.clone(), read.motion));
     }
     let mut strokes = Vec::new();

@@ -10,6 +10,7 @@ use crate::study::SWING_REST_S;
 use crate::tilt_left_out::TiltLeftOut;
 use crate::undamped::Undamped;
 use crate::version::Version;
+use crate::wrong::Place;
 use dolmen::dynamics::{
     ChainModel, ChainRotations, ChainRun, DynamicsError, TimeFunction, chain_at_rest, chain_growth,
     simulate_chain,
@@ -55,7 +56,7 @@ pub(crate) fn simulate(
     let motion = match motion {
         None => None,
         Some(motion) => {
-            let component = horizontal(&motion, "a chain")?;
+            let component = horizontal(&motion, Place::Chain)?;
             Some((motion, component))
         }
     };

@@ -3,10 +3,12 @@
 use super::simulate::start_rotation_rad;
 use crate::progress::Progress;
 use crate::study::{ChainMeasures, Run, RunMeasures, RunOutcome, SWING_REST_S, acting_component};
-use crate::told::told;
+use crate::told::{told, told_both};
+use crate::wrong::CaseRefused;
 use dolmen::dynamics::{ChainModel, ChainOutcome, ChainRotations, ChainRun, TimeFunction, simulate_chain};
 use dolmen::signal::GroundMotion;
 use dolmen_project::{ChainPart, Pick, StudyPart};
+use dolmen_words::message::Both;
 
 /// Time between the samples that a run is judged by, s.
 const SAMPLE_S: f64 = 0.02;
@@ -18,16 +20,12 @@ pub(crate) struct MovingChain {
 }
 
 /// The chain of a study, or why it cannot be.
-pub(crate) fn model(part: &ChainPart, pick: Pick<'_>) -> Result<MovingChain, String> {
+pub(crate) fn model(part: &ChainPart, pick: Pick<'_>) -> Result<MovingChain, Both> {
     let chain = part
         .moving(ChainRotations::Large, pick)
-        .map_err(|why| told(&why))?;
+        .map_err(|why| told_both(&why))?;
     let Some(chain) = chain else {
-        return Err(
-            "the joints are unknown: `dolmen identify` finds stiffness that measured modes allow; write it into joints, or into a variant \
-             that variants names"
-                .to_owned(),
-        );
+        return Err(CaseRefused::JointsUnknown.into());
     };
     let named = part.links.iter().enumerate();
     let links = named

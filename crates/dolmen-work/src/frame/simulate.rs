@@ -8,6 +8,7 @@ use crate::study::SWING_REST_S;
 use crate::tilt_left_out::TiltLeftOut;
 use crate::undamped::Undamped;
 use crate::version::Version;
+use crate::wrong::Place;
 use dolmen::dynamics::{FrameLoad, FrameRun, FrictionFrame, StoreyFriction, TimeFunction, simulate_frame};
 use dolmen::signal::Component;
 use dolmen_project::{FramePart, Quantity};
@@ -58,7 +59,7 @@ pub(crate) fn simulate(
         }
         None => known,
     };
-    let component = horizontal(motion, "a frame")?;
+    let component = horizontal(motion, Place::Frame)?;
     let run_s = options
         .duration_s
         .unwrap_or(motion.motion.duration_s() + SWING_REST_S);
@@ -99,12 +100,12 @@ pub(crate) fn simulate(
 }
 
 /// The horizontal component that acts: each direction of a frame, and a chain, is a plane of its own.
-pub(crate) fn horizontal(motion: &MotionAnswer, what: &'static str) -> Result<Component, WorkError> {
+pub(crate) fn horizontal(motion: &MotionAnswer, what: Place) -> Result<Component, WorkError> {
     match (motion.motion.has(Component::X), motion.motion.has(Component::Y)) {
-        (true, true) => Err(WorkError::TwoHorizontal { what }),
+        (true, true) => Err(WorkError::TwoHorizontal { what: what.into() }),
         (true, false) => Ok(Component::X),
         (false, true) => Ok(Component::Y),
-        (false, false) => Err(WorkError::NoHorizontal { what }),
+        (false, false) => Err(WorkError::NoHorizontal { what: what.into() }),
     }
 }
 

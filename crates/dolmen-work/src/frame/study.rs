@@ -2,10 +2,12 @@
 
 use crate::progress::Progress;
 use crate::study::{FrameMeasures, Run, RunMeasures, RunOutcome, SWING_REST_S, acting_component};
-use crate::told::told;
+use crate::told::{told, told_both};
+use crate::wrong::CaseRefused;
 use dolmen::dynamics::{FrameLoad, FrameOutcome, FrameRun, FrictionFrame, TimeFunction, simulate_frame};
 use dolmen::signal::GroundMotion;
 use dolmen_project::{FramePart, Pick, StudyPart};
+use dolmen_words::message::Both;
 
 /// A frame in the direction that is shaken.
 pub(crate) struct FrameModel {
@@ -15,7 +17,7 @@ pub(crate) struct FrameModel {
 }
 
 /// The frame of a study, or why it cannot be.
-pub(crate) fn model(study: &StudyPart, part: &FramePart, pick: Pick<'_>) -> Result<FrameModel, String> {
+pub(crate) fn model(study: &StudyPart, part: &FramePart, pick: Pick<'_>) -> Result<FrameModel, Both> {
     let known = part
         .directions
         .iter()
@@ -24,22 +26,22 @@ pub(crate) fn model(study: &StudyPart, part: &FramePart, pick: Pick<'_>) -> Resu
     let direction = match (&study.direction, known.as_slice()) {
         (Some(name), _) => name.as_str(),
         (None, [only]) => only,
-        (None, []) => return Err(
-            "the stiffness of no direction is known: `dolmen identify` finds those that frequencies allow"
-                .to_owned(),
-        ),
+        (None, []) => return Err(CaseRefused::NoDirectionKnown.into()),
         (None, several) => {
-            return Err(format!(
-                "the file has the directions {}: choose one with direction",
-                several.join(", ")
-            ));
+            return Err(CaseRefused::ChooseDirection {
+                directions: several.join(", "),
+            }
+            .into());
         }
     };
-    let frame = part.with_friction(direction, pick).map_err(|why| told(&why))?;
+    let frame = part
+        .with_friction(direction, pick)
+        .map_err(|why| told_both(&why))?;
     let Some(frame) = frame else {
-        return Err(format!(
-            "the stiffness of direction \"{direction}\" is unknown, or there is none of this name"
-        ));
+        return Err(CaseRefused::DirectionUnknown {
+            direction: direction.to_owned(),
+        }
+        .into());
     };
     let named = part.storeys.iter().enumerate();
     Ok(FrameModel {

@@ -2,11 +2,13 @@
 
 use super::state_words::state_words;
 use crate::study::{CombinationFragility, StudyAnswer};
+use crate::wrong::{CaseRefused, NoPlace};
 use dolmen::assess::{
     AssessError, Candidate, Factor, Fragility, FragilityBound, Hazard, Known, KnownCapacity, Place, Ranked,
     ScoreModel, SixFactors, Unlike, rank,
 };
 use dolmen_words::Language;
+use dolmen_words::message::Both;
 use dolmen_words::number::significant;
 
 /// β of a state that no motion, or every one, reached: that of rocking blocks over peak acceleration, .37 to .48 under the far-field set of FEMA
@@ -72,7 +74,7 @@ pub struct LeftOut {
     /// Its name.
     pub name: String,
     /// Why.
-    pub why: String,
+    pub why: Both,
 }
 
 /// Everything `dolmen rank` found.
@@ -155,24 +157,32 @@ impl PortfolioAnswer {
 }
 
 /// Why nothing is known of a state, and what is.
-fn why_no_place(entry: &PortfolioEntry, state: usize) -> String {
+fn why_no_place(entry: &PortfolioEntry, state: usize) -> Both {
     if entry.has[state] {
-        return "nothing is known of this state: too few motions that can be used".to_owned();
+        return NoPlace::TooFewMotions.into();
     }
-    let known = entry.states.iter().enumerate().filter_map(|(other, known)| {
-        let g = known.as_ref()?.fragility.theta() / GRAVITY_M_S2;
-        Some(format!(
-            "{} ({} g)",
-            state_words(other, Language::English),
-            significant(g, 2)
-        ))
-    });
-    let known = known.collect::<Vec<_>>().join(" and ");
-    format!(
-        "a structure of its kind has no {}; known of it: {}. Rank such structures with --state falls",
-        state_words(state, Language::English),
-        if known.is_empty() { "nothing" } else { &known }
-    )
+    let known = |language: Language| -> Vec<String> {
+        let each = entry.states.iter().enumerate();
+        each.filter_map(|(other, known)| {
+            let g = known.as_ref()?.fragility.theta() / GRAVITY_M_S2;
+            Some(format!(
+                "{} ({} g)",
+                state_words(other, language),
+                significant(g, 2)
+            ))
+        })
+        .collect()
+    };
+    let known = Both {
+        english: known(Language::English).join(" and "),
+        korean: known(Language::Korean).join(", "),
+    };
+    let state = Both::of(|language| state_words(state, language));
+    match known.english.is_empty() {
+        true => NoPlace::NothingKnown { state },
+        false => NoPlace::NoSuchState { state, known },
+    }
+    .into()
 }
 
 /// Gravity that turns accelerations into g, m/s².
@@ -195,27 +205,26 @@ fn candidates(entries: &[PortfolioEntry], state: usize) -> Vec<Candidate> {
 ///
 /// # Errors
 /// What to do, in words, if the study has several combinations, no scan that can be used, or something missing.
-pub fn of_study(
-    name: String,
-    answer: &StudyAnswer,
-    hazard: Option<Hazard>,
-) -> Result<PortfolioEntry, String> {
+pub fn of_study(name: String, answer: &StudyAnswer, hazard: Option<Hazard>) -> Result<PortfolioEntry, Both> {
     if !answer.missing.is_empty() {
-        return Err(format!(
-            "study \"{}\" is not done: {} scans are missing; run it again",
-            answer.study.name,
-            answer.missing.len()
-        ));
+        return Err(CaseRefused::NotDone {
+            study: answer.study.name.clone(),
+            missing: answer.missing.len(),
+        }
+        .into());
     }
     let found = answer.fragilities();
     let [only] = found else {
-        return Err(match found.len() {
-            0 => format!("study \"{}\" has no scan that can be used", answer.study.name),
-            n => format!(
-                "study \"{}\" varies its inputs in {n} combinations: name one that varies nothing",
-                answer.study.name
-            ),
-        });
+        let why = match found.len() {
+            0 => CaseRefused::NoScan {
+                study: answer.study.name.clone(),
+            },
+            combinations => CaseRefused::SeveralCombinations {
+                study: answer.study.name.clone(),
+                combinations,
+            },
+        };
+        return Err(why.into());
     };
     Ok(PortfolioEntry {
         name,

@@ -43,7 +43,7 @@ pub fn ranking_columns(answer: &PortfolioAnswer) -> Vec<Column> {
         numbers("place_95_percent", &|place| Some(place.rank_interval.upper)),
         words("name", &|entry| entry.name.clone(), &|one| one.name.clone()),
         words("without_a_place_because", &|_| String::new(), &|one| {
-            one.why.clone()
+            one.why.english.clone()
         }),
         words(
             "rests_on",

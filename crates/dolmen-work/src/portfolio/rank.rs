@@ -8,9 +8,10 @@ use crate::progress::Silent;
 use crate::score::{ScoreDesigns, check_alike, factors};
 use crate::study::StudyError;
 use crate::study::{StudyJournals, studies_run};
-use crate::told::told;
+use crate::told::told_both;
 use dolmen::assess::{Hazard, ScoreModel, Unlike};
 use dolmen_records::Files;
+use dolmen_words::message::Both;
 use rayon::prelude::*;
 
 /// Reasons that are given where nothing can be ranked.
@@ -73,13 +74,13 @@ pub fn rank(
         .map(|row| {
             entry(row, projects, &scores).map_err(|why| LeftOut {
                 name: row.name.clone(),
-                why: told(&why),
+                why: told_both(&why),
             })
         })
         .collect();
     let bad = refused.into_iter().map(|(name, why)| LeftOut {
         name,
-        why: why.to_string(),
+        why: told_both(&why),
     });
     let (mut entries, mut left_out) = (Vec::new(), bad.collect::<Vec<_>>());
     for one in found {
@@ -91,12 +92,21 @@ pub fn rank(
     let without_place = PortfolioAnswer::without_place(&entries, options.state);
     if without_place.len() == entries.len() {
         left_out.extend(without_place);
-        let all = left_out
-            .iter()
-            .map(|one| format!("\n  {}: {}", one.name, one.why));
+        let reasons = |language| -> String {
+            let told = left_out.iter().take(REASONS_MOST);
+            told.map(|one| {
+                format!(
+                    "
+  {}: {}",
+                    one.name,
+                    one.why.text(language)
+                )
+            })
+            .collect()
+        };
         return Err(WorkError::NoneRanked {
             structures: left_out.len(),
-            reasons: all.take(REASONS_MOST).collect(),
+            reasons: Both::of(reasons),
         });
     }
     let mut answer = PortfolioAnswer::of(source, options.state, entries, left_out, options.draws)?;

@@ -1,12 +1,13 @@
 //! The table of a portfolio (CSV): a row a structure.
 
+use crate::wrong::{RowLacks, RowNeeds};
 use dolmen::assess::demand::KoreanSite;
 use dolmen::assess::{AssessError, Hazard, SixFactors};
 use dolmen::structure::stack::{PagodaFactors, PagodaSlenderness};
-use dolmen_words::advice::Advice as _;
+use dolmen_words::message::Both;
 
 /// Every column; all but `name` may be missing.
-const COLUMNS: [&str; 11] = [
+pub(crate) const COLUMNS: [&str; 11] = [
     "name",
     "storeys",
     "body_height_m",
@@ -25,35 +26,30 @@ const COLUMNS: [&str; 11] = [
 const SLENDERNESS_APART_MOST: f64 = 1.1;
 
 /// Why a table of structures is refused.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum PortfolioError {
     /// The text is no table.
-    #[error("the table cannot be read: {why}")]
     Table {
         /// What the reader says.
         why: String,
     },
     /// The table has no column `name`.
-    #[error("the table has no column \"name\": the first line names the columns, {}", COLUMNS.join(", "))]
     NoName,
     /// A column that means nothing.
-    #[error("column \"{column}\" is not known: columns are {}", COLUMNS.join(", "))]
     Column {
         /// Which.
         column: String,
     },
     /// A value is missing.
-    #[error("line {line} ({name}): {what}")]
     Missing {
         /// Line in the file, from 1.
         line: usize,
         /// The structure.
         name: String,
         /// What is missing and what to do.
-        what: &'static str,
+        what: Both,
     },
     /// A value cannot be read.
-    #[error("line {line} ({name}): {column} is \"{given}\", but must be {allowed}")]
     Value {
         /// Line in the file, from 1.
         line: usize,
@@ -64,10 +60,9 @@ pub enum PortfolioError {
         /// What is there.
         given: String,
         /// What may be.
-        allowed: &'static str,
+        allowed: Both,
     },
     /// Factors that no pagoda has, or a site that the code does not have.
-    #[error("line {line} ({name}): {}", why.advised())]
     Refused {
         /// Line in the file, from 1.
         line: usize,
@@ -77,10 +72,6 @@ pub enum PortfolioError {
         why: Box<AssessError>,
     },
     /// Two numbers that no pagoda has both.
-    #[error(
-        "line {line} ({name}): slenderness_angle {slenderness_angle} and body_slenderness {body_slenderness} are not of one pagoda: with the \
-         other factors a body of {body_slenderness} has an angle of {made:.2}. Give the one that was measured, and leave the other empty"
-    )]
     TwoPagodas {
         /// Line in the file, from 1.
         line: usize,
@@ -94,7 +85,6 @@ pub enum PortfolioError {
         made: f64,
     },
     /// Two rows have one name.
-    #[error("lines {first} and {second} are both \"{name}\": give each structure its own name")]
     Twice {
         /// The name.
         name: String,
@@ -207,7 +197,7 @@ struct Cells<'r> {
 impl Cells<'_> {
     fn row(&self) -> Result<PortfolioRow, PortfolioError> {
         if self.name.is_empty() {
-            return Err(self.missing("the structure has no name: fill the column name"));
+            return Err(self.missing(RowLacks::Name));
         }
         let source = match (self.of)("project") {
             Some(path) => RowSource::Project {
@@ -224,21 +214,21 @@ impl Cells<'_> {
         })
     }
 
-    fn missing(&self, what: &'static str) -> PortfolioError {
+    fn missing(&self, what: RowLacks) -> PortfolioError {
         PortfolioError::Missing {
             line: self.line,
             name: self.name.clone(),
-            what,
+            what: what.into(),
         }
     }
 
-    fn refused(&self, column: &'static str, allowed: &'static str) -> PortfolioError {
+    fn refused(&self, column: &'static str, allowed: RowNeeds) -> PortfolioError {
         PortfolioError::Value {
             line: self.line,
             name: self.name.clone(),
             column,
             given: (self.of)(column).unwrap_or_default().to_owned(),
-            allowed,
+            allowed: allowed.into(),
         }
     }
 
@@ -252,20 +242,21 @@ impl Cells<'_> {
             .filter(|value| *value >= 0.0 && value.is_finite());
         value
             .map(Some)
-            .ok_or_else(|| self.refused(column, "a number, 0 or more, in the unit of the column"))
+            .ok_or_else(|| self.refused(column, RowNeeds::Number))
     }
 
     fn factors(&self) -> Result<SixFactors, PortfolioError> {
-        const WANTED: &str = "it has neither a project nor its factors: fill storeys, body_height_m, taper_deg, body_base_height_ratio, and \
-                              body_slenderness or slenderness_angle or both";
-        let storeys = (self.of)("storeys").ok_or_else(|| self.missing(WANTED))?;
+        let storeys = (self.of)("storeys").ok_or_else(|| self.missing(RowLacks::Factors))?;
         let storeys: u32 = storeys
             .parse()
-            .map_err(|_| self.refused("storeys", "a whole number"))?;
-        let given = |column| self.number(column)?.ok_or_else(|| self.missing(WANTED));
+            .map_err(|_| self.refused("storeys", RowNeeds::WholeNumber))?;
+        let given = |column| {
+            self.number(column)?
+                .ok_or_else(|| self.missing(RowLacks::Factors))
+        };
         let taper_deg = given("taper_deg")?;
         if taper_deg >= 40.0 {
-            return Err(self.refused("taper_deg", "below 40, in degrees"));
+            return Err(self.refused("taper_deg", RowNeeds::Taper));
         }
         let (body_height_m, taper_rad) = (given("body_height_m")?, taper_deg.to_radians());
         let body_base_height_ratio = given("body_base_height_ratio")?;
@@ -284,7 +275,7 @@ impl Cells<'_> {
             }
             (Some(angle), None) => PagodaSlenderness::Angle(angle),
             (None, Some(body)) => PagodaSlenderness::Body(body),
-            (None, None) => return Err(self.missing(WANTED)),
+            (None, None) => return Err(self.missing(RowLacks::Factors)),
         };
         SixFactors::of_pagoda(&PagodaFactors {
             storeys,
@@ -335,7 +326,7 @@ impl Cells<'_> {
         let (zone_factor_g, soil) = match (zone, soil) {
             (None, None) => return Ok(None),
             (Some(zone), Some(soil)) => (zone, soil),
-            _ => return Err(self.missing("zone_factor_g and soil belong together: fill both or neither")),
+            _ => return Err(self.missing(RowLacks::ZoneAndSoil)),
         };
         let soil = match soil {
             "S1" => KoreanSite::S1,
@@ -344,7 +335,7 @@ impl Cells<'_> {
             "S4" => KoreanSite::S4,
             "S5" => KoreanSite::S5,
             "S6" => KoreanSite::S6,
-            _ => return Err(self.refused("soil", "S1 to S6 of KDS 17 10 00")),
+            _ => return Err(self.refused("soil", RowNeeds::Soil)),
         };
         let hazard = Hazard::kds_17(zone_factor_g, soil).map_err(|why| self.science(why))?;
         Ok(Some(hazard))

@@ -2,6 +2,7 @@
 
 use super::designs_error::ScoreDesignsError;
 use crate::fingerprint::fingerprint;
+use crate::wrong::DesignNeeds;
 use dolmen::assess::{
     AssessError, Factor, Fragility, ScoreModel, SixFactors, SurfaceSettings, TrainedDesign,
 };
@@ -69,27 +70,27 @@ impl ScoreDesigns {
             let row = row.map_err(table)?;
             let line = row.position().map_or(0, |at| at.line() as usize);
             let text = |column: usize| row.get(column).unwrap_or_default().trim();
-            let refuse = |column: usize, wanted| ScoreDesignsError::Value {
+            let refuse = |column: usize, wanted: DesignNeeds| ScoreDesignsError::Value {
                 line,
                 column: head.get(column).unwrap_or_default().to_owned(),
                 given: text(column).to_owned(),
-                wanted,
+                wanted: wanted.into(),
             };
             let number = |column: usize| {
                 let value = text(column).parse::<f64>().ok().filter(|value| value.is_finite());
-                value.ok_or_else(|| refuse(column, "number"))
+                value.ok_or_else(|| refuse(column, DesignNeeds::Number))
             };
             let storeys = text(factors[0]).parse();
             let mut found = [None; 4];
             for (state, [theta, beta]) in found.iter_mut().zip(&states) {
                 if !text(*theta).is_empty() {
                     let curve = Fragility::new(number(*theta)?, number(*beta)?);
-                    *state = Some(curve.map_err(|_| refuse(*theta, "positive number with a positive β"))?);
+                    *state = Some(curve.map_err(|_| refuse(*theta, DesignNeeds::PositiveWithBeta))?);
                 }
             }
             designs.push(ScoreDesign {
                 factors: SixFactors {
-                    storeys: storeys.map_err(|_| refuse(factors[0], "whole number"))?,
+                    storeys: storeys.map_err(|_| refuse(factors[0], DesignNeeds::WholeNumber))?,
                     body_height_m: number(factors[1])?,
                     slenderness_angle: number(factors[2])?,
                     body_slenderness: number(factors[3])?,

@@ -1,16 +1,16 @@
 //! Why a table of designs is refused.
 
+use dolmen_words::message::Both;
+
 /// Why a table of designs is refused.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ScoreDesignsError {
     /// A column is missing.
-    #[error("the table of designs has no column \"{column}\": write it with `dolmen score --train`")]
     Column {
         /// Which.
         column: String,
     },
     /// A value cannot be read.
-    #[error("line {line}, {column}: \"{given}\" is no {wanted}")]
     Value {
         /// Line in the file, from 1.
         line: usize,
@@ -19,10 +19,9 @@ pub enum ScoreDesignsError {
         /// What is there.
         given: String,
         /// What should be.
-        wanted: &'static str,
+        wanted: Both,
     },
     /// The text is no table.
-    #[error("the table of designs cannot be read: {why}")]
     Table {
         /// What the reader says.
         why: String,

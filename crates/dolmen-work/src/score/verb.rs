@@ -1,11 +1,13 @@
 //! `dolmen score`: the six-factor score of a pagoda, what it is worth, and designs to train it on.
 
-use super::answer::{ScoreAnswer, ScoreQuality, unlike_words};
+use super::answer::{ScoreAnswer, ScoreQuality};
 use super::designs::ScoreDesigns;
 use crate::error::WorkError;
 use crate::opened::Opened;
+use crate::portfolio::unlike_words;
 use dolmen::assess::{SixFactors, Unlike, unlike_trained};
 use dolmen_project::{Project, Quantity, Structure};
+use dolmen_words::message::Both;
 use rayon::prelude::*;
 
 /// Refuses a pagoda that is unlike those that the score was trained on, unless `outside_too`.
@@ -16,7 +18,10 @@ pub(crate) fn check_alike(project: &Project, outside_too: bool) -> Result<Vec<Un
     let unlike = unlike_trained(&part.build(&mut Quantity::nominal)?);
     if !unlike.is_empty() && !outside_too {
         return Err(WorkError::PagodaUnlike {
-            how: unlike_words(&unlike),
+            how: Both::of(|language| {
+                let words: Vec<String> = unlike.iter().map(|one| unlike_words(one, language)).collect();
+                words.join("; ")
+            }),
         });
     }
     Ok(unlike)

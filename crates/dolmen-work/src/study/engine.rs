@@ -11,13 +11,15 @@ use super::run::{Run, RunOutcome};
 use crate::error::WorkError;
 use crate::progress::{Progress, Stage};
 use crate::stack::study::run_stacks;
-use crate::told::told;
+use crate::told::told_both;
+use crate::wrong::CaseRefused;
 use crate::{building, chain, frame, stack};
 use dolmen::assess::{ScaleTrial, next_in_bracket};
 use dolmen::blocks::StackRun;
 use dolmen::stability::stack::{StackLimitStates, StackLimits, stack_limits};
 use dolmen::structure::stack::Stack;
 use dolmen_project::{Quantity, Structure, StudyPart};
+use dolmen_words::message::Both;
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -39,7 +41,7 @@ pub(crate) enum Model {
 /// A scan in progress.
 struct Job {
     job: usize,
-    model: Result<Model, String>,
+    model: Result<Model, Both>,
     motion: Option<PreparedMotion>,
     turn_rad: f64,
     grid: Vec<f64>,
@@ -94,7 +96,7 @@ pub fn run(
         for scan in &mut scans {
             if let (Err(why), true) = (&scan.model, scan.runs.is_empty()) {
                 let run = Run {
-                    why: why.clone(),
+                    why: why.english.clone(),
                     outcome: RunOutcome::Refused,
                     ..empty_run(scan.job)
                 };
@@ -178,7 +180,7 @@ fn prepare(plan: &Plan<'_>, job: usize, runs: Vec<Run>) -> Result<Job, WorkError
     let case = job / (plan.motions.len() * turns);
     let mut scan = Job {
         job,
-        model: Err(String::new()),
+        model: Err(Both::from("")),
         motion: None,
         turn_rad: plan.study.turns_rad[job % turns],
         grid: Vec::new(),
@@ -204,12 +206,12 @@ fn prepare(plan: &Plan<'_>, job: usize, runs: Vec<Run>) -> Result<Job, WorkError
 }
 
 /// A structure ready to be shaken, or why it cannot be.
-pub(super) fn model_of(study: &StudyPart, structure: &Structure, sample: &Drawn) -> Result<Model, String> {
+pub(super) fn model_of(study: &StudyPart, structure: &Structure, sample: &Drawn) -> Result<Model, Both> {
     let pick = &mut |quantity: &Quantity| sample.pick(quantity);
     match structure {
         Structure::Stack(part) => match part.build(pick) {
             Ok(stack) => stack_model(stack),
-            Err(why) => Err(told(&why)),
+            Err(why) => Err(told_both(&why)),
         },
         Structure::Frame(part) => {
             frame::study::model(study, part, pick).map(|model| Model::Frame(Box::new(model)))
@@ -218,14 +220,17 @@ pub(super) fn model_of(study: &StudyPart, structure: &Structure, sample: &Drawn)
         Structure::Building(part) => {
             building::study::model(part, pick).map(|model| Model::Building(Box::new(model)))
         }
-        Structure::Survey => Err("a survey holds no structure".to_owned()),
+        Structure::Survey => Err(CaseRefused::SurveyAlone.into()),
     }
 }
 
-fn stack_model(stack: Stack) -> Result<Model, String> {
-    let limits = stack_limits(&stack, &StackLimits::default()).map_err(|why| told(&why))?;
+fn stack_model(stack: Stack) -> Result<Model, Both> {
+    let limits = stack_limits(&stack, &StackLimits::default()).map_err(|why| told_both(&why))?;
     if !limits.standing.stands() {
-        return Err(format!("it does not stand without shaking: {}", limits.standing));
+        return Err(CaseRefused::Falls {
+            verdict: Both::from(limits.standing.to_string()),
+        }
+        .into());
     }
     Ok(Model::Stack(Box::new((stack, limits))))
 }

@@ -10,6 +10,7 @@ use crate::progress::Progress;
 use dolmen::dynamics::{
     DynamicsError, HarmonicPoint, amplitude_dependence, chain_harmonic_map, harmonic_map,
 };
+use dolmen_words::message::Both;
 use rayon::prelude::*;
 
 /// Maps and releases of every case that can be, in their order.
@@ -77,7 +78,7 @@ fn mapped(
 }
 
 /// The structure of a case, or why it cannot be.
-fn case_model(plan: &Plan<'_>, case: usize) -> Result<Result<Model, String>, WorkError> {
+fn case_model(plan: &Plan<'_>, case: usize) -> Result<Result<Model, Both>, WorkError> {
     let project = match plan.project(case / plan.samples()) {
         Ok(project) => project,
         Err(why) => return Ok(Err(why)),

@@ -7,6 +7,8 @@ use super::measures::RunMeasures;
 use super::run::{Run, RunOutcome};
 use crate::error::WorkError;
 use crate::fingerprint::fingerprint;
+use crate::wrong::JournalDiffers;
+use dolmen_words::message::Both;
 
 /// First word of a journal, with the version of its layout.
 const MAGIC: &str = "dolmen-study-journal-4";
@@ -28,15 +30,23 @@ pub struct JournalHeader {
 
 impl JournalHeader {
     /// What differs from another, in words, shards left out; `None` if both are of one study.
-    pub fn difference(&self, other: &JournalHeader) -> Option<String> {
+    pub fn difference(&self, other: &JournalHeader) -> Option<Both> {
         if self.study != other.study {
-            return Some(format!("it is of the study \"{}\"", other.study));
+            return Some(
+                JournalDiffers::OtherStudy {
+                    study: other.study.clone(),
+                }
+                .into(),
+            );
         }
         if self.version != other.version {
-            return Some(format!(
-                "it was made by Dolmen {}, this is {}",
-                other.version, self.version
-            ));
+            return Some(
+                JournalDiffers::OtherVersion {
+                    other: other.version.to_string(),
+                    own: self.version.to_string(),
+                }
+                .into(),
+            );
         }
         let changed: Vec<&str> = self
             .inputs
@@ -45,7 +55,12 @@ impl JournalHeader {
             .map(|(name, _)| name.as_str())
             .collect();
         if !changed.is_empty() || self.inputs.len() != other.inputs.len() || self.jobs != other.jobs {
-            return Some(format!("changed since then: {}", changed.join(", ")));
+            return Some(
+                JournalDiffers::Changed {
+                    inputs: changed.join(", "),
+                }
+                .into(),
+            );
         }
         None
     }
@@ -339,7 +354,10 @@ mod tests {
         other.inputs[1].1 = fingerprint(b"z");
         assert_eq!(
             header().difference(&other).unwrap(),
-            "changed since then: motion a=b"
+            JournalDiffers::Changed {
+                inputs: "motion a=b".to_owned()
+            }
+            .into()
         );
     }
 }

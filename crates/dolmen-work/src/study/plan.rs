@@ -15,6 +15,7 @@ use crate::opened::Opened;
 use crate::stack;
 use dolmen::assess::{RockingScale, rocking_scale};
 use dolmen::stability::stack::{StackLimits, stack_limits};
+use dolmen_project::Problem;
 use dolmen_project::{
     Override, Project, Quantity, Scan, Structure, StudyPart, canonical_text, lists_in_tables,
     parse_combination,
@@ -147,26 +148,16 @@ impl<'o> Plan<'o> {
     }
 
     /// The project of a combination, or why it cannot be, in one line.
-    pub(super) fn project(&self, combination: usize) -> Result<Project, String> {
+    pub(super) fn project(&self, combination: usize) -> Result<Project, Both> {
         let (variant, values) = self.study.combination(combination);
         let laid: Vec<&Override> = self.study.set.iter().chain(values.iter().copied()).collect();
         let file = &self.opened.file;
         parse_combination(&self.opened.text, file, self.files, variant, &laid).map_err(|error| {
             let first = error.problems.first();
-            first.map_or_else(String::new, |problem| {
-                let allowed = problem
-                    .allowed
-                    .as_ref()
-                    .map_or(String::new(), |allowed| format!(", {}", allowed.english));
-                let help = problem
-                    .help
-                    .as_ref()
-                    .map_or(String::new(), |help| format!("; {}", help.english));
-                format!(
-                    "{}{allowed}{help} (line {} of {file})",
-                    problem.message.english, problem.line
-                )
-            })
+            first.map_or_else(
+                || Both::from(""),
+                |problem| Both::of(|language| in_one_line(problem, file, language)),
+            )
         })
     }
 
@@ -399,4 +390,20 @@ impl<'o> Plan<'o> {
         }
         words.join(", ")
     }
+}
+
+/// A problem of a project file with what is allowed and what to do.
+fn in_one_line(problem: &Problem, file: &str, language: Language) -> String {
+    let beside = |sign: &str, said: &Option<Both>| {
+        let said = said.as_ref().map(|said| format!("{sign}{}", said.text(language)));
+        said.unwrap_or_default()
+    };
+    let line = problem.line;
+    format!(
+        "{}{}{} ({})",
+        problem.message.text(language),
+        beside(", ", &problem.allowed),
+        beside("; ", &problem.help),
+        language.pick(format!("line {line} of {file}"), format!("{file} {line}행"))
+    )
 }

@@ -13,7 +13,7 @@ use crate::check::falls_by_itself;
 use crate::error::{Within as _, WorkError};
 use crate::opened::Opened;
 use crate::progress::Progress;
-use crate::told::told;
+use crate::told::told_both;
 use dolmen_project::StudyPart;
 use dolmen_records::Files;
 use std::collections::BTreeMap;
@@ -140,7 +140,7 @@ pub fn finish(plan: &Plan<'_>, runs: Vec<Run>, progress: &dyn Progress) -> Resul
     let all_refused = !answer.runs.is_empty() && answer.runs.iter().all(|run| run.scale == 0.0);
     match answer.runs.first().filter(|_| all_refused) {
         Some(first) => Err(StudyError::EveryRunRefused {
-            why: first.why.clone(),
+            why: first.why.as_str().into(),
         }
         .into()),
         None => Ok(answer),
@@ -172,7 +172,7 @@ pub fn studies_run(
             Ok(answer) => found.push(answer),
             Err(why) => left_out.push(LeftOutStudy {
                 study,
-                why: told(&why),
+                why: told_both(&why),
             }),
         }
     }

@@ -1,0 +1,257 @@
+//! What is wrong with what was typed, and notes beside an answer, in both languages.
+
+use crate::manner::Manner;
+use dolmen_words::message::{Argument, Both};
+use dolmen_words::{messages, sayable, sentences};
+use std::error::Error;
+
+/// Why a command cannot be run.
+#[derive(Debug)]
+pub(crate) enum CommandError {
+    Store {
+        fault: Both,
+    },
+    NoCode {
+        code: String,
+        near: Option<String>,
+    },
+    OneName,
+    StoreThere {
+        path: String,
+    },
+    OneProject {
+        path: String,
+    },
+    NoProjects {
+        path: String,
+    },
+    NoMotion,
+    NoPlaneMotion,
+    At2One {
+        count: usize,
+    },
+    MotionFormat {
+        path: String,
+    },
+    NotReproduced {
+        wrong: usize,
+    },
+    NotReproducedFirst {
+        wrong: usize,
+        all: usize,
+        first: String,
+    },
+    NotKept {
+        path: String,
+    },
+    DrawingFormat {
+        ending: String,
+    },
+    NothingToDraw {
+        path: String,
+    },
+    NoExample {
+        name: String,
+    },
+    NameProject,
+    FormFormat,
+    ReportFormat {
+        ending: String,
+    },
+    #[cfg_attr(
+        feature = "pdf",
+        allow(dead_code, reason = "only a build without PDF says it")
+    )]
+    NoPdf,
+    ProgramFailed {
+        program: String,
+        structure: String,
+        status: String,
+    },
+    NoProgram {
+        program: String,
+        why: std::io::Error,
+    },
+    NoMotionToChange,
+    NothingReported {
+        projects: usize,
+    },
+    CannotPrint {
+        why: std::io::Error,
+    },
+    CannotRead {
+        path: String,
+        why: std::io::Error,
+    },
+    CannotRemove {
+        path: String,
+        why: std::io::Error,
+    },
+}
+
+sentences! {
+    CommandError in "command.error" {
+        Store { fault } => { en: "{fault}", ko: "{fault}" },
+        NoCode { code, near } as { code, near: meant(near.as_deref()) } => {
+            en: "there is no code \"{code}\".{near} `dolmen explain` lists all codes",
+            ko: "코드 \"{code}\"이(가) 없다.{near} 모든 코드는 `dolmen explain`으로 본다",
+        },
+        OneName => {
+            en: "--name names one structure, but several projects are given: add them one by one",
+            ko: "--name은 구조물 하나의 이름인데 프로젝트가 여럿이다. 하나씩 넣는다",
+        },
+        StoreThere { path } => {
+            en: "{path} is there already: a whole store is written to a new file, so that nothing is lost",
+            ko: "{path}이(가) 이미 있다. 잃는 것이 없도록 저장소 전체는 새 파일에 쓴다",
+        },
+        OneProject { path } => {
+            en: "{path} is one project: give the folder that holds it beside others, or a table (CSV)",
+            ko: "{path}은(는) 프로젝트 하나이다. 여러 프로젝트가 든 폴더나 표(CSV)를 준다",
+        },
+        NoProjects { path } => {
+            en: "{path} holds no folder with a project.toml: give a folder of project folders, or a table (CSV)",
+            ko: "{path}에 project.toml이 든 폴더가 없다. 프로젝트 폴더들이 든 폴더나 표(CSV)를 준다",
+        },
+        ProgramFailed { program, structure, status } => {
+            en: "--on-alarm {program} ended with {status} for {structure}",
+            ko: "--on-alarm {program}이(가) {structure}에 대해 실패하였다({status})",
+        },
+        NoProgram { program } => {
+            en: "--on-alarm {program} could not be run; it is a program, not a line of a shell",
+            ko: "--on-alarm {program}을(를) 실행할 수 없다. 셸 명령줄이 아니라 프로그램 하나를 준다",
+        },
+        NoMotion => { en: "no motion is given to write", ko: "쓸 지반운동이 없다" },
+        NoPlaneMotion => {
+            en: "the channels are no motion of x, y and z: name one with --channel, or turn them with --x-azimuth",
+            ko: "채널이 x, y, z의 지반운동이 아니다. --channel로 하나를 지정하거나 --x-azimuth로 돌린다",
+        },
+        At2One { count } => {
+            en: "AT2 holds one component, but the motion has {count}: write .csv, or give one file",
+            ko: "AT2에는 성분이 하나인데 지반운동의 성분은 {count}개이다. .csv로 쓰거나 파일 하나만 준다",
+        },
+        MotionFormat { path } => {
+            en: "{path} ends in neither .csv nor .at2, the formats that are written",
+            ko: "{path}이(가) 쓸 수 있는 형식인 .csv나 .at2로 끝나지 않는다",
+        },
+        NotReproduced { wrong } => {
+            en: "{wrong} published numbers are not reproduced: this build must not be used",
+            ko: "문헌값 {wrong}개가 재현되지 않는다. 이 빌드를 쓰면 안 된다",
+        },
+        NotReproducedFirst { wrong, all, first } => {
+            en: "{wrong} of {all} published numbers are not reproduced, {first} first",
+            ko: "문헌값 {all}개 중 {wrong}개가 재현되지 않는다. 첫째: {first}",
+        },
+        NotKept { path } => {
+            en: "{path} does not keep what is written to it",
+            ko: "{path}에 쓴 내용이 그대로 남지 않는다",
+        },
+        DrawingFormat { ending } => {
+            en: "a drawing is not written as .{ending}: -o takes an SVG (.svg), which every browser shows",
+            ko: "도면은 .{ending}(으)로 쓰지 않는다. -o에는 모든 브라우저에서 볼 수 있는 SVG(.svg)를 쓴다",
+        },
+        NothingToDraw { path } => {
+            en: "{path} has kind = \"survey\": there is no structure to draw",
+            ko: "{path}은(는) kind = \"survey\"라 그릴 구조물이 없다",
+        },
+        NoExample { name } => {
+            en: "the example {name} is not in this build",
+            ko: "이 빌드에 예제 {name}이(가) 없다",
+        },
+        NameProject => {
+            en: "name a project file, or a folder that holds project.toml",
+            ko: "프로젝트 파일이나 project.toml이 든 폴더를 지정한다",
+        },
+        FormFormat => {
+            en: "the form is written as a workbook (.xlsx) or a page (.html)",
+            ko: "양식은 통합문서(.xlsx)나 웹 페이지(.html)로 쓴다",
+        },
+        ReportFormat { ending } => {
+            en: "a report is not written as .{ending}: -o takes a page (.html), a document to print (.pdf) or to edit (.docx), or a workbook (.xlsx)",
+            ko: "보고서는 .{ending}(으)로 쓰지 않는다. -o에는 웹 페이지(.html), 인쇄할 문서(.pdf), 편집할 문서(.docx) 또는 통합문서(.xlsx)를 쓴다",
+        },
+        NoPdf => {
+            en: "this dolmen was built without PDF: build it with `--features pdf`, or write a page (.html) and print it from a browser",
+            ko: "이 dolmen에는 PDF 기능이 없다. `--features pdf`로 빌드하거나 웹 페이지(.html)로 써서 브라우저에서 인쇄한다",
+        },
+        NoMotionToChange => {
+            en: "--scale, --peak and the like change a motion, but none is given: add --motion or --motion-file",
+            ko: "--scale, --peak 등은 지반운동을 바꾸는데 지반운동이 없다. --motion이나 --motion-file을 준다",
+        },
+        NothingReported { projects } => {
+            en: "no report is written: none of the {projects} projects can be reported on",
+            ko: "보고서를 쓰지 않았다. 프로젝트 {projects}개 모두 보고서에 넣을 수 없다",
+        },
+        CannotPrint {} => { en: "cannot write to standard output", ko: "표준 출력에 쓸 수 없다" },
+        CannotRead { path } => { en: "{path}", ko: "{path}" },
+        CannotRemove { path } => { en: "cannot remove {path}", ko: "{path}을(를) 지울 수 없다" },
+    }
+    caused by { CannotPrint: why, CannotRead: why, CannotRemove: why, NoProgram: why }
+}
+
+messages! {
+    /// Notes beside an answer, on standard error.
+    pub(crate) enum Noted in "command.note" {
+        Ranking { folder: String } => {
+            en: "ranking, figure and page are in {folder}",
+            ko: "순위, 그림, 웹 페이지를 {folder}에 썼다",
+        },
+        Wrote { files: String } => { en: "wrote {files}", ko: "쓴 파일: {files}" },
+        RunsKept { journal: String, runs: usize } => {
+            en: "{journal}: {runs} runs are kept from before",
+            ko: "{journal}: 앞서 실행한 해석 {runs}개를 그대로 쓴다",
+        },
+        Tables { folder: String } => {
+            en: "tables and figures are in {folder}",
+            ko: "표와 그림을 {folder}에 썼다",
+        },
+        Designs { designs: usize, path: String, left_out: usize } => {
+            en: "{designs} designs are in {path}; {left_out} were left out: scans are missing or cannot be used",
+            ko: "설계 {designs}개를 {path}에 썼다. 조합이 없거나 쓸 수 없어 뺀 설계는 {left_out}개이다",
+        },
+        Identified { folder: String } => {
+            en: "figures and identification.json are in {folder}",
+            ko: "그림과 identification.json을 {folder}에 썼다",
+        },
+        Compared { folder: String } => {
+            en: "change.svg and change.json are in {folder}",
+            ko: "change.svg와 change.json을 {folder}에 썼다",
+        },
+        Results { folder: String } => {
+            en: "results and figures are in {folder}",
+            ko: "결과와 그림을 {folder}에 썼다",
+        },
+        Watched { folder: String } => {
+            en: "years.svg and watch.json are in {folder}",
+            ko: "years.svg와 watch.json을 {folder}에 썼다",
+        },
+        StudyLeftOut { study: String, why: Both } => {
+            en: "study \"{study}\" is left out of the report: {why}",
+            ko: "study \"{study}\"을(를) 보고서에서 뺐다: {why}",
+        },
+        Meant { near: String } => { en: " Did you mean {near}?", ko: " {near}을(를) 쓰려던 것인가?" },
+    }
+}
+
+impl Noted {
+    /// It in the language of the user.
+    pub(crate) fn text(self, manner: &Manner) -> String {
+        Both::from(self).text(manner.language()).to_owned()
+    }
+}
+
+fn meant(near: Option<&str>) -> Both {
+    near.map_or_else(
+        || Both::from(""),
+        |near| {
+            Noted::Meant {
+                near: near.to_owned(),
+            }
+            .into()
+        },
+    )
+}
+
+/// An error of the command or of folders as what can be said in both languages; `None` for any other.
+pub(crate) fn of_command<'e>(error: &'e (dyn Error + 'static)) -> Option<&'e dyn Argument> {
+    sayable!(error, CommandError).or_else(|| dolmen_folder::of_folders(error))
+}

@@ -1,0 +1,82 @@
+//! What is wrong with the file of a ground motion, in both languages.
+
+use super::pieces::{no_channel, unit_meant};
+use crate::motions::MotionError;
+use crate::quoted::{listed, shown};
+use crate::records::{RecordError, SeismicError};
+use dolmen::signal::SignalError;
+use dolmen_words::sentences;
+
+sentences! {
+    MotionError in "motions.error" {
+        NoFile => {
+            en: "no file is given: a motion needs at least one component",
+            ko: "파일이 없다. 지반운동에는 성분이 하나 이상 필요하다",
+        },
+        Component { component, fault } => {
+            en: "the {component} component: {fault}",
+            ko: "{component} 성분: {fault}",
+        },
+        NoUnit => {
+            en: "the unit of the accelerations is not known: the file does not say it; give unit = g, gal or m/s2",
+            ko: "가속도의 단위를 알 수 없다. 파일에 없으므로 unit을 g, gal 또는 m/s2로 입력한다",
+        },
+        NotAcceleration { given } as { given: shown(given) } => {
+            en: "the unit \"{given}\" is not one of acceleration: give g, gal, m/s2, cm/s2, mm/s2 or mg, and a file of accelerations",
+            ko: "단위 \"{given}\"은(는) 가속도의 단위가 아니다. g, gal, m/s2, cm/s2, mm/s2 또는 mg로 하고 가속도 파일을 쓴다",
+        },
+        UnitDisagrees { given, found } => {
+            en: "unit is \"{given}\", but the file says \"{found}\": correct it, or leave it out",
+            ko: "unit은 \"{given}\"인데 파일에는 \"{found}\"(으)로 되어 있다. 고치거나 삭제한다",
+        },
+        Peak { peak_g, least_g, most_g, unit, suggested } as { peak_g: format!("{peak_g:.3e}"), least_g, most_g, hint: unit_meant(unit, suggested) } => {
+            en: "the peak is {peak_g} g, but must be {least_g} to {most_g} g: {hint}; if the motion is truly so, widen plausible_peak_m_s2",
+            ko: "최대값이 {peak_g} g인데 {least_g}~{most_g} g이어야 한다. {hint}. 실제로 그런 지반운동이면 plausible_peak_m_s2의 범위를 넓힌다",
+        },
+        StepDisagrees { given, found } => {
+            en: "time_step_s is {given}, but the file says {found}: correct it, or leave it out",
+            ko: "time_step_s는 {given}인데 파일에는 {found}(으)로 되어 있다. 고치거나 삭제한다",
+        },
+        Step { given } => {
+            en: "time_step_s is {given}, but must be a positive number of seconds",
+            ko: "time_step_s가 {given}인데 양의 초이어야 한다",
+        },
+        Columns { names } as { count: names.len(), names: listed(names) } => {
+            en: "the file has {count} columns of numbers ({names}): name the one to read as channel",
+            ko: "파일에 수의 열이 {count}개 있다({names}). 읽을 열을 channel로 쓴다",
+        },
+        TimeSteps { first, first_s, second, second_s } => {
+            en: "the {first} component has a step of {first_s} s, the {second} of {second_s} s: resample one before",
+            ko: "{first} 성분의 시간 간격은 {first_s} s인데 {second} 성분은 {second_s} s이다. 먼저 하나를 재표본화한다",
+        },
+        Lengths { first, first_samples, second, second_samples } => {
+            en: "the {first} component has {first_samples} samples, the {second} {second_samples}: if they begin at the same time, say lengths = shortest to cut all to the shortest",
+            ko: "{first} 성분의 자료는 {first_samples}개인데 {second} 성분은 {second_samples}개이다. 같은 시각에 시작하면 lengths = shortest로 모두 가장 짧은 길이에 맞춘다",
+        },
+        Factor { given } => {
+            en: "factor is {given}, but must be a finite number other than 0",
+            ko: "factor가 {given}인데 0이 아닌 유한한 수이어야 한다",
+        },
+        NotFinite { channel, sample } as { channel: shown(channel), sample } => {
+            en: "channel \"{channel}\": sample {sample} (from 0) is not a finite number: cut the file there, or leave the channel out",
+            ko: "채널 \"{channel}\": {sample}번 자료(0부터)가 유한한 수가 아니다. 거기서 파일을 자르거나 그 채널을 뺀다",
+        },
+        StatedPeak { channel, stated, found, unit } as { channel: shown(channel), stated, unit, found: format!("{found:.6}") } => {
+            en: "channel \"{channel}\": the header says that the peak is {stated} {unit}, but that of the samples is {found}: they were damaged or changed; download the file again, or say stated_peak = ignore if you know why",
+            ko: "채널 \"{channel}\": 머리글의 최대값은 {stated} {unit}인데 자료의 최대값은 {found}이다. 자료가 손상되었거나 바뀌었다. 파일을 다시 받거나, 이유를 알면 stated_peak = ignore로 한다",
+        },
+        Channels { given, names } as { hint: no_channel(given.as_deref()), count: names.len(), names: listed(names) } => {
+            en: "{hint}the file has {count} channels ({names}): name one, or give its number",
+            ko: "{hint}파일에 채널이 {count}개 있다({names}). 하나를 이름이나 번호로 쓴다",
+        },
+        Starts { first, second, later_s } => {
+            en: "the {second} component begins {later_s} s after the {first}: cut both to one time before",
+            ko: "{second} 성분이 {first} 성분보다 {later_s} s 뒤에 시작한다. 먼저 같은 시각에 맞추어 자른다",
+        },
+        Orientation { why } => {
+            en: "{why}: give files as x=FILE, y=FILE instead",
+            ko: "{why}. 대신 파일을 x=파일, y=파일로 지정한다",
+        },
+    }
+    handed on { Seismic(SeismicError), Record(RecordError), Signal(SignalError) }
+}

@@ -1,0 +1,77 @@
+//! Parts of several sentences, in both languages.
+
+use crate::quoted::shown;
+use dolmen_words::message::Both;
+use dolmen_words::messages;
+
+messages! {
+    /// Parts of sentences.
+    pub(crate) enum Piece in "records.piece" {
+        DidYouMean { near: String } => { en: " (did you mean \"{near}\"?)", ko: "(\"{near}\"을(를) 쓰려던 것인가?)" },
+        LastLine => { en: "; it is the last line: the file was cut short", ko: ". 마지막 행이므로 파일이 잘린 것이다" },
+        CheckUnit { unit: String } => {
+            en: "check the unit {unit} and the numbers",
+            ko: "단위 {unit}와(과) 수를 확인한다",
+        },
+        IsUnit { meant: Both, unit: String } => {
+            en: "is the unit {meant} instead of {unit}?",
+            ko: "단위가 {unit}이(가) 아니라 {meant}인가?",
+        },
+        Either { first: String, second: Both } => { en: "{first} or {second}", ko: "{first} 또는 {second}" },
+        NoChannel { name: String } => { en: "there is no channel \"{name}\": ", ko: "채널 \"{name}\"이(가) 없다. " },
+        AtLine { line: usize } => { en: "line {line}: ", ko: "{line}행: " },
+    }
+}
+
+messages! {
+    /// A text that is no table of numbers.
+    pub(crate) enum DiffersFromATable in "records.not-a-table" {
+        NotATable { lines: usize, numbers: usize, cells: usize } => {
+            en: "the file does not look like a table of numbers (its first {lines} lines hold {numbers} numbers in {cells} cells): is it the right file?",
+            ko: "파일이 수의 표로 보이지 않는다(처음 {lines}행의 {cells}칸 중 수는 {numbers}칸). 맞는 파일인가?",
+        },
+    }
+}
+
+fn nothing() -> Both {
+    Both::from("")
+}
+
+/// What was probably meant.
+pub(super) fn did_you_mean(nearest: Option<&str>) -> Both {
+    nearest.map_or_else(nothing, |near| Piece::DidYouMean { near: shown(near) }.into())
+}
+
+/// What a last line of another length means.
+pub(super) fn last_line(is_last: bool) -> Both {
+    match is_last {
+        true => Piece::LastLine.into(),
+        false => nothing(),
+    }
+}
+
+/// Which unit the numbers may be in.
+pub(super) fn unit_meant(unit: &str, suggested: &[&str]) -> Both {
+    let unit = unit.to_owned();
+    let Some((last, others)) = suggested.split_last() else {
+        return Piece::CheckUnit { unit }.into();
+    };
+    let meant = others.iter().rev().fold(Both::from(*last), |second, first| {
+        let first = (*first).to_owned();
+        Piece::Either { first, second }.into()
+    });
+    Piece::IsUnit { meant, unit }.into()
+}
+
+/// That a channel that is asked for is not there.
+pub(super) fn no_channel(given: Option<&str>) -> Both {
+    given.map_or_else(nothing, |name| Piece::NoChannel { name: shown(name) }.into())
+}
+
+/// The line, where the file has lines.
+pub(super) fn at_line(line: usize) -> Both {
+    match line {
+        0 => nothing(),
+        line => Piece::AtLine { line }.into(),
+    }
+}

@@ -1,0 +1,194 @@
+//! Sentences of errors: each variant of an enum in both languages, at one place beside the enum.
+
+use crate::Language;
+use crate::message::{Argument, Run, Sentence};
+
+impl Sentence {
+    /// What an error that hands another one on says: what that one says.
+    pub fn of_argument(argument: &(impl Argument + ?Sized)) -> Self {
+        Sentence {
+            id: "handed-on".to_owned(),
+            arguments: Vec::new(),
+            english: argument.said(Language::English),
+            korean: argument.said(Language::Korean),
+        }
+    }
+}
+
+/// What an error says in a language, as plain text.
+pub fn text_of(error: &dyn Argument, language: Language) -> String {
+    error.said(language).iter().map(Run::text).collect()
+}
+
+/// The first of the errors of these types that `$error` is, as what can be said in both languages.
+#[macro_export]
+macro_rules! sayable {
+    ($error:expr, $($kind:ty),+ $(,)?) => {{
+        let error: &(dyn std::error::Error + 'static) = $error;
+        None::<&dyn $crate::message::Argument>
+            $(.or_else(|| error.downcast_ref::<$kind>().map(|own| own as &dyn $crate::message::Argument)))+
+    }};
+}
+
+/// Says each variant of an error in both languages: `Display` is the English one, [`Argument`] both. The fields of a variant are the
+/// arguments of its sentence; behind `as` stand others, made of them. An error that is only handed on has no sentence of its own.
+///
+/// ```
+/// use dolmen_words::{Language, sentences};
+/// #[derive(Debug)]
+/// enum Refused {
+///     TooLong { side: String, length_m: f64 },
+/// }
+/// sentences! {
+///     Refused in "refused" {
+///         TooLong { side, length_m } as { side, length_m: format!("{length_m:.2}") } => {
+///             en: "{side} is {length_m} m long",
+///             ko: "{side}이(가) {length_m} m이다",
+///         },
+///     }
+/// }
+/// let refused = Refused::TooLong { side: "기단".to_owned(), length_m: 20.0 };
+/// assert_eq!(refused.to_string(), "기단 is 20.00 m long");
+/// assert_eq!(refused.sentence().text(Language::Korean), "기단이 20.00 m이다");
+/// ```
+#[macro_export]
+macro_rules! sentences {
+    ($error:ident in $group:literal {
+        $($variant:ident $({ $($field:ident),* $(,)? })? $(($($part:ident),*))? $(as { $($argument:ident $(: $value:expr)?),* $(,)? })?
+            => { en: $english:literal, ko: $korean:literal $(,)? }),* $(,)?
+    }
+    $(handed on { $($handed:ident($kind:ty)),* $(,)? })?
+    $(caused by { $($effect:ident: $cause:ident),* $(,)? })?
+    ) => {
+        impl $error {
+            /// The sentences as they are written.
+            pub const TEMPLATES: &'static [$crate::Template] = &[
+                $($crate::Template {
+                    group: $group,
+                    message: stringify!($variant),
+                    english: $english,
+                    korean: $korean,
+                }),*
+            ];
+
+            /// What it says, in both languages.
+            pub fn sentence(&self) -> $crate::Sentence {
+                #[allow(unused_variables, clippy::allow_attributes, reason = "a sentence need not say every field")]
+                match self {
+                    $($error::$variant $({ $($field,)* .. })? $(($($part),*))? => $crate::Sentence::of_template(
+                        &$crate::Template {
+                            group: $group,
+                            message: stringify!($variant),
+                            english: $english,
+                            korean: $korean,
+                        },
+                        $crate::arguments!([$($($field),*)? $($($part),*)?] [$($($argument $(: $value)?),*)?]),
+                    ),)*
+                    $($($error::$handed(why) => $crate::Sentence::of_argument(why),)*)?
+                }
+            }
+        }
+
+        $($crate::argument_names!($variant, $english, $korean, [$($($field),*)? $($($part),*)?] [$($($argument),*)?]);)*
+
+        impl std::fmt::Display for $error {
+            fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                f.write_str(&self.sentence().text($crate::Language::English))
+            }
+        }
+
+        impl $crate::message::Argument for $error {
+            fn said(&self, language: $crate::Language) -> Vec<$crate::message::Run> {
+                self.sentence().runs(language).to_vec()
+            }
+        }
+
+        impl std::error::Error for $error {
+            fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+                match self {
+                    $($($error::$handed(why) => why.source(),)*)?
+                    $($($error::$effect { $cause, .. } => Some($cause),)*)?
+                    #[allow(unreachable_patterns, clippy::allow_attributes, reason = "all may be handed on")]
+                    _ => None,
+                }
+            }
+        }
+
+        $($(impl From<$kind> for $error {
+            fn from(why: $kind) -> Self {
+                $error::$handed(why)
+            }
+        })*)?
+    };
+}
+
+/// Arguments of a sentence: those given, else the fields.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! arguments {
+    ([$($field:ident),*] []) => {
+        vec![$($crate::message::Given::of(stringify!($field), $field)),*]
+    };
+    ([$($field:ident),*] [$($argument:ident $(: $value:expr)?),+]) => {
+        vec![$($crate::message::Given::of(stringify!($argument), &$crate::argument!($argument $(: $value)?))),+]
+    };
+}
+
+/// One argument: as it is, or made of others.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! argument {
+    ($argument:ident) => {
+        $argument
+    };
+    ($argument:ident : $value:expr) => {
+        $value
+    };
+}
+
+/// Holds, at compile time, that both sentences say every argument and no other.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! argument_names {
+    ($variant:ident, $english:literal, $korean:literal, [$($field:ident),*] []) => {
+        $crate::argument_names!(@ $variant, $english, $korean, [$($field),*]);
+    };
+    ($variant:ident, $english:literal, $korean:literal, [$($field:ident),*] [$($argument:ident),+]) => {
+        $crate::argument_names!(@ $variant, $english, $korean, [$($argument),+]);
+    };
+    (@ $variant:ident, $english:literal, $korean:literal, [$($name:ident),*]) => {
+        const _: () = {
+            const NAMES: &[&str] = &[$(stringify!($name)),*];
+            $(assert!(
+                $crate::message::holds($english, stringify!($name)) && $crate::message::holds($korean, stringify!($name)),
+                concat!(stringify!($variant), " leaves out ", stringify!($name))
+            );)*
+            assert!(
+                $crate::message::knows($english, NAMES) && $crate::message::knows($korean, NAMES),
+                concat!(stringify!($variant), " has a place for an argument that it does not have")
+            );
+        };
+    };
+}
+
+/// Says the Korean of an error of the science, whose English is its `Display`: braces as in `format!`, particles with both forms.
+macro_rules! korean_of {
+    ($error:ty { $($pattern:pat => $korean:literal $(, $name:ident = $value:expr)*;)* } $(handed on $handed:pat => $why:expr;)*) => {
+        impl $crate::message::Argument for $error {
+            fn said(&self, language: $crate::Language) -> Vec<$crate::message::Run> {
+                #[allow(unused_variables, unused_imports, clippy::allow_attributes, reason = "a sentence need not say every field")]
+                let text = match (language, self) {
+                    ($crate::Language::English, _) => self.to_string(),
+                    $((_, $handed) => return $crate::message::Argument::said($why, language),)*
+                    $((_, $pattern) => {
+                        $(let $name = $value;)*
+                        $crate::particles::particles(&format!($korean), None)
+                    })*
+                };
+                vec![$crate::message::Run::Name(text)]
+            }
+        }
+    };
+}
+
+pub(crate) use korean_of;

@@ -1,0 +1,43 @@
+//! Every error of the science.
+
+use crate::message::Argument;
+use crate::sayable;
+use dolmen::assess::AssessError;
+use dolmen::blocks::BlocksError;
+use dolmen::damper::DamperError;
+use dolmen::dynamics::DynamicsError;
+use dolmen::modal::ModalError;
+use dolmen::monitoring::MonitoringError;
+use dolmen::numeric::NumericError;
+use dolmen::signal::SignalError;
+use dolmen::stability::StabilityError;
+use dolmen::structure::StructureError;
+use dolmen::structure::building::{BuildingError, PlanStiffnessError};
+use dolmen::structure::stack::StackError;
+use dolmen::structure::wind::WindError;
+use dolmen::validation::ValidationError;
+use dolmen_linalg::LinalgError;
+use std::error::Error;
+
+/// An error of the science as what can be said in both languages; `None` for any other.
+pub fn of_the_science<'e>(error: &'e (dyn Error + 'static)) -> Option<&'e dyn Argument> {
+    sayable!(
+        error,
+        AssessError,
+        BlocksError,
+        BuildingError,
+        DamperError,
+        DynamicsError,
+        LinalgError,
+        ModalError,
+        MonitoringError,
+        NumericError,
+        PlanStiffnessError,
+        SignalError,
+        StabilityError,
+        StackError,
+        StructureError,
+        ValidationError,
+        WindError,
+    )
+}

@@ -1,0 +1,40 @@
+//! Errors of stacks, in Korean.
+
+use super::phrase::phrase;
+use crate::errors::korean_of;
+use dolmen::structure::stack::StackError;
+
+korean_of! {
+    StackError {
+        StackError::Empty => "쌓은 블록이 하나 이상 있어야 한다";
+        StackError::Name { name } => "이름이 '{name}'인 블록이 둘이다. 서로 다른 이름을 붙인다";
+        StackError::Far { piece, position_m, beyond_m, blocks, allowed_m } => "{piece}의 position_m이 {position_m:?}(으)로 {blocks}에서 {beyond_m:.3} m 떨어져 있다. 잇는 부재에서 {allowed_m} m 이내이어야 한다. mm 단위이거나 기준점이 다른가?", blocks = blocks.join(", "), piece = phrase(piece);
+        StackError::Dimension { quantity, given, allowed } => "{quantity}이(가) {given}인데 {allowed}이어야 한다", quantity = phrase(quantity), allowed = phrase(allowed);
+        StackError::Sides { given, most } => "각기둥의 변이 {given}개인데 3~{most}개이어야 한다. 그보다 많으면 원통으로 한다";
+        StackError::Opening { corner, beyond_m } => "개구부는 석재 안에 있고 석재가 남아야 하는데, 모서리 {corner:?}이(가) {beyond_m:.4} m 밖에 있다. 크기와 위치를 확인한다";
+        StackError::Openings { depth_m } => "한 석재의 개구부 둘이 {depth_m:.4} m 겹쳐 겹친 부분이 두 번 빠진다. 옮기거나 하나로 합친다";
+        StackError::Points { given } => "볼록 입체에는 점이 4개 이상 필요한데 {given}개이다";
+        StackError::Flat { size_m, allowed_m } => "점들이 평평하다. {allowed_m:.6} m 이내에서 한 평면이나 {size_m} m 길이의 직선 위에 있다. 석재에는 두께가 있어야 한다";
+        StackError::MeshIndex { triangle, given, vertices } => "메시의 삼각형 {triangle}에 꼭짓점 {given}이(가) 쓰였는데 꼭짓점은 0부터 {vertices}개이다";
+        StackError::MeshTriangle { triangle, corners, at_m } => "메시의 삼각형 {triangle}의 두 꼭짓점이 {at_m:?} 부근에서 같은 자리에 있다(꼭짓점 {corners:?}). 그런 삼각형을 삭제한다";
+        StackError::MeshEdge { fault, from, from_m, to, to_m, triangles, count, remedy } => "{fault}: 꼭짓점 {from} {from_m:?}에서 꼭짓점 {to} {to_m:?}까지의 모서리에 삼각형이 2개가 아니라 {triangles}개 붙어 있다. 그런 모서리 {count}개 중 첫째이다. {remedy}", fault = phrase(fault), remedy = phrase(remedy);
+        StackError::MeshTurned { from, from_m, to, to_m, count } => "메시의 두 삼각형의 바깥쪽이 서로 맞지 않는다. 둘 다 꼭짓점 {from} {from_m:?}에서 꼭짓점 {to} {to_m:?}(으)로 돈다. 그런 모서리 {count}개 중 첫째이다. 삼각형의 방향을 맞춘다";
+        StackError::MeshPieces { count, largest, smallest } => "메시가 {count}조각이다(삼각형 {largest}개부터 {smallest}개까지). 하나만 남기거나 조각마다 석재로 나눈다";
+        StackError::MeshInverted { volume_m3 } => "메시가 뒤집혀 있다. 부피가 {volume_m3:.6} m³이다. 모든 삼각형의 방향을 뒤집는다";
+        StackError::MeshOverfull { volume_m3, hull_volume_m3 } => "메시가 스스로를 뚫고 지나간다. 부피 {volume_m3:.6} m³가 볼록 껍질의 {hull_volume_m3:.6} m³보다 크다. 메시를 고친다";
+        StackError::MeshUneven { noise_m, volume_m3, .. } => "메시의 표면이 고르지 않다(꼭짓점의 흩어짐 {noise_mm:.2} mm). 평평한 면들이 메시의 부피 {volume_m3:.5} m³를 둘러싸지 못한다. 볼록하지 않거나, 접합면을 찾기에 너무 닳았거나 휘었다. 볼록한 부분으로 나누거나, 접합면을 더 촘촘히 스캔하거나, box, frustum, 점의 입체로 입력한다", noise_mm = 1e3 * noise_m;
+        StackError::JointUsed { upper, lower, used, allowed } => "'{upper}'와(과) '{lower}'의 접합면: 겹치는 면의 {used:.0} %만 평평한데 {allowed:.0} % 이상이어야 한다. 접합면을 더 촘촘히 스캔하거나 석재를 점의 입체로 입력한다", used = 100.0 * used, allowed = 100.0 * allowed;
+        StackError::JointFacets { upper, lower, share, allowed } => "'{upper}'와(과) '{lower}'이(가) 여러 면에서 닿는데 가장 큰 면이 접촉 면적의 {share:.0} %이다. {allowed:.0} % 이상이어야 한다. 각 접합면의 점을 1, 0.1 또는 0.01 mm로 반올림해 한 평면에 두거나 단순한 형상으로 입력한다", share = 100.0 * share, allowed = 100.0 * allowed;
+        StackError::CutAway { point_m, normal } => "법선이 {normal:?}이고 {point_m:?}을(를) 지나는 평면 뒤로 석재가 남지 않는다. 평면을 옮기거나 법선을 뒤집는다";
+        StackError::OpeningInMesh { area_m2 } => "개구부가 석재 안에 있지 않다. 메시 표면의 {area_m2:.6} m²가 개구부 안에 있다";
+        StackError::Pagoda { quantity, given, allowed } => "{quantity}이(가) {given:.4}인데 이 석탑의 다른 인자에서는 한계가 {allowed:.4}이다. 이 값이나 다른 인자를 바꾼다", quantity = phrase(quantity);
+        StackError::NotPositive { part, quantity, given } => "{part}: {quantity}이(가) {given}인데 양수이어야 한다", quantity = phrase(quantity);
+        StackError::Material { quantity, given, allowed } => "접합면의 {quantity}이(가) {given}인데 {allowed}이어야 한다", quantity = phrase(quantity), allowed = phrase(allowed);
+        StackError::Overlap { first, second, depth_m, allowed_m } => "'{first}'와(과) '{second}'이(가) {depth_m:.4} m 겹치는데 석재는 닿기만 할 수 있다({allowed_m} m 이내). 크기와 위치를 확인한다";
+        StackError::Floating { block, nearest, gap_m, allowed_m } => "'{block}'이(가) 떠 있다. 가장 가까운 아래 면({nearest})과 {gap_m:.4} m 떨어져 있는데 {allowed_m} m 이내이어야 한다";
+        StackError::NoBlock { given, last } => "블록 {given}이(가) 없다. 0~{last}번이 있다";
+        StackError::NoJoint { given, count } => "접합면 {given}이(가) 없다. 접합면은 {count}개이다";
+        StackError::Direction { quantity, given } => "{quantity}이(가) {given:?}인데 유한한 수의 벡터이고 모두 0이 아니어야 한다", quantity = phrase(quantity);
+        StackError::Position { quantity, given } => "{quantity}이(가) {given:?}인데 유한한 수 세 개이어야 한다", quantity = phrase(quantity);
+    }
+}

@@ -1,0 +1,194 @@
+//! Why a motion, a study or a table that is asked for cannot be used, in both languages.
+
+use crate::known::known_beside;
+use crate::motion::MotionRequestError;
+use crate::portfolio::{COLUMNS, PortfolioError};
+use crate::score::ScoreDesignsError;
+use crate::study::{JournalError, StudyError};
+use dolmen_words::advice::Advice as _;
+use dolmen_words::sentences;
+
+sentences! {
+    MotionRequestError in "motion.request.error" {
+        NoSuchMotion { name, known } as { name, known: known_beside(name, known) } => {
+            en: "there is no motion \"{name}\": known are {known}; other motions come from files with --motion-file, or stand in the project file as [motion.{name}]",
+            ko: "지반운동 \"{name}\"이(가) 없다. 있는 것: {known}. 다른 지반운동은 --motion-file로 파일을 주거나 프로젝트 파일에 [motion.{name}]으로 쓴다",
+        },
+        NoBuiltInMotion { name, known } as { name, known: known_beside(name, known) } => {
+            en: "there is no built-in motion \"{name}\": known are {known}",
+            ko: "내장된 지반운동 \"{name}\"이(가) 없다. 있는 것: {known}",
+        },
+        NoMotion { known } => {
+            en: "no motion is given: name files (`dolmen simulate`: with --motion-file), or take --motion {known}",
+            ko: "지반운동이 없다. 파일을 주거나(`dolmen simulate`에서는 --motion-file) --motion {known}을(를) 쓴다",
+        },
+        Acts { peak_g, most_g } as { peak_g: format!("{peak_g:.3}"), most_g } => {
+            en: "the motion that would act has a peak of {peak_g} g, but must have more than 0 and at most {most_g} g, twice what was ever recorded: correct --scale, --peak, the unit or the factor",
+            ko: "작용할 지반운동의 최대값이 {peak_g} g인데 0보다 크고 {most_g} g(지금까지 기록된 최대의 두 배) 이하이어야 한다. --scale, --peak, 단위 또는 factor를 고친다",
+        },
+        ComponentTwice { component } as { component: component.to_string() } => {
+            en: "--motion-file: the {component} component is given twice; name each as in {component}=FILE",
+            ko: "--motion-file: {component} 성분이 두 번 있다. {component}=파일과 같이 각각 지정한다",
+        },
+        NoAcceleration { given } => {
+            en: "\"{given}\" is no acceleration: write it as \"0.3 g\" or \"2.94 m/s2\"",
+            ko: "\"{given}\"은(는) 가속도가 아니다. \"0.3 g\" 또는 \"2.94 m/s2\"와 같이 쓴다",
+        },
+        AccelerationWithoutUnit { given, value } => {
+            en: "\"{given}\" has no unit: write \"{value} g\" or \"{value} m/s2\"",
+            ko: "\"{given}\"에 단위가 없다. \"{value} g\" 또는 \"{value} m/s2\"로 쓴다",
+        },
+        NoEurocodeGround { given } => {
+            en: "--site is \"{given}\", but a ground of Eurocode 8 is A, B, C, D or E",
+            ko: "--site가 \"{given}\"인데 유로코드 8의 지반은 A, B, C, D 또는 E이다",
+        },
+        NoKoreanSite { given } => {
+            en: "--site is \"{given}\", but a site of KDS 17 10 00 is S1 to S5; for Eurocode 8 give --ground-acceleration too",
+            ko: "--site가 \"{given}\"인데 KDS 17 10 00의 지반은 S1~S5이다. 유로코드 8이면 --ground-acceleration도 준다",
+        },
+        NothingToMatch => {
+            en: "no motion is given to match",
+            ko: "부합시킬 지반운동이 없다",
+        },
+        SeveralToMatch => {
+            en: "the file has several channels: name the one to match with --channel, or turn them to x and y with --x-azimuth",
+            ko: "파일에 채널이 여럿이다. 부합시킬 채널을 --channel로 지정하거나 --x-azimuth로 x와 y로 돌린다",
+        },
+    }
+}
+
+sentences! {
+    StudyError in "study.error" {
+        NoSuchStudy { name, known } as { name, known: known_beside(name, known) } => {
+            en: "there is no study \"{name}\": the file has {known}",
+            ko: "study \"{name}\"이(가) 없다. 파일에 있는 것: {known}",
+        },
+        NoStudyIn { name, file } => {
+            en: "there is no study \"{name}\" in {file}",
+            ko: "{file}에 study \"{name}\"이(가) 없다",
+        },
+        NoStudy => {
+            en: "the file has no study: write one as [study.NAME]; docs/study.md has its keys",
+            ko: "파일에 study가 없다. [study.이름]을 쓴다. 키는 docs/study.md에 있다",
+        },
+        StudyOfWhatFalls { load_factor } as { load_factor: format!("{load_factor:.3}") } => {
+            en: "it does not stand under its own weight (load factor {load_factor}): no shaking is needed to fell it, and a capacity against shaking would say nothing. `dolmen check` says what it lacks",
+            ko: "자중으로 서 있지 못한다(하중배율 {load_factor}). 흔들지 않아도 쓰러지므로 지진에 대한 내력은 뜻이 없다. 무엇이 부족한지는 `dolmen check`로 본다",
+        },
+        SurveyStudied => {
+            en: "a survey holds no structure that could be studied: kind is stack, frame, chain or building",
+            ko: "survey에는 해석할 구조물이 없다. kind는 \"stack\", \"frame\", \"chain\" 또는 \"building\"이어야 한다",
+        },
+        StudyWithoutMotion => {
+            en: "the study names no motion: give motions = [\"el-centro-1940-ns\"] or artificial = {{ count = 22 }}",
+            ko: "study에 지반운동이 없다. motions = [\"el-centro-1940-ns\"] 또는 artificial = {{ count = 22 }}를 쓴다",
+        },
+        StudyWithoutScan => {
+            en: "the study says not how the shaking grows: give scale or peak",
+            ko: "study에서 지반운동을 어떻게 키우는지 알 수 없다. scale이나 peak를 쓴다",
+        },
+        StudyTooLarge { most } => {
+            en: "the study has more than {most} scans: vary less, or draw fewer samples",
+            ko: "study의 조합이 {most}개를 넘는다. 바꾸는 값을 줄이거나 표본을 줄인다",
+        },
+        StudySamplesNothing { samples } => {
+            en: "samples is {samples}, but no input has a cov: all samples would be the same. Write joint.friction = {{ value = 0.6, cov = 0.1 }}, or leave samples out",
+            ko: "samples가 {samples}인데 cov가 있는 입력이 없어 표본이 모두 같아진다. joint.friction = {{ value = 0.6, cov = 0.1 }}과 같이 쓰거나 samples를 뺀다",
+        },
+        HarmonicOfOther => {
+            en: "harmonic and release are for frames and chains",
+            ko: "harmonic과 release는 frame과 chain에 쓴다",
+        },
+        EveryRunRefused { why } => {
+            en: "the inputs of every run were refused: {why}",
+            ko: "모든 해석의 입력을 쓸 수 없다: {why}",
+        },
+        OtherJournal { shown, difference } => {
+            en: "{shown} belongs to another state of this study: {difference}. Name another folder with -o, or give --restart to throw its runs away",
+            ko: "{shown}은(는) 이 study의 다른 상태의 기록이다: {difference}. -o로 다른 폴더를 지정하거나 --restart로 그 해석을 버린다",
+        },
+        RunTwice { shown, scan, scale } => {
+            en: "{shown}: the run of scan {scan} at scale {scale} is there twice with different results: they come from programs that do not compute alike; start anew with --restart",
+            ko: "{shown}: 조합 {scan}, 배율 {scale}의 해석이 서로 다른 결과로 두 번 있다. 계산이 다른 프로그램의 결과이다. --restart로 새로 시작한다",
+        },
+        StudyWithoutPagoda { name } => {
+            en: "study \"{name}\" has no pagoda of six factors: write pagoda = {{ storeys = 5, … }}",
+            ko: "study \"{name}\"에 여섯 인자의 석탑이 없다. pagoda = {{ storeys = 5, … }}를 쓴다",
+        },
+        StudyNotRun { study, file } => {
+            en: "study \"{study}\" of {file} has no results beside the project file, or they are of another state of it: run dolmen study",
+            ko: "{file}의 study \"{study}\"의 결과가 프로젝트 파일 옆에 없거나 다른 상태의 것이다. dolmen study를 실행한다",
+        },
+        SeveralStudies { names } => {
+            en: "it has results of several studies ({names}): name one in the column study",
+            ko: "study 여럿의 결과가 있다({names}). study 열에 하나를 쓴다",
+        },
+    }
+}
+
+sentences! {
+    JournalError in "journal.error" {
+        Header => {
+            en: "it is no journal of a study of this program: its first line is another's, or of an older one that judged runs otherwise; --restart throws it away",
+            ko: "이 프로그램의 study 기록이 아니다. 첫 줄이 다른 프로그램의 것이거나 판정이 달랐던 예전 것이다. --restart로 버린다",
+        },
+        Line { line } => {
+            en: "line {line} is damaged: restore the file, or start anew with --restart",
+            ko: "{line}행이 손상되었다. 파일을 되살리거나 --restart로 새로 시작한다",
+        },
+    }
+}
+
+sentences! {
+    ScoreDesignsError in "score-designs.error" {
+        Column { column } => {
+            en: "the table of designs has no column \"{column}\": write it with `dolmen score --train`",
+            ko: "설계의 표에 \"{column}\" 열이 없다. `dolmen score --train`으로 만든다",
+        },
+        Value { line, column, given, wanted } => {
+            en: "line {line}, {column}: \"{given}\" is no {wanted}",
+            ko: "{line}행 {column}: \"{given}\"은(는) {wanted}이(가) 아니다",
+        },
+        Table { why } => {
+            en: "the table of designs cannot be read: {why}",
+            ko: "설계의 표를 읽을 수 없다: {why}",
+        },
+    }
+}
+
+sentences! {
+    PortfolioError in "portfolio.error" {
+        Table { why } => {
+            en: "the table cannot be read: {why}",
+            ko: "표를 읽을 수 없다: {why}",
+        },
+        NoName as { columns: COLUMNS.join(", ") } => {
+            en: "the table has no column \"name\": the first line names the columns, {columns}",
+            ko: "표에 \"name\" 열이 없다. 첫 줄에 열 이름을 쓴다: {columns}",
+        },
+        Column { column } as { column, columns: COLUMNS.join(", ") } => {
+            en: "column \"{column}\" is not known: columns are {columns}",
+            ko: "알 수 없는 열 \"{column}\"이다. 쓸 수 있는 열: {columns}",
+        },
+        Missing { line, name, what } => {
+            en: "line {line} ({name}): {what}",
+            ko: "{line}행({name}): {what}",
+        },
+        Value { line, name, column, given, allowed } => {
+            en: "line {line} ({name}): {column} is \"{given}\", but must be {allowed}",
+            ko: "{line}행({name}): {column}이(가) \"{given}\"인데 {allowed}이어야 한다",
+        },
+        Refused { line, name, why } as { line, name, why: why.advised_both() } => {
+            en: "line {line} ({name}): {why}",
+            ko: "{line}행({name}): {why}",
+        },
+        TwoPagodas { line, name, slenderness_angle, body_slenderness, made } as { line, name, slenderness_angle, body_slenderness, made: format!("{made:.2}") } => {
+            en: "line {line} ({name}): slenderness_angle {slenderness_angle} and body_slenderness {body_slenderness} are not of one pagoda: with the other factors a body of {body_slenderness} has an angle of {made}. Give the one that was measured, and leave the other empty",
+            ko: "{line}행({name}): slenderness_angle {slenderness_angle}와(과) body_slenderness {body_slenderness}은(는) 한 석탑의 값이 아니다. 다른 인자가 같으면 몸돌 세장비 {body_slenderness}의 각은 {made}이다. 잰 값만 쓰고 다른 것은 비운다",
+        },
+        Twice { name, first, second } => {
+            en: "lines {first} and {second} are both \"{name}\": give each structure its own name",
+            ko: "{first}행과 {second}행의 이름이 모두 \"{name}\"이다. 구조물마다 다른 이름을 붙인다",
+        },
+    }
+}

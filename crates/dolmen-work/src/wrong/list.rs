@@ -1,0 +1,64 @@
+//! Every error of this crate, and of those below it.
+
+use super::flag::FlagWords;
+use super::pieces::{
+    CaseRefused, DesignNeeds, JournalDiffers, KnownNames, NoPlace, Place, RowLacks, RowNeeds,
+};
+use crate::change_fault::ChangeFault;
+use crate::error::WorkError;
+use crate::flags::ForeignFlag;
+use crate::kept::StoreFault;
+use crate::motion::MotionRequestError;
+use crate::portfolio::PortfolioError;
+use crate::score::ScoreDesignsError;
+use crate::study::{JournalError, StudyError};
+use dolmen_project::{AngleError, DamperFault, ProjectError, StackFault};
+use dolmen_records::of_records;
+use dolmen_words::message::Argument;
+use dolmen_words::science::of_the_science;
+use dolmen_words::{Template, sayable};
+use std::error::Error;
+
+/// All sentences of the errors of this crate.
+pub const ERRORS: [&[Template]; 17] = [
+    WorkError::TEMPLATES,
+    ChangeFault::TEMPLATES,
+    MotionRequestError::TEMPLATES,
+    StudyError::TEMPLATES,
+    JournalError::TEMPLATES,
+    ScoreDesignsError::TEMPLATES,
+    PortfolioError::TEMPLATES,
+    StoreFault::TEMPLATES,
+    FlagWords::TEMPLATES,
+    KnownNames::TEMPLATES,
+    Place::TEMPLATES,
+    CaseRefused::TEMPLATES,
+    JournalDiffers::TEMPLATES,
+    NoPlace::TEMPLATES,
+    RowLacks::TEMPLATES,
+    RowNeeds::TEMPLATES,
+    DesignNeeds::TEMPLATES,
+];
+
+/// An error of this crate, of a reader, a project file or the science, as what can be said in both languages; `None` for any other.
+pub(crate) fn of_work<'e>(error: &'e (dyn Error + 'static)) -> Option<&'e dyn Argument> {
+    sayable!(
+        error,
+        WorkError,
+        Box<WorkError>,
+        ChangeFault,
+        MotionRequestError,
+        StudyError,
+        JournalError,
+        ScoreDesignsError,
+        PortfolioError,
+        ForeignFlag,
+        StoreFault,
+        ProjectError,
+        AngleError,
+        StackFault,
+        DamperFault,
+    )
+    .or_else(|| of_records(error))
+    .or_else(|| of_the_science(error))
+}

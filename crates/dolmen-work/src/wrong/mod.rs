@@ -1,0 +1,15 @@
+//! Why verbs cannot answer, in both languages.
+
+mod asked;
+mod flag;
+mod list;
+mod pieces;
+mod store;
+mod work;
+
+pub(crate) use flag::FlagWords;
+pub use list::ERRORS;
+pub(crate) use list::of_work;
+pub(crate) use pieces::{
+    CaseRefused, DesignNeeds, JournalDiffers, KnownNames, NoPlace, Place, RowLacks, RowNeeds,
+};

@@ -1,0 +1,147 @@
+//! Parts of sentences, in both languages.
+
+use dolmen_words::message::Both;
+use dolmen_words::messages;
+
+messages! {
+    /// Names that there are.
+    pub(crate) enum KnownNames in "work.known" {
+        None => { en: "none", ko: "없음" },
+        DidYouMean { known: String, near: String } => {
+            en: "{known} (did you mean \"{near}\"?)",
+            ko: "{known}(\"{near}\"을(를) 쓰려던 것인가?)",
+        },
+    }
+}
+
+messages! {
+    /// Where a cause lies.
+    pub(crate) enum Place in "work.place" {
+        AllSetups => { en: "all setups as one", ko: "하나로 합친 측정 배치" },
+        OfSurvey { name: String } => { en: "survey {name}", ko: "조사 {name}" },
+        SpringsMeasured => {
+            en: "springs that would have the measured frequencies of the surveys",
+            ko: "조사의 계측 진동수에 맞는 스프링",
+        },
+        SampleImpossible => {
+            en: "a sample of the inputs gives an impossible structure: lower the cov of the input that it names",
+            ko: "입력의 표본이 있을 수 없는 구조물이 된다. 아래에 나온 입력의 cov를 낮춘다",
+        },
+        StrokesUnder { motion: String } => {
+            en: "motion.{motion}, under which strokes are judged",
+            ko: "행정을 판정하는 motion.{motion}",
+        },
+        EveryModeCounts { period_s: String, damping_percent: String } => {
+            en: "a mode has a period of {period_s} s and {damping_percent} % damping, and every mode counts",
+            ko: "주기 {period_s} s, 감쇠 {damping_percent} %인 모드가 있고 모든 모드가 필요하다",
+        },
+        Chain => { en: "a chain", ko: "chain" },
+        Frame => { en: "a frame", ko: "frame" },
+    }
+}
+
+messages! {
+    /// Why the structure of a case cannot be shaken.
+    pub(crate) enum CaseRefused in "work.case" {
+        JointsUnknown => {
+            en: "the joints are unknown: `dolmen identify` finds stiffness that measured modes allow; write it into joints, or into a variant that variants names",
+            ko: "접합부 강성을 알 수 없다. `dolmen identify`로 계측 모드에 맞는 강성을 구해 joints나 variants에 있는 대안에 쓴다",
+        },
+        NoDirectionKnown => {
+            en: "the stiffness of no direction is known: `dolmen identify` finds those that frequencies allow",
+            ko: "강성을 아는 방향이 없다. `dolmen identify`로 진동수에 맞는 강성을 구한다",
+        },
+        ChooseDirection { directions: String } => {
+            en: "the file has the directions {directions}: choose one with direction",
+            ko: "파일에 방향 {directions}이(가) 있다. direction으로 하나를 고른다",
+        },
+        DirectionUnknown { direction: String } => {
+            en: "the stiffness of direction \"{direction}\" is unknown, or there is none of this name",
+            ko: "방향 \"{direction}\"의 강성을 알 수 없거나 그런 방향이 없다",
+        },
+        SurveyAlone => { en: "a survey holds no structure", ko: "survey에는 구조물이 없다" },
+        Falls { verdict: Both } => {
+            en: "it does not stand without shaking: {verdict}",
+            ko: "흔들지 않아도 서 있지 못한다: {verdict}",
+        },
+        NotDone { study: String, missing: usize } => {
+            en: "study \"{study}\" is not done: {missing} scans are missing; run it again",
+            ko: "study \"{study}\"이(가) 끝나지 않았다. 조합 {missing}개가 없다. 다시 실행한다",
+        },
+        SeveralCombinations { study: String, combinations: usize } => {
+            en: "study \"{study}\" varies its inputs in {combinations} combinations: name one that varies nothing",
+            ko: "study \"{study}\"의 입력 조합이 {combinations}가지이다. 입력을 바꾸지 않는 study를 지정한다",
+        },
+        NoScan { study: String } => {
+            en: "study \"{study}\" has no scan that can be used",
+            ko: "study \"{study}\"에 쓸 수 있는 조합이 없다",
+        },
+    }
+}
+
+messages! {
+    /// How a journal differs from the study it is asked for.
+    pub(crate) enum JournalDiffers in "work.journal" {
+        OtherStudy { study: String } => { en: "it is of the study \"{study}\"", ko: "study \"{study}\"의 것이다" },
+        OtherVersion { other: String, own: String } => {
+            en: "it was made by Dolmen {other}, this is {own}",
+            ko: "Dolmen {other}에서 만들었는데 지금은 {own}이다",
+        },
+        Changed { inputs: String } => { en: "changed since then: {inputs}", ko: "그 뒤에 바뀐 입력: {inputs}" },
+    }
+}
+
+messages! {
+    /// What a row of a table of structures lacks.
+    pub(crate) enum RowLacks in "portfolio.lacks" {
+        Factors => {
+            en: "it has neither a project nor its factors: fill storeys, body_height_m, taper_deg, body_base_height_ratio, and body_slenderness or slenderness_angle or both",
+            ko: "project도 여섯 인자도 없다. storeys, body_height_m, taper_deg, body_base_height_ratio와 body_slenderness나 slenderness_angle(또는 둘 다)을 채운다",
+        },
+        Name => {
+            en: "the structure has no name: fill the column name",
+            ko: "구조물의 이름이 없다. name 열을 채운다",
+        },
+        ZoneAndSoil => {
+            en: "zone_factor_g and soil belong together: fill both or neither",
+            ko: "zone_factor_g와 soil은 함께 쓴다. 둘 다 채우거나 둘 다 비운다",
+        },
+    }
+}
+
+messages! {
+    /// What a value of a table of structures must be.
+    pub(crate) enum RowNeeds in "portfolio.needs" {
+        Number => { en: "a number, 0 or more, in the unit of the column", ko: "열의 단위로 0 이상인 수" },
+        WholeNumber => { en: "a whole number", ko: "정수" },
+        Taper => { en: "below 40, in degrees", ko: "40보다 작은 각도(도)" },
+        Soil => { en: "S1 to S6 of KDS 17 10 00", ko: "KDS 17 10 00의 S1~S6" },
+    }
+}
+
+messages! {
+    /// What a value of a table of designs must be.
+    pub(crate) enum DesignNeeds in "score-designs.needs" {
+        Number => { en: "number", ko: "수" },
+        WholeNumber => { en: "whole number", ko: "정수" },
+        PositiveWithBeta => { en: "positive number with a positive β", ko: "β가 양수인 양수" },
+    }
+}
+
+messages! {
+    /// Why a structure has no place in a ranking.
+    pub(crate) enum NoPlace in "portfolio.no-place" {
+        TooFewMotions => {
+            en: "nothing is known of this state: too few motions that can be used",
+            ko: "쓸 수 있는 지반운동이 너무 적어 이 손상상태의 내력을 알 수 없다",
+        },
+        NothingKnown { state: Both } => {
+            en: "a structure of its kind has no {state}; known of it: nothing. Rank such structures with --state falls",
+            ko: "이 종류의 구조물에는 손상상태 ‘{state}’이(가) 없고 알려진 내력도 없다. 이런 구조물은 --state falls로 순위를 매긴다",
+        },
+        NoSuchState { state: Both, known: Both } => {
+            en: "a structure of its kind has no {state}; known of it: {known}. Rank such structures with --state falls",
+            ko: "이 종류의 구조물에는 손상상태 ‘{state}’이(가) 없다. 알려진 내력: {known}. 이런 구조물은 --state falls로 순위를 매긴다",
+        },
+    }
+}

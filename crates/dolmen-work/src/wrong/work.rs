@@ -1,0 +1,204 @@
+//! Why a verb cannot answer, in both languages.
+
+use crate::change_fault::ChangeFault;
+use crate::error::WorkError;
+use crate::known::known_beside;
+use crate::motion::MotionRequestError;
+use crate::portfolio::PortfolioError;
+use crate::score::ScoreDesignsError;
+use crate::study::{JournalError, StudyError};
+use dolmen::assess::AssessError;
+use dolmen::blocks::BlocksError;
+use dolmen::damper::DamperError;
+use dolmen::dynamics::DynamicsError;
+use dolmen::modal::ModalError;
+use dolmen::monitoring::MonitoringError;
+use dolmen::numeric::NumericError;
+use dolmen::signal::SignalError;
+use dolmen::stability::StabilityError;
+use dolmen::structure::StructureError;
+use dolmen::structure::building::BuildingError;
+use dolmen::structure::stack::StackError;
+use dolmen::validation::ValidationError;
+use dolmen_project::{AngleError, DamperFault, ProjectError, StackFault};
+use dolmen_records::motions::MotionError;
+use dolmen_records::records::RecordError;
+use dolmen_records::{FileError, PhotoError};
+use dolmen_words::sentences;
+
+sentences! {
+    WorkError in "work.error" {
+        Within { place, cause } as { place } => {
+            en: "{place}",
+            ko: "{place}",
+        },
+        TooManyPhotos { most } => {
+            en: "the photographs of one report hold more than {most} MiB together: save them smaller (3000 pixels across fill a page), or leave some out",
+            ko: "보고서 하나의 사진이 모두 합쳐 {most} MiB를 넘는다. 더 작게 저장하거나(너비 3000픽셀이면 한 면에 충분하다) 몇 장을 뺀다",
+        },
+        Outside { why } => {
+            en: "{why}",
+            ko: "{why}",
+        },
+        SamplesOfStack => {
+            en: "--samples cannot draw for a stack yet: its verdict is without shaking; take --sensitivity for what moves it",
+            ko: "--samples는 stack에는 아직 쓸 수 없다. stack의 판정은 지반운동이 없는 상태의 것이다. 무엇이 판정을 바꾸는지는 --sensitivity로 본다",
+        },
+        SampleNotANumber => {
+            en: "the load factor of a sample is not a number: it must not be counted as standing",
+            ko: "표본의 하중배율이 수가 아니다. 안정으로 셀 수 없다",
+        },
+        NoSuchVariant { name, known } as { name, known: known_beside(name, known) } => {
+            en: "there is no variant \"{name}\": the file has {known}",
+            ko: "대안 \"{name}\"이(가) 없다. 파일에 있는 것: {known}",
+        },
+        NoSuchSurvey { name, known } as { name, known: known_beside(name, known) } => {
+            en: "there is no survey \"{name}\": the file has {known}",
+            ko: "조사 \"{name}\"이(가) 없다. 파일에 있는 것: {known}",
+        },
+        NoSuchReference { name, known } as { name: format!("{name:?}"), known } => {
+            en: "modal.references names {name}, but the channels used are {known}",
+            ko: "modal.references에 {name}이(가) 있는데 쓰는 채널은 {known}이다",
+        },
+        NoMotionPrepared => {
+            en: "the run was prepared without a motion",
+            ko: "지반운동 없이 해석을 준비했다",
+        },
+        TwoHorizontal { what } => {
+            en: "{what} moves in one direction, but the motion has the components x and y: give one file, or turn the motion and give the component that you mean as x",
+            ko: "{what}은(는) 한 방향으로 움직이는데 지반운동에 x와 y 성분이 있다. 파일 하나만 주거나, 지반운동을 돌려 쓰려는 성분을 x로 준다",
+        },
+        NoHorizontal { what } => {
+            en: "{what} moves horizontally, but the motion has neither x nor y",
+            ko: "{what}은(는) 수평으로 움직이는데 지반운동에 x도 y도 없다",
+        },
+        NoHorizontalOf { name } => {
+            en: "motion \"{name}\" has no horizontal component",
+            ko: "지반운동 \"{name}\"에 수평 성분이 없다",
+        },
+        SurveySimulated => {
+            en: "only stacks, frames, chains and buildings can be simulated: the file has kind = \"survey\"",
+            ko: "\"stack\", \"frame\", \"chain\", \"building\"만 해석할 수 있는데 이 파일은 kind = \"survey\"이다",
+        },
+        SurveyReported { file } => {
+            en: "{file}: only stacks, frames and chains can be simulated; leave the motion out",
+            ko: "{file}: \"stack\", \"frame\", \"chain\"만 해석할 수 있다. 지반운동을 뺀다",
+        },
+        PushOfOther => {
+            en: "--push lets a chain lean at the start: the file has another kind",
+            ko: "--push는 chain을 처음에 기울이는 것인데 이 파일은 다른 종류이다",
+        },
+        PushTooLarge { push_rad, most_rad } => {
+            en: "--push is {push_rad} rad, but must be at most {most_rad} rad in size",
+            ko: "--push가 {push_rad} rad인데 크기가 {most_rad} rad 이하이어야 한다",
+        },
+        NothingMovesChain => {
+            en: "nothing moves the chain: give --motion or --motion-file, or let it lean at the start with --push \"1e-4 rad\"",
+            ko: "chain을 움직이는 것이 없다. --motion이나 --motion-file을 주거나 --push \"1e-4 rad\"로 처음에 기울인다",
+        },
+        JointsUnknown => {
+            en: "the joints are unknown: `dolmen identify` finds stiffness that measured modes allow; write it into joints or into a variant, and simulate that with --variant",
+            ko: "접합부 강성을 알 수 없다. `dolmen identify`로 계측 모드에 맞는 강성을 구해 joints나 대안에 쓰고, 대안은 --variant로 해석한다",
+        },
+        DirectionUnknown { direction } => {
+            en: "the stiffness of direction \"{direction}\" is unknown: `dolmen identify` finds those that its frequencies allow; write one of them into [direction.{direction}] or into a variant, and simulate that",
+            ko: "방향 \"{direction}\"의 강성을 알 수 없다. `dolmen identify`로 계측 진동수에 맞는 강성을 구해 하나를 [direction.{direction}]이나 대안에 쓰고 해석한다",
+        },
+        NoSuchDirection { direction, known } as { direction, known: known_beside(direction, known) } => {
+            en: "there is no direction \"{direction}\": the file has {known}",
+            ko: "방향 \"{direction}\"이(가) 없다. 파일에 있는 것: {known}",
+        },
+        NoDirectionKnown { directions } => {
+            en: "the stiffness of no direction is known ({directions}): `dolmen identify` finds those that measured frequencies allow; write one of them into [direction.NAME] or into a variant, and simulate that with --variant",
+            ko: "강성을 아는 방향이 없다({directions}). `dolmen identify`로 계측 진동수에 맞는 강성을 구해 하나를 [direction.NAME]이나 대안에 쓰고, 대안은 --variant로 해석한다",
+        },
+        BuildingFalls => {
+            en: "the building falls under its own weight, so that nothing was simulated: `dolmen check` says where",
+            ko: "건물이 자중으로 쓰러져 해석하지 않았다. 어디서 쓰러지는지는 `dolmen check`로 본다",
+        },
+        PointNotWatched => {
+            en: "a point of the file was not watched",
+            ko: "파일의 점 하나를 살피지 않았다",
+        },
+        CaseRefused { why } => {
+            en: "{why}",
+            ko: "{why}",
+        },
+        NoSuchDamper { name, file } => {
+            en: "there is no damper \"{name}\" in {file} that stands at a place to be found: \"tmd\" and \"tlcd\" do, \"tlcmd\" and \"link\" are tuned with the others, without --damper",
+            ko: "{file}에 위치를 찾는 감쇠기 \"{name}\"이(가) 없다. \"tmd\"와 \"tlcd\"는 위치를 찾고, \"tlcmd\"와 \"link\"는 --damper 없이 다른 것과 함께 동조한다",
+        },
+        NoDamper { file } => {
+            en: "{file} has no damper to tune: write a table such as [damper.roof] with kind = \"tmd\", floor, place, direction, mass_ratio and tuning, in the file or in a variant",
+            ko: "{file}에 동조할 감쇠기가 없다. 파일이나 대안에 kind = \"tmd\"와 floor, place, direction, mass_ratio, tuning이 있는 [damper.roof]와 같은 표를 쓴다",
+        },
+        TuneOfOther => {
+            en: "only buildings have dampers to tune: the file has another kind; start one with kind = \"building\"",
+            ko: "감쇠기를 동조하는 것은 building뿐인데 이 파일은 다른 종류이다. kind = \"building\"으로 시작한다",
+        },
+        BuildingFallsItself => {
+            en: "the building falls under its own weight: `dolmen check` says where",
+            ko: "건물이 자중으로 쓰러진다. 어디서 쓰러지는지는 `dolmen check`로 본다",
+        },
+        TunedToNoMode => {
+            en: "it is tuned to no mode",
+            ko: "동조하는 모드가 없다",
+        },
+        FloorWithoutOutline { floor } => {
+            en: "floor {floor} has no outline, so that places on it are not known: give sides or outline in its table",
+            ko: "바닥 {floor}의 외곽선이 없어 그 위의 위치를 알 수 없다. 그 표에 sides나 outline을 쓴다",
+        },
+        PagodaUnlike { how } => {
+            en: "the score does not know such a pagoda: {how}. Simulate it with dolmen study, or force the score with --extrapolate",
+            ko: "이런 석탑은 점수로 평가할 수 없다: {how}. dolmen study로 해석하거나 --extrapolate로 점수를 낸다",
+        },
+        NoPagoda { file } => {
+            en: "{file} has no pagoda of six factors: write pagoda = {{ storeys = 5, body_height = 6.0, … }} in a stack, or simulate its blocks with dolmen study",
+            ko: "{file}에 여섯 인자의 석탑이 없다. stack에 pagoda = {{ storeys = 5, body_height = 6.0, … }}를 쓰거나 dolmen study로 블록을 해석한다",
+        },
+        TooFewDesigns { designs } => {
+            en: "{designs} designs are too few for a score: 50 and more with a curve are needed",
+            ko: "점수를 내기에는 설계 {designs}개가 너무 적다. 곡선이 있는 설계가 50개 이상 필요하다",
+        },
+        TooFewDesignsOfState => {
+            en: "the score has too few designs of this state",
+            ko: "점수에 이 손상상태의 설계가 너무 적다",
+        },
+        NoneRanked { structures, reasons } => {
+            en: "none of {structures} structures can be ranked:{reasons}",
+            ko: "구조물 {structures}기 가운데 순위를 매길 수 있는 것이 없다:{reasons}",
+        },
+        NothingToRankBy { file } => {
+            en: "it has neither results of a study nor a pagoda of six factors: run dolmen study {file} first",
+            ko: "study의 결과도 여섯 인자의 석탑도 없다. 먼저 dolmen study {file}을(를) 실행한다",
+        },
+        PalisadenWithoutRecord => {
+            en: "palisaden has no record",
+            ko: "palisaden에 기록이 없다",
+        },
+    }
+    handed on { File(Box<FileError>), Project(Box<ProjectError>), Record(Box<RecordError>), Motion(Box<MotionError>), Photo(Box<PhotoError>), Angle(Box<AngleError>), StackPart(Box<StackFault>), DamperPart(Box<DamperFault>), Change(Box<ChangeFault>), Portfolio(Box<PortfolioError>), Designs(Box<ScoreDesignsError>), Journal(Box<JournalError>), Assess(Box<AssessError>), Blocks(Box<BlocksError>), Building(Box<BuildingError>), Damper(Box<DamperError>), Dynamics(Box<DynamicsError>), Modal(Box<ModalError>), Numeric(Box<NumericError>), Signal(Box<SignalError>), Stability(Box<StabilityError>), Stack(Box<StackError>), Structure(Box<StructureError>), Validation(Box<ValidationError>), MotionRequest(Box<MotionRequestError>), Study(Box<StudyError>) }
+    caused by { Within: cause }
+}
+
+sentences! {
+    ChangeFault in "change.error" {
+        NoSurvey { given, known } as { given, known: known_beside(given, known) } => {
+            en: "there is no survey \"{given}\" with frequencies, modes or records: the file has {known}",
+            ko: "진동수, 모드 또는 기록이 있는 조사 \"{given}\"이(가) 없다. 파일에 있는 것: {known}",
+        },
+        Unclear { known } => {
+            en: "the file has no two surveys whose names begin with a date (2019, 2019-04 or 2019-04-02), so that it is not clear which came first: name them with --from and --to (it has {known})",
+            ko: "파일에 날짜(2019, 2019-04 또는 2019-04-02)로 시작하는 이름의 조사가 둘이 아니어서 어느 것이 먼저인지 알 수 없다. --from과 --to로 지정한다(있는 것: {known})",
+        },
+        Same { given } => {
+            en: "survey \"{given}\" cannot be compared with itself",
+            ko: "조사 \"{given}\"을(를) 그 자신과 비교할 수 없다",
+        },
+        TooFewToWatch { given, least } => {
+            en: "{given} surveys of the file have modes and a name that begins with a date, but a history needs {least}: measure again, or compare two surveys with dolmen compare",
+            ko: "모드가 있고 이름이 날짜로 시작하는 조사가 {given}개인데 이력에는 {least}개가 필요하다. 다시 계측하거나 dolmen compare로 두 조사를 비교한다",
+        },
+    }
+    handed on { Monitoring(MonitoringError), Assess(AssessError) }
+}
