@@ -287,7 +287,22 @@ fn random_tower(random: &mut Random, gravity: f64) -> Stack {
             ]
         })
         .collect();
-    tower(&sizes, gravity)
+    let stack = tower(&sizes, gravity);
+    if random.uniform() < 0.5 {
+        return stack;
+    }
+    // half of them with stones off the middle: sway along x and y and twist couple
+    let blocks = stack.blocks().iter().map(|block| {
+        let [dx, dy] = [0, 1].map(|_| 0.05 * random.normal().clamp(-1.0, 1.0));
+        Block {
+            solid: block.solid.clone().placed(&Placement {
+                position_m: [dx, dy, 0.0],
+                ..Placement::default()
+            }),
+            ..block.clone()
+        }
+    });
+    Stack::new(blocks.collect(), JointMaterial::default(), gravity).unwrap()
 }
 
 #[test]
@@ -433,29 +448,110 @@ fn refuses_modes_that_cannot_be_told() {
 }
 
 #[test]
-fn zz_time() {
-    let stack = dolmen::validation::p20(JointMaterial::default(), EARTH).unwrap();
-    let mut random = Random::new(3, 0);
-    let truth: Vec<f64> = (0..20).map(|_| (0.6 * random.normal()).exp()).collect();
-    let made = with_factors(&stack, &truth);
-    for (count, shape) in [(1, None), (3, None), (1, Some(0.03)), (3, Some(0.03))] {
-        let mut given = Vec::new();
-        let all = sways(&made, 0);
-        let mut k = 0;
-        // square: x and y pairs; frequencies only matter
-        while given.len() < count {
-            let mode = &all[k];
-            k += 2;
-            let mut one = measured(&stack, 0, mode, 0.01, shape);
-            if shape.is_some() { let one2 = measured(&stack, 1, mode, 0.01, shape);
-                let n = |m: &MeasuredStackMode| m.mode.shape.iter().map(|p| p.displacement.abs()).fold(0.0, f64::max);
-                if n(&one2) > n(&one) { one.mode.shape = one2.mode.shape; } }
-            given.push(one);
-        }
-        let at = std::time::Instant::now();
-        let found = found(&stack, &given);
-        println!("{count} {shape:?}: {:?}, modes {} unused {:?} explains {:?} {:?}", at.elapsed(), found.modes.len(), found.unused, found.explains, found.common);
-        println!("{:?}", found.singular_values);
-        for (f, t) in found.factors.iter().zip(&truth) { println!("  truth {t:.2} least {:?} range {:?} best {:?}", f.least, f.range.map(|r| (r.lower, r.upper, r.is_lower_of_band, r.is_upper_of_band)), f.best); }
+fn exact_factors_of_beds_where_posts_stand_side_by_side() {
+    // a base, four posts of which each stands by itself, a roof on all of them, and a body
+    let stone = |name: &str, [x, y, z]: [f64; 3], [width, depth, height]: [f64; 3]| Block {
+        name: name.to_owned(),
+        solid: Solid::cuboid(width, depth, height).unwrap().placed(&Placement {
+            position_m: [x, y, z],
+            ..Placement::default()
+        }),
+        density_kg_m3: DENSITY,
+    };
+    let mut blocks = vec![stone("base", [0.0; 3], [2.4, 2.8, 0.5])];
+    for (name, x, y) in [
+        ("a", 0.8, 1.0),
+        ("b", -0.8, 1.0),
+        ("c", -0.8, -1.0),
+        ("d", 0.8, -1.0),
+    ] {
+        blocks.push(stone(name, [x, y, 0.5], [0.4, 0.4, 1.2]));
     }
+    blocks.push(stone("roof", [0.0, 0.0, 1.7], [2.2, 2.6, 0.4]));
+    blocks.push(stone("body", [0.0, 0.0, 2.1], [0.9, 1.1, 0.8]));
+    let stack = Stack::new(blocks, JointMaterial::default(), LIGHT).unwrap();
+    assert_eq!(stack.joints().len(), 10);
+    let truth = [0.6, 1.6, 0.8, 1.3]; // ground, feet, heads, body
+    let of_joint = |joint: usize| match stack.joints()[joint].origin_m[2] {
+        z if z < 0.1 => truth[0],
+        z if z < 0.6 => truth[1],
+        z if z < 1.8 => truth[2],
+        _ => truth[3],
+    };
+    let factors: Vec<f64> = (0..10).map(of_joint).collect();
+    let made = with_factors(&stack, &factors);
+    let all: Vec<MeasuredStackMode> = [0, 1]
+        .into_iter()
+        .flat_map(|axis| {
+            let three: Vec<StackMode> = sways(&made, axis).into_iter().take(3).collect();
+            three.into_iter().map(move |mode| (axis, mode))
+        })
+        .map(|(axis, mode)| of_levels(&stack, measured(&stack, axis, &mode, 1e-5, Some(1e-5))))
+        .collect();
+    let options = JointFactorsOptions {
+        joints_most: 9,
+        ..JointFactorsOptions::default()
+    };
+    let found = joint_factors(&stack, &all, &options).unwrap();
+    assert_eq!(found.of, StiffnessOf::Bed);
+    assert_eq!(found.factors.len(), 4);
+    assert_eq!(found.factors[1].joints.len(), 4);
+    assert!(found.modes.len() >= 3, "{:?}", found.unused);
+    for (factor, truth) in found.factors.iter().zip(truth) {
+        let best = factor.best.unwrap_or_else(|| panic!("{factor:?}"));
+        assert!((best / truth - 1.0).abs() < 1e-5, "{best} for {truth}");
+    }
+    for mode in &found.modes {
+        assert!((mode.energy_shares.iter().sum::<f64>() - 1.0).abs() < 1e-9);
+    }
+}
+
+/// The same with the points of one height as one: posts that sway alike.
+fn of_levels(stack: &Stack, mut one: MeasuredStackMode) -> MeasuredStackMode {
+    let mut levels: Vec<ShapePoint> = Vec::new();
+    let mut counts: Vec<f64> = Vec::new();
+    for point in &one.mode.shape {
+        match levels
+            .iter()
+            .position(|of| (of.height_m - point.height_m).abs() < 1e-9)
+        {
+            Some(at) => {
+                levels[at].displacement += point.displacement;
+                counts[at] += 1.0;
+            }
+            None => {
+                levels.push(*point);
+                counts.push(1.0);
+            }
+        }
+    }
+    assert!(levels.len() < 2 * stack.blocks().len());
+    for (level, count) in levels.iter_mut().zip(counts) {
+        level.displacement /= count;
+    }
+    one.mode.shape = levels;
+    one
+}
+
+#[test]
+fn holds_a_sensor_on_top_alone_is_counted_from_the_lowest() {
+    let stack = tower(&SIX, EARTH);
+    let x = sways(&stack, 0);
+    let two = x.iter().take(2);
+    let mut all: Vec<MeasuredStackMode> = two
+        .map(|mode| measured(&stack, 0, mode, 0.01, Some(0.02)))
+        .collect();
+    for one in &mut all {
+        let top = one.mode.shape[11];
+        let ground = ShapePoint {
+            height_m: 0.0,
+            displacement: 0.001,
+            ..top
+        };
+        one.mode.shape = vec![ground, top];
+    }
+    let found = found(&stack, &all);
+    let numbers: Vec<usize> = found.modes.iter().map(|mode| mode.number).collect();
+    assert_eq!(numbers, [1, 2], "{:?}", found.unused);
+    assert!(found.modes.iter().all(|mode| mode.paired_by == PairedBy::Order));
 }

@@ -10,6 +10,7 @@
 //! Within a family the frequency of each order rises with every factor (Courant–Fischer), and modes of two families may cross.
 
 use super::super::matrices::SpringsBetween;
+use super::stack_motion::StackMotion;
 use super::unknowns::Unknowns;
 use dolmen_linalg::{
     LinalgError, Matrix, SymmetricEigen, generalized_symmetric_eigen, symmetric_eigen, symmetric_eigenvalues,
@@ -19,6 +20,9 @@ use dolmen_linalg::{
 /// 1e-7 of its weight, and what this leaves out of a frequency is its square.
 const COUPLED: f64 = 1e-5;
 
+/// Energy of a motion, over all of it, from which a mode of a family of several motions is one of that motion: the greater part.
+const MOSTLY: f64 = 0.5;
+
 /// Motions that couple with each other and with no others.
 pub(super) struct Family {
     /// Basis, [6n × d], orthonormal in M.
@@ -27,6 +31,16 @@ pub(super) struct Family {
     others: Matrix,
     /// Stiffness of each factor's springs, [d × d].
     pub(super) groups: Vec<Matrix>,
+    /// Kinetic energy of motion in the plane of x, in that of y, and of turning about the vertical, [d × d] each.
+    motions: [Matrix; 3],
+}
+
+fn index_of(motion: StackMotion) -> usize {
+    match motion {
+        StackMotion::X => 0,
+        StackMotion::Y => 1,
+        StackMotion::Torsion => 2,
+    }
 }
 
 impl Family {
@@ -49,6 +63,17 @@ impl Family {
     pub(super) fn square_of(&self, factors: &[f64], order: usize) -> Option<f64> {
         let all = symmetric_eigenvalues(&self.stiffness(factors)).ok()?;
         all.get(order).copied()
+    }
+
+    /// Share of the kinetic energy of a mode in a motion.
+    pub(super) fn share(&self, mode: &[f64], motion: StackMotion) -> f64 {
+        self.motions[index_of(motion)].form(mode, mode)
+    }
+
+    /// Orders of the modes that are mostly of a motion, ascending.
+    pub(super) fn orders_of(&self, modes: &SymmetricEigen, motion: StackMotion) -> Vec<usize> {
+        let is_of = |order: &usize| self.share(modes.vectors.column(*order), motion) > MOSTLY;
+        (0..modes.values.len()).filter(is_of).collect()
     }
 
     /// A mode of this basis as displacements and turns of the stones.
@@ -94,6 +119,8 @@ pub(super) fn families(unknowns: &Unknowns) -> Result<Vec<Family>, LinalgError> 
         let along = |i: usize| unknowns.mass[(i, i)] * mixed.vectors[(i, p)] * mixed.vectors[(i, q)];
         mean_square * (0..size).step_by(6).map(along).sum::<f64>()
     });
+    let motions =
+        [vec![0, 4], vec![1, 3], vec![5]].map(|rows| energy_in(&unknowns.mass, &mixed.vectors, &rows));
     let all = || groups.iter().chain([&others, &toward_x]);
     let is_coupled = |p: usize, q: usize| {
         let scale = (mixed.values[p].abs() * mixed.values[q].abs()).sqrt();
@@ -105,9 +132,19 @@ pub(super) fn families(unknowns: &Unknowns) -> Result<Vec<Family>, LinalgError> 
             basis: Matrix::from_fn(size, of.len(), |i, j| mixed.vectors[(i, of[j])]),
             others: part(&others),
             groups: groups.iter().map(part).collect(),
+            motions: [0, 1, 2].map(|at| part(&motions[at])),
         }
     });
     Ok(families.collect())
+}
+
+/// Vᵀ M V over these rows of every block alone.
+fn energy_in(mass: &Matrix, vectors: &Matrix, rows: &[usize]) -> Matrix {
+    let size = mass.rows();
+    let momentum = mass * vectors;
+    let kept: Vec<usize> = (0..size).filter(|i| rows.contains(&(i % 6))).collect();
+    let of = |matrix: &Matrix| Matrix::from_fn(kept.len(), size, |i, p| matrix[(kept[i], p)]);
+    of(vectors).transpose_times(&of(&momentum))
 }
 
 /// Rows and columns of a body in the matrices of all; `None` of the ground.

@@ -179,8 +179,11 @@ fn each_factor(
     common: &CommonFactor,
     found: Option<&Ranges>,
 ) -> Vec<JointFactor> {
+    let n = model.unknowns;
+    let mut known = vec![vec![1.0; n], vec![common.factor; n]];
+    known.extend(found.map(|found| found.best.iter().map(|x| x.exp()).collect()));
     let each = unknowns.groups.iter().enumerate().map(|(j, group)| {
-        let least = model.least(j, common.factor);
+        let least = model.least(j, common.factor, &known);
         let determined = found.and_then(|found| found.determined[j]);
         JointFactor {
             joints: group.joints.clone(),
@@ -206,7 +209,8 @@ fn paired_modes(
     let best: Option<Vec<f64>> = found.map(|found| found.best.iter().map(|x| x.exp()).collect());
     let each = model.data.iter().zip(shares).map(|(datum, energy_shares)| {
         let shape = datum.shape.as_ref();
-        let computed = modes[datum.family].as_ref()?.vectors.column(datum.order);
+        let modes = modes[datum.family].as_ref()?;
+        let computed = modes.vectors.column(model.order(datum, modes)?);
         let best_hz = match &best {
             Some(best) => Some(model.frequency_hz(datum, best)?),
             None => None,
@@ -243,8 +247,11 @@ fn resettled(
     for datum in &model.data {
         let family = &model.families[datum.family];
         let modes = family.modes(factors)?;
-        let mode = family.displacements(modes.vectors.column(datum.order));
-        let quotient = product(&mode, &stiffness.times(&mode)) / modes.values[datum.order];
+        let Some(order) = model.order(datum, &modes) else {
+            continue;
+        };
+        let mode = family.displacements(modes.vectors.column(order));
+        let quotient = product(&mode, &stiffness.times(&mode)) / modes.values[order];
         most = most.max((quotient.max(0.0).sqrt() - 1.0).abs());
     }
     Ok(most)

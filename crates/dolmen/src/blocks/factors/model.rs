@@ -21,12 +21,21 @@ pub(super) struct ShapeData {
     pub(super) sd: Vec<f64>,
 }
 
+/// Which mode of a family a measured one is.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Which {
+    /// That of this order, 0 the lowest: of motions of one kind.
+    Order(usize),
+    /// That of this number among those mostly of the measured motion, 0 the lowest: where sway along x, along y and twist couple, modes of one kind
+    /// pass those of another as springs change.
+    OfMotion(usize),
+}
+
 /// A measured mode beside the computed one that it is taken for.
 pub(super) struct Datum {
     pub(super) motion: StackMotion,
     pub(super) family: usize,
-    /// Order in the family, 0 the lowest.
-    pub(super) order: usize,
+    pub(super) which: Which,
     pub(super) frequency_hz: f64,
     /// Standard deviation of ln f.
     pub(super) relative_sd: f64,
@@ -61,9 +70,32 @@ impl FactorModel {
         self.families.iter().enumerate().map(of).collect()
     }
 
+    /// Order of a measured mode among those of its family.
+    pub(super) fn order(&self, datum: &Datum, modes: &SymmetricEigen) -> Option<usize> {
+        match datum.which {
+            Which::Order(order) => Some(order),
+            Which::OfMotion(number) => {
+                let orders = self.families[datum.family].orders_of(modes, datum.motion);
+                orders.get(number).copied()
+            }
+        }
+    }
+
+    /// Order of a measured mode among those of its family with these factors.
+    pub(super) fn order_at(&self, datum: &Datum, factors: &[f64]) -> Option<usize> {
+        match datum.which {
+            Which::Order(order) => Some(order),
+            Which::OfMotion(_) => {
+                let modes = self.families[datum.family].modes(factors).ok()?;
+                self.order(datum, &modes)
+            }
+        }
+    }
+
     /// Frequency of a measured mode, Hz.
     pub(super) fn frequency_hz(&self, datum: &Datum, factors: &[f64]) -> Option<f64> {
-        let square = self.families[datum.family].square_of(factors, datum.order)?;
+        let order = self.order_at(datum, factors)?;
+        let square = self.families[datum.family].square_of(factors, order)?;
         Some(square.max(0.0).sqrt() / TAU)
     }
 
@@ -82,12 +114,9 @@ impl FactorModel {
         for datum in &self.data {
             let modes = modes[datum.family].as_ref()?;
             let family = &self.families[datum.family];
-            let square = modes
-                .values
-                .get(datum.order)
-                .copied()
-                .filter(|square| *square > 0.0)?;
-            let mode = modes.vectors.column(datum.order);
+            let order = self.order(datum, modes)?;
+            let square = modes.values.get(order).copied().filter(|square| *square > 0.0)?;
+            let mode = modes.vectors.column(order);
             let row = residual.len();
             residual.push((square.sqrt() / (TAU * datum.frequency_hz)).ln() / datum.relative_sd);
             // K_g φ_q, times c_g
@@ -101,50 +130,47 @@ impl FactorModel {
                 jacobian[(row, g)] = 0.5 * product(mode, force) / (square * datum.relative_sd);
             }
             if let Some(shape) = &datum.shape {
-                let change = |force: &Vec<f64>| mode_change(modes, datum.order, force);
-                let changes: Vec<Vec<f64>> = forces.iter().map(change).collect();
-                add_shape(shape, mode, &changes, &mut residual, &mut jacobian);
+                let response = response(shape, modes, order);
+                let changes = forces.iter().map(|force| response.times(force));
+                add_shape(shape, mode, changes, &mut residual, &mut jacobian);
             }
         }
         Some(Residuals { residual, jacobian })
     }
 }
 
-/// Σ_p φ_p φ_pᵀ force / (λ_q − λ_p) over all other modes.
-fn mode_change(modes: &SymmetricEigen, order: usize, force: &[f64]) -> Vec<f64> {
-    let mut change = vec![0.0; force.len()];
-    for (p, value) in modes.values.iter().enumerate() {
-        let apart = modes.values[order] - value;
-        if p == order || apart == 0.0 {
-            continue;
+/// Change of the displacements at the points of a shape by forces on the stones, Σ_p (rows φ_p) φ_pᵀ / (λ_q − λ_p) over all other modes, [points × d].
+fn response(shape: &ShapeData, modes: &SymmetricEigen, order: usize) -> Matrix {
+    let at_points = &shape.rows * &modes.vectors;
+    let size = modes.values.len();
+    let weighted = Matrix::from_fn(at_points.rows(), size, |i, p| {
+        let apart = modes.values[order] - modes.values[p];
+        match p == order || apart == 0.0 {
+            true => 0.0,
+            false => at_points[(i, p)] / apart,
         }
-        let other = modes.vectors.column(p);
-        let part = product(other, force) / apart;
-        for (sum, entry) in change.iter_mut().zip(other) {
-            *sum += part * entry;
-        }
-    }
-    change
+    });
+    &weighted * &modes.vectors.transpose()
 }
 
 /// Appends (s a − u)/sd with the s that makes its squares least, and its derivatives.
 fn add_shape(
     shape: &ShapeData,
     mode: &[f64],
-    changes: &[Vec<f64>],
+    changes: impl Iterator<Item = Vec<f64>>,
     residual: &mut Vec<f64>,
     jacobian: &mut Matrix,
 ) {
     let over_sd =
-        |values: Vec<f64>| -> Vec<f64> { values.iter().zip(&shape.sd).map(|(v, sd)| v / sd).collect() };
-    let computed = over_sd(shape.rows.times(mode));
-    let measured = over_sd(shape.displacement.clone());
+        |values: &[f64]| -> Vec<f64> { values.iter().zip(&shape.sd).map(|(v, sd)| v / sd).collect() };
+    let computed = over_sd(&shape.rows.times(mode));
+    let measured = over_sd(&shape.displacement);
     let square = product(&computed, &computed);
     let scale = product(&computed, &measured) / square;
     let first = residual.len();
     residual.extend(computed.iter().zip(&measured).map(|(a, u)| scale * a - u));
-    for (g, change) in changes.iter().enumerate() {
-        let change = over_sd(shape.rows.times(change));
+    for (g, change) in changes.enumerate() {
+        let change = over_sd(&change);
         let scale_change = (product(&change, &measured) - 2.0 * scale * product(&change, &computed)) / square;
         for (i, (da, a)) in change.iter().zip(&computed).enumerate() {
             jacobian[(first + i, g)] = scale * da + scale_change * a;

@@ -2,7 +2,7 @@
 
 use super::families::Family;
 use super::measured::{Assumed, MeasuredStackMode};
-use super::model::{Datum, ShapeData, product};
+use super::model::{Datum, ShapeData, Which, product};
 use super::motions::{displacement_row, moves};
 use super::result::{PairedBy, UnusedMode, WhyUnused};
 use super::stack_motion::StackMotion;
@@ -15,6 +15,8 @@ use std::f64::consts::TAU;
 const ALIKE_LEAST: f64 = 0.6;
 /// Modal assurance by which one mode must be more like the shape than any other. Chosen here.
 const FAVOUR_LEAST: f64 = 0.1;
+/// Kinetic energy of a motion from which a mode of several is clearly of that one. Chosen here.
+const CLEAR_LEAST: f64 = 0.75;
 /// Modes of one motion that a shape is compared with. Chosen here: nobody has measured higher ones on a stack.
 const COMPARED_MOST: usize = 8;
 
@@ -44,7 +46,7 @@ struct Computed {
 
 /// Pairs measured modes with those of the springs as drawn.
 ///
-/// A shape of two points or more says which mode it is, if it is like one and clearly less like the others. Without a shape modes are counted from the
+/// A shape of two points or more says which mode it is, if it is like one and clearly less like the others. Without such a shape modes are counted from the
 /// lowest of their motion; above the first the frequency must say the same: multiplied by the ratio of the lowest modes, that counted is the nearest.
 pub(super) fn pair(
     stack: &Stack,
@@ -75,7 +77,7 @@ pub(super) fn pair(
                     pairing.data.push(Datum {
                         motion,
                         family: at.family,
-                        order: at.order,
+                        which: which(&families[at.family], at, motion)?,
                         frequency_hz: measured_hz,
                         relative_sd: match one.mode.frequency_sd_hz {
                             0.0 => assumed.frequency_sd,
@@ -99,6 +101,24 @@ pub(super) fn pair(
         }
     }
     Ok(pairing)
+}
+
+/// By its order in the family, unless that holds modes of other motions too and this one is clearly of its own.
+fn which(family: &Family, at: &Computed, motion: StackMotion) -> Result<Which, LinalgError> {
+    let modes = family.modes(&vec![1.0; family.groups.len()])?;
+    let others = [StackMotion::X, StackMotion::Y, StackMotion::Torsion];
+    let has_others = others
+        .into_iter()
+        .any(|other| other != motion && !family.orders_of(&modes, other).is_empty());
+    let is_clear = family.share(modes.vectors.column(at.order), motion) >= CLEAR_LEAST;
+    let number = family
+        .orders_of(&modes, motion)
+        .iter()
+        .position(|order| *order == at.order);
+    Ok(match number {
+        Some(number) if has_others && is_clear => Which::OfMotion(number),
+        _ => Which::Order(at.order),
+    })
 }
 
 /// Computed modes of a motion, ascending.
@@ -146,7 +166,7 @@ impl Counting {
         shape: Option<&Shape>,
     ) -> Result<(usize, PairedBy), WhyUnused> {
         let found = match shape {
-            Some(shape) => self.by_shape(computed, shape),
+            Some(shape) => self.by_shape(computed, measured_hz, shape),
             None => self.by_order(computed, measured_hz),
         };
         match found {
@@ -161,7 +181,12 @@ impl Counting {
         found
     }
 
-    fn by_shape(&self, computed: &[Computed], shape: &Shape) -> Result<(usize, PairedBy), WhyUnused> {
+    fn by_shape(
+        &self,
+        computed: &[Computed],
+        measured_hz: f64,
+        shape: &Shape,
+    ) -> Result<(usize, PairedBy), WhyUnused> {
         let compared = computed.iter().take(COMPARED_MOST).enumerate();
         let mut alike: Vec<(usize, f64)> = compared.map(|(at, mode)| (at, shape.assurance(mode))).collect();
         alike.sort_by(|a, b| b.1.total_cmp(&a.1));
@@ -171,13 +196,19 @@ impl Counting {
         if assurance < ALIKE_LEAST {
             return Err(WhyUnused::ShapeUnlike { assurance });
         }
-        if let Some((_, second)) = alike
+        let second = alike
             .get(1)
-            .filter(|(_, second)| assurance - second < FAVOUR_LEAST)
-        {
-            return Err(WhyUnused::ShapesAlike {
-                assurance: [assurance, *second],
-            });
+            .filter(|(_, second)| assurance - second < FAVOUR_LEAST);
+        if let Some(&(_, second)) = second {
+            // too few points to tell: counted, if it is like the one counted
+            let (counted, by) = self.by_order(computed, measured_hz)?;
+            let is_alike = |(at, of): &(usize, f64)| *at == counted && assurance - of < FAVOUR_LEAST;
+            return match alike.iter().any(is_alike) {
+                true => Ok((counted, by)),
+                false => Err(WhyUnused::ShapesAlike {
+                    assurance: [assurance, second],
+                }),
+            };
         }
         match number < self.next {
             true => Err(WhyUnused::ShapeTaken { assurance }),

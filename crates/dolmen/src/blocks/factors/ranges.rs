@@ -9,14 +9,17 @@
 //! x_j is possible if  min over the other x in the band of χ²(x) ≤ χ²_least + 3.84 w²,   w² = max(1, χ²_least/(data − unknowns))
 //! ```
 //!
-//! One frequency decides by itself: the ends lie where all others are at one bound. Of several, the possible x_j farthest out is sought from outside
-//! inwards, each time from several starts, since different choices may explain the same modes.
+//! One frequency decides by itself: the ends lie where all others are at one bound. Where the best fit is one point, whatever the start, the ends are
+//! followed outwards from it. Else the possible x_j farthest out is sought from outside inwards, each time from several starts, since different
+//! choices may explain the same modes.
 
-use super::model::FactorModel;
+use super::bounds::crossing;
+use super::model::{Datum, FactorModel, Which};
 use super::result::FactorRange;
 use super::sight::TWO_SIDED_95;
 use crate::numeric::{BoundedFit, BoundedStop, Random, bounded_least_squares, chi_squared_quantile};
 use dolmen_linalg::{Matrix, svd};
+use rayon::prelude::*;
 
 /// χ² of one factor beyond the least, 95 % of one degree of freedom.
 const CHI_SQUARED_95: f64 = 3.841_458_820_694_124;
@@ -27,13 +30,23 @@ const STARTS: usize = 6;
 const SEED: u64 = 1;
 /// Points between the outermost bound and a possible factor at which it is asked whether a factor is possible. Chosen here.
 const SCAN: usize = 5;
-/// Ends are found to this in ln c, and to this part of the deviation where that is smaller. Chosen here: half a per cent.
-const END_WITHIN: f64 = 0.005;
-const END_WITHIN_SD: f64 = 0.05;
+/// Ends sought from outside are found to this in ln c. Chosen here: one per cent.
+const END_WITHIN: f64 = 0.01;
+/// Ends followed from the best fit are found to this part of their distance from it, in so many guesses at most. Chosen here.
+const END_NEAR: f64 = 0.01;
+const GUESSES: usize = 30;
+/// Where the fit of the others stops while one is held. Chosen here: far closer than ends are found.
+const PROFILE: BoundedStop = BoundedStop {
+    evaluations_most: 30,
+    enough: 0.0,
+    decrease_least: 1e-3,
+};
 /// Deviation of ln c above which no best value is stated: its interval would reach below 0.
 const RELATIVE_SD_MOST: f64 = 0.5;
 /// Part of a factor in combinations that the data do not see, from which they do not determine it. Chosen here.
 const UNSEEN_MOST: f64 = 1e-6;
+/// Two fits whose ln c differ by less are one point. Chosen here.
+const ONE_POINT: f64 = 0.01;
 /// Singular values below this part of the largest are rounding.
 const RANK: f64 = 1e-10;
 /// Factor on the linear interval of 95 % within which the range must lie for a best value to be stated: else another choice explains the modes as well. Chosen here.
@@ -59,9 +72,12 @@ pub(super) fn ranges(model: &FactorModel, centre: f64, half_band: f64) -> Option
         lower: vec![centre - half_band; n],
         upper: vec![centre + half_band; n],
         allowed: 0.0,
-        possible: Vec::new(),
+        one_point: None,
+        squares: 0.0,
     };
-    let best = search.best(centre)?;
+    let mut minima = search.minima(centre);
+    let at = (0..minima.len()).min_by(|&a, &b| minima[a].squares.total_cmp(&minima[b].squares))?;
+    let best = minima.swap_remove(at);
     let spare = model.data_count().saturating_sub(n);
     let excess = match spare {
         0 => 1.0,
@@ -70,10 +86,19 @@ pub(super) fn ranges(model: &FactorModel, centre: f64, half_band: f64) -> Option
     let most = chi_squared_quantile(EXPLAINED, model.data_count() as f64).ok()?;
     let explains = best.squares <= most;
     search.allowed = best.squares + CHI_SQUARED_95 * excess;
-    search.possible.push(best.x.clone());
+    minima.retain(|one| one.squares <= search.allowed);
+    let is_far = |one: &BoundedFit| one.x.iter().zip(&best.x).any(|(a, b)| (a - b).abs() > ONE_POINT);
+    let is_one_point = model.data_count() >= n && !minima.iter().any(is_far);
+    search.one_point = is_one_point.then(|| best.x.clone());
+    search.squares = best.squares;
+    let mut possible: Vec<Vec<f64>> = minima.into_iter().map(|one| one.x).collect();
+    possible.push(best.x.clone());
     let linear = linear(&best, n, excess.sqrt());
     let ranges: Vec<FactorRange> = match explains {
-        true => (0..n).map(|j| search.range(j, linear[j])).collect(),
+        true => (0..n)
+            .into_par_iter()
+            .map(|j| search.range(j, linear[j], possible.clone()))
+            .collect(),
         false => Vec::new(),
     };
     let determined = ranges.iter().zip(&linear).zip(&best.x).map(|((range, sd), x)| {
@@ -123,8 +148,17 @@ struct Search<'a> {
     upper: Vec<f64>,
     /// Sum of squares up to which a choice is possible.
     allowed: f64,
-    /// Choices known to be possible.
-    possible: Vec<Vec<f64>>,
+    /// The best, where all starts lead to it.
+    one_point: Option<Vec<f64>>,
+    /// The least sum of squares.
+    squares: f64,
+}
+
+/// One side of a factor.
+struct Side {
+    j: usize,
+    /// −1 down, 1 up.
+    sign: f64,
 }
 
 impl Search<'_> {
@@ -136,39 +170,41 @@ impl Search<'_> {
         bounded_least_squares(start, [&lower, &upper], stop, |x| self.model.residuals(x))
     }
 
-    /// The choice in the band that explains the modes best, from several starts.
-    fn best(&self, centre: f64) -> Option<BoundedFit> {
+    /// Choices in the band that explain the modes as well as any near them, from several starts.
+    fn minima(&self, centre: f64) -> Vec<BoundedFit> {
         let stop = BoundedStop {
             evaluations_most: 200,
             enough: 1e-20,
             decrease_least: 1e-14,
         };
         let n = self.lower.len();
-        let mut best: Option<BoundedFit> = self.fit(&vec![centre; n], None, &stop);
-        if n == 1 {
-            return best;
-        }
         let mut random = Random::new(SEED, 0);
-        for _ in 0..STARTS {
-            // in the middle half of the band
-            let width = 0.5 * (self.upper[0] - self.lower[0]);
-            let start: Vec<f64> = (0..n)
-                .map(|_| centre + width * (random.uniform() - 0.5))
-                .collect();
-            if let Some(found) = self.fit(&start, None, &stop)
-                && best.as_ref().is_none_or(|best| found.squares < best.squares)
-            {
-                best = Some(found);
-            }
+        let mut starts = vec![vec![centre; n]];
+        // in the middle half of the band
+        let width = 0.5 * (self.upper[0] - self.lower[0]);
+        for _ in 0..STARTS * usize::from(n > 1) {
+            starts.push(
+                (0..n)
+                    .map(|_| centre + width * (random.uniform() - 0.5))
+                    .collect(),
+            );
         }
-        best
+        let each = starts.par_iter().map(|start| self.fit(start, None, &stop));
+        let each: Vec<Option<BoundedFit>> = each.collect();
+        each.into_iter().flatten().collect()
     }
 
-    fn range(&mut self, j: usize, sd: Option<f64>) -> FactorRange {
-        let within = sd
-            .map_or(END_WITHIN, |sd| END_WITHIN.min(END_WITHIN_SD * sd))
-            .max(1e-9);
-        let [lower, upper] = [-1.0, 1.0].map(|side| self.end(j, side, within));
+    fn range(&self, j: usize, sd: Option<f64>, mut possible: Vec<Vec<f64>>) -> FactorRange {
+        let mut end = |sign| {
+            let side = Side { j, sign };
+            let bound = self.bound_of_each_frequency(&side);
+            match &self.one_point {
+                _ if self.is_one_frequency() => bound,
+                Some(best) => self.end_from(best, &side, bound, sd),
+                None => self.end_from_outside(&side, bound, &mut possible),
+            }
+        };
+        let (lower, upper) = (end(-1.0), end(1.0));
         FactorRange {
             lower: lower.exp(),
             upper: upper.exp(),
@@ -177,42 +213,80 @@ impl Search<'_> {
         }
     }
 
-    /// The farthest possible x_j on a side.
-    fn end(&mut self, j: usize, side: f64, within: f64) -> f64 {
-        let edge = match side < 0.0 {
-            true => self.lower[j],
-            false => self.upper[j],
-        };
-        let outermost = |possible: &[Vec<f64>]| {
-            let each = possible.iter().map(|x| x[j]);
-            each.fold(
-                -side * f64::INFINITY,
-                |far, x| if side * x > side * far { x } else { far },
-            )
-        };
-        let bound = self.bound_of_each_frequency(j, side, edge);
-        if self.is_one_frequency() {
+    /// The end on a side, followed outwards from the best fit: √(χ² − χ²_least) grows about as the distance, so that the next guess is where it meets
+    /// the bound, kept away from ends that are known.
+    fn end_from(&self, best: &[f64], side: &Side, bound: f64, sd: Option<f64>) -> f64 {
+        let from = best[side.j];
+        let far = (bound - from).abs();
+        let height = (self.allowed - self.squares).sqrt();
+        let linear = sd.map_or(far, |sd| (TWO_SIDED_95 * sd).min(far));
+        // how far out a factor is possible, and is not, each with √(χ² − χ²_least)
+        let (mut inside, mut outside) = ([0.0, 0.0], None::<[f64; 2]>);
+        let (mut way, mut last) = (linear, best.to_vec());
+        for _ in 0..GUESSES {
+            let at = from + side.sign * way;
+            let gone = (last[side.j] - from).abs();
+            let stretch = if gone > 0.0 { way / gone } else { 0.0 };
+            let start: Vec<f64> = best
+                .iter()
+                .zip(&last)
+                .map(|(best, last)| best + stretch * (last - best))
+                .collect();
+            let rise = match self.fit(&start, Some((side.j, at)), &PROFILE) {
+                Some(found) => {
+                    last.clone_from(&found.x);
+                    (found.squares - self.squares).max(0.0).sqrt()
+                }
+                None => f64::INFINITY,
+            };
+            match rise <= height {
+                true => inside = [way, rise],
+                false => outside = Some([way, rise]),
+            }
+            if way >= far && rise <= height {
+                return bound;
+            }
+            let is_near = (rise - height).abs() < END_NEAR * height;
+            if is_near || outside.is_some_and(|outside| outside[0] - inside[0] < 1e-9) {
+                break;
+            }
+            way = match outside {
+                None => (way * (height / rise.max(0.1 * height)).clamp(1.1, 4.0)).min(far),
+                Some(outside) => {
+                    let part = (height - inside[1]) / (outside[1] - inside[1]);
+                    let part = if part.is_finite() {
+                        part.clamp(0.1, 0.9)
+                    } else {
+                        0.5
+                    };
+                    inside[0] + part * (outside[0] - inside[0])
+                }
+            };
+        }
+        from + side.sign * way
+    }
+
+    /// The farthest possible x_j on a side, sought from outside inwards.
+    fn end_from_outside(&self, side: &Side, bound: f64, possible: &mut Vec<Vec<f64>>) -> f64 {
+        if self.is_possible(side, bound, possible) {
             return bound;
         }
-        if self.is_possible(j, bound) {
-            return bound;
-        }
-        let mut inside = outermost(&self.possible);
+        let farther = |a: f64, b: f64| if side.sign * a > side.sign * b { a } else { b };
+        let mut inside = possible
+            .iter()
+            .fold(-side.sign * f64::INFINITY, |far, x| farther(x[side.j], far));
         let mut outside = bound;
         for step in 1..SCAN {
             let at = bound + (inside - bound) * step as f64 / SCAN as f64;
-            if (at - inside).abs() < within {
-                break;
-            }
-            if self.is_possible(j, at) {
+            if self.is_possible(side, at, possible) {
                 inside = at;
                 break;
             }
             outside = at;
         }
-        while (outside - inside).abs() > within {
+        while (outside - inside).abs() > END_WITHIN {
             let middle = 0.5 * (outside + inside);
-            match self.is_possible(j, middle) {
+            match self.is_possible(side, middle, possible) {
                 true => inside = middle,
                 false => outside = middle,
             }
@@ -221,24 +295,29 @@ impl Search<'_> {
     }
 
     fn is_one_frequency(&self) -> bool {
-        matches!(self.model.data.as_slice(), [datum] if datum.shape.is_none())
+        let is_of_order = |datum: &Datum| matches!(datum.which, Which::Order(_));
+        matches!(self.model.data.as_slice(), [datum] if datum.shape.is_none() && is_of_order(datum))
     }
 
     /// The farthest x_j on a side at which each frequency by itself is possible for some choice of the others: none is farther out.
-    fn bound_of_each_frequency(&self, j: usize, side: f64, edge: f64) -> f64 {
+    fn bound_of_each_frequency(&self, side: &Side) -> f64 {
         // to be soft, the others must be stiff
-        let others = match side < 0.0 {
-            true => &self.upper,
-            false => &self.lower,
+        let (edge, others) = match side.sign < 0.0 {
+            true => (self.lower[side.j], &self.upper),
+            false => (self.upper[side.j], &self.lower),
         };
+        let band = [self.lower[side.j], self.upper[side.j]];
         let mut bound = edge;
         for datum in &self.model.data {
-            let off = side * self.allowed.sqrt() * datum.relative_sd;
-            let crossing = self
-                .model
-                .crossing(datum, j, others, [self.lower[j], self.upper[j]], off);
-            if let Some(x) = crossing {
-                bound = match side < 0.0 {
+            // only the frequency of an order rises with every factor
+            let Which::Order(order) = datum.which else {
+                continue;
+            };
+            let off = side.sign * self.allowed.sqrt() * datum.relative_sd;
+            let family = &self.model.families[datum.family];
+            let square = |factors: &[f64]| family.square_of(factors, order);
+            if let Some(x) = crossing(square, datum, side.j, others, band, off) {
+                bound = match side.sign < 0.0 {
                     true => bound.max(x),
                     false => bound.min(x),
                 };
@@ -247,27 +326,27 @@ impl Search<'_> {
         bound
     }
 
-    /// Whether some choice of the others explains the modes with x_j held.
-    fn is_possible(&mut self, j: usize, at: f64) -> bool {
+    /// Whether some choice of the others in the band explains the modes with x_j held.
+    fn is_possible(&self, side: &Side, at: f64, possible: &mut Vec<Vec<f64>>) -> bool {
         let stop = BoundedStop {
-            evaluations_most: 60,
             enough: self.allowed,
-            decrease_least: 1e-3,
+            ..PROFILE
         };
-        let nearest = self
-            .possible
+        let j = side.j;
+        let nearest = possible
             .iter()
             .min_by(|a, b| (a[j] - at).abs().total_cmp(&(b[j] - at).abs()));
-        let starts = [
-            nearest.cloned(),
-            Some(self.lower.clone()),
-            Some(self.upper.clone()),
-        ];
-        for start in starts.into_iter().flatten() {
+        // where one is soft the others are stiff
+        let others = match side.sign < 0.0 {
+            true => &self.upper,
+            false => &self.lower,
+        };
+        let starts: Vec<Vec<f64>> = nearest.into_iter().chain([others]).cloned().collect();
+        for start in starts {
             if let Some(found) = self.fit(&start, Some((j, at)), &stop)
                 && found.squares <= self.allowed
             {
-                self.possible.push(found.x);
+                possible.push(found.x);
                 return true;
             }
         }

@@ -16,8 +16,9 @@ impl FactorModel {
         let modes = self.modes(factors)?;
         let of = |datum: &Datum| {
             let modes = modes[datum.family].as_ref()?;
-            let mode = modes.vectors.column(datum.order);
-            let square = modes.values.get(datum.order).filter(|square| **square > 0.0)?;
+            let order = self.order(datum, modes)?;
+            let mode = modes.vectors.column(order);
+            let square = modes.values.get(order).filter(|square| **square > 0.0)?;
             let groups = self.families[datum.family].groups.iter().zip(factors);
             let share = groups.map(|(group, factor)| factor * product(mode, &group.times(mode)) / square);
             Some(share.collect())
