@@ -10,9 +10,9 @@ messages! {
     pub(crate) enum Modes in "identification.joint-modes" {
         One => { en: "the 1 measured mode", ko: "계측 모드 1개" },
         Several { count: usize } => { en: "the {count} measured modes", ko: "계측 모드 {count}개" },
-        AlongX { number: usize } => { en: "x {number}", ko: "x {number}" },
-        AlongY { number: usize } => { en: "y {number}", ko: "y {number}" },
-        Torsion { number: usize } => { en: "torsion {number}", ko: "비틀림 {number}" },
+        AlongX { number: usize } => { en: "x {number}", ko: "x 방향 {number}차" },
+        AlongY { number: usize } => { en: "y {number}", ko: "y 방향 {number}차" },
+        Torsion { number: usize } => { en: "torsion {number}", ko: "비틀림 {number}차" },
         X => { en: "along x", ko: "x 방향" },
         Y => { en: "along y", ko: "y 방향" },
         Twist => { en: "of torsion", ko: "비틀림" },
@@ -30,7 +30,6 @@ messages! {
         CommonHead => { en: "common", ko: "공통" },
         Best => { en: "best", ko: "최적" },
         Points => { en: "points", ko: "측점" },
-        Assurance => { en: "MAC", ko: "MAC" },
         AssumedSd => {
             en: "A frequency without a standard deviation is taken as known to 0.5 %: give its sd.",
             ko: "표준편차가 없는 고유진동수는 0.5 %까지 아는 것으로 보았다. sd를 주어야 한다.",
@@ -136,7 +135,7 @@ pub(super) fn table(answer: &FactorsAnswer) -> Table {
             Column::numbers(Modes::CommonHead, hz()),
             Column::numbers(Modes::Best, hz()),
             Column::numbers(Modes::Points, Unit::ratio()),
-            Column::numbers(Modes::Assurance, Unit::ratio()),
+            Column::numbers(Sentence::of_symbol("MAC"), Unit::ratio()),
         ],
         rows: answer.found.modes.iter().map(row).collect(),
     }

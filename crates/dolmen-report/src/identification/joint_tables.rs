@@ -45,8 +45,8 @@ messages! {
         From { low: Quantity, high: Quantity } => { en: "{low} to {high}", ko: "{low}~{high}" },
         Value { value: Quantity } => { en: "{value}", ko: "{value}" },
         NotSought => { en: "–", ko: "–" },
-        Normal { unit: String } => { en: "K_n ({unit})", ko: "K_n ({unit})" },
-        Shear { unit: String } => { en: "K_s ({unit})", ko: "K_s ({unit})" },
+        Normal { unit: String } => { en: "K_n ({unit})", ko: "수직강성 K_n ({unit})" },
+        Shear { unit: String } => { en: "K_s ({unit})", ko: "전단강성 K_s ({unit})" },
         Least => { en: "least", ko: "최소" },
         Best => { en: "best", ko: "최적" },
     }

@@ -54,14 +54,9 @@ messages! {
             ko: "{survey} 조사: 이 강성에서는 적층 구조가 평형을 찾지 못한다. [영문] {why}",
         },
         Head { survey: String } => { en: "Survey {survey}, springs of the joints", ko: "{survey} 조사, 접합부 강성" },
-        Band { low: Quantity, high: Quantity, of: Sentence } => {
-            en: "Least factor: were all other joints rigid, a softer one would put a mode two deviations below its measured frequency; it needs no assumption. Range: 95 %, if every factor lies between {low} and {high}, ten times the common factor each way{of}. Best: where the modes determine it, ± standard deviation.",
-            ko: "최소 배율은 다른 접합면이 모두 강체라 해도 이보다 무르면 어떤 모드가 계측 진동수보다 표준편차의 2배 이상 낮아지는 값으로, 가정이 필요 없다. 범위는 모든 배율이 공통 배율의 1/10과 10배인 {low}에서 {high} 사이에 있다고 볼 때의 95 % 범위이다{of}. 최적값은 모드로 정해지는 경우에만 표준편차와 함께 나타냈다.",
-        },
-        NoMore => { en: "", ko: "" },
-        Searched => {
-            en: "; of several modes it is searched from several starts",
-            ko: "(모드가 여럿이면 여러 시작점에서 탐색한 값)",
+        Band { low: Quantity, high: Quantity } => {
+            en: "Least factor: were all other joints rigid, a softer one would put a mode two deviations below its measured frequency; it needs no assumption. Range: 95 %, if every factor lies between {low} and {high}, ten times the common factor each way; it is exact for one frequency of a stack whose sway and twist do not couple, else searched from several starts. Best: where the modes determine it, ± standard deviation.",
+            ko: "최소 배율은 다른 접합면이 모두 강체라 해도 이보다 무르면 어떤 모드가 계측 진동수보다 표준편차의 2배 이상 낮아지는 값으로, 가정이 필요 없다. 범위는 모든 배율이 공통 배율의 1/10과 10배인 {low}에서 {high} 사이에 있다고 볼 때의 95 % 범위이다(병진과 비틀림이 연성되지 않고 고유진동수가 하나이면 정확한 값, 그 밖에는 여러 시작점에서 탐색한 값). 최적값은 모드로 정해지는 경우에만 표준편차와 함께 나타냈다.",
         },
         Beds => {
             en: "The stack has many joints: those of one plane share a factor.",
@@ -265,15 +260,7 @@ pub(super) fn section<'a>(document: &mut Document<'a>, survey: &str, answer: &'a
     document.put(Block::Table(joint_modes::table(answer)));
     document.put(Block::Table(joint_tables::factors(answer)));
     let [low, high] = band(answer);
-    let of = match found.modes.as_slice() {
-        [one] if one.shape_points == 0 => Joints::NoMore,
-        _ => Joints::Searched,
-    };
-    document.note(Joints::Band {
-        low,
-        high,
-        of: of.into(),
-    });
+    document.note(Joints::Band { low, high });
     document.figure(
         vec![Joints::FigureCaption.into(), Joints::FigureMeaning.into()],
         move |language| joint_factors(answer, language),

@@ -2,6 +2,7 @@
 
 pub(crate) mod check;
 pub(crate) mod factors;
+mod factors_answer;
 pub(crate) mod frequencies;
 mod repeats;
 mod runs;
@@ -9,7 +10,7 @@ pub(crate) mod simulate;
 mod simulation;
 pub(crate) mod study;
 
-pub use factors::FactorsAnswer;
+pub use factors_answer::FactorsAnswer;
 pub use repeats::{Repeat, Repeats, Spread};
 pub use runs::{LeftOut, StackRuns};
 pub use simulate::Law;
