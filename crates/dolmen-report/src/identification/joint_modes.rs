@@ -34,7 +34,7 @@ messages! {
             en: "A frequency without a standard deviation is taken as known to 0.5 %: give its sd.",
             ko: "표준편차가 없는 고유진동수는 0.5 %까지 아는 것으로 보았다. sd를 주어야 한다.",
         },
-        CountedModes => {
+        NoneMissed => {
             en: "Modes paired by order are taken as the lowest of their direction, with none missed below; if the survey missed one, every factor is wrong.",
             ko: "순서로 짝지은 모드는 그 방향의 가장 낮은 모드부터 빠짐없이 계측한 것으로 보았다. 빠진 모드가 있으면 모든 배율이 틀린다.",
         },
@@ -146,7 +146,7 @@ pub(super) fn notes(answer: &FactorsAnswer) -> Vec<Modes> {
     let modes = &answer.found.modes;
     let mut all = Vec::new();
     if modes.iter().any(|mode| mode.paired_by == PairedBy::Order) {
-        all.push(Modes::CountedModes);
+        all.push(Modes::NoneMissed);
     }
     if answer.is_from_record {
         all.push(Modes::FromRecord);
