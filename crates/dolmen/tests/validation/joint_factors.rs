@@ -2,6 +2,8 @@
 //! GOAL: factors on the springs of joints from measured modes, their bounds and their ranges.
 //! PARAMETERS: towers of boxes of 2600 kg/m³ on K_n 1e9, K_s 4e8 Pa/m; gravity of 0.005 m/s² where the rest must not move (settlement changes ω²/k by 1e-4
 //! under the earth's).
+//! MEASURED: of 200 random towers, half of them off the middle, 94 % of factors lie in their range (95 % meant), 95.5 % of those determined within 1.96
+//! deviations; Monte Carlo deviations .0108, .0239, .0102, .0216 against .0119, .0257, .0104, .0209 linear.
 //! TOLERANCE: stated at each; 1e-6 where nothing but rounding and settlement differs.
 
 use dolmen::blocks::{
@@ -342,9 +344,7 @@ fn holds_the_truth_lies_in_the_ranges_of_random_towers() {
             excluded += usize::from(factor.least.is_some_and(|least| least > *truth));
         }
     }
-    println!(
-        "{inside} of {all} factors in their range, {near} of {determined} determined within 1.96 deviations, {excluded} below their least"
-    );
+    // 833 of 884 in their range, 405 of 424 within 1.96 deviations, none below its least
     assert!(inside as f64 >= 0.9 * all as f64, "{inside} of {all}");
     assert!(determined > all / 10 && near as f64 >= 0.9 * determined as f64);
     // two deviations: one-sided 2.3 %, and only where all others are all but rigid
@@ -384,9 +384,12 @@ fn agrees_deviations_with_those_of_noisy_measurements() {
         let n = f64::from(runs);
         let sd = ((square - sum * sum / n) / (n - 1.0)).sqrt();
         let ratio = sd / factor.relative_sd.unwrap();
-        println!("Monte Carlo {sd:.4}, linear {:.4}", factor.relative_sd.unwrap());
         // 150 runs know a deviation to 6 %
-        assert!((0.82..1.22).contains(&ratio), "{ratio}");
+        assert!(
+            (0.82..1.22).contains(&ratio),
+            "Monte Carlo {sd}, linear {:?}",
+            factor.relative_sd
+        );
     }
 }
 
