@@ -129,6 +129,16 @@ Weights and lengths give the least stiffness that each joint needs, not the stif
 `dolmen identify`, or write assumed values with `source = \"assumed\"` and a `cov`.",
     },
     Explanation {
+        code: "joints-unseen",
+        title: "Joints that the measured modes do not see",
+        text: "\
+A mode moves mostly on a few joints: its strain energy there is how much its frequency changes with their stiffness, and a
+joint without energy may be as stiff or as soft as it likes. With m frequencies at most m combinations of factors are
+fixed, however many joints there are. What is left: one factor for all joints; for each joint the least factor, which holds
+whatever the others are; and a range that assumes every factor to lie within ten times the common one. Measure shapes at
+many heights, or higher modes: points above and below a joint show how much it gives.",
+    },
+    Explanation {
         code: "limit-analysis",
         title: "Several stones move together",
         text: "\

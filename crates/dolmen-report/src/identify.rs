@@ -55,6 +55,7 @@ fn nothing(answer: &IdentifyAnswer) -> Option<Nothing> {
             && survey.setups.is_none()
             && survey.stiffness.is_empty()
             && survey.plan.is_none()
+            && survey.factors.is_none()
             && survey.without_stiffness.is_none()
     };
     let surveys = answer.surveys.iter().filter(is_empty);

@@ -7,6 +7,7 @@ use crate::kinds;
 use crate::opened::Opened;
 use crate::progress::{Progress, Stage};
 use crate::record;
+use crate::stack::factors::{self as stack, factors};
 use crate::surveyed::{RecordAnswer, SetupsAnswer, StiffnessAnswer, SurveyAnswer, WithoutStiffness};
 use crate::wrong::Place;
 use dolmen::modal::{
@@ -115,6 +116,7 @@ pub(crate) fn found_in(
         setups,
         stiffness: Vec::new(),
         plan: None,
+        factors: None,
         without_stiffness: None,
     })
 }
@@ -217,6 +219,12 @@ fn of_survey(
             Some(FromModes::Plan(plan)) => answer.plan = Some(plan),
             Some(FromModes::Without(why)) => answer.without_stiffness = Some(why),
             None => {}
+        }
+    }
+    if let Structure::Stack(part) = &project.structure {
+        match factors(part, survey, &answer).within(context)? {
+            stack::FromModes::Factors(found) => answer.factors = Some(found),
+            stack::FromModes::Without(why) => answer.without_stiffness = Some(why),
         }
     }
     Ok(answer)

@@ -1,6 +1,8 @@
 //! What was identified from one survey.
 
 use crate::building::PlanAnswer;
+use crate::stack::FactorsAnswer;
+use dolmen::blocks::JointFactorsError;
 use dolmen::modal::{JointSetups, MergedMode, MergedSetups, ModalAnalysis, Modes, Note, SensorDoubt};
 use dolmen::signal::ChannelFault;
 use dolmen::structure::building::PlanStiffnessError;
@@ -32,6 +34,18 @@ pub enum WithoutStiffness {
     OnlyRecord,
     /// The modes of a building are refused.
     Plan(PlanStiffnessError),
+    /// A survey of a stack states no modes, and its records show none along x or y.
+    NoStackModes {
+        /// Whether it has records.
+        has_record: bool,
+    },
+    /// A survey of a stack states modes in directions that a stack does not sway along.
+    OtherDirections {
+        /// The directions.
+        directions: Vec<String>,
+    },
+    /// The modes of a stack lead to no factors on its springs.
+    Stack(Box<JointFactorsError>),
 }
 
 impl std::fmt::Display for WithoutStiffness {
@@ -64,6 +78,23 @@ impl std::fmt::Display for WithoutStiffness {
                 "no stiffness is sought: the survey states no modes of the building; write those that its record shows as modes or frequencies along x, y and torsion"
             ),
             WithoutStiffness::Plan(why) => write!(f, "no stiffness is sought: {why}"),
+            WithoutStiffness::NoStackModes { has_record: false } => write!(
+                f,
+                "no factors on the springs of the joints are sought: the survey states no frequencies or modes along x, y or of torsion, and has no records"
+            ),
+            WithoutStiffness::NoStackModes { has_record: true } => write!(
+                f,
+                "no factors on the springs of the joints are sought: the records show no mode along x or y; give position and direction of the channels, or \
+                 write the modes into the survey"
+            ),
+            WithoutStiffness::OtherDirections { directions } => write!(
+                f,
+                "no factors on the springs of the joints are sought: a stack sways along x and y and twists (torsion), but the survey states modes in direction {}",
+                directions.join(", ")
+            ),
+            WithoutStiffness::Stack(why) => {
+                write!(f, "no factors on the springs of the joints are found: {why}")
+            }
         }
     }
 }
@@ -81,6 +112,8 @@ pub struct SurveyAnswer {
     pub stiffness: Vec<StiffnessAnswer>,
     /// Stiffness in plan from its modes, of a building with one floor.
     pub plan: Option<Box<PlanAnswer>>,
+    /// Factors on the springs of the joints from its modes, of a stack.
+    pub factors: Option<Box<FactorsAnswer>>,
     /// Why its modes lead to no stiffness, where they do not.
     pub without_stiffness: Option<WithoutStiffness>,
 }

@@ -7,7 +7,7 @@ use serde_json::Value;
 use std::collections::BTreeSet;
 use std::fs;
 
-const COMMANDS: [&str; 34] = [
+const COMMANDS: [&str; 35] = [
     "check examples/naju_flagpole --samples 20 --sensitivity",
     "check examples/naju_flagpole/wind.toml",
     "check examples/heunginjimun_gate",
@@ -22,6 +22,7 @@ const COMMANDS: [&str; 34] = [
     "identify examples/heunginjimun_gate",
     "identify examples/struck_column",
     "identify examples/gate_in_plan",
+    "identify examples/five_storey_pagoda",
     "compare examples/gate_through_the_seasons",
     "watch examples/pagoda_over_the_years",
     "simulate examples/three_storey_pagoda --motion el-centro-1940-ns --keep-first 2",

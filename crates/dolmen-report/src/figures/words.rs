@@ -73,6 +73,7 @@ messages! {
         GroundDisplacement => { en: "Displacement (m)", ko: "변위 (m)" },
         RmsRatio => { en: "RMS over that without a damper", ko: "비제어 대비 RMS 비" },
         GoalRatio => { en: "Goal over that without a damper", ko: "목표값의 비제어 대비 비" },
+        FactorOnSprings => { en: "Factor on the springs of the file (–)", ko: "파일의 접합부 강성에 대한 배율 (–)" },
         FirstMotion => { en: "Horizontal acceleration of first motion (g)", ko: "거동 시작 수평가속도 (g)" },
         Logarithmic { name: String } => { en: "{name}, log scale", ko: "{name}, 로그 눈금" },
     }
@@ -119,6 +120,7 @@ messages! {
         OpeningOfTheJoints => { en: "Opening of the joints", ko: "접합면의 벌어짐" },
         SlipOfTheJoints => { en: "Slip of the joints", ko: "접합면의 미끄러짐" },
         YawOfTheJoints => { en: "Yaw of the joints", ko: "접합면의 수평 회전" },
+        FactorsOfTheJoints => { en: "Factors on the springs of the joints", ko: "접합면별 강성 배율" },
         WhatGovernsEachJoint => { en: "What governs each joint", ko: "접합면별 지배 거동" },
         CapacityOfEachJoint => { en: "Capacity of each joint", ko: "접합면별 저항 가속도" },
         CapacityAgainstAnInput => { en: "Capacity against an input", ko: "입력변수에 따른 내진성능" },
@@ -136,6 +138,17 @@ messages! {
         ResponseSpectrum { percent: String } => { en: "Response spectrum, damping {percent} %", ko: "응답 스펙트럼, 감쇠비 {percent} %" },
         SlippingShare => { en: "Share of the time in which a storey slips", ko: "미끄러짐 시간 비율" },
         MovingShare => { en: "Share of the time in which a joint is open or slips", ko: "접합면 벌어짐·미끄러짐 시간 비율" },
+    }
+}
+
+messages! {
+    /// Legends of the factors on the springs of joints.
+    pub(crate) enum Factors in "figure.factors" {
+        Common => { en: "common factor", ko: "공통 배율" },
+        Range => { en: "range (95 %)", ko: "범위 (95 %)" },
+        NotSeen => { en: "not seen", ko: "알 수 없음" },
+        Least => { en: "least", ko: "최소" },
+        Best => { en: "best", ko: "최적" },
     }
 }
 
@@ -312,7 +325,8 @@ messages! {
 }
 
 /// The words of figures as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 8] = [
+pub(crate) const TEMPLATES: [&[Template]; 9] = [
+    Factors::TEMPLATES,
     Columns::TEMPLATES,
     Axes::TEMPLATES,
     Titles::TEMPLATES,

@@ -91,6 +91,7 @@ pub(crate) fn gate() -> ProjectReport {
     let check = Check::Frame(checks.collect());
     let survey = SurveyAnswer {
         plan: None,
+        factors: None,
         without_stiffness: None,
         setups: None,
         records: None,
@@ -321,6 +322,7 @@ pub(crate) fn survey() -> ProjectReport {
                 [survey.now.records]\nfile = \"r.csv\"\nsampling_rate = \"100 Hz\"\n";
     let survey = SurveyAnswer {
         plan: None,
+        factors: None,
         without_stiffness: None,
         name: "now".into(),
         setups: None,

@@ -1,5 +1,6 @@
 //! What stiffness from vibration says in plain words.
 
+use super::joints;
 use super::notes::stiffness_note;
 use super::place::place;
 use super::plan;
@@ -96,7 +97,12 @@ pub(crate) fn findings(project: &Project, all: &[SurveyAnswer]) -> Vec<Finding> 
         .iter()
         .filter_map(|survey| Some((survey, survey.plan.as_ref()?)));
     let in_plan = in_plan.flat_map(|(survey, answer)| plan::findings(&survey.name, answer));
+    let joint_by_joint = all
+        .iter()
+        .filter_map(|survey| Some((survey, survey.factors.as_ref()?)));
+    let joint_by_joint = joint_by_joint.flat_map(|(survey, answer)| joints::findings(&survey.name, answer));
     own.chain(in_plan)
+        .chain(joint_by_joint)
         .chain(unsought.map(without))
         .chain(others)
         .collect()
@@ -117,6 +123,13 @@ fn without(why: &WithoutStiffness) -> Finding {
         WithoutStiffness::WallsTurned => plan::Plan::WhatTurned.into(),
         WithoutStiffness::OnlyRecord => plan::Plan::WhatRecord.into(),
         WithoutStiffness::Plan(why) => plan::refused(why).into(),
+        WithoutStiffness::NoStackModes { has_record: false } => joints::Joints::NoModes.into(),
+        WithoutStiffness::NoStackModes { has_record: true } => joints::Joints::NoModesInRecord.into(),
+        WithoutStiffness::OtherDirections { directions } => joints::Joints::OtherDirections {
+            directions: directions.clone(),
+        }
+        .into(),
+        WithoutStiffness::Stack(why) => joints::refused(why).into(),
     };
     Finding::key(Tone::Warn, said)
 }

@@ -1,6 +1,9 @@
 //! What vibration says of the stiffness of a structure: findings, and the section of every solution.
 
 mod findings;
+mod joint_modes;
+mod joint_tables;
+mod joints;
 mod left_out;
 mod notes;
 mod place;
@@ -38,7 +41,7 @@ messages! {
 }
 
 /// The sentences on stiffness from vibration as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 9] = [
+pub(crate) const TEMPLATES: [&[Template]; 12] = [
     findings::Found::TEMPLATES,
     place::Place::TEMPLATES,
     words::Words::TEMPLATES,
@@ -46,6 +49,9 @@ pub(crate) const TEMPLATES: [&[Template]; 9] = [
     solutions::Solutions::TEMPLATES,
     seen::Seen::TEMPLATES,
     plan::Plan::TEMPLATES,
+    joints::Joints::TEMPLATES,
+    joint_modes::Modes::TEMPLATES,
+    joint_tables::Tables::TEMPLATES,
     notes::Notes::TEMPLATES,
     left_out::Left::TEMPLATES,
 ];
@@ -55,7 +61,7 @@ pub(crate) fn sections<'a>(project: &'a Project, all: &'a [SurveyAnswer]) -> Doc
     let mut document = Document::default();
     if all
         .iter()
-        .all(|survey| survey.stiffness.is_empty() && survey.plan.is_none())
+        .all(|survey| survey.stiffness.is_empty() && survey.plan.is_none() && survey.factors.is_none())
     {
         return document;
     }
@@ -66,6 +72,9 @@ pub(crate) fn sections<'a>(project: &'a Project, all: &'a [SurveyAnswer]) -> Doc
         }
         if let Some(answer) = &survey.plan {
             plan::section(&mut document, &survey.name, answer);
+        }
+        if let Some(answer) = &survey.factors {
+            joints::section(&mut document, &survey.name, answer);
         }
         if let Some(said) = seen::masses(survey, project) {
             document.note(said);

@@ -3,6 +3,7 @@
 use super::check::project;
 use super::with::with;
 use crate::modal::{decay_remarks, setup_remarks};
+use dolmen::blocks::JointFactor;
 use dolmen::modal::{Agreement, AtAmplitude, Decay, MergedMode, Method, Mode, ModeDecay, Modes, Settings};
 use dolmen::signal::Channel;
 use dolmen::structure::building::{PlanMode, PlanSolution};
@@ -10,6 +11,7 @@ use dolmen_words::advice::Advice;
 use dolmen_words::{Language, Sentence};
 use dolmen_work::answer::IdentifyAnswer;
 use dolmen_work::building::PlanAnswer;
+use dolmen_work::stack::FactorsAnswer;
 use dolmen_work::surveyed::{RecordAnswer, SetupsAnswer, StiffnessAnswer, SurveyAnswer};
 use serde_json::{Value, json};
 
@@ -28,6 +30,7 @@ fn survey(survey: &SurveyAnswer) -> Value {
         "setups": survey.setups.as_ref().map(setups),
         "stiffness": survey.stiffness.iter().map(stiffness).collect::<Vec<_>>(),
         "plan": survey.plan.as_deref().map(plan),
+        "joint_factors": survey.factors.as_deref().map(joint_factors),
         "without_stiffness": survey.without_stiffness.as_ref().map(ToString::to_string),
     })
 }
@@ -186,6 +189,38 @@ fn plan(answer: &PlanAnswer) -> Value {
         "complete": found.complete,
         "singles": found.singles,
         "free": found.free,
+    })
+}
+
+/// Factors on the springs of a stack's joints, SI.
+fn joint_factors(answer: &FactorsAnswer) -> Value {
+    let found = &answer.found;
+    let factor = |(at, one): (usize, &JointFactor)| {
+        let [upper, lower] = answer.names(at);
+        with(
+            one,
+            json!({
+                "upper": upper,
+                "lower": lower,
+                "stiffness_in_file_pa_m": answer.drawn_stiffness_pa_m(at),
+            }),
+        )
+    };
+    json!({
+        "of": found.of,
+        "common": found.common,
+        "band": found.band,
+        "factors": found.factors.iter().enumerate().map(factor).collect::<Vec<_>>(),
+        "modes": found.modes,
+        "unused": found.unused,
+        "fixed_combinations": found.fixed_combinations,
+        "singular_values": found.singular_values,
+        "best_misfit": found.best_misfit,
+        "explains": found.explains,
+        "open_joints": found.open_joints,
+        "resettled_change": found.resettled.as_ref().ok(),
+        "resettled_error": found.resettled.as_ref().err().map(Advice::advised),
+        "other_directions": answer.other_directions,
     })
 }
 

@@ -1,6 +1,8 @@
 //! Stacks: stone pagodas and other blocks on each other.
 
 pub(crate) mod check;
+pub(crate) mod factors;
+mod factors_answer;
 pub(crate) mod frequencies;
 mod repeats;
 mod runs;
@@ -8,6 +10,7 @@ pub(crate) mod simulate;
 mod simulation;
 pub(crate) mod study;
 
+pub use factors_answer::FactorsAnswer;
 pub use repeats::{Repeat, Repeats, Spread};
 pub use runs::{LeftOut, StackRuns};
 pub use simulate::Law;

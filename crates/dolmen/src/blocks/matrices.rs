@@ -3,8 +3,8 @@
 //! Degrees of freedom: of each block the displacement of its centroid [m] and its turn [rad] about it, in the ground's axes.
 
 use super::assembly::Assembly;
-use super::links::Prop;
-use super::patch::LANES;
+use super::links::{Link, Prop};
+use super::patch::{LANES, Patch};
 use dolmen_linalg::Matrix;
 use glam::{DMat3, DVec3};
 
@@ -123,54 +123,111 @@ fn cross_matrix(v: DVec3) -> DMat3 {
     )
 }
 
+/// What two bodies have between them: a contact, a dowel or a clamp.
+struct Between {
+    /// Indices of the bodies, 0 the ground, each with the way from its centroid to the point.
+    ends: [(usize, DVec3); 2],
+    bond: Bond,
+}
+
 /// Stiffness or damping of everything in contact, [6n × 6n].
 pub(super) fn contact_matrix(assembly: &Assembly, part: Part, closed: Closed) -> Matrix {
-    let bodies = &assembly.bodies;
-    let size = 6 * (bodies.len() - 1);
+    let size = 6 * (assembly.bodies.len() - 1);
     let mut matrix = Matrix::zeros(size, size);
     for patch in assembly.patches() {
-        let motion = patch.motion(bodies);
-        let axes = motion.to_ground;
-        let (normal, shear) = match part {
-            Part::Springs => (patch.law.normal_stiffness, patch.law.shear_stiffness),
-            Part::Dashpots => (patch.law.normal_damping, patch.law.shear_damping),
-        };
-        let mut bond = Bond::none();
-        for group in &patch.points {
-            for lane in 0..LANES {
-                let at = patch.place(group, lane, &motion);
-                let bonded = group.bond[lane] > 0.0;
-                let open = match closed {
-                    Closed::Touching => at.z > ROUNDING_M,
-                    Closed::Pressed | Closed::Stuck => at.z >= 0.0,
-                };
-                if group.area[lane] <= 0.0 || (open && !bonded) {
-                    continue;
-                }
-                let stretch = (at.x - group.anchor_x[lane]).hypot(at.y - group.anchor_y[lane]);
-                let limit = group.friction[lane] * patch.law.normal_stiffness * -at.z;
-                let slips = closed == Closed::Pressed
-                    && !bonded
-                    && patch.law.shear_stiffness * stretch > SLIPPING * limit;
-                let shear = if slips { 0.0 } else { shear };
-                bond.add(at, DVec3::new(shear, shear, normal) * group.area[lane]);
-            }
-        }
-        let end = |body: usize| (body, motion.origin - bodies[body].position);
-        let ends = [end(patch.plane_body), end(patch.point_body)];
-        bond.turned(&axes).add_to(&mut matrix, ends);
+        let between = across_patch(assembly, patch, part, closed);
+        between.bond.add_to(&mut matrix, between.ends);
     }
     if part == Part::Springs {
         for link in assembly.links().iter().filter(|link| !link.broken) {
-            let axis = bodies[link.lower].rotation * link.axis;
-            let outer = DMat3::from_cols(axis * axis.x, axis * axis.y, axis * axis.z);
-            let across = DMat3::IDENTITY - outer;
-            let stiffness = outer * link.axial_stiffness + across * link.shear_stiffness;
-            let end = |body: usize| (body, bodies[body].now(link.drawn) - bodies[body].position);
-            Bond::at_point(stiffness).add_to(&mut matrix, [end(link.lower), end(link.upper)]);
+            let between = across_link(assembly, link);
+            between.bond.add_to(&mut matrix, between.ends);
         }
     }
     matrix
+}
+
+/// Springs between two bodies by themselves.
+#[derive(Clone, Debug)]
+pub(super) struct SpringsBetween {
+    /// Indices of the bodies, 0 the ground.
+    pub(super) bodies: [usize; 2],
+    /// Whether they are those of a dowel or clamp.
+    pub(super) is_link: bool,
+    /// Stiffness of both bodies, [12 × 12]; rows of the ground are 0.
+    pub(super) stiffness: Matrix,
+}
+
+/// The springs of everything in contact, one by one: their sum is [`contact_matrix`].
+pub(super) fn springs_between(assembly: &Assembly, closed: Closed) -> Vec<SpringsBetween> {
+    let patches = assembly
+        .patches()
+        .map(|patch| (across_patch(assembly, patch, Part::Springs, closed), false));
+    let links = assembly.links().iter().filter(|link| !link.broken);
+    let links = links.map(|link| (across_link(assembly, link), true));
+    let alone = patches.chain(links).map(|(between, is_link)| {
+        let bodies = between.ends.map(|(body, _)| body);
+        // as the only two bodies: 1 and 2, the ground 0
+        let mut ends = between.ends;
+        for (own, (body, _)) in ends.iter_mut().enumerate() {
+            *body = (own + 1) * usize::from(*body > 0);
+        }
+        let mut stiffness = Matrix::zeros(12, 12);
+        between.bond.add_to(&mut stiffness, ends);
+        SpringsBetween {
+            bodies,
+            is_link,
+            stiffness,
+        }
+    });
+    alone.collect()
+}
+
+fn across_patch(assembly: &Assembly, patch: &Patch, part: Part, closed: Closed) -> Between {
+    let bodies = &assembly.bodies;
+    let motion = patch.motion(bodies);
+    let (normal, shear) = match part {
+        Part::Springs => (patch.law.normal_stiffness, patch.law.shear_stiffness),
+        Part::Dashpots => (patch.law.normal_damping, patch.law.shear_damping),
+    };
+    let mut bond = Bond::none();
+    for group in &patch.points {
+        for lane in 0..LANES {
+            let at = patch.place(group, lane, &motion);
+            let bonded = group.bond[lane] > 0.0;
+            let open = match closed {
+                Closed::Touching => at.z > ROUNDING_M,
+                Closed::Pressed | Closed::Stuck => at.z >= 0.0,
+            };
+            if group.area[lane] <= 0.0 || (open && !bonded) {
+                continue;
+            }
+            let stretch = (at.x - group.anchor_x[lane]).hypot(at.y - group.anchor_y[lane]);
+            let limit = group.friction[lane] * patch.law.normal_stiffness * -at.z;
+            let slips = closed == Closed::Pressed
+                && !bonded
+                && patch.law.shear_stiffness * stretch > SLIPPING * limit;
+            let shear = if slips { 0.0 } else { shear };
+            bond.add(at, DVec3::new(shear, shear, normal) * group.area[lane]);
+        }
+    }
+    let end = |body: usize| (body, motion.origin - bodies[body].position);
+    Between {
+        ends: [end(patch.plane_body), end(patch.point_body)],
+        bond: bond.turned(&motion.to_ground),
+    }
+}
+
+fn across_link(assembly: &Assembly, link: &Link) -> Between {
+    let bodies = &assembly.bodies;
+    let axis = bodies[link.lower].rotation * link.axis;
+    let outer = DMat3::from_cols(axis * axis.x, axis * axis.y, axis * axis.z);
+    let across = DMat3::IDENTITY - outer;
+    let end = |body: usize| (body, bodies[body].now(link.drawn) - bodies[body].position);
+    Between {
+        ends: [end(link.lower), end(link.upper)],
+        bond: Bond::at_point(outer * link.axial_stiffness + across * link.shear_stiffness),
+    }
 }
 
 /// Adds the side supports as if all were met: for the stable step.

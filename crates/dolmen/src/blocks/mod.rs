@@ -10,6 +10,7 @@ mod contact_points;
 mod ensemble;
 mod error;
 mod faces;
+mod factors;
 mod fall;
 mod forces;
 mod frequencies;
@@ -50,6 +51,10 @@ pub use contact_law::{ContactLaw, simulate_stack};
 pub use contact_points::{ContactPoint, ContactRule, contact_points};
 pub use ensemble::{StackRun, simulate_springs_many};
 pub use error::BlocksError;
+pub use factors::{
+    CommonFactor, FactorRange, JointFactor, JointFactors, JointFactorsError, JointFactorsOptions,
+    MeasuredStackMode, PairedBy, PairedMode, StackMotion, StiffnessOf, UnusedMode, WhyUnused, joint_factors,
+};
 pub use frequencies::{StackMode, first_sway, stack_modes, sway_amplification};
 pub use history::{Energy, JointHistory, Outcome, Pose, RigidEvidence, StackHistory};
 pub use rigid::{Rigid, simulate_rigid};

@@ -1,6 +1,7 @@
 //! Mathematics that knows nothing of structures: roots, statistics, seeded random numbers, Fourier transforms.
 
 mod assignment;
+mod bounded_least_squares;
 mod chi_squared;
 mod complex_solve;
 mod crossing;
@@ -19,6 +20,7 @@ mod statistics;
 mod student;
 
 pub use assignment::assignment;
+pub(crate) use bounded_least_squares::{BoundedFit, BoundedStop, bounded_least_squares};
 pub use chi_squared::{chi_squared_above, chi_squared_quantile};
 pub(crate) use complex_solve::complex_solve;
 pub(crate) use crossing::{COEFFICIENTS_MOST, first_descent, polynomial, polynomial_most};

@@ -25,6 +25,7 @@ mod frame_friction;
 mod frame_laws;
 mod free_columns;
 mod ground_motions;
+mod joint_factors;
 mod limit_analysis_microlp;
 mod liquid_columns;
 mod lost_samples;

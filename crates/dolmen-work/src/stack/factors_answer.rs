@@ -1,0 +1,56 @@
+//! What the modes of a survey say of the springs of a stack's joints.
+
+use dolmen::blocks::{JointFactors, StiffnessOf};
+use dolmen::structure::LeftOut;
+use dolmen::structure::stack::{Body, Stack};
+
+/// What the modes of a survey say of the springs of a stack's joints.
+#[derive(Clone, Debug)]
+pub struct FactorsAnswer {
+    /// The stack as the file has it.
+    pub stack: Stack,
+    /// The factors.
+    pub found: JointFactors,
+    /// Modes of the survey's records that are not along x or y.
+    pub left_out: Vec<LeftOut>,
+    /// Directions of the survey that a stack does not sway along.
+    pub other_directions: Vec<String>,
+    /// Whether modes of records are among them: counted from the lowest that the record shows.
+    pub is_from_record: bool,
+}
+
+impl FactorsAnswer {
+    /// What lies on what, of a factor of one joint; of a bed the stones that lie on it.
+    pub fn names(&self, factor: usize) -> [Vec<&str>; 2] {
+        let joints = self.found.factors.get(factor).map_or(&[][..], |of| &of.joints);
+        let joints = joints.iter().filter_map(|&joint| self.stack.joints().get(joint));
+        let (mut upper, mut lower): (Vec<&str>, Vec<&str>) = (Vec::new(), Vec::new());
+        for joint in joints {
+            for (names, name) in [
+                (&mut upper, self.stack.name(Body::Block(joint.upper))),
+                (&mut lower, self.stack.name(joint.lower)),
+            ] {
+                if !names.contains(&name) {
+                    names.push(name);
+                }
+            }
+        }
+        [upper, lower]
+    }
+
+    /// K_n and K_s of the file, Pa/m, of a factor; `None` where its joints differ.
+    pub fn drawn_stiffness_pa_m(&self, factor: usize) -> Option<[f64; 2]> {
+        let joints = &self.found.factors.get(factor)?.joints;
+        let of = |joint: &usize| {
+            let material = self.stack.joints()[*joint].material;
+            [material.normal_stiffness_pa_m, material.shear_stiffness_pa_m]
+        };
+        let first = of(joints.first()?);
+        joints.iter().all(|joint| of(joint) == first).then_some(first)
+    }
+
+    /// Whether a factor is of all joints of a bed.
+    pub fn is_of_beds(&self) -> bool {
+        self.found.of == StiffnessOf::Bed
+    }
+}

@@ -1,0 +1,49 @@
+//! Why no factors are found.
+
+use super::super::error::BlocksError;
+use super::result::UnusedMode;
+use dolmen_linalg::LinalgError;
+
+/// Why measured modes lead to no factor on the springs of a stack.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum JointFactorsError {
+    /// No mode is given.
+    #[error("no measured mode along x, along y or of torsion is given: give at least one frequency")]
+    NoModes,
+    /// A number of a mode that cannot be.
+    #[error("{quantity} of the mode at {frequency_hz} Hz is {given}, but must be {allowed}")]
+    Mode {
+        /// Which number.
+        quantity: &'static str,
+        /// Its value.
+        given: f64,
+        /// Frequency of the mode, Hz.
+        frequency_hz: f64,
+        /// What is allowed.
+        allowed: &'static str,
+    },
+    /// An option out of its range.
+    #[error("{option} is {given}, but must be {allowed}")]
+    Option {
+        /// Its name.
+        option: &'static str,
+        /// The value given.
+        given: f64,
+        /// What is allowed.
+        allowed: &'static str,
+    },
+    /// No measured mode has a computed one that it certainly is.
+    #[error(
+        "none of the measured modes can be told to be one of those of the stack: measure their shapes, or state the lowest of each direction"
+    )]
+    NonePaired {
+        /// The modes, and why.
+        unused: Vec<UnusedMode>,
+    },
+    /// The stack finds no rest, or cannot be.
+    #[error(transparent)]
+    Blocks(#[from] BlocksError),
+    /// A decomposition failed.
+    #[error(transparent)]
+    Linalg(#[from] LinalgError),
+}

@@ -1,0 +1,183 @@
+//! Frequencies and shapes as functions of the logarithms of the factors, with their derivatives.
+//!
+//! | symbol | code | meaning | unit |
+//! |:--|:--|:--|:--|
+//! | x_g | `x` | ln c_g of the springs of factor g | – |
+//! | φ_q, λ_q | | mode of order q of its family, φᵀ M φ = 1, and ω² of it | |
+//! | a | `computed` | displacement at the points measured, of any scale | |
+//! | s | `scale` | scale that brings a nearest to what was measured | |
+
+use super::families::Family;
+use super::stack_motion::StackMotion;
+use crate::numeric::Residuals;
+use dolmen_linalg::{Matrix, SymmetricEigen};
+use std::f64::consts::TAU;
+
+/// A measured shape.
+pub(super) struct ShapeData {
+    /// Rows that give the displacements at its points from a mode in the basis of the family, [points × d].
+    pub(super) rows: Matrix,
+    pub(super) displacement: Vec<f64>,
+    pub(super) sd: Vec<f64>,
+}
+
+/// Which mode of a family a measured one is.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Which {
+    /// That of this order, 0 the lowest: of motions of one kind.
+    Order(usize),
+    /// That of this number among those mostly of the measured motion, 0 the lowest: where sway along x, along y and twist couple, modes of one kind
+    /// pass those of another as springs change.
+    OfMotion(usize),
+}
+
+/// A measured mode beside the computed one that it is taken for.
+pub(super) struct Datum {
+    pub(super) motion: StackMotion,
+    pub(super) family: usize,
+    pub(super) which: Which,
+    pub(super) frequency_hz: f64,
+    /// Standard deviation of ln f.
+    pub(super) relative_sd: f64,
+    pub(super) shape: Option<ShapeData>,
+}
+
+/// The families of a stack and what was measured of them.
+pub(super) struct FactorModel {
+    pub(super) families: Vec<Family>,
+    pub(super) data: Vec<Datum>,
+    pub(super) unknowns: usize,
+}
+
+impl FactorModel {
+    /// Frequencies and points of shapes, less one a shape for its scale.
+    pub(super) fn data_count(&self) -> usize {
+        let of = |datum: &Datum| {
+            1 + datum
+                .shape
+                .as_ref()
+                .map_or(0, |shape| shape.displacement.len() - 1)
+        };
+        self.data.iter().map(of).sum()
+    }
+
+    /// Modes of the families that are measured; `None` if a decomposition fails.
+    pub(super) fn modes(&self, factors: &[f64]) -> Option<Vec<Option<SymmetricEigen>>> {
+        let of = |(at, family): (usize, &Family)| match self.data.iter().any(|datum| datum.family == at) {
+            true => family.modes(factors).ok().map(Some),
+            false => Some(None),
+        };
+        self.families.iter().enumerate().map(of).collect()
+    }
+
+    /// Order of a measured mode among those of its family.
+    pub(super) fn order(&self, datum: &Datum, modes: &SymmetricEigen) -> Option<usize> {
+        match datum.which {
+            Which::Order(order) => Some(order),
+            Which::OfMotion(number) => {
+                let orders = self.families[datum.family].orders_of(modes, datum.motion);
+                orders.get(number).copied()
+            }
+        }
+    }
+
+    /// Order of a measured mode among those of its family with these factors.
+    pub(super) fn order_at(&self, datum: &Datum, factors: &[f64]) -> Option<usize> {
+        match datum.which {
+            Which::Order(order) => Some(order),
+            Which::OfMotion(_) => {
+                let modes = self.families[datum.family].modes(factors).ok()?;
+                self.order(datum, &modes)
+            }
+        }
+    }
+
+    /// Frequency of a measured mode, Hz.
+    pub(super) fn frequency_hz(&self, datum: &Datum, factors: &[f64]) -> Option<f64> {
+        let order = self.order_at(datum, factors)?;
+        let square = self.families[datum.family].square_of(factors, order)?;
+        Some(square.max(0.0).sqrt() / TAU)
+    }
+
+    /// ln f: (computed − measured)/sd, shapes: (s a − u)/sd, and their derivatives by x; `None` where a mode has no frequency.
+    ///
+    /// ```text
+    /// d ln f/dx_g = c_g φᵀ K_g φ / (2 λ),    dφ_q/dx_g = Σ_p φ_p c_g φ_pᵀ K_g φ_q / (λ_q − λ_p)
+    /// ```
+    pub(super) fn residuals(&self, x: &[f64]) -> Option<Residuals> {
+        let factors: Vec<f64> = x.iter().map(|x| x.exp()).collect();
+        let modes = self.modes(&factors)?;
+        let shapes = self.data.iter().filter_map(|datum| datum.shape.as_ref());
+        let rows = self.data.len() + shapes.map(|shape| shape.displacement.len()).sum::<usize>();
+        let mut residual = Vec::with_capacity(rows);
+        let mut jacobian = Matrix::zeros(rows, x.len());
+        for datum in &self.data {
+            let modes = modes[datum.family].as_ref()?;
+            let family = &self.families[datum.family];
+            let order = self.order(datum, modes)?;
+            let square = modes.values.get(order).copied().filter(|square| *square > 0.0)?;
+            let mode = modes.vectors.column(order);
+            let row = residual.len();
+            residual.push((square.sqrt() / (TAU * datum.frequency_hz)).ln() / datum.relative_sd);
+            // K_g φ_q, times c_g
+            let forces: Vec<Vec<f64>> = family
+                .groups
+                .iter()
+                .zip(&factors)
+                .map(|(group, factor)| group.times(mode).iter().map(|force| factor * force).collect())
+                .collect();
+            for (g, force) in forces.iter().enumerate() {
+                jacobian[(row, g)] = 0.5 * product(mode, force) / (square * datum.relative_sd);
+            }
+            if let Some(shape) = &datum.shape {
+                let response = response(shape, modes, order);
+                let changes = forces.iter().map(|force| response.times(force));
+                add_shape(shape, mode, changes, &mut residual, &mut jacobian);
+            }
+        }
+        Some(Residuals { residual, jacobian })
+    }
+}
+
+/// Change of the displacements at the points of a shape by forces on the stones, Σ_p (rows φ_p) φ_pᵀ / (λ_q − λ_p) over all other modes, [points × d].
+fn response(shape: &ShapeData, modes: &SymmetricEigen, order: usize) -> Matrix {
+    let at_points = &shape.rows * &modes.vectors;
+    let size = modes.values.len();
+    let weighted = Matrix::from_fn(at_points.rows(), size, |i, p| {
+        let apart = modes.values[order] - modes.values[p];
+        match p == order || apart == 0.0 {
+            true => 0.0,
+            false => at_points[(i, p)] / apart,
+        }
+    });
+    &weighted * &modes.vectors.transpose()
+}
+
+/// Appends (s a − u)/sd with the s that makes its squares least, and its derivatives.
+fn add_shape(
+    shape: &ShapeData,
+    mode: &[f64],
+    changes: impl Iterator<Item = Vec<f64>>,
+    residual: &mut Vec<f64>,
+    jacobian: &mut Matrix,
+) {
+    let over_sd =
+        |values: &[f64]| -> Vec<f64> { values.iter().zip(&shape.sd).map(|(v, sd)| v / sd).collect() };
+    let computed = over_sd(&shape.rows.times(mode));
+    let measured = over_sd(&shape.displacement);
+    let square = product(&computed, &computed);
+    let scale = product(&computed, &measured) / square;
+    let first = residual.len();
+    residual.extend(computed.iter().zip(&measured).map(|(a, u)| scale * a - u));
+    for (g, change) in changes.enumerate() {
+        let change = over_sd(&change);
+        let scale_change = (product(&change, &measured) - 2.0 * scale * product(&change, &computed)) / square;
+        for (i, (da, a)) in change.iter().zip(&computed).enumerate() {
+            jacobian[(first + i, g)] = scale * da + scale_change * a;
+        }
+    }
+}
+
+pub(super) fn product(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}

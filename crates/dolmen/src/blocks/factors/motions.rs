@@ -1,0 +1,69 @@
+//! How a stack moves in a computed mode.
+
+use super::stack_motion::StackMotion;
+use crate::structure::stack::{Block, Stack};
+use dolmen_linalg::Matrix;
+
+/// Kinetic energy along an axis from which a mode is one of swaying along it: as for the first sway.
+const SWAY_LEAST: f64 = 0.25;
+/// Kinetic energy of turning about the vertical from which a mode is one of torsion. Chosen here: more than half of it.
+const TWIST_LEAST: f64 = 0.5;
+/// Heights closer than this are one, m. Chosen here: far below any stone.
+const AT_BED_M: f64 = 1e-6;
+
+/// Whether a mode of unit modal mass moves so: `displacements` are three of the centroid and three turns a block.
+pub(super) fn moves(stack: &Stack, mass: &Matrix, displacements: &[f64], motion: StackMotion) -> bool {
+    match motion.axis() {
+        Some(axis) => sway_share(mass, displacements, axis) >= SWAY_LEAST,
+        None => twist_share(stack, mass, displacements) >= TWIST_LEAST,
+    }
+}
+
+fn sway_share(mass: &Matrix, displacements: &[f64], axis: usize) -> f64 {
+    let along = (axis..displacements.len()).step_by(6);
+    along.map(|i| mass[(i, i)] * displacements[i].powi(2)).sum()
+}
+
+/// Kinetic energy of each block's turning about the vertical through the centroid of the stack.
+fn twist_share(stack: &Stack, mass: &Matrix, displacements: &[f64]) -> f64 {
+    let whole = stack.mass_kg();
+    let centre = [0, 1].map(|axis| {
+        let of = |block: &Block| block.mass_kg() * block.solid.centroid_m()[axis];
+        stack.blocks().iter().map(of).sum::<f64>() / whole
+    });
+    let each = stack.blocks().iter().enumerate().map(|(at, block)| {
+        let moved = &displacements[6 * at..6 * at + 6];
+        let [x, y] = [0, 1].map(|axis| block.solid.centroid_m()[axis] - centre[axis]);
+        let (m, polar) = (block.mass_kg(), mass[(6 * at + 5, 6 * at + 5)]);
+        let inertia = m * (x * x + y * y) + polar;
+        let momentum = m * (x * moved[1] - y * moved[0]) + polar * moved[5];
+        momentum * momentum / inertia
+    });
+    each.sum()
+}
+
+/// Row that gives the displacement along an axis at a height from those of the blocks: of the stones there, their mean by mass. On a bed it is the stone below.
+pub(super) fn displacement_row(stack: &Stack, height_m: f64, axis: usize) -> Vec<f64> {
+    let blocks = stack.blocks();
+    let mut row = vec![0.0; 6 * blocks.len()];
+    if height_m <= AT_BED_M {
+        return row; // the ground
+    }
+    let reaches = |block: &Block| {
+        let [low, high] = block.solid.bounds_m();
+        low[2] < height_m - AT_BED_M && height_m <= high[2] + AT_BED_M
+    };
+    let there: Vec<usize> = (0..blocks.len()).filter(|&at| reaches(&blocks[at])).collect();
+    let whole: f64 = there.iter().map(|&at| blocks[at].mass_kg()).sum();
+    for at in there {
+        let weight = blocks[at].mass_kg() / whole;
+        let above = height_m - blocks[at].solid.centroid_m()[2];
+        row[6 * at + axis] = weight;
+        // u + θ × r: θ_y z along x, −θ_x z along y
+        match axis {
+            0 => row[6 * at + 4] = weight * above,
+            _ => row[6 * at + 3] = -weight * above,
+        }
+    }
+    row
+}

@@ -1,0 +1,355 @@
+//! Where each factor can lie if all lie in a band, and the factors themselves where the modes determine them.
+//!
+//! | symbol | code | meaning | unit |
+//! |:--|:--|:--|:--|
+//! | x_j | | ln c_j | – |
+//! | χ²(x) | `squares` | squares of (computed − measured)/sd | |
+//!
+//! ```text
+//! x_j is possible if  min over the other x in the band of χ²(x) ≤ χ²_least + 3.84 w²,   w² = max(1, χ²_least/(data − unknowns))
+//! ```
+//!
+//! One frequency decides by itself: the ends lie where all others are at one bound. Where the best fit is one point, whatever the start, the ends are
+//! followed outwards from it. Else the possible x_j farthest out is sought from outside inwards, each time from several starts, since different
+//! choices may explain the same modes.
+
+use super::bounds::crossing;
+use super::model::{Datum, FactorModel, Which};
+use super::result::FactorRange;
+use super::sight::TWO_SIDED_95;
+use crate::numeric::{BoundedFit, BoundedStop, Random, bounded_least_squares, chi_squared_quantile};
+use dolmen_linalg::{Matrix, svd};
+use rayon::prelude::*;
+
+/// χ² of one factor beyond the least, 95 % of one degree of freedom.
+const CHI_SQUARED_95: f64 = 3.841_458_820_694_124;
+/// χ² that chance exceeds in one of a thousand surveys: beyond that nothing in the band explains the modes. Chosen here.
+const EXPLAINED: f64 = 0.999;
+/// Starts of the best fit beside that at the common factor, and their seed. Chosen here.
+const STARTS: usize = 6;
+const SEED: u64 = 1;
+/// Points between the outermost bound and a possible factor at which it is asked whether a factor is possible. Chosen here.
+const SCAN: usize = 5;
+/// Ends sought from outside are found to this in ln c. Chosen here: one per cent.
+const END_WITHIN: f64 = 0.01;
+/// Ends followed from the best fit are found to this part of their distance from it, in so many guesses at most. Chosen here.
+const END_NEAR: f64 = 0.01;
+const GUESSES: usize = 30;
+/// Where the fit of the others stops while one is held. Chosen here: far closer than ends are found.
+const PROFILE: BoundedStop = BoundedStop {
+    evaluations_most: 30,
+    enough: 0.0,
+    decrease_least: 1e-3,
+};
+/// Deviation of ln c above which no best value is stated: its interval would reach below 0.
+const RELATIVE_SD_MOST: f64 = 0.5;
+/// Part of a factor in combinations that the data do not see, from which they do not determine it. Chosen here.
+const UNSEEN_MOST: f64 = 1e-6;
+/// Two fits whose ln c differ by less are one point. Chosen here.
+const ONE_POINT: f64 = 0.01;
+/// Singular values below this part of the largest are rounding.
+const RANK: f64 = 1e-10;
+/// Factor on the linear interval of 95 % within which the range must lie for a best value to be stated: else another choice explains the modes as well. Chosen here.
+const LINEAR_WITHIN: f64 = 2.0;
+
+/// The band, and what was found in it.
+pub(super) struct Ranges {
+    pub(super) best: Vec<f64>,
+    pub(super) squares: f64,
+    /// Whether the best explains the modes within what chance allows.
+    pub(super) explains: bool,
+    /// Best value and deviation of ln c of each factor that is determined.
+    pub(super) determined: Vec<Option<[f64; 2]>>,
+    /// Of each factor; empty if nothing in the band explains the modes.
+    pub(super) ranges: Vec<FactorRange>,
+}
+
+/// The ranges of all factors whose ln lies within `half_band` of `centre`; `None` if the modes have no frequencies there.
+pub(super) fn ranges(model: &FactorModel, centre: f64, half_band: f64) -> Option<Ranges> {
+    let n = model.unknowns;
+    let mut search = Search {
+        model,
+        lower: vec![centre - half_band; n],
+        upper: vec![centre + half_band; n],
+        allowed: 0.0,
+        one_point: None,
+        squares: 0.0,
+    };
+    let mut minima = search.minima(centre);
+    let at = (0..minima.len()).min_by(|&a, &b| minima[a].squares.total_cmp(&minima[b].squares))?;
+    let best = minima.swap_remove(at);
+    let spare = model.data_count().saturating_sub(n);
+    let excess = match spare {
+        0 => 1.0,
+        spare => (best.squares / spare as f64).max(1.0),
+    };
+    let most = chi_squared_quantile(EXPLAINED, model.data_count() as f64).ok()?;
+    let explains = best.squares <= most;
+    search.allowed = best.squares + CHI_SQUARED_95 * excess;
+    minima.retain(|one| one.squares <= search.allowed);
+    let is_far = |one: &BoundedFit| one.x.iter().zip(&best.x).any(|(a, b)| (a - b).abs() > ONE_POINT);
+    let is_one_point = model.data_count() >= n && !minima.iter().any(is_far);
+    search.one_point = is_one_point.then(|| best.x.clone());
+    search.squares = best.squares;
+    let mut possible: Vec<Vec<f64>> = minima.into_iter().map(|one| one.x).collect();
+    possible.push(best.x.clone());
+    let linear = linear(&best, n, excess.sqrt());
+    let ranges: Vec<FactorRange> = match explains {
+        true => (0..n)
+            .into_par_iter()
+            .map(|j| search.range(j, linear[j], possible.clone()))
+            .collect(),
+        false => Vec::new(),
+    };
+    let determined = ranges.iter().zip(&linear).zip(&best.x).map(|((range, sd), x)| {
+        let sd = sd.filter(|sd| *sd <= RELATIVE_SD_MOST)?;
+        let most = LINEAR_WITHIN * TWO_SIDED_95 * sd + END_WITHIN;
+        let is_near = x - range.lower.ln() <= most && range.upper.ln() - x <= most;
+        let is_inside = !range.is_lower_of_band && !range.is_upper_of_band;
+        (is_near && is_inside).then_some([x.exp(), sd])
+    });
+    let mut determined: Vec<Option<[f64; 2]>> = determined.collect();
+    determined.resize(n, None);
+    Some(Ranges {
+        squares: best.squares,
+        best: best.x,
+        explains,
+        determined,
+        ranges,
+    })
+}
+
+/// Deviation of each ln c that the data determine near the best fit.
+fn linear(best: &BoundedFit, n: usize, widened: f64) -> Vec<Option<f64>> {
+    let j = &best.at.jacobian;
+    let rows = j.rows().max(n);
+    let tall = Matrix::from_fn(rows, n, |i, g| if i < j.rows() { j[(i, g)] } else { 0.0 });
+    let Ok(f) = svd(&tall) else {
+        return vec![None; n];
+    };
+    let least = RANK * f.s.first().copied().unwrap_or(0.0);
+    let of = |g: usize| {
+        let (mut variance, mut unseen) = (0.0, 0.0);
+        for (k, s) in f.s.iter().enumerate() {
+            let part = f.v[(g, k)].powi(2);
+            match *s > least {
+                true => variance += part / (s * s),
+                false => unseen += part,
+            }
+        }
+        (unseen < UNSEEN_MOST).then_some(widened * variance.sqrt())
+    };
+    (0..n).map(of).collect()
+}
+
+struct Search<'a> {
+    model: &'a FactorModel,
+    lower: Vec<f64>,
+    upper: Vec<f64>,
+    /// Sum of squares up to which a choice is possible.
+    allowed: f64,
+    /// The best, where all starts lead to it.
+    one_point: Option<Vec<f64>>,
+    /// The least sum of squares.
+    squares: f64,
+}
+
+/// One side of a factor.
+struct Side {
+    j: usize,
+    /// −1 down, 1 up.
+    sign: f64,
+}
+
+impl Search<'_> {
+    fn fit(&self, start: &[f64], held: Option<(usize, f64)>, stop: &BoundedStop) -> Option<BoundedFit> {
+        let (mut lower, mut upper) = (self.lower.clone(), self.upper.clone());
+        if let Some((j, at)) = held {
+            (lower[j], upper[j]) = (at, at);
+        }
+        bounded_least_squares(start, [&lower, &upper], stop, |x| self.model.residuals(x))
+    }
+
+    /// Choices in the band that explain the modes as well as any near them, from several starts.
+    fn minima(&self, centre: f64) -> Vec<BoundedFit> {
+        let stop = BoundedStop {
+            evaluations_most: 200,
+            enough: 1e-20,
+            decrease_least: 1e-14,
+        };
+        let n = self.lower.len();
+        let mut random = Random::new(SEED, 0);
+        let mut starts = vec![vec![centre; n]];
+        // in the middle half of the band
+        let width = 0.5 * (self.upper[0] - self.lower[0]);
+        for _ in 0..STARTS * usize::from(n > 1) {
+            starts.push(
+                (0..n)
+                    .map(|_| centre + width * (random.uniform() - 0.5))
+                    .collect(),
+            );
+        }
+        let each = starts.par_iter().map(|start| self.fit(start, None, &stop));
+        let each: Vec<Option<BoundedFit>> = each.collect();
+        each.into_iter().flatten().collect()
+    }
+
+    fn range(&self, j: usize, sd: Option<f64>, mut possible: Vec<Vec<f64>>) -> FactorRange {
+        let mut end = |sign| {
+            let side = Side { j, sign };
+            let bound = self.bound_of_each_frequency(&side);
+            match &self.one_point {
+                _ if self.is_one_frequency() => bound,
+                Some(best) => self.end_from(best, &side, bound, sd),
+                None => self.end_from_outside(&side, bound, &mut possible),
+            }
+        };
+        let (lower, upper) = (end(-1.0), end(1.0));
+        FactorRange {
+            lower: lower.exp(),
+            upper: upper.exp(),
+            is_lower_of_band: lower <= self.lower[j],
+            is_upper_of_band: upper >= self.upper[j],
+        }
+    }
+
+    /// The end on a side, followed outwards from the best fit: √(χ² − χ²_least) grows about as the distance, so that the next guess is where it meets
+    /// the bound, kept away from ends that are known.
+    fn end_from(&self, best: &[f64], side: &Side, bound: f64, sd: Option<f64>) -> f64 {
+        let from = best[side.j];
+        let far = (bound - from).abs();
+        let height = (self.allowed - self.squares).sqrt();
+        let linear = sd.map_or(far, |sd| (TWO_SIDED_95 * sd).min(far));
+        // how far out a factor is possible, and is not, each with √(χ² − χ²_least)
+        let (mut inside, mut outside) = ([0.0, 0.0], None::<[f64; 2]>);
+        let (mut way, mut last) = (linear, best.to_vec());
+        for _ in 0..GUESSES {
+            let at = from + side.sign * way;
+            let gone = (last[side.j] - from).abs();
+            let stretch = if gone > 0.0 { way / gone } else { 0.0 };
+            let start: Vec<f64> = best
+                .iter()
+                .zip(&last)
+                .map(|(best, last)| best + stretch * (last - best))
+                .collect();
+            let rise = match self.fit(&start, Some((side.j, at)), &PROFILE) {
+                Some(found) => {
+                    last.clone_from(&found.x);
+                    (found.squares - self.squares).max(0.0).sqrt()
+                }
+                None => f64::INFINITY,
+            };
+            match rise <= height {
+                true => inside = [way, rise],
+                false => outside = Some([way, rise]),
+            }
+            if way >= far && rise <= height {
+                return bound;
+            }
+            let is_near = (rise - height).abs() < END_NEAR * height;
+            if is_near || outside.is_some_and(|outside| outside[0] - inside[0] < 1e-9) {
+                break;
+            }
+            way = match outside {
+                None => (way * (height / rise.max(0.1 * height)).clamp(1.1, 4.0)).min(far),
+                Some(outside) => {
+                    let part = (height - inside[1]) / (outside[1] - inside[1]);
+                    let part = if part.is_finite() {
+                        part.clamp(0.1, 0.9)
+                    } else {
+                        0.5
+                    };
+                    inside[0] + part * (outside[0] - inside[0])
+                }
+            };
+        }
+        from + side.sign * way
+    }
+
+    /// The farthest possible x_j on a side, sought from outside inwards.
+    fn end_from_outside(&self, side: &Side, bound: f64, possible: &mut Vec<Vec<f64>>) -> f64 {
+        if self.is_possible(side, bound, possible) {
+            return bound;
+        }
+        let farther = |a: f64, b: f64| if side.sign * a > side.sign * b { a } else { b };
+        let mut inside = possible
+            .iter()
+            .fold(-side.sign * f64::INFINITY, |far, x| farther(x[side.j], far));
+        let mut outside = bound;
+        for step in 1..SCAN {
+            let at = bound + (inside - bound) * step as f64 / SCAN as f64;
+            if self.is_possible(side, at, possible) {
+                inside = at;
+                break;
+            }
+            outside = at;
+        }
+        while (outside - inside).abs() > END_WITHIN {
+            let middle = 0.5 * (outside + inside);
+            match self.is_possible(side, middle, possible) {
+                true => inside = middle,
+                false => outside = middle,
+            }
+        }
+        inside
+    }
+
+    fn is_one_frequency(&self) -> bool {
+        let is_of_order = |datum: &Datum| matches!(datum.which, Which::Order(_));
+        matches!(self.model.data.as_slice(), [datum] if datum.shape.is_none() && is_of_order(datum))
+    }
+
+    /// The farthest x_j on a side at which each frequency by itself is possible for some choice of the others: none is farther out.
+    fn bound_of_each_frequency(&self, side: &Side) -> f64 {
+        // to be soft, the others must be stiff
+        let (edge, others) = match side.sign < 0.0 {
+            true => (self.lower[side.j], &self.upper),
+            false => (self.upper[side.j], &self.lower),
+        };
+        let band = [self.lower[side.j], self.upper[side.j]];
+        let mut bound = edge;
+        for datum in &self.model.data {
+            // only the frequency of an order rises with every factor
+            let Which::Order(order) = datum.which else {
+                continue;
+            };
+            let off = side.sign * self.allowed.sqrt() * datum.relative_sd;
+            let family = &self.model.families[datum.family];
+            let square = |factors: &[f64]| family.square_of(factors, order);
+            if let Some(x) = crossing(square, datum, side.j, others, band, off) {
+                bound = match side.sign < 0.0 {
+                    true => bound.max(x),
+                    false => bound.min(x),
+                };
+            }
+        }
+        bound
+    }
+
+    /// Whether some choice of the others in the band explains the modes with x_j held.
+    fn is_possible(&self, side: &Side, at: f64, possible: &mut Vec<Vec<f64>>) -> bool {
+        let stop = BoundedStop {
+            enough: self.allowed,
+            ..PROFILE
+        };
+        let j = side.j;
+        let nearest = possible
+            .iter()
+            .min_by(|a, b| (a[j] - at).abs().total_cmp(&(b[j] - at).abs()));
+        // where one is soft the others are stiff
+        let others = match side.sign < 0.0 {
+            true => &self.upper,
+            false => &self.lower,
+        };
+        let starts: Vec<Vec<f64>> = nearest.into_iter().chain([others]).cloned().collect();
+        for start in starts {
+            if let Some(found) = self.fit(&start, Some((j, at)), &stop)
+                && found.squares <= self.allowed
+            {
+                possible.push(found.x);
+                return true;
+            }
+        }
+        false
+    }
+}

@@ -1,0 +1,188 @@
+//! What measured modes say of the springs of a stack.
+
+use super::super::error::BlocksError;
+use super::stack_motion::StackMotion;
+
+/// What one factor multiplies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
+pub enum StiffnessOf {
+    /// The springs of one joint.
+    Joint,
+    /// Those of all joints of one plane: a stack of many joints.
+    Bed,
+}
+
+/// How a measured mode was found to be one of those computed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
+pub enum PairedBy {
+    /// By counting from the lowest of its direction.
+    Order,
+    /// By its shape.
+    Shape,
+}
+
+/// A measured mode and the computed one that it is taken for.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct PairedMode {
+    /// How the stack moves in it.
+    pub motion: StackMotion,
+    /// Its number among the computed modes of that motion, 1 the lowest.
+    pub number: usize,
+    /// How it was found to be that one.
+    pub paired_by: PairedBy,
+    /// Measured, Hz.
+    pub measured_hz: f64,
+    /// Standard deviation of it that was used, Hz.
+    pub measured_sd_hz: f64,
+    /// Whether that was assumed, for want of one measured.
+    pub is_sd_assumed: bool,
+    /// Points of its shape that were used.
+    pub shape_points: usize,
+    /// With the springs as drawn, Hz.
+    pub drawn_hz: f64,
+    /// With the common factor, Hz.
+    pub common_hz: f64,
+    /// With the factors that fit best, Hz; `None` where none were sought.
+    pub best_hz: Option<f64>,
+    /// Modal assurance of the measured shape and the computed one at the common factor; `None` with fewer points than 2.
+    pub assurance: Option<f64>,
+    /// Share of the strain energy of the mode in the springs of each factor, at the common factor. With those of dowels and clamps,
+    /// which no factor multiplies, the sum is 1.
+    pub energy_shares: Vec<f64>,
+}
+
+/// Why a measured mode is not used.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(
+    feature = "serde",
+    derive(serde::Serialize),
+    serde(tag = "why", rename_all = "snake_case")
+)]
+pub enum WhyUnused {
+    /// The stack has fewer such modes.
+    TooMany {
+        /// Computed modes of that motion.
+        computed: usize,
+    },
+    /// Counted from the lowest it is one mode, but its frequency is nearer to that of another.
+    BetweenModes {
+        /// Of the one counted, with the factor of the lowest, Hz.
+        counted_hz: f64,
+        /// Of the nearest, Hz.
+        nearest_hz: f64,
+    },
+    /// Its shape is as like one computed mode as another.
+    ShapesAlike {
+        /// Modal assurance with both.
+        assurance: [f64; 2],
+    },
+    /// Its shape is like that of no computed mode.
+    ShapeUnlike {
+        /// The largest modal assurance.
+        assurance: f64,
+    },
+    /// Its shape is like one that a lower measured mode is taken for.
+    ShapeTaken {
+        /// Modal assurance with it.
+        assurance: f64,
+    },
+    /// It is counted from a lower one that is not used.
+    AfterUnused,
+}
+
+/// A measured mode that is not used.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct UnusedMode {
+    /// How the stack moves in it.
+    pub motion: StackMotion,
+    /// Measured, Hz.
+    pub measured_hz: f64,
+    /// Why.
+    pub why: WhyUnused,
+}
+
+/// One factor for the springs of all joints.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct CommonFactor {
+    /// The factor.
+    pub factor: f64,
+    /// Standard deviation of its logarithm, widened by the misfit where there are data to spare.
+    pub relative_sd: f64,
+    /// Root mean square of (computed − measured)/deviation.
+    pub misfit: f64,
+}
+
+/// Where a factor can lie.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct FactorRange {
+    /// The least.
+    pub lower: f64,
+    /// The largest.
+    pub upper: f64,
+    /// Whether the lower end is that of the band: these modes allow any lower factor.
+    pub is_lower_of_band: bool,
+    /// Whether the upper end is that of the band.
+    pub is_upper_of_band: bool,
+}
+
+impl FactorRange {
+    /// Whether the range is the whole band.
+    pub fn is_band(&self) -> bool {
+        self.is_lower_of_band && self.is_upper_of_band
+    }
+}
+
+/// The factor on the springs of a joint, or of all joints of a bed.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct JointFactor {
+    /// Indices of the joints.
+    pub joints: Vec<usize>,
+    /// A softer one is excluded whatever the others are: were all others rigid, a mode would still lie two deviations below its
+    /// measured frequency. `None` if no mode excludes any.
+    pub least: Option<f64>,
+    /// The measured mode, by its place in the list of those paired, that gives `least`.
+    pub least_from: Option<usize>,
+    /// 95 % range if every other factor lies in the band; `None` where it is not sought, or where no choice in the band explains the modes.
+    pub range: Option<FactorRange>,
+    /// The factor, where the modes determine it.
+    pub best: Option<f64>,
+    /// Standard deviation of its logarithm.
+    pub relative_sd: Option<f64>,
+}
+
+/// What measured modes say of the springs of a stack.
+#[derive(Clone, Debug, PartialEq)]
+pub struct JointFactors {
+    /// What one factor multiplies.
+    pub of: StiffnessOf,
+    /// One a joint or bed, in the order of the lowest joint.
+    pub factors: Vec<JointFactor>,
+    /// Joints without springs at rest: they are open.
+    pub open_joints: Vec<usize>,
+    /// The modes that went in.
+    pub modes: Vec<PairedMode>,
+    /// Those that did not.
+    pub unused: Vec<UnusedMode>,
+    /// One factor for all.
+    pub common: CommonFactor,
+    /// Least and largest factor of the band that ranges assume.
+    pub band: [f64; 2],
+    /// Singular values of the derivatives of the data, over their deviations, by the logarithms of the factors, at the common factor, descending.
+    pub singular_values: Vec<f64>,
+    /// Combinations of factors that the modes fix within the band.
+    pub fixed_combinations: usize,
+    /// Root mean square of (computed − measured)/deviation of the best choice in the band; `None` where ranges are not sought.
+    pub best_misfit: Option<f64>,
+    /// Whether the best choice in the band explains the modes, but for what chance exceeds in one of a thousand surveys; `None` where it is not sought.
+    pub explains: Option<bool>,
+    /// How much, most, a frequency differs from that of this linear model when the stack settles anew on the best springs, or on those of the
+    /// common factor where no best was sought, relative; the error if it finds no rest on them.
+    pub resettled: Result<f64, BlocksError>,
+}

@@ -1,0 +1,75 @@
+//! Which joint a mode sees, and how many combinations of factors all modes fix.
+
+use super::model::{Datum, FactorModel, product};
+use super::result::CommonFactor;
+use crate::numeric::{BoundedStop, Residuals, bounded_least_squares};
+use dolmen_linalg::{LinalgError, Matrix, svd};
+
+/// Farthest that the common factor is sought: e¹⁸ each way, 7e7. Chosen here: far beyond stone on stone.
+const COMMON_MOST: f64 = 18.0;
+/// Half-width of a two-sided interval of 95 %, in deviations.
+pub(super) const TWO_SIDED_95: f64 = 1.959_963_984_540_054;
+
+impl FactorModel {
+    /// The share of the strain energy of each measured mode in the springs of each factor: c_g φᵀ K_g φ / λ; `None` where a mode has no frequency.
+    pub(super) fn energy_shares(&self, factors: &[f64]) -> Option<Vec<Vec<f64>>> {
+        let modes = self.modes(factors)?;
+        let of = |datum: &Datum| {
+            let modes = modes[datum.family].as_ref()?;
+            let order = self.order(datum, modes)?;
+            let mode = modes.vectors.column(order);
+            let square = modes.values.get(order).filter(|square| **square > 0.0)?;
+            let groups = self.families[datum.family].groups.iter().zip(factors);
+            let share = groups.map(|(group, factor)| factor * product(mode, &group.times(mode)) / square);
+            Some(share.collect())
+        };
+        self.data.iter().map(of).collect()
+    }
+
+    /// The factor for all that fits the data best; `None` if the modes have no frequencies.
+    pub(super) fn common(&self) -> Option<CommonFactor> {
+        let at = |x: &[f64]| {
+            let all = self.residuals(&vec![x[0]; self.unknowns])?;
+            let rows = all.residual.len();
+            let jacobian = Matrix::from_fn(rows, 1, |i, _| {
+                (0..self.unknowns).map(|g| all.jacobian[(i, g)]).sum()
+            });
+            Some(Residuals {
+                residual: all.residual,
+                jacobian,
+            })
+        };
+        let stop = BoundedStop {
+            evaluations_most: 100,
+            enough: 0.0,
+            decrease_least: 0.0,
+        };
+        let fit = bounded_least_squares(&[0.0], [&[-COMMON_MOST], &[COMMON_MOST]], &stop, at)?;
+        let data = self.data_count() as f64;
+        let information = product(fit.at.jacobian.column(0), fit.at.jacobian.column(0));
+        let widened = match data > 1.0 {
+            true => (fit.squares / (data - 1.0)).sqrt().max(1.0),
+            false => 1.0,
+        };
+        Some(CommonFactor {
+            factor: fit.x[0].exp(),
+            relative_sd: widened / information.sqrt(),
+            misfit: (fit.squares / data).sqrt(),
+        })
+    }
+
+    /// Singular values of the derivatives at x, descending; those that there are fewer data than factors for are left out.
+    pub(super) fn singular_values(&self, x: &[f64]) -> Result<Vec<f64>, LinalgError> {
+        let Some(at) = self.residuals(x) else {
+            return Ok(Vec::new());
+        };
+        let most = self.data_count().min(self.unknowns);
+        Ok(svd(&at.jacobian)?.s.into_iter().take(most).collect())
+    }
+}
+
+/// Combinations of factors whose interval of 95 % is narrower than the band, which reaches `half_band` in ln c to each side.
+pub(super) fn fixed_combinations(singular_values: &[f64], half_band: f64) -> usize {
+    let is_fixed = |s: &&f64| TWO_SIDED_95 / **s < half_band;
+    singular_values.iter().filter(is_fixed).count()
+}

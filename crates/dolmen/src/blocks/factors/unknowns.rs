@@ -1,0 +1,132 @@
+//! What the factors multiply: the springs of a stack at rest, by joint or by bed.
+
+use super::super::assembly::Assembly;
+use super::super::bodies::index_of;
+use super::super::contact_points::ContactRule;
+use super::super::error::BlocksError;
+use super::super::matrices::{Closed, Part, SpringsBetween, contact_matrix, mass_matrix, springs_between};
+use super::super::rest::settle;
+use super::result::StiffnessOf;
+use crate::structure::stack::{Joint, Stack};
+use dolmen_linalg::Matrix;
+use glam::DVec3;
+
+/// Joints whose planes differ by less than this lie in one bed, m. Chosen here: stones of a course are levelled to a millimetre in a file.
+const ONE_BED_M: f64 = 1e-3;
+/// Sine between normals of one bed. Chosen here: a millimetre over a metre.
+const ONE_BED_SINE: f64 = 1e-3;
+
+/// Springs that one factor multiplies.
+pub(super) struct Group {
+    pub(super) joints: Vec<usize>,
+    pub(super) springs: Vec<SpringsBetween>,
+}
+
+/// The springs and masses of a stack at rest.
+pub(super) struct Unknowns {
+    pub(super) of: StiffnessOf,
+    pub(super) groups: Vec<Group>,
+    /// Springs that no factor multiplies: of dowels, clamps, and stones that touch where no joint was drawn.
+    pub(super) others: Vec<SpringsBetween>,
+    /// Joints without springs at rest.
+    pub(super) open_joints: Vec<usize>,
+    pub(super) mass: Matrix,
+}
+
+/// The springs by joint, or by bed where more joints than `joints_most` have any.
+pub(super) fn unknowns(
+    stack: &Stack,
+    rule: ContactRule,
+    joints_most: usize,
+) -> Result<Unknowns, BlocksError> {
+    let mut assembly = Assembly::of(stack, rule);
+    settle(&mut assembly, stack)?;
+    let (mut groups, mut others): (Vec<Group>, Vec<SpringsBetween>) = (Vec::new(), Vec::new());
+    for springs in springs_between(&assembly, Closed::Pressed) {
+        let is_none = springs.stiffness.as_slice().iter().all(|entry| *entry == 0.0);
+        match joint_between(stack, &springs) {
+            _ if is_none => {}
+            Some(joint) => groups.push(Group {
+                joints: vec![joint],
+                springs: vec![springs],
+            }),
+            None => others.push(springs),
+        }
+    }
+    groups.sort_by_key(|group| group.joints[0]);
+    let has_springs = |joint: &usize| groups.iter().any(|group| group.joints[0] == *joint);
+    let open_joints = (0..stack.joints().len()).filter(|joint| !has_springs(joint));
+    let open_joints = open_joints.collect();
+    let of = match groups.len() <= joints_most {
+        true => StiffnessOf::Joint,
+        false => StiffnessOf::Bed,
+    };
+    if of == StiffnessOf::Bed {
+        groups = by_bed(stack, groups);
+    }
+    Ok(Unknowns {
+        of,
+        groups,
+        others,
+        open_joints,
+        mass: mass_matrix(&assembly),
+    })
+}
+
+/// The joint whose springs these are, as the assembly chose it.
+fn joint_between(stack: &Stack, springs: &SpringsBetween) -> Option<usize> {
+    let [a, b] = springs.bodies;
+    let joins = |joint: &Joint| {
+        let ends = (index_of(joint.lower), joint.upper + 1);
+        ends == (a, b) || ends == (b, a)
+    };
+    match springs.is_link {
+        true => None,
+        false => stack.joints().iter().position(joins),
+    }
+}
+
+fn by_bed(stack: &Stack, single: Vec<Group>) -> Vec<Group> {
+    let mut beds: Vec<Group> = Vec::new();
+    for group in single {
+        let same = beds.iter_mut().find(|bed| {
+            let [first, joint] = [bed.joints[0], group.joints[0]].map(|at| &stack.joints()[at]);
+            in_one_plane(first, joint)
+        });
+        match same {
+            Some(bed) => {
+                bed.joints.extend(group.joints);
+                bed.springs.extend(group.springs);
+            }
+            None => beds.push(group),
+        }
+    }
+    beds
+}
+
+fn in_one_plane(a: &Joint, b: &Joint) -> bool {
+    let [normal, other] = [a, b].map(|joint| DVec3::from(joint.axes[2]));
+    let between = DVec3::from(b.origin_m) - DVec3::from(a.origin_m);
+    normal.cross(other).length() < ONE_BED_SINE && between.dot(normal).abs() < ONE_BED_M
+}
+
+/// Stiffness of a stack that has settled anew on other springs, [6n × 6n].
+pub(super) fn resettled_stiffness(stack: &Stack, rule: ContactRule) -> Result<Matrix, BlocksError> {
+    let mut assembly = Assembly::of(stack, rule);
+    settle(&mut assembly, stack)?;
+    Ok(contact_matrix(&assembly, Part::Springs, Closed::Pressed))
+}
+
+/// The stack with the springs of the joints of each group multiplied.
+pub(super) fn multiplied(stack: &Stack, groups: &[Group], factors: &[f64]) -> Result<Stack, BlocksError> {
+    let mut scaled = stack.clone();
+    for (group, factor) in groups.iter().zip(factors) {
+        for &joint in &group.joints {
+            let mut material = stack.joints()[joint].material;
+            material.normal_stiffness_pa_m *= factor;
+            material.shear_stiffness_pa_m *= factor;
+            scaled = scaled.with_material(joint, material)?;
+        }
+    }
+    Ok(scaled)
+}
