@@ -26,7 +26,7 @@ const CRATES: [(&str, &[&str]); 12] = [
     ("dolmen-print", &["dolmen-picture"]),
     ("dolmen-linalg", &[]),
     ("dolmen", &["dolmen-linalg"]),
-    ("dolmen-words", &["dolmen"]),
+    ("dolmen-words", &["dolmen", "dolmen-linalg"]),
     ("dolmen-records", &["dolmen", "dolmen-words"]),
     ("dolmen-project", &["dolmen", "dolmen-words", "dolmen-records"]),
     (
