@@ -5,7 +5,7 @@ use crate::html::Imprint;
 use crate::html::front::{closing, sources};
 use crate::html::given::{survey_head, survey_lines};
 use crate::html::method::method;
-use crate::surveys_given::{Given, surveys_table};
+use crate::surveys_given::surveys_table;
 use crate::xlsx::{Workbook, inputs_tables};
 use dolmen_words::message::Both;
 use dolmen_words::{Language, Sentence};
@@ -37,16 +37,11 @@ fn given(document: &mut Document<'_>, answer: &ProjectReport) {
     for headed in inputs_tables(answer) {
         document.put(Block::Table(headed.table.without_empty_columns()));
     }
-    match surveys_table(project) {
-        Some(table) => {
-            document.subheading(Given::Surveys);
-            document.put(Block::Table(table.without_empty_columns()));
-        }
-        None => {
-            for survey in &project.surveys {
-                document.subheading(said(|language| survey_head(survey, language)));
-                document.put(list(|language| survey_lines(survey, language)));
-            }
+    // many stand in a table of those above
+    if surveys_table(project).is_none() {
+        for survey in &project.surveys {
+            document.subheading(said(|language| survey_head(survey, language)));
+            document.put(list(|language| survey_lines(survey, language)));
         }
     }
     if !project.warnings.is_empty() {

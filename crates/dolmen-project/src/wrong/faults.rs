@@ -40,9 +40,9 @@ sentences! {
             en: "damper.{name}: its mass would be {mass_kg} kg, more than the whole building's {building_kg} kg: mode {mode} hardly moves at its place, so that its modal mass there is large; place it farther from the mode's centre, or give mass",
             ko: "damper.{name}: 질량이 {mass_kg} kg이 되어 건물 전체의 {building_kg} kg보다 무겁다. 모드 {mode}이(가) 그 위치에서 거의 움직이지 않아 모드질량이 크다. 모드의 중심에서 더 먼 곳에 두거나 mass를 입력한다",
         },
-        Place { name, why } => {
-            en: "damper.{name}: {why}",
-            ko: "damper.{name}: {why}",
+        Place { name, why } as { path: format!("damper.{name}"), why: why } => {
+            en: "{path}: {why}",
+            ko: "{path}: {why}",
         },
     }
     handed on { Tuning(DamperError) }

@@ -5,6 +5,7 @@ use super::words::Workbook;
 use crate::check::title;
 use crate::document::{Cell, Column, Table};
 use crate::html::words::{evidence_word, path_words, unit_text};
+use crate::surveys_given::{Given, surveys_table};
 use dolmen_project::Quantity as Input;
 use dolmen_words::message::Both;
 use dolmen_words::{Digits, Quantity, Sentence, Unit};
@@ -27,6 +28,11 @@ pub(crate) fn inputs_tables(answer: &ProjectReport) -> Vec<Headed> {
         let variant = title(variant);
         all.push(headed(Workbook::InputsOf { variant }.into(), &inputs));
     }
+    all.extend(surveys_table(&answer.project).map(|table| Headed {
+        head: Given::Surveys.into(),
+        warnings: Vec::new(),
+        table: table.without_empty_columns(),
+    }));
     all.retain(|headed| !headed.table.rows.is_empty());
     all
 }

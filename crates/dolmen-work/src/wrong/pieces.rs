@@ -35,8 +35,8 @@ messages! {
             en: "a mode has a period of {period_s} s and {damping_percent} % damping, and every mode counts",
             ko: "주기 {period_s} s, 감쇠 {damping_percent} %인 모드가 있고 모든 모드가 필요하다",
         },
-        Chain => { en: "a chain", ko: "chain" },
-        Frame => { en: "a frame", ko: "frame" },
+        Chain => { en: "a chain", ko: "체인" },
+        Frame => { en: "a frame", ko: "골조" },
     }
 }
 

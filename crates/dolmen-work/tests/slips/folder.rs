@@ -13,7 +13,7 @@ impl Files for Folder {
     fn read(&self, name: &str, _most_bytes: u64) -> Result<Vec<u8>, FileError> {
         std::fs::read(self.0.join(name)).map_err(|why| FileError::Unreadable {
             shown: name.to_owned(),
-            why: why.to_string(),
+            why: why.to_string().into(),
         })
     }
 }
