@@ -114,7 +114,7 @@ fn converted(report: &MotionReport, file: &Path) -> Result<Vec<u8>> {
         ("csv", _) => Ok(motion_csv(&first.motion).into_bytes()),
         ("at2", 1) => Ok(motion_at2(&first.motion, first.component).into_bytes()),
         ("at2", count) => {
-            return Err(CommandError::At2One { count }.into());
+            Err(CommandError::At2One { count }.into())
         }
         _ => Err(CommandError::MotionFormat {
             path: file.display().to_string(),

@@ -125,7 +125,7 @@ fn tilts(project: &Project, check: &Check) -> Vec<TiltCheck> {
         _ => None,
     };
     let chosen = leans_as.and_then(|lean| tilted().find(|survey| survey.name == lean.survey));
-    let Some(survey) = chosen.or_else(|| tilted().last()) else {
+    let Some(survey) = chosen.or_else(|| tilted().next_back()) else {
         return Vec::new();
     };
     let uplift_tilt = kinds::uplift_tilt(check);

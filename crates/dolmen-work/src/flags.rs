@@ -94,6 +94,9 @@ impl FlagVerb {
     }
 }
 
+/// What to do instead of a flag, by kind.
+type Instead = (Kind, fn() -> FlagWords);
+
 /// One flag of a verb.
 #[derive(Clone, Copy, Debug)]
 struct Flag {
@@ -105,7 +108,7 @@ struct Flag {
     /// What it is for; `None`: "is for" and its kinds.
     is_for: Option<fn() -> FlagWords>,
     /// Kinds for which it has no effect, with what to do instead; the others read "this file has a KIND".
-    instead: &'static [(Kind, fn() -> FlagWords)],
+    instead: &'static [Instead],
 }
 
 const MOVING: &[Kind] = &[Chain, Frame, Stack, Building];
@@ -142,8 +145,8 @@ const MOTION: [&str; 16] = [
 
 /// What drawing samples is for; a stack's verdict has no load factor to scatter.
 const SAMPLES: Option<fn() -> FlagWords> = Some(|| FlagWords::DrawsLoadFactor);
-const NO_SAMPLES: &[(Kind, fn() -> FlagWords)] = &[(Stack, || FlagWords::NotForStackCheck)];
-const NO_SAMPLES_REPORT: &[(Kind, fn() -> FlagWords)] = &[(Stack, || FlagWords::NotForStackReport)];
+const NO_SAMPLES: &[Instead] = &[(Stack, || FlagWords::NotForStackCheck)];
+const NO_SAMPLES_REPORT: &[Instead] = &[(Stack, || FlagWords::NotForStackReport)];
 
 /// The flags of every verb but those of [`MOTION`].
 const FLAGS: &[Flag] = &[

@@ -158,7 +158,9 @@ fn holds_single_lost_samples_are_filled_in_and_said() {
         lost_samples: LostSamples::Longest,
         ..Default::default()
     };
-    let found = read_csv(swing(&[800..803]).as_bytes(), &options).unwrap().record;
+    let found = read_csv(swing(std::slice::from_ref(&(800..803))).as_bytes(), &options)
+        .unwrap()
+        .record;
     assert_eq!(found.length(), 1197);
 }
 

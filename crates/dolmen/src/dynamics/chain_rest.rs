@@ -125,9 +125,10 @@ mod tests {
         };
         let rest = chain_at_rest(&leaning).unwrap().unwrap();
         let (upright, leans) = (run(&model, vec![0.0; n]), run(&leaning, rest.clone()));
-        for i in 0..n {
-            for (a, b) in upright.rotation_rad[i].iter().zip(&leans.rotation_rad[i]) {
-                approx::assert_abs_diff_eq!(a + rest[i], *b, epsilon = 1e-12);
+        let links = upright.rotation_rad.iter().zip(&leans.rotation_rad);
+        for ((upright, leans), rest) in links.zip(&rest) {
+            for (a, b) in upright.iter().zip(leans) {
+                approx::assert_abs_diff_eq!(a + rest, *b, epsilon = 1e-12);
             }
         }
         assert!(

@@ -201,8 +201,8 @@ fn straight(samples: &mut [f64], mean: f64, unknown: &[usize]) {
             (None, None) => [mean, mean],
         };
         let steps = (last + 2 - first) as f64;
-        for i in first..=last {
-            samples[i] = from + (to - from) * (i + 1 - first) as f64 / steps;
+        for (i, sample) in samples[first..=last].iter_mut().enumerate() {
+            *sample = from + (to - from) * (i + 1) as f64 / steps;
         }
         at = end;
     }
@@ -256,14 +256,15 @@ mod tests {
     #[test]
     fn refuses_runs_out_of_order_or_beyond_the_end() {
         let mut x = vec![1.0; 50];
-        for lost in [vec![40..41, 10..11], vec![49..51], vec![5..5]] {
+        for lost in [[40..41, 10..11], [0..1, 49..51], [0..1, 5..5]] {
             assert!(fill_lost(&mut x, &lost).is_err(), "{lost:?}");
         }
         let mut all = vec![f64::NAN; 4];
-        fill_lost(&mut all, &[0..4]).unwrap(); // nothing to learn from: left alone
+        fill_lost(&mut all, &[0..2, 2..4]).unwrap(); // nothing to learn from: left alone
         let mut constant = vec![2.0; 100];
         constant[50] = f64::NAN;
-        fill_lost(&mut constant, &[50..51]).unwrap();
+        constant[53] = f64::NAN;
+        fill_lost(&mut constant, &[50..51, 53..54]).unwrap();
         assert!((constant[50] - 2.0).abs() < 1e-12);
     }
 }
