@@ -113,9 +113,7 @@ fn converted(report: &MotionReport, file: &Path) -> Result<Vec<u8>> {
     match (ending.unwrap_or_default().as_str(), report.series.len()) {
         ("csv", _) => Ok(motion_csv(&first.motion).into_bytes()),
         ("at2", 1) => Ok(motion_at2(&first.motion, first.component).into_bytes()),
-        ("at2", count) => {
-            Err(CommandError::At2One { count }.into())
-        }
+        ("at2", count) => Err(CommandError::At2One { count }.into()),
         _ => Err(CommandError::MotionFormat {
             path: file.display().to_string(),
         }
