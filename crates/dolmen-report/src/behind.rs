@@ -5,7 +5,7 @@ use crate::html::Imprint;
 use crate::html::front::{closing, sources};
 use crate::html::given::{survey_head, survey_lines};
 use crate::html::method::method;
-use crate::surveys_given::surveys_table;
+use crate::surveys_given::{inputs_listed, surveys_table};
 use crate::xlsx::{Workbook, inputs_tables};
 use dolmen_words::message::Both;
 use dolmen_words::{Language, Sentence};
@@ -34,7 +34,7 @@ fn given(document: &mut Document<'_>, answer: &ProjectReport) {
     if let Some(description) = &project.description {
         document.paragraph(Sentence::of_symbol(description));
     }
-    for headed in inputs_tables(answer) {
+    for headed in inputs_tables(answer, &inputs_listed(project)) {
         document.put(Block::Table(headed.table.without_empty_columns()));
     }
     // many stand in a table of those above

@@ -1,7 +1,9 @@
 //! What was given with many surveys, as one table.
 
 use crate::document::{Cell, Column, Table};
-use dolmen_project::{Project, Survey};
+use crate::html::words::evidence_word;
+use dolmen_project::{Evidence, Project, Quantity as Input, Survey, SurveyMode};
+use dolmen_words::message::Both;
 use dolmen_words::{Digits, Quantity, Unit, messages};
 
 /// Surveys from which on a table says more than a list for each. Chosen here.
@@ -11,8 +13,8 @@ messages! {
     /// The table of surveys.
     pub(crate) enum Given in "given.surveys" {
         Caption { surveys: usize } => {
-            en: "Surveys: {surveys}. Tilts as written, horizontal over vertical; a dash stands for what was not recorded.",
-            ko: "조사 {surveys}회. 기울기는 입력한 그대로(수평/연직)이며, 기록되지 않은 항목은 –로 표시하였다.",
+            en: "Surveys: {surveys}. Tilts as written, horizontal over vertical; frequencies that the file states, ± standard deviation; a dash stands for what was not recorded.",
+            ko: "조사 {surveys}회. 기울기는 입력한 그대로(수평/연직), 진동수는 파일에 기재된 값 ± 표준편차이며, 기록되지 않은 항목은 –로 표시하였다.",
         },
         Surveys => { en: "Surveys", ko: "조사" },
         Survey => { en: "Survey", ko: "조사" },
@@ -20,48 +22,60 @@ messages! {
         Datum => { en: "Datum", ko: "기준점" },
         Tilt => { en: "Tilt", ko: "기울기" },
         Records => { en: "Records", ko: "진동 기록" },
+        Frequencies { direction: String } => { en: "{direction}, Hz", ko: "{direction}, Hz" },
+        Evidence => { en: "Frequencies", ko: "진동수 출처" },
+        Said { text: Both } => { en: "{text}", ko: "{text}" },
         Remarks => { en: "Note, source", ko: "비고, 출처" },
         Text { text: String } => { en: "{text}", ko: "{text}" },
     }
 }
 
+/// The inputs that are listed one by one: those of surveys stand in their table where they are many.
+pub(crate) fn inputs_listed(project: &Project) -> Vec<&Input> {
+    match is_tabled(project) {
+        true => project.structure_inputs(),
+        false => project.inputs(),
+    }
+}
+
+fn is_tabled(project: &Project) -> bool {
+    project.surveys.len() >= TABLE_FROM
+}
+
 /// One row a survey; `None` where they are few.
 pub(crate) fn surveys_table(project: &Project) -> Option<Table> {
     let surveys = &project.surveys;
-    (surveys.len() >= TABLE_FROM).then(|| Table {
+    let mut directions: Vec<&str> = surveys
+        .iter()
+        .flat_map(|survey| survey.modes.keys().map(String::as_str))
+        .collect();
+    directions.sort_unstable();
+    directions.dedup();
+    is_tabled(project).then(|| Table {
         caption: vec![
             Given::Caption {
                 surveys: surveys.len(),
             }
             .into(),
         ],
-        columns: columns(),
-        rows: surveys.iter().map(row).collect(),
+        columns: columns(&directions),
+        rows: surveys.iter().map(|survey| row(survey, &directions)).collect(),
     })
 }
 
-fn columns() -> Vec<Column> {
-    let words = [
-        Given::Survey,
-        Given::Datum,
-        Given::Tilt,
-        Given::Records,
-        Given::Remarks,
-    ];
-    let words = words.map(|head| Column {
-        head: head.into(),
-        unit: Unit::ratio(),
-        is_words: true,
+fn columns(directions: &[&str]) -> Vec<Column> {
+    let along = directions.iter().map(|direction| {
+        let direction = (*direction).to_owned();
+        Column::words(Given::Frequencies { direction })
     });
-    let air = Column {
-        head: Given::Temperature.into(),
-        unit: Unit::si("°C"),
-        is_words: false,
-    };
-    words.into_iter().chain([air]).collect()
+    let mut columns = vec![Column::words(Given::Survey), Column::words(Given::Tilt)];
+    columns.extend(along);
+    columns.extend([Given::Evidence, Given::Datum, Given::Records, Given::Remarks].map(Column::words));
+    columns.push(Column::numbers(Given::Temperature, Unit::si("°C")));
+    columns
 }
 
-fn row(survey: &Survey) -> Vec<Cell> {
+fn row(survey: &Survey, directions: &[&str]) -> Vec<Cell> {
     let text = |text: String| {
         let text = if text.is_empty() { "–".to_owned() } else { text };
         Cell::Words(Given::Text { text }.into())
@@ -70,6 +84,10 @@ fn row(survey: &Survey) -> Vec<Cell> {
         .tilt
         .iter()
         .map(|(direction, tilt)| format!("{direction} {}", tilt.written));
+    let along = |direction: &&str| {
+        let modes = survey.modes.get(*direction).into_iter().flatten();
+        text(modes.map(mode).collect::<Vec<_>>().join("; "))
+    };
     let records = survey.records.iter().chain(&survey.setups);
     let records: Vec<&str> = records.map(|record| record.file.as_str()).collect();
     let remarks: Vec<&str> = survey
@@ -81,12 +99,51 @@ fn row(survey: &Survey) -> Vec<Cell> {
     let air = survey
         .temperature_c
         .map(|air| Quantity::new(air, Unit::si("°C"), Digits::Trimmed(3)));
-    vec![
+    let mut cells = vec![
         text(survey.name.clone()),
-        text(survey.datum.clone().unwrap_or_default()),
         text(tilts.collect::<Vec<_>>().join(", ")),
+    ];
+    cells.extend(directions.iter().map(along));
+    cells.extend([
+        evidence(survey),
+        text(survey.datum.clone().unwrap_or_default()),
         text(records.join(", ")),
         text(remarks.join("; ")),
         Cell::Number(air),
-    ]
+    ]);
+    cells
+}
+
+/// A frequency with its deviation, and the damping ratio where it is stated.
+fn mode(mode: &SurveyMode) -> String {
+    let frequency = Quantity {
+        sd_si: Some(mode.frequency.standard_deviation()).filter(|sd| *sd > 0.0),
+        ..Quantity::new(mode.frequency.value, Unit::si("Hz"), Digits::Trimmed(6))
+    };
+    match &mode.damping_ratio {
+        None => frequency.number(),
+        Some(ratio) => format!("{} (ζ {})", frequency.number(), ratio.written),
+    }
+}
+
+/// Where the modes come from, each source once.
+fn evidence(survey: &Survey) -> Cell {
+    let modes = survey.modes.values().flatten();
+    let mut sources: Vec<Option<Evidence>> = modes.map(|mode| mode.frequency.source).collect();
+    sources.dedup();
+    match sources.is_empty() {
+        true => Cell::Words(
+            Given::Text {
+                text: "–".to_owned()
+            }
+            .into(),
+        ),
+        false => {
+            let text = Both::of(|language| {
+                let words: Vec<&str> = sources.iter().map(|of| evidence_word(*of, language)).collect();
+                words.join(", ")
+            });
+            Cell::Words(Given::Said { text }.into())
+        }
+    }
 }

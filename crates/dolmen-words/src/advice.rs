@@ -24,7 +24,7 @@ messages! {
         },
         Cut => {
             en: " (conditioning = {{ cut = {{ from_s = …, to_s = … }} }})",
-            ko: "(conditioning = {{ cut = {{ from_s = …, to_s = … }} }})",
+            ko: "(conditioning = {{ cut = {{ from_s = …, to_s = … }} }}로 자른다)",
         },
         WriteRecords => { en: ": write one record as records", ko: ". 기록이 하나이면 records로 쓴다" },
         PoserNeedsOne => {
@@ -47,8 +47,8 @@ messages! {
             en: ": give it frequencies, modes or records",
             ko: ". frequencies, modes 또는 records를 입력한다",
         },
-        Extrapolate => { en: " (`dolmen study`, --extrapolate)", ko: "(`dolmen study`, --extrapolate)" },
-        Detrend => { en: "; detrend_degree = 1 does so", ko: "(detrend_degree = 1)" },
+        Extrapolate => { en: " (`dolmen study`, --extrapolate)", ko: "(`dolmen study`에서 --extrapolate)" },
+        Detrend => { en: "; detrend_degree = 1 does so", ko: "(detrend_degree = 1로 한다)" },
         LowerDecimation => {
             en: "; lower decimate_factor to see more",
             ko: ". 더 보려면 decimate_factor를 낮춘다",

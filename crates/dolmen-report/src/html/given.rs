@@ -4,7 +4,7 @@ use super::table::{Cell, table};
 use super::words::{evidence_word, path_words, unit_text};
 use crate::check::title;
 use crate::document::{Block, Numbers, block_html, numbered, table_label};
-use crate::surveys_given::{Given, surveys_table};
+use crate::surveys_given::{Given, inputs_listed, surveys_table};
 use dolmen_project::{Project, Quantity, Survey};
 use dolmen_words::number;
 use dolmen_words::{Language, Sentence};
@@ -14,7 +14,7 @@ use maud::{Markup, html};
 /// The section "what was given".
 pub(super) fn section(answer: &ProjectReport, language: Language, numbers: &mut Numbers) -> Markup {
     let project = &answer.project;
-    let inputs = project.inputs();
+    let inputs = inputs_listed(project);
     html! {
         h2 { (numbered(&numbers.section(), language.pick("What was given", "입력 자료"))) }
         @if let Some(description) = &project.description { p { (description) } }

@@ -14,15 +14,14 @@ use dolmen_work::answer::ProjectReport;
 /// Digits of a value as the project file may have written it.
 const DIGITS: usize = 6;
 
-/// The inputs of the structure, then those of each variant that differ.
-pub(crate) fn inputs_tables(answer: &ProjectReport) -> Vec<Headed> {
+/// The inputs, then those of each variant that differ, then the surveys.
+pub(crate) fn inputs_tables(answer: &ProjectReport, own: &[&Input]) -> Vec<Headed> {
     let headed = |caption: Sentence, inputs: &[&Input]| Headed {
         head: Workbook::Inputs {}.into(),
         warnings: Vec::new(),
         table: inputs_table(caption, inputs),
     };
-    let own = answer.project.inputs();
-    let mut all = vec![headed(Workbook::InputsCaption {}.into(), &own)];
+    let mut all = vec![headed(Workbook::InputsCaption {}.into(), own)];
     for variant in answer.variants() {
         let inputs: Vec<&Input> = variant.own_inputs.iter().collect();
         let variant = title(variant);

@@ -12,7 +12,7 @@ use dolmen_work::answer::ProjectReport;
 
 /// Those of inputs, then those of the document.
 pub(super) fn tables(answer: &ProjectReport) -> Vec<Headed> {
-    let mut all = inputs_tables(answer);
+    let mut all = inputs_tables(answer, &answer.project.inputs());
     let mut head: Sentence = Workbook::Summary {}.into();
     let front = front(answer);
     let answers = front.answers.map(|block| (Workbook::Answers {}.into(), block));
