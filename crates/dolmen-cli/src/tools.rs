@@ -31,7 +31,7 @@ pub(crate) fn complain(fault: &anyhow::Error, manner: &Manner) {
     note!("{}", complaint(fault.as_ref(), manner.language(), &of_command));
 }
 
-/// What is said of an error with its causes, in a language.
+/// An error with its causes, in a language.
 pub(crate) fn told(fault: &(dyn std::error::Error + 'static), language: Language) -> String {
     told_by(fault, language, &of_command)
 }

@@ -5,7 +5,7 @@ use crate::html::Imprint;
 use crate::html::front::{closing, sources};
 use crate::html::given::{survey_head, survey_lines};
 use crate::html::method::method;
-use crate::surveys_given::{inputs_listed, surveys_table};
+use crate::surveys_given::{inputs_listed, is_tabled};
 use crate::xlsx::{Workbook, inputs_tables};
 use dolmen_words::message::Both;
 use dolmen_words::{Language, Sentence};
@@ -38,7 +38,7 @@ fn given(document: &mut Document<'_>, answer: &ProjectReport) {
         document.put(Block::Table(headed.table.without_empty_columns()));
     }
     // many stand in a table of those above
-    if surveys_table(project).is_none() {
+    if !is_tabled(project) {
         for survey in &project.surveys {
             document.subheading(said(|language| survey_head(survey, language)));
             document.put(list(|language| survey_lines(survey, language)));

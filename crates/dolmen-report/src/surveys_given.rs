@@ -38,7 +38,8 @@ pub(crate) fn inputs_listed(project: &Project) -> Vec<&Input> {
     }
 }
 
-fn is_tabled(project: &Project) -> bool {
+/// Whether surveys are many enough for their table.
+pub(crate) fn is_tabled(project: &Project) -> bool {
     project.surveys.len() >= TABLE_FROM
 }
 

@@ -9,6 +9,7 @@ mod nearest;
 pub mod number;
 pub mod particles;
 mod quantity;
+mod run;
 pub mod science;
 mod system;
 

@@ -26,6 +26,7 @@ mod frame_laws;
 mod free_columns;
 mod ground_motions;
 mod joint_factors;
+mod joint_factors_random;
 mod limit_analysis_microlp;
 mod liquid_columns;
 mod lost_samples;

@@ -1,0 +1,88 @@
+//! The pieces of a sentence, and how arguments get their places in it.
+
+use crate::Language;
+use crate::particles::{Ending, ending, ending_of_unit, particles};
+use crate::quantity::Quantity;
+
+/// A piece of a sentence: renderers set each in their own way and keep the number.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Run {
+    /// Words of the sentence.
+    Text(String),
+    /// A name that the user gave: never touched.
+    Name(String),
+    /// A number with its unit.
+    Quantity(Quantity),
+}
+
+impl Run {
+    pub(crate) fn ending(&self) -> Option<Ending> {
+        match self {
+            Run::Text(text) | Run::Name(text) => ending(text),
+            Run::Quantity(quantity) => {
+                ending_of_unit(&quantity.unit.symbol).or_else(|| ending(&quantity.number()))
+            }
+        }
+    }
+
+    /// As plain text.
+    pub fn text(&self) -> String {
+        match self {
+            Run::Text(text) | Run::Name(text) => text.clone(),
+            Run::Quantity(quantity) => quantity.text(),
+        }
+    }
+}
+
+/// Arguments of one sentence while it is formatted: each is one private character, put in its place afterwards. So a name is never
+/// taken for a particle, and renderers get the values.
+#[derive(Debug, Default)]
+pub struct Slots(Vec<Vec<Run>>);
+
+/// The place of an argument in a format string.
+#[derive(Clone, Copy, Debug)]
+pub struct Slot(pub(crate) char);
+
+/// The first character of the private use area, which no sentence holds.
+const FIRST_SLOT: u32 = 0xE000;
+
+impl Slots {
+    /// Keeps an argument for later.
+    pub fn put(&mut self, runs: Vec<Run>) -> Slot {
+        self.0.push(runs);
+        let index = u32::try_from(self.0.len() - 1).unwrap_or(0);
+        Slot(char::from_u32(FIRST_SLOT + index).unwrap_or(char::REPLACEMENT_CHARACTER))
+    }
+
+    /// The pieces of a formatted sentence, particles chosen.
+    pub fn fill(self, formatted: &str, language: Language) -> Vec<Run> {
+        let of = |sign: char| {
+            let index = u32::from(sign).checked_sub(FIRST_SLOT)?;
+            self.0.get(usize::try_from(index).ok()?)
+        };
+        let mut runs: Vec<Run> = Vec::new();
+        let push_text = |runs: &mut Vec<Run>, text: &str| {
+            let before = runs.last().and_then(Run::ending);
+            let text = match language {
+                Language::English => text.to_owned(),
+                Language::Korean => particles(text, before),
+            };
+            if !text.is_empty() {
+                runs.push(Run::Text(text));
+            }
+        };
+        let mut text = String::new();
+        for sign in formatted.chars() {
+            match of(sign) {
+                Some(argument) => {
+                    push_text(&mut runs, &text);
+                    text.clear();
+                    runs.extend(argument.iter().cloned());
+                }
+                None => text.push(sign),
+            }
+        }
+        push_text(&mut runs, &text);
+        runs
+    }
+}

@@ -1,0 +1,273 @@
+//! What has been done to a record since it was measured.
+
+/// One thing that was done to a record, in order: its history.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Processing {
+    /// Read from bytes.
+    Read {
+        /// "csv", "npy".
+        format: String,
+        /// Unit of the numbers in the file, "" if not given.
+        unit: String,
+    },
+    /// Channels left out, by name.
+    LeftOut {
+        /// Their names.
+        channels: Vec<String>,
+    },
+    /// Only a part of the time kept.
+    Cut {
+        /// From, s.
+        from_s: f64,
+        /// To, s.
+        to_s: f64,
+    },
+    /// A least-squares polynomial removed from each channel.
+    Detrend {
+        /// 0 mean, 1 straight line.
+        degree: usize,
+    },
+    /// Zero-phase Butterworth low-pass, run forwards and backwards.
+    LowPass {
+        /// Corner, Hz, where the gain of both passes together is 1/2 (−6 dB).
+        corner_hz: f64,
+        /// Order of one pass.
+        order: usize,
+    },
+    /// Zero-phase Butterworth band-pass, run forwards and backwards.
+    BandPass {
+        /// Lower corner, Hz.
+        low_hz: f64,
+        /// Upper corner, Hz.
+        high_hz: f64,
+        /// Order of one pass.
+        order: usize,
+    },
+    /// Zero-phase Butterworth high-pass, run forwards and backwards.
+    HighPass {
+        /// Corner, Hz, where the gain of both passes together is 1/2 (−6 dB).
+        corner_hz: f64,
+        /// Order of one pass.
+        order: usize,
+    },
+    /// Scaled, and wavelets added, until a response spectrum was that of a target.
+    Matched {
+        /// The component: "x", "y", "z".
+        component: &'static str,
+        /// Damping ratio of the spectrum.
+        damping_ratio: f64,
+        /// Shortest period, s.
+        period_least_s: f64,
+        /// Longest period, s.
+        period_most_s: f64,
+    },
+    /// All samples multiplied by one factor.
+    Scaled {
+        /// The factor.
+        factor: f64,
+    },
+    /// Brought to zero at both ends by half a cosine.
+    Tapered {
+        /// Length of each taper, s.
+        each_end_s: f64,
+    },
+    /// The horizontal components turned about the vertical.
+    Rotated {
+        /// From x towards y, rad.
+        angle_rad: f64,
+    },
+    /// Anti-alias filtered, then each `factor`-th sample kept.
+    Decimate {
+        /// Samples before / samples after.
+        factor: usize,
+    },
+    /// Samples of one channel multiplied by a factor, as what a count of its recorder is worth.
+    ChannelScaled {
+        /// The channel.
+        channel: String,
+        /// The factor.
+        factor: f64,
+    },
+    /// A channel interpolated onto the times of the others.
+    Interpolated {
+        /// The channel.
+        channel: String,
+        /// Where its samples lay, steps after those of the others.
+        offset_steps: f64,
+    },
+    /// A channel taken to a lower rate, anti-alias filtered.
+    Resampled {
+        /// The channel.
+        channel: String,
+        /// Its rate before, Hz.
+        from_hz: f64,
+        /// Its rate after, Hz.
+        to_hz: f64,
+    },
+    /// Offsets between the times of channels that were left as they are.
+    OffsetsLeft {
+        /// The largest, steps.
+        most_steps: f64,
+    },
+    /// Only the longest time kept that no lost samples interrupt, in any channel.
+    LongestSpan {
+        /// First sample kept, s from the first of the file.
+        from_s: f64,
+        /// Last sample kept, s.
+        to_s: f64,
+        /// Last sample of the file, s.
+        whole_s: f64,
+        /// What is lost, by time.
+        gaps: Vec<LostSpan>,
+    },
+    /// Short runs of lost samples filled in by linear prediction.
+    FilledGaps {
+        /// Where, by time.
+        gaps: Vec<LostSpan>,
+        /// Samples filled in, of all channels in which they were lost.
+        samples: usize,
+        /// Their share of those channels.
+        share: f64,
+    },
+    /// Only the time kept that all channels share.
+    CommonTime {
+        /// From the first sample of any channel to the first kept, s.
+        before_s: f64,
+        /// From the last kept to the last of any channel, s.
+        after_s: f64,
+    },
+}
+
+/// Samples that a record lost.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LostSpan {
+    /// The channel; `None`: all.
+    pub channel: Option<String>,
+    /// The last sample before, s from the first of the record.
+    pub at_s: f64,
+    /// Time lost, s.
+    pub lost_s: f64,
+}
+
+impl LostSpan {
+    /// How many are named where a record lost many: a list of hundreds would hide the rest.
+    pub const NAMED_MOST: usize = 3;
+}
+
+impl std::fmt::Display for LostSpan {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{:.3} s after {:.3} s", self.lost_s, self.at_s)?;
+        self.channel
+            .as_ref()
+            .map_or(Ok(()), |channel| write!(f, " ({channel})"))
+    }
+}
+
+/// The first gaps, and how many more there are.
+fn first_gaps(gaps: &[LostSpan]) -> String {
+    let shown = gaps.iter().take(LostSpan::NAMED_MOST).map(ToString::to_string);
+    let shown: Vec<String> = shown.collect();
+    match gaps.len().saturating_sub(LostSpan::NAMED_MOST) {
+        0 => shown.join(", "),
+        more => format!("{} and {more} more", shown.join(", ")),
+    }
+}
+
+impl std::fmt::Display for Processing {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Processing::Read { format, unit } if unit.is_empty() => {
+                write!(f, "read from {format}, unit not given")
+            }
+            Processing::Read { format, unit } => write!(f, "read from {format}, unit {unit}"),
+            Processing::LeftOut { channels } => write!(f, "left out {}", channels.join(", ")),
+            Processing::Cut { from_s, to_s } => write!(f, "cut to {from_s} s … {to_s} s"),
+            Processing::Detrend { degree: 0 } => write!(f, "mean removed"),
+            Processing::Detrend { degree: 1 } => write!(f, "straight line removed"),
+            Processing::Detrend { degree } => write!(f, "polynomial of degree {degree} removed"),
+            Processing::LowPass { corner_hz, order } => {
+                write!(
+                    f,
+                    "low-pass {corner_hz} Hz, Butterworth of order {order}, zero phase"
+                )
+            }
+            Processing::BandPass {
+                low_hz,
+                high_hz,
+                order,
+            } => {
+                write!(
+                    f,
+                    "band-pass {low_hz} to {high_hz} Hz, Butterworth of order {order}, zero phase"
+                )
+            }
+            Processing::HighPass { corner_hz, order } => {
+                write!(
+                    f,
+                    "high-pass {corner_hz} Hz, Butterworth of order {order}, zero phase"
+                )
+            }
+            Processing::Matched {
+                component,
+                damping_ratio,
+                period_least_s,
+                period_most_s,
+            } => write!(
+                f,
+                "{component} matched to a spectrum by wavelets, {period_least_s} to {period_most_s} s, damping {} %",
+                100.0 * damping_ratio
+            ),
+            Processing::Decimate { factor } => write!(f, "decimated by {factor}"),
+            Processing::ChannelScaled { channel, factor } => write!(f, "{channel} scaled by {factor}"),
+            Processing::Interpolated {
+                channel,
+                offset_steps,
+            } => write!(
+                f,
+                "{channel} interpolated: its samples lay {offset_steps:+.4} of a step beside the times of the others"
+            ),
+            Processing::Resampled {
+                channel,
+                from_hz,
+                to_hz,
+            } => write!(
+                f,
+                "{channel} resampled from {from_hz} Hz to {to_hz} Hz, anti-alias filtered"
+            ),
+            Processing::OffsetsLeft { most_steps } => write!(
+                f,
+                "times of the channels differ by up to {most_steps:.4} of a step, left so"
+            ),
+            Processing::LongestSpan {
+                from_s,
+                to_s,
+                whole_s,
+                gaps,
+            } => {
+                write!(
+                    f,
+                    "samples are lost: {}; only the longest whole span is used, {from_s:.3} to {to_s:.3} s: {:.3} of {whole_s:.3} s",
+                    first_gaps(gaps),
+                    to_s - from_s
+                )
+            }
+            Processing::FilledGaps { gaps, samples, share } => write!(
+                f,
+                "lost samples filled in by linear prediction: {samples} ({:.3} %), {}",
+                100.0 * share,
+                first_gaps(gaps)
+            ),
+            Processing::CommonTime { before_s, after_s } => write!(
+                f,
+                "cut to the time that all channels share: {before_s:.3} s before it and {after_s:.3} s after it are gone"
+            ),
+            Processing::Scaled { factor } => write!(f, "scaled by {factor}"),
+            Processing::Tapered { each_end_s } => {
+                write!(f, "tapered by half a cosine, {each_end_s} s at each end")
+            }
+            Processing::Rotated { angle_rad } => {
+                write!(f, "turned by {:.6}° from x towards y", angle_rad.to_degrees())
+            }
+        }
+    }
+}
