@@ -9,6 +9,11 @@ pub(super) fn phrase(english: &str) -> &str {
 /// English as the science writes it, and Korean.
 const PHRASES: &[(&str, &str)] = &[
     ("a positive number", "양수"),
+    ("below 30° (0.524 rad) in size", "크기가 30°(0.524 rad) 미만"),
+    (
+        "the start of a run of samples within the series, in order and apart",
+        "자료 안에서 순서대로 서로 떨어진 구간의 시작",
+    ),
     ("0 or a positive number", "0 또는 양수"),
     ("0 (exact) or a positive number", "0(정확한 값) 또는 양수"),
     ("positive", "양수"),
@@ -478,3 +483,38 @@ const PHRASES: &[(&str, &str)] = &[
     ),
     ("the ground", "지면"),
 ];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::fs;
+    use std::path::{Path, PathBuf};
+
+    fn rust_files(folder: &Path) -> Vec<PathBuf> {
+        let entries = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+        let files = entries.flat_map(|path| match path.is_dir() {
+            true => rust_files(&path),
+            false => vec![path],
+        });
+        files
+            .filter(|path| path.extension().is_some_and(|end| end == "rs"))
+            .collect()
+    }
+
+    #[test]
+    fn holds_what_errors_of_the_science_allow_is_korean_too() {
+        let science = Path::new(env!("CARGO_MANIFEST_DIR")).join("../dolmen/src");
+        let mut found = 0;
+        for file in rust_files(&science) {
+            let text = fs::read_to_string(&file).unwrap();
+            let code = text.split("#[cfg(test)]").next().unwrap_or_default();
+            for rest in code.split(" allowed: \"").skip(1) {
+                let english = rest.split('"').next().unwrap_or_default();
+                let is_known = PHRASES.iter().any(|(known, _)| *known == english);
+                assert!(is_known, "{}: \"{english}\" has no Korean", file.display());
+                found += 1;
+            }
+        }
+        assert!(found > 100, "{found}");
+    }
+}
