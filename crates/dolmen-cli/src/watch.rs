@@ -2,13 +2,15 @@
 
 use crate::cli::Watch;
 use crate::cli_survey::StoreWhere;
+use crate::follow::follow;
 use crate::manner::Manner;
 use crate::note::note;
 use crate::outcome::Outcome;
 use crate::progress::Terminal;
 use crate::say::{say, say_json};
 use crate::survey::Where;
-use crate::wrong::{CommandError, Noted};
+use crate::watch_call::Call;
+use crate::wrong::Noted;
 use anyhow::Result;
 use dolmen_folder::{Found, Outputs};
 use dolmen_report::files::watch_files;
@@ -22,15 +24,15 @@ use dolmen_work::watch::{watch, watch_observed};
 use dolmen_work::{Opened, told};
 use rayon::prelude::*;
 use std::path::Path;
-use std::process::{Command, Stdio};
 
 /// Structures that are read before they are watched together.
 const TOGETHER: usize = 256;
 
 pub(crate) fn run(options: &Watch, manner: &Manner) -> Result<Outcome> {
-    match &options.project {
-        Some(project) => one(project, options, manner),
-        None => all(options, manner),
+    match (&options.project, &options.follow.follow) {
+        (Some(project), _) => one(project, options, manner),
+        (None, Some(folder)) => follow(folder, options, manner),
+        (None, None) => all(options, manner),
     }
 }
 
@@ -66,30 +68,19 @@ fn call(options: &Watch, lines: &[InventoryLine]) -> Result<()> {
     };
     for line in lines.iter().filter(|line| line.is_alarming()) {
         let Some(history) = &line.history else { continue };
-        let lean = history.lean_beyond.map(|lean| format!("{lean:.5}"));
-        let status = Command::new(program)
-            .env("DOLMEN_STRUCTURE", &line.structure)
-            .env("DOLMEN_SURVEY", &history.last_survey)
-            .env("DOLMEN_ALARMS", history.open_alarms.to_string())
-            .env("DOLMEN_TILT_BEYOND", lean.unwrap_or_default())
-            .stdin(Stdio::null())
-            .status();
-        let shown = program.display().to_string();
-        let fault = match status {
-            Ok(status) if status.success() => continue,
-            Ok(status) => CommandError::ProgramFailed {
-                program: shown,
-                structure: line.structure.clone(),
-                status: status.to_string(),
-            },
-            Err(why) => CommandError::NoProgram { program: shown, why },
-        };
-        return Err(fault.into());
+        Call {
+            structure: &line.structure,
+            survey: &history.last_survey,
+            open_alarms: history.open_alarms,
+            tilt_beyond: history.lean_beyond,
+            kind: None,
+        }
+        .run(program)?;
     }
     Ok(())
 }
 
-fn judged(is_alarming: bool) -> Outcome {
+pub(crate) fn judged(is_alarming: bool) -> Outcome {
     let colour = if is_alarming { Colour::Red } else { Colour::Green };
     Outcome::Judged(exit_status(Verb::Watch, colour, true))
 }

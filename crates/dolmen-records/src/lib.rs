@@ -24,5 +24,5 @@ pub use limits::LimitError;
 pub use photo::{PHOTO_BYTES_MOST, PHOTO_PIXELS_MOST, Photo, PhotoError, PhotoFormat, read_photo};
 pub use score_form::{ScoreForm, ScoreFormError, read_score_form};
 pub use sheet::{SHEET_BYTES_MOST, SheetCell, SheetError, SheetValue, read_sheet};
-pub use start::time_text;
+pub use start::{start_of_text, time_text};
 pub use wrong::{ERRORS, of_records};

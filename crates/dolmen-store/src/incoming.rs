@@ -63,12 +63,12 @@ pub(crate) struct Rows(pub(crate) Vec<Group>);
 
 impl Rows {
     /// Begins a group.
-    fn put<R: Row>(&mut self, row: &R) {
+    pub(crate) fn put<R: Row>(&mut self, row: &R) {
         self.0.push(Group(vec![(R::TABLE, row.values())]));
     }
 
     /// Adds to the last group.
-    fn part<R: Row>(&mut self, row: &R) {
+    pub(crate) fn part<R: Row>(&mut self, row: &R) {
         if let Some(Group(rows)) = self.0.last_mut() {
             rows.push((R::TABLE, row.values()));
         }
@@ -126,6 +126,20 @@ impl SurveyTables {
         })
     }
 
+    /// Of an arrival: its own table, and the units of the project as they were written down.
+    pub(crate) fn of_arrival(text: &str, units: &str) -> Result<Self, StoreError> {
+        let units = serde_json::from_str(units).map_err(|why| StoreError::Reader(why.to_string()))?;
+        Ok(SurveyTables {
+            units,
+            ..SurveyTables::of(text)?
+        })
+    }
+
+    /// The units, as [`SurveyTables::of_arrival`] reads them.
+    pub(crate) fn units(&self) -> String {
+        self.units.to_string()
+    }
+
     fn survey(&self, name: &str) -> &Json {
         self.surveys.get(name).unwrap_or(&Json::Null)
     }
@@ -176,7 +190,7 @@ fn gather_texts<'a>(value: &'a Json, found: &mut Vec<&'a str>) {
     }
 }
 
-fn shown(name: &str) -> String {
+pub(crate) fn shown(name: &str) -> String {
     let plain = name
         .chars()
         .map(|sign| if sign.is_control() { '?' } else { sign });
@@ -326,7 +340,7 @@ impl Incoming<'_> {
         Ok(rows)
     }
 
-    fn survey(&self, rows: &mut Rows, survey: &Survey, hash: &str) -> Result<(), StoreError> {
+    pub(crate) fn survey(&self, rows: &mut Rows, survey: &Survey, hash: &str) -> Result<(), StoreError> {
         rows.put(&SurveyRow {
             hash: hash.to_owned(),
             structure: self.structure.to_owned(),
@@ -456,7 +470,7 @@ fn record(rows: &mut Rows, source: &RecordSource, hash: &str, (survey, setup, st
     }
 }
 
-fn analysis(rows: &mut Rows, modes: &Modes, key: &AnalysisKey, (who, at_us): (&str, i64)) {
+pub(crate) fn analysis(rows: &mut Rows, modes: &Modes, key: &AnalysisKey, (who, at_us): (&str, i64)) {
     let hash = key.hash();
     rows.put(&SettingsRow {
         hash: key.settings.clone(),

@@ -2,7 +2,7 @@
 
 use crate::database::{Value, all};
 use crate::error::StoreError;
-use crate::find::{Exported, Taker};
+use crate::find::{Exported, Taker, not_in};
 use crate::raw::RawFolder;
 use crate::store::{Store, refuse_unknown};
 use dolmen::modal::{ObservedMode, ObservedPoint};
@@ -68,17 +68,23 @@ impl Store {
     pub fn observed(&mut self, name: &str) -> Result<BTreeMap<String, Vec<ObservedMode>>, StoreError> {
         let database = self.database.as_mut();
         refuse_unknown(database, name)?;
-        let sql = "select v.name, m.position, m.frequency_hz, m.frequency_sd_hz, m.damping_ratio, m.damping_ratio_sd, \
-             q.channel, q.real_part, q.imaginary_part \
-             from project_survey ps join survey v on v.hash = ps.survey \
-             join mode m on m.analysis = (select n.hash from survey_analysis sa join analysis n on n.hash = sa.analysis \
+        const LATEST: &str =
+            "(select project from adoption where structure = $1 order by at_us desc limit 1)";
+        let columns = "v.name as survey, m.position as mode, m.frequency_hz, m.frequency_sd_hz, m.damping_ratio, m.damping_ratio_sd, \
+             q.channel, q.real_part, q.imaginary_part, q.position as point";
+        let modes = "join mode m on m.analysis = (select n.hash from survey_analysis sa join analysis n on n.hash = sa.analysis \
                where sa.survey = v.hash order by n.at_us desc, n.hash limit 1) \
-             left join mode_point q on q.analysis = m.analysis and q.mode = m.position \
-             where ps.project = (select project from adoption where structure = $1 order by at_us desc limit 1) \
-             order by ps.position, m.position, q.position";
+             left join mode_point q on q.analysis = m.analysis and q.mode = m.position";
+        let sql = format!(
+            "select {columns}, 0 as is_arrival, ps.position as place from project_survey ps join survey v on v.hash = ps.survey {modes} \
+             where ps.project = {LATEST} \
+             union all select {columns}, 1, 0 from arrival r join survey v on v.hash = r.survey {modes} \
+             where r.structure = $1 and {} order by is_arrival, place, survey, mode, point",
+            not_in(LATEST)
+        );
         let mut found: BTreeMap<String, Vec<ObservedMode>> = BTreeMap::new();
         let mut last = None;
-        for row in all(database, sql, &[Value::Text(name.to_owned())])? {
+        for row in all(database, &sql, &[Value::Text(name.to_owned())])? {
             let mut row = Taker::of(row, "mode");
             let survey: String = row.take("survey")?;
             let position: i64 = row.take("position")?;

@@ -6,7 +6,7 @@ use crate::error::{Within as _, WorkError};
 use crate::kinds;
 use crate::opened::Opened;
 use crate::progress::{Progress, Stage};
-use crate::record;
+use crate::record::{self, OpenedRecord};
 use crate::stack::factors::{self as stack, factors};
 use crate::surveyed::{RecordAnswer, SetupsAnswer, StiffnessAnswer, SurveyAnswer, WithoutStiffness};
 use crate::wrong::Place;
@@ -266,7 +266,15 @@ fn of_record(
 ) -> Result<(RecordAnswer, Record), WorkError> {
     let file = source.file.clone();
     progress.begin(&Stage::Reading { file });
-    let opened = record::record(source, files)?;
+    of_opened(source, record::record(source, files)?, progress)
+}
+
+/// Modes of a record that was read.
+pub(crate) fn of_opened(
+    source: &RecordSource,
+    opened: OpenedRecord,
+    progress: &dyn Progress,
+) -> Result<(RecordAnswer, Record), WorkError> {
     let file = source.file.clone();
     progress.begin(&Stage::Identifying { file });
     let options = options(source, opened.record.channels())?;

@@ -2,6 +2,7 @@
 
 use crate::change_fault::ChangeFault;
 use crate::compare::surveyed;
+use crate::days::{Days, days};
 use crate::error::WorkError;
 use crate::identify;
 use crate::opened::Opened;
@@ -92,14 +93,19 @@ fn watch_surveys(opened: &Opened, of: impl Fn(&Survey) -> Surveyed) -> Result<Wa
         };
         surveys.push(history_survey(survey, day_of(when), of(survey)));
     }
-    surveys.sort_by(|a, b| a.day.total_cmp(&b.day));
-    let mut kept: Vec<HistorySurvey> = Vec::with_capacity(surveys.len());
-    for survey in surveys {
-        match kept.last().is_some_and(|last| last.day == survey.day) {
-            true => left_out.push(survey.name),
-            false => kept.push(survey),
-        }
-    }
+    let tracking = Tracking {
+        frequency_within: project
+            .change
+            .frequency_within
+            .unwrap_or(Pairing::default().frequency_within),
+        ..Tracking::default()
+    };
+    let Days {
+        surveys: kept,
+        several,
+        left_out: of_one_day,
+    } = days(surveys, &tracking).map_err(ChangeFault::from)?;
+    left_out.extend(of_one_day);
     let with_modes = kept.iter().filter(|survey| !survey.modes.is_empty()).count();
     if with_modes < SURVEYS_LEAST {
         return Err(ChangeFault::TooFewToWatch {
@@ -128,13 +134,7 @@ fn watch_surveys(opened: &Opened, of: impl Fn(&Survey) -> Surveyed) -> Result<Wa
     };
     let usual = WatchOptions::default();
     let options = WatchOptions {
-        tracking: Tracking {
-            frequency_within: project
-                .change
-                .frequency_within
-                .unwrap_or(Pairing::default().frequency_within),
-            ..Tracking::default()
-        },
+        tracking,
         years_between_false_alarms: project
             .watch
             .years_between_false_alarms
@@ -154,9 +154,11 @@ fn watch_surveys(opened: &Opened, of: impl Fn(&Survey) -> Surveyed) -> Result<Wa
                 day: survey.day,
                 temperature_c: survey.temperature_c,
                 frequencies_hz: survey.modes.iter().map(|mode| mode.frequency_hz).collect(),
+                frequency_sds_hz: survey.modes.iter().map(|mode| mode.frequency_sd_hz).collect(),
             })
             .collect(),
         left_out,
+        several,
         works,
         watched,
     })

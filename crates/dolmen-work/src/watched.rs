@@ -13,8 +13,10 @@ pub struct WatchAnswer {
     pub project: Arc<Project>,
     /// The surveys that were watched, by time.
     pub surveys: Vec<WatchedSurvey>,
-    /// Names of surveys that were left out: no date, no modes and no tilt, or the day of another.
+    /// Names of surveys that were left out: no date, no modes and no tilt, or the day of another and a name that says more than when.
     pub left_out: Vec<String>,
+    /// Days with several surveys, which count as one: the day, and how many.
+    pub several: Vec<(String, usize)>,
     /// Works by time, each with its day.
     pub works: Vec<(f64, WorkPart)>,
     /// What they say.
@@ -32,6 +34,8 @@ pub struct WatchedSurvey {
     pub temperature_c: Option<f64>,
     /// Frequencies of its modes, Hz, as the history numbers them.
     pub frequencies_hz: Vec<f64>,
+    /// Their standard deviations, Hz, where they are known.
+    pub frequency_sds_hz: Vec<Option<f64>>,
 }
 
 impl WatchAnswer {

@@ -76,6 +76,7 @@ pub fn watch_json(answer: &WatchAnswer) -> Value {
             "temperature_c": survey.temperature_c,
         })).collect::<Vec<_>>(),
         "left_out": answer.left_out,
+        "several_of_one_day": answer.several.iter().map(|(day, surveys)| json!({ "day": day, "surveys": surveys })).collect::<Vec<_>>(),
         "works": answer.works.iter().map(|(_, work)| json!({
             "date": work.date,
             "what": work.what,

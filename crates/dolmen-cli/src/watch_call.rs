@@ -1,0 +1,47 @@
+//! The program of `--on-alarm`.
+
+use crate::wrong::CommandError;
+use anyhow::Result;
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+/// What the program is told, in its environment.
+pub(crate) struct Call<'a> {
+    pub(crate) structure: &'a str,
+    /// The last survey.
+    pub(crate) survey: &'a str,
+    pub(crate) open_alarms: usize,
+    pub(crate) tilt_beyond: Option<f64>,
+    /// Of one alarm: of what sort, and the day that confirmed it.
+    pub(crate) kind: Option<[&'a str; 2]>,
+}
+
+impl Call<'_> {
+    /// Runs it, without a shell, to its end.
+    pub(crate) fn run(&self, program: &Path) -> Result<()> {
+        let lean = self.tilt_beyond.map(|lean| format!("{lean:.5}"));
+        let mut command = Command::new(program);
+        command
+            .env("DOLMEN_STRUCTURE", self.structure)
+            .env("DOLMEN_SURVEY", self.survey)
+            .env("DOLMEN_ALARMS", self.open_alarms.to_string())
+            .env("DOLMEN_TILT_BEYOND", lean.unwrap_or_default())
+            .stdin(Stdio::null());
+        if let Some([kind, date]) = self.kind {
+            command
+                .env("DOLMEN_ALARM_KIND", kind)
+                .env("DOLMEN_ALARM_DATE", date);
+        }
+        let shown = program.display().to_string();
+        let fault = match command.status() {
+            Ok(status) if status.success() => return Ok(()),
+            Ok(status) => CommandError::ProgramFailed {
+                program: shown,
+                structure: self.structure.to_owned(),
+                status: status.to_string(),
+            },
+            Err(why) => CommandError::NoProgram { program: shown, why },
+        };
+        Err(fault.into())
+    }
+}

@@ -1,0 +1,85 @@
+//! A survey like another one with a record of its own, as a project file writes it.
+
+use toml::{Table, Value};
+
+/// Key of a file in the table of a record.
+const FILE: &str = "file";
+
+/// The table of a survey that has the record settings of the survey `like` in `text`, with `file` in the place of its record, to be put behind
+/// the text: its name, a note, and nothing else of the other. `None` where that survey has no record in one file.
+pub fn survey_like(text: &str, like: &str, name: &str, file: &str, note: &str) -> Option<String> {
+    let root = text.parse::<Table>().ok()?;
+    let mut records = root.get("survey")?.get(like)?.get("records")?.as_table()?.clone();
+    records.get(FILE)?.as_str()?;
+    records.insert(FILE.to_owned(), Value::String(file.to_owned()));
+    Some(format!(
+        "\n[survey.{}]\nnote = {}\nrecords = {}\n",
+        Value::String(name.to_owned()),
+        Value::String(note.to_owned()),
+        Value::Table(records)
+    ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::parse_project;
+
+    const TEXT: &str = r#"
+schema = 1
+kind = "survey"
+name = "Gate"
+[survey.2024-05-01]
+temperature_c = 9
+tilt = { x = "1/300" }
+[survey.2024-05-01.records]
+file = "first.csv"   # by hand
+sampling_rate = "100 Hz"
+unit = "mg"
+channels = [{ column = "a \"b\"", direction = "x", position = [0, 0, "3 m"] }]
+"#;
+
+    #[test]
+    fn holds_a_survey_like_another_is_read_with_its_settings() {
+        let like = |text: &str, name: &str, file: &str| {
+            survey_like(text, "2024-05-01", name, file, "as \"x\\\ny\" '''").unwrap()
+        };
+        let first = TEXT.to_owned() + &like(TEXT, "2026-11-25T10:00:00", "followed/a.csv");
+        let both = first.clone() + &like(&first, "2026-11-25T11:00:00", "followed/b.csv");
+        let project = parse_project(&both, "project.toml").unwrap();
+        let [before, one, two] = project.surveys.as_slice() else {
+            panic!("{both}")
+        };
+        assert_eq!(one.name, "2026-11-25T10:00:00");
+        assert_eq!(one.note.as_deref(), Some("as \"x\\\ny\" '''"));
+        assert_eq!((one.temperature_c, one.tilt.len()), (None, 0));
+        let (given, own, last) = (
+            before.records.clone().unwrap(),
+            one.records.clone().unwrap(),
+            two.records.clone().unwrap(),
+        );
+        assert_eq!(own.file, "followed/a.csv");
+        assert_eq!(last.file, "followed/b.csv");
+        let file = given.file.clone();
+        assert_eq!(dolmen_record_with(own, &file), given);
+    }
+
+    fn dolmen_record_with(mut source: crate::RecordSource, file: &str) -> crate::RecordSource {
+        file.clone_into(&mut source.file);
+        source
+    }
+
+    #[test]
+    fn refuses_a_survey_without_one_record() {
+        for (text, like) in [
+            (TEXT, "2024-05-02"),
+            (
+                &TEXT.replace("\"first.csv\"", "[\"a.csv\", \"b.csv\"]"),
+                "2024-05-01",
+            ),
+            ("[", "2024-05-01"),
+        ] {
+            assert_eq!(survey_like(text, like, "a", "b", "c"), None);
+        }
+    }
+}

@@ -1,0 +1,305 @@
+//! A record that came by itself: read as the latest survey of its project says, and identified.
+
+use super::when::{RecordTime, record_time};
+use crate::error::WorkError;
+use crate::identify;
+use crate::opened::Opened;
+use crate::progress::Silent;
+use crate::record;
+use crate::survey_dates::{date, day_of};
+use dolmen::modal::{Modes, ObservedMode, SensorDoubt};
+use dolmen::signal::{Channel, ChannelFault};
+use dolmen_project::{Survey, survey_like};
+use dolmen_records::{FileError, Files};
+use dolmen_words::message::Both;
+use std::sync::Arc;
+
+/// The folder of a project in which records that came by themselves lie once it is exported.
+const FOLDER: &str = "followed";
+/// Most letters of an ending of a file that is kept.
+const ENDING_MOST: usize = 8;
+
+/// The survey whose settings records that come have.
+#[derive(Clone, Debug)]
+pub struct Pattern {
+    opened: Opened,
+    survey: String,
+}
+
+/// A file that came.
+#[derive(Clone, Debug)]
+pub struct RecordFile<'a> {
+    /// What it is called.
+    pub name: &'a str,
+    /// Its bytes.
+    pub bytes: &'a [u8],
+    /// When it was last written, s from 1 January 1970 (UTC).
+    pub modified_s: f64,
+}
+
+/// What a record gave.
+#[derive(Debug)]
+pub struct Taken {
+    /// When it was taken.
+    pub time: RecordTime,
+    /// What was seen wrong with its channels.
+    pub faults: Vec<ChannelFault>,
+    /// What its sensors say against each other.
+    pub doubts: Vec<SensorDoubt>,
+    /// Its modes, or why there are none.
+    pub modes: Result<Modes, WorkError>,
+    came_as: String,
+    ending: Option<String>,
+}
+
+/// A survey that was made of a record.
+#[derive(Clone, Debug)]
+pub struct TakenSurvey {
+    /// Its name.
+    pub name: String,
+    /// Where its record lies in the folder of the project.
+    pub path: String,
+    /// Its table as a project file writes it, to be put behind the text.
+    pub own_text: String,
+    /// The project with it.
+    pub opened: Opened,
+}
+
+/// The files of a project, and one more.
+struct Beside<'a> {
+    path: &'a str,
+    bytes: &'a [u8],
+    rest: &'a dyn Files,
+}
+
+impl Files for Beside<'_> {
+    fn read(&self, name: &str, most_bytes: u64) -> Result<Vec<u8>, FileError> {
+        if name != self.path {
+            return self.rest.read(name, most_bytes);
+        }
+        match self.bytes.len() as u64 {
+            bytes if bytes > most_bytes => Err(FileError::TooLarge {
+                shown: name.to_owned(),
+                bytes,
+                most: most_bytes,
+            }),
+            _ => Ok(self.bytes.to_vec()),
+        }
+    }
+}
+
+impl Pattern {
+    /// The latest survey of a project with its record in one file: by date, else the last in the file.
+    ///
+    /// # Errors
+    /// [`WorkError::NoneToFollow`].
+    pub fn of(opened: Opened) -> Result<Self, WorkError> {
+        let surveys = opened.project.surveys.iter().enumerate();
+        let usable = surveys.filter(|(_, survey)| {
+            let records = survey.records.as_ref();
+            records.is_some_and(|source| source.stations.is_empty())
+        });
+        let latest = usable.max_by(|(i, a), (j, b)| {
+            let day = |survey: &Survey| date(&survey.name).map_or(f64::NEG_INFINITY, day_of);
+            day(a).total_cmp(&day(b)).then(i.cmp(j))
+        });
+        match latest {
+            Some((_, survey)) => Ok(Pattern {
+                survey: survey.name.clone(),
+                opened,
+            }),
+            None => Err(WorkError::NoneToFollow),
+        }
+    }
+
+    /// The survey.
+    pub fn survey(&self) -> &str {
+        &self.survey
+    }
+
+    /// The project as it was stored.
+    pub fn opened(&self) -> &Opened {
+        &self.opened
+    }
+
+    /// The project with a survey of this name, whose record lies at `path`; and the text of that survey.
+    fn with(
+        &self,
+        name: &str,
+        path: &str,
+        came_as: &str,
+        files: &dyn Files,
+    ) -> Result<(Opened, String), WorkError> {
+        let note = format!("came as {came_as}");
+        let own = survey_like(&self.opened.text, &self.survey, name, path, &note);
+        let own = own.ok_or(WorkError::NoneToFollow)?;
+        let text = self.opened.text.clone() + &own;
+        let opened = Opened::read(text, self.opened.file.clone(), files)?;
+        Ok((opened, own))
+    }
+
+    /// Reads a record as the survey's and seeks its modes; `rest` gives the other files of the project, and `now_s` is the clock, s from 1970.
+    ///
+    /// # Errors
+    /// It cannot be read as those of the survey are. One that gives no modes is no error.
+    pub fn take(&self, file: &RecordFile<'_>, rest: &dyn Files, now_s: f64) -> Result<Taken, WorkError> {
+        const UNNAMED: &str = "arriving";
+        let came_as = plain(file.name);
+        let ending = ending(file.name);
+        let path = path_of(UNNAMED, ending.as_deref());
+        let files = Beside {
+            path: &path,
+            bytes: file.bytes,
+            rest,
+        };
+        let (opened, _) = self.with(UNNAMED, &path, &came_as, &files)?;
+        let source = survey(&opened, UNNAMED).and_then(|survey| survey.records.as_ref());
+        let source = source.ok_or(WorkError::NoneToFollow)?;
+        let read = record::record(source, &files)?;
+        let time = record_time(read.begins_s, file.name, file.modified_s, now_s);
+        let faults = read.faults.clone();
+        let (modes, doubts) = match identify::of_opened(source, read, &Silent) {
+            Ok((answer, _)) => (Ok(answer.analysis.modes), answer.doubts),
+            Err(why) => (Err(why), Vec::new()),
+        };
+        Ok(Taken {
+            time,
+            faults,
+            doubts,
+            modes,
+            came_as,
+            ending,
+        })
+    }
+
+    /// The survey that is made of a record: named for its time, with a number behind it where others of that name are there.
+    ///
+    /// # Errors
+    /// The project cannot be read with it.
+    pub fn survey_of(
+        &self,
+        taken: &Taken,
+        number: usize,
+        rest: &dyn Files,
+    ) -> Result<TakenSurvey, WorkError> {
+        let name = match number {
+            0 | 1 => taken.time.name.clone(),
+            number => format!("{} ({number})", taken.time.name),
+        };
+        let path = path_of(&name, taken.ending.as_deref());
+        let (opened, own_text) = self.with(&name, &path, &taken.came_as, rest)?;
+        Ok(TakenSurvey {
+            name,
+            path,
+            own_text,
+            opened,
+        })
+    }
+}
+
+fn survey<'a>(opened: &'a Opened, name: &str) -> Option<&'a Survey> {
+    opened.project.surveys.iter().find(|survey| survey.name == name)
+}
+
+impl TakenSurvey {
+    /// Adds it to the project of a history.
+    pub fn put_into(&self, history: &mut Opened) {
+        if let Some(own) = survey(&self.opened, &self.name) {
+            Arc::make_mut(&mut history.project).surveys.push(own.clone());
+        }
+    }
+}
+
+impl Taken {
+    /// Its modes as a store gives them back.
+    pub fn observed(&self) -> Option<Vec<ObservedMode>> {
+        let mut all = ObservedMode::all(self.modes.as_ref().ok()?, 0);
+        for point in all.iter_mut().flat_map(|mode| &mut mode.shape) {
+            point.channel = Channel::named(point.channel.name.clone());
+        }
+        Some(all)
+    }
+
+    /// Why there are no modes, in both languages.
+    pub fn without_modes(&self) -> Option<Both> {
+        self.modes.as_ref().err().map(|why| crate::told::told_both(why))
+    }
+}
+
+/// A name without what steers a terminal or breaks a line.
+fn plain(name: &str) -> String {
+    const MOST: usize = 120;
+    let steers = |sign: char| {
+        sign.is_control()
+            || matches!(sign, '\u{200e}'..='\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
+    };
+    let signs = name.chars().map(|sign| if steers(sign) { '?' } else { sign });
+    signs.take(MOST).collect()
+}
+
+/// The ending of a file where it is a plain one.
+fn ending(name: &str) -> Option<String> {
+    let (stem, ending) = name.rsplit_once('.')?;
+    let is_plain = ending.len() <= ENDING_MOST && ending.bytes().all(|sign| sign.is_ascii_alphanumeric());
+    (!stem.is_empty() && !ending.is_empty() && is_plain).then(|| ending.to_ascii_lowercase())
+}
+
+fn path_of(survey: &str, ending: Option<&str>) -> String {
+    let stem: String = survey
+        .chars()
+        .filter(|sign| !matches!(sign, '(' | ')'))
+        .map(|sign| if matches!(sign, ':' | ' ') { '-' } else { sign })
+        .collect();
+    match ending {
+        Some(ending) => format!("{FOLDER}/{stem}.{ending}"),
+        None => format!("{FOLDER}/{stem}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use dolmen_records::NoFiles;
+
+    #[test]
+    fn holds_the_latest_survey_with_one_record_is_the_pattern() {
+        let head = "schema = 1\nkind = \"survey\"\nname = \"Gate\"\n";
+        let of = |rest: &str| {
+            let opened = Opened::read(head.to_owned() + rest, "p".to_owned(), &NoFiles).unwrap();
+            Pattern::of(opened).map(|pattern| pattern.survey)
+        };
+        let record = "records = { file = \"a.csv\", sampling_rate = \"100 Hz\" }\n";
+        let three = format!(
+            "[survey.2020-05]\n{record}[survey.2019]\n{record}[survey.first]\n{record}[survey.2024]\nfrequencies.x = [2.0]\n"
+        );
+        assert_eq!(of(&three).unwrap(), "2020-05");
+        assert_eq!(
+            of(&format!("[survey.a]\n{record}[survey.b]\n{record}")).unwrap(),
+            "b"
+        );
+        assert!(matches!(
+            of("[survey.2024]\nfrequencies.x = [2.0]\n"),
+            Err(WorkError::NoneToFollow)
+        ));
+    }
+
+    #[test]
+    fn holds_names_of_strangers_make_no_path() {
+        for (name, ending_of) in [
+            ("a.csv", Some("csv")),
+            ("../../etc/passwd", None),
+            ("a.c/sv", None),
+            ("x.$(reboot)", None),
+            (".csv", None),
+            ("a.verylongending", None),
+            ("A.MSEED", Some("mseed")),
+        ] {
+            assert_eq!(ending(name).as_deref(), ending_of, "{name}");
+        }
+        assert_eq!(
+            path_of("2026-11-25T10:00:00 (2)", Some("csv")),
+            "followed/2026-11-25T10-00-00-2.csv"
+        );
+        assert_eq!(plain("a\nb\u{202e}c\u{1b}[0m"), "a?b?c?[0m");
+    }
+}
