@@ -173,12 +173,17 @@ pub(crate) struct Watch {
     #[arg(long, group = "from_store")]
     pub(crate) all: bool,
     /// The store: a file; else DOLMEN_STORE
-    #[arg(long, value_name = "FILE", requires = "from_store")]
+    #[arg(
+        long,
+        value_name = "FILE",
+        requires = "from_store",
+        conflicts_with = "project"
+    )]
     pub(crate) store: Option<String>,
     #[command(flatten)]
     pub(crate) follow: Follow,
     /// With --all: a table (CSV)
-    #[arg(long, requires = "all")]
+    #[arg(long, requires = "all", conflicts_with_all = ["project", "follow"])]
     pub(crate) csv: bool,
     /// Write the figure (SVG) and the result (JSON) into this folder
     #[arg(long, short, value_name = "DIR", conflicts_with = "from_store")]

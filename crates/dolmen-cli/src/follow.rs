@@ -10,16 +10,17 @@ use crate::say::say;
 use crate::signals;
 use crate::survey::Where;
 use crate::tools::complain;
-use crate::watch::judged;
-use crate::watch_call::Call;
+use crate::watch_call::{Call, judged};
 use crate::wrong::{CommandError, Noted};
-use anyhow::Result;
+use anyhow::{Context as _, Result};
 use dolmen::modal::ObservedMode;
-use dolmen_folder::{Inbox, Look, move_into, quarantine, quarantined, write};
+use dolmen_folder::{Inbox, Look, move_into, quarantine, quarantined, read, write};
+use dolmen_records::{Log, TABLE_BYTES_MOST, read_log};
 use dolmen_report::kept::{followed_json, followed_text, metrics_text, quarantined_json, quarantined_text};
 use dolmen_store::{Act, Arrived, Arriving, Incoming, Keeper, Kept, Search, Store, StoredFiles};
 use dolmen_words::message::Both;
 use dolmen_work::follow::{OpenAlarm, Pattern, Taken, Verdict, moment_of, open_alarms, verdict};
+use dolmen_work::sensor_alarms::{SensorFault, SensorFaults};
 use dolmen_work::watch::{SURVEYS_LEAST, watch_observed};
 use dolmen_work::watched::WatchAnswer;
 use dolmen_work::{ChangeFault, Opened, WorkError};
@@ -42,6 +43,7 @@ struct State {
     files: StoredFiles,
     history: Opened,
     observed: BTreeMap<String, Vec<ObservedMode>>,
+    faults: SensorFaults,
 }
 
 struct Following<'a> {
@@ -57,6 +59,8 @@ struct Following<'a> {
     /// What the history says after the last record.
     answer: Option<WatchAnswer>,
     last_survey_s: Option<f64>,
+    /// Temperature of the air over time, as it was when the folder was looked at.
+    temperature: Option<Log>,
 }
 
 pub(crate) fn follow(folder: &Path, options: &Watch, manner: &Manner) -> Result<Outcome> {
@@ -96,7 +100,7 @@ pub(crate) fn follow(folder: &Path, options: &Watch, manner: &Manner) -> Result<
             break;
         }
     }
-    Ok(judged(!following.alarms().is_empty()))
+    Ok(judged(following.alarms().iter().any(OpenAlarm::is_of_structure)))
 }
 
 /// Waits until so long after a moment, or until a signal asks to stop.
@@ -116,7 +120,7 @@ impl<'a> Following<'a> {
         for beside in ["", "-wal", "-shm", "-journal"] {
             inbox = inbox.passing_over(Path::new(&format!("{place}{beside}")));
         }
-        for path in of.metrics.iter() {
+        for path in of.metrics.iter().chain(&of.temperature) {
             inbox = inbox.passing_over(path);
         }
         let mut store = at.open_to_write()?;
@@ -154,6 +158,7 @@ impl<'a> Following<'a> {
             known,
             answer: None,
             last_survey_s,
+            temperature: None,
         })
     }
 
@@ -164,6 +169,7 @@ impl<'a> Following<'a> {
             self.state = State::of(&mut self.store, &self.structure, &self.at)?;
             self.judge()?;
         }
+        self.temperature = self.read_temperature()?;
         let mut lying = self.inbox.look()?;
         // the oldest first, so that a backlog is judged as it came
         lying
@@ -178,6 +184,16 @@ impl<'a> Following<'a> {
         }
         self.write_metrics()?;
         Ok(lying.growing)
+    }
+
+    fn read_temperature(&self) -> Result<Option<Log>> {
+        let Some(path) = &self.options.follow.temperature else {
+            return Ok(None);
+        };
+        let bytes = read(path, self.at.manner.access().most(TABLE_BYTES_MOST))?;
+        let column = self.options.follow.temperature_column.as_deref();
+        let context = || path.display().to_string();
+        Ok(Some(read_log(&bytes, column).with_context(context)?))
     }
 
     /// Reads and identifies files together, then stores them one by one, judges the history and says what it says of each.
@@ -227,8 +243,13 @@ impl<'a> Following<'a> {
     fn store(&mut self, path: &Path, taken: &Taken, kept: Kept) -> Result<Option<String>> {
         let who = self.at.who();
         let hash = kept.hash.clone();
+        let faults: Vec<(String, SensorFault)> = taken.faults.iter().map(SensorFault::of).collect();
+        let temperature_c = self.temperature.as_ref().and_then(|log| taken.temperature_c(log));
         for number in 1..=SAME_SECOND_MOST {
-            let survey = self.state.pattern.survey_of(taken, number, &self.state.files)?;
+            let survey = self
+                .state
+                .pattern
+                .survey_of(taken, number, temperature_c, &self.state.files)?;
             let modes = taken.modes.as_ref().ok().cloned();
             let arriving = Arriving {
                 incoming: Incoming {
@@ -241,15 +262,11 @@ impl<'a> Following<'a> {
                         .map(|modes| (survey.name.clone(), modes))
                         .into_iter()
                         .collect(),
+                    faults: BTreeMap::from([(survey.name.clone(), faults.clone())]),
                 },
                 survey: &survey.name,
                 own_text: &survey.own_text,
                 came_as: &name_of(path),
-                faults: taken
-                    .faults
-                    .iter()
-                    .map(|fault| dolmen_work::follow::fault_word(fault))
-                    .collect(),
             };
             let act = Act {
                 who: &who,
@@ -260,6 +277,7 @@ impl<'a> Following<'a> {
                 Arrived::Stored => {
                     self.known.insert(hash);
                     survey.put_into(&mut self.state.history);
+                    self.state.faults.insert(survey.name.clone(), faults);
                     if let Some(observed) = taken.observed() {
                         self.state.observed.insert(survey.name.clone(), observed);
                     }
@@ -283,7 +301,7 @@ impl<'a> Following<'a> {
 
     /// What the history says now.
     fn judge(&mut self) -> Result<()> {
-        self.answer = match watch_observed(&self.state.history, &self.state.observed) {
+        self.answer = match watch_observed(&self.state.history, &self.state.observed, &self.state.faults) {
             Ok(answer) => Some(answer),
             Err(WorkError::Change(why)) if matches!(*why, ChangeFault::TooFewToWatch { .. }) => None,
             Err(why) => return Err(why.into()),
@@ -304,7 +322,12 @@ impl<'a> Following<'a> {
             },
         };
         let (manner, file) = (self.at.manner, name_of(path));
-        let judged = (&verdict, self.alarms().len());
+        let open = self
+            .alarms()
+            .iter()
+            .filter(|alarm| alarm.is_of_structure())
+            .count();
+        let judged = (&verdict, open);
         match manner.json {
             true => say(&format!("{}\n", followed_json(survey, &file, taken, judged))),
             false => say(&followed_text(survey, &file, taken, judged, manner.language())),
@@ -405,6 +428,7 @@ impl State {
             pattern,
             history,
             observed: store.observed(structure).map_err(told)?,
+            faults: store.faults(structure).map_err(told)?,
             files,
         })
     }

@@ -127,14 +127,16 @@ fn add_one(store: &mut Store, options: &Add, found: &Found, at: &Where<'_>) -> R
         text_kept,
         files: kept,
         modes: BTreeMap::new(),
+        faults: BTreeMap::new(),
     };
     let mut unidentified = Vec::new();
     if !options.without_modes {
         for survey in store.due(&incoming).map_err(told)? {
             let progress = Terminal::new(at.manner.quiet);
             match survey_modes(project, &survey, &found.files, &progress) {
-                Ok(Some(modes)) => {
-                    incoming.modes.insert(survey, modes);
+                Ok(Some(found)) => {
+                    incoming.faults.insert(survey.clone(), found.faults);
+                    incoming.modes.insert(survey, found.modes);
                 }
                 Ok(None) => {}
                 Err(why) => unidentified.push(Unidentified {

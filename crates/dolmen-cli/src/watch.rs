@@ -9,9 +9,10 @@ use crate::outcome::Outcome;
 use crate::progress::Terminal;
 use crate::say::{say, say_json};
 use crate::survey::Where;
-use crate::watch_call::Call;
+use crate::watch_call::{Call, judged};
 use crate::wrong::Noted;
 use anyhow::Result;
+use dolmen::modal::ObservedMode;
 use dolmen_folder::{Found, Outputs};
 use dolmen_report::files::watch_files;
 use dolmen_report::json::watch_json;
@@ -19,10 +20,11 @@ use dolmen_report::kept::{inventory_csv, inventory_json, inventory_text, store_f
 use dolmen_report::text::watch_text;
 use dolmen_store::{Search, Store, StoreError, StoredFiles};
 use dolmen_work::inventory::{InventoryLine, worst_first};
-use dolmen_work::judgement::{Colour, Verb, exit_status};
+use dolmen_work::sensor_alarms::SensorFaults;
 use dolmen_work::watch::{watch, watch_observed};
 use dolmen_work::{Opened, told};
 use rayon::prelude::*;
+use std::collections::BTreeMap;
 use std::path::Path;
 
 /// Structures that are read before they are watched together.
@@ -80,17 +82,13 @@ fn call(options: &Watch, lines: &[InventoryLine]) -> Result<()> {
     Ok(())
 }
 
-pub(crate) fn judged(is_alarming: bool) -> Outcome {
-    let colour = if is_alarming { Colour::Red } else { Colour::Green };
-    Outcome::Judged(exit_status(Verb::Watch, colour, true))
-}
-
 /// A structure as it was read from the store.
 struct Stored {
     structure: String,
     text: Vec<u8>,
     files: StoredFiles,
-    observed: std::collections::BTreeMap<String, Vec<dolmen::modal::ObservedMode>>,
+    observed: BTreeMap<String, Vec<ObservedMode>>,
+    faults: SensorFaults,
 }
 
 fn all(options: &Watch, manner: &Manner) -> Result<Outcome> {
@@ -140,13 +138,14 @@ fn read(store: &mut Store, structure: &str) -> Result<Stored, StoreError> {
         files: store.files(&exported),
         text: exported.text,
         observed: store.observed(structure)?,
+        faults: store.faults(structure)?,
     })
 }
 
 fn watched(stored: Stored) -> InventoryLine {
     let text = String::from_utf8_lossy(&stored.text).into_owned();
     let found = Opened::read(text, stored.structure.clone(), &stored.files)
-        .and_then(|opened| watch_observed(&opened, &stored.observed));
+        .and_then(|opened| watch_observed(&opened, &stored.observed, &stored.faults));
     match found {
         Ok(answer) => InventoryLine::watched(stored.structure, &answer),
         Err(why) => InventoryLine::not_watched(stored.structure, told(&why)),

@@ -1,7 +1,9 @@
-//! The program of `--on-alarm`.
+//! What follows an alarm: the program of `--on-alarm`, and the exit status.
 
+use crate::outcome::Outcome;
 use crate::wrong::CommandError;
 use anyhow::Result;
+use dolmen_work::judgement::{Colour, Verb, exit_status};
 use std::path::Path;
 use std::process::{Command, Stdio};
 
@@ -44,4 +46,10 @@ impl Call<'_> {
         };
         Err(fault.into())
     }
+}
+
+/// How a watch ends that found an alarm, or none.
+pub(crate) fn judged(is_alarming: bool) -> Outcome {
+    let colour = if is_alarming { Colour::Red } else { Colour::Green };
+    Outcome::Judged(exit_status(Verb::Watch, colour, true))
 }

@@ -90,7 +90,7 @@ pub use survey::{
     ModalChoice, ModeKind, OtherDamage, RecordFormat, RecordSource, Severity, Survey, SurveyMode,
     TemperaturePart, Tilt, WatchPart, WorkKind, WorkPart, date_of,
 };
-pub use survey_like::survey_like;
+pub use survey_like::{LikeSurvey, survey_like};
 pub use tabled::lists_in_tables;
 pub use units::{AngleError, parse_angle_rad};
 pub use warned::Warned;

@@ -5,17 +5,34 @@ use toml::{Table, Value};
 /// Key of a file in the table of a record.
 const FILE: &str = "file";
 
-/// The table of a survey that has the record settings of the survey `like` in `text`, with `file` in the place of its record, to be put behind
-/// the text: its name, a note, and nothing else of the other. `None` where that survey has no record in one file.
-pub fn survey_like(text: &str, like: &str, name: &str, file: &str, note: &str) -> Option<String> {
+/// What a survey does not have from the one that it is like.
+#[derive(Clone, Copy, Debug)]
+pub struct LikeSurvey<'a> {
+    /// Its name.
+    pub name: &'a str,
+    /// The file of its record.
+    pub file: &'a str,
+    /// A note.
+    pub note: &'a str,
+    /// The temperature of the air, °C.
+    pub temperature_c: Option<f64>,
+}
+
+/// The table of a survey that has the record settings of the survey `like` in `text`, to be put behind the text; nothing else is that of the
+/// other. `None` where that survey has no record in one file.
+pub fn survey_like(text: &str, like: &str, own: &LikeSurvey<'_>) -> Option<String> {
     let root = text.parse::<Table>().ok()?;
     let mut records = root.get("survey")?.get(like)?.get("records")?.as_table()?.clone();
     records.get(FILE)?.as_str()?;
-    records.insert(FILE.to_owned(), Value::String(file.to_owned()));
+    records.insert(FILE.to_owned(), Value::String(own.file.to_owned()));
+    let temperature = own
+        .temperature_c
+        .map(|celsius| format!("temperature_c = {celsius:?}\n"));
     Some(format!(
-        "\n[survey.{}]\nnote = {}\nrecords = {}\n",
-        Value::String(name.to_owned()),
-        Value::String(note.to_owned()),
+        "\n[survey.{}]\nnote = {}\n{}records = {}\n",
+        Value::String(own.name.to_owned()),
+        Value::String(own.note.to_owned()),
+        temperature.unwrap_or_default(),
         Value::Table(records)
     ))
 }
@@ -42,7 +59,13 @@ channels = [{ column = "a \"b\"", direction = "x", position = [0, 0, "3 m"] }]
     #[test]
     fn holds_a_survey_like_another_is_read_with_its_settings() {
         let like = |text: &str, name: &str, file: &str| {
-            survey_like(text, "2024-05-01", name, file, "as \"x\\\ny\" '''").unwrap()
+            let own = LikeSurvey {
+                name,
+                file,
+                note: "as \"x\\\ny\" '''",
+                temperature_c: file.contains('b').then_some(-3.0),
+            };
+            survey_like(text, "2024-05-01", &own).unwrap()
         };
         let first = TEXT.to_owned() + &like(TEXT, "2026-11-25T10:00:00", "followed/a.csv");
         let both = first.clone() + &like(&first, "2026-11-25T11:00:00", "followed/b.csv");
@@ -53,6 +76,7 @@ channels = [{ column = "a \"b\"", direction = "x", position = [0, 0, "3 m"] }]
         assert_eq!(one.name, "2026-11-25T10:00:00");
         assert_eq!(one.note.as_deref(), Some("as \"x\\\ny\" '''"));
         assert_eq!((one.temperature_c, one.tilt.len()), (None, 0));
+        assert_eq!(two.temperature_c, Some(-3.0));
         let (given, own, last) = (
             before.records.clone().unwrap(),
             one.records.clone().unwrap(),
@@ -79,7 +103,13 @@ channels = [{ column = "a \"b\"", direction = "x", position = [0, 0, "3 m"] }]
             ),
             ("[", "2024-05-01"),
         ] {
-            assert_eq!(survey_like(text, like, "a", "b", "c"), None);
+            let own = LikeSurvey {
+                name: "a",
+                file: "b",
+                note: "c",
+                temperature_c: None,
+            };
+            assert_eq!(survey_like(text, like, &own), None);
         }
     }
 }

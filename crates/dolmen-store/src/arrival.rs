@@ -4,9 +4,7 @@ use crate::database::{Database, Value, all, transaction};
 use crate::error::StoreError;
 use crate::incoming::{Incoming, SurveyTables, analysis, refuse_name, refuse_path, shown};
 use crate::raw::{Kept, RawFolder};
-use crate::rows::{
-    AdoptionRow, ArrivalRow, ChannelFaultRow, LogRow, RawRow, SurveyAnalysisRow, insert, select,
-};
+use crate::rows::{AdoptionRow, ArrivalRow, LogRow, RawRow, SurveyAnalysisRow, insert, select};
 use crate::store::{Act, Store, next, put, refuse_unknown};
 use dolmen_work::kept::StoreFault;
 use std::collections::BTreeSet;
@@ -25,8 +23,6 @@ pub struct Arriving<'a> {
     pub own_text: &'a str,
     /// What the file was called.
     pub came_as: &'a str,
-    /// What looked wrong with channels: the channel, and what.
-    pub faults: Vec<(String, &'static str)>,
 }
 
 /// What became of a record.
@@ -183,13 +179,7 @@ fn arrive(
         at_us,
     });
     incoming.survey(&mut rows, survey, &hash)?;
-    for (channel, fault) in &arriving.faults {
-        rows.part(&ChannelFaultRow {
-            survey: hash.clone(),
-            channel: shown(channel),
-            fault: (*fault).to_owned(),
-        });
-    }
+    incoming.faults_of(&mut rows, &survey.name, &hash);
     rows.put(&ArrivalRow {
         survey: hash.clone(),
         structure: structure.to_owned(),

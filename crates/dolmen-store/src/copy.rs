@@ -20,18 +20,18 @@ const HEADS: [(&str, &str, &[&str]); 3] = [
             "stated_shape",
             "record",
             "channel",
-            "channel_fault",
         ],
     ),
     ("project", "project", &["project_file", "project_survey"]),
     ("analysis", "analysis", &["mode", "mode_point"]),
 ];
 /// Every table in an order in which each comes after those that it refers to; the log stays where it was written.
-const ORDER: [&str; 10] = [
+const ORDER: [&str; 11] = [
     "raw",
     "structure",
     "survey",
     "arrival",
+    "channel_fault",
     "settings",
     "analysis",
     "survey_analysis",

@@ -158,9 +158,8 @@ impl Store {
         search: &Search,
         each: &mut dyn FnMut(ListedSurvey) -> Result<(), StoreError>,
     ) -> Result<(), StoreError> {
-        let (condition, values) = condition(search);
         let columns = format!(
-            "s.name as structure, v.name, v.taken_on, \
+            "s.name, v.name, v.taken_on, \
              (select e.value from environment e where e.survey = v.hash and e.quantity = '{AIR_TEMPERATURE}'), \
              (select count(*) from record r where r.survey = v.hash), \
              coalesce((select min(m.frequency_hz) from mode m where m.analysis = \
@@ -168,25 +167,37 @@ impl Store {
                 order by n.at_us desc, n.hash limit 1)), \
               (select min(t.frequency_hz) from stated_mode t where t.survey = v.hash))"
         );
-        let sql = format!(
-            "select {columns}, 0 as is_arrival, ps.position as position {LATEST} \
-             join project_survey ps on ps.project = p.hash join survey v on v.hash = ps.survey {condition} \
-             union all select {columns}, 1, 0 {LATEST} \
-             join arrival r on r.structure = s.name join survey v on v.hash = r.survey {condition} and {} \
-             order by structure, is_arrival, position, name",
+        let of_state = format!(
+            "select {columns} {LATEST} join project_survey ps on ps.project = p.hash join survey v on v.hash = ps.survey \
+             where s.name = $1 order by ps.position"
+        );
+        let arrived = format!(
+            "select {columns} {LATEST} join arrival r on r.structure = s.name join survey v on v.hash = r.survey \
+             where s.name = $1 and {} order by r.name",
             not_in("p.hash")
         );
-        self.database.query(&sql, &values, &mut |row| {
-            let mut row = Taker::of(row, "survey");
-            each(ListedSurvey {
-                structure: row.take("structure")?,
-                survey: row.take("name")?,
-                date: row.take("taken_on")?,
-                temperature_c: row.take("temperature_c")?,
-                records: row.take("records")?,
-                lowest_frequency_hz: row.take("frequency_hz")?,
-            })
-        })
+        let (condition, values) = condition(search);
+        let named = all(
+            self.database.as_mut(),
+            &format!("select s.name {LATEST} {condition} order by s.name"),
+            &values,
+        )?;
+        for structure in named {
+            for sql in [&of_state, &arrived] {
+                self.database.query(sql, &structure, &mut |row| {
+                    let mut row = Taker::of(row, "survey");
+                    each(ListedSurvey {
+                        structure: row.take("structure")?,
+                        survey: row.take("name")?,
+                        date: row.take("taken_on")?,
+                        temperature_c: row.take("temperature_c")?,
+                        records: row.take("records")?,
+                        lowest_frequency_hz: row.take("frequency_hz")?,
+                    })
+                })?;
+            }
+        }
+        Ok(())
     }
 
     /// A structure with its surveys, states and log; only the named survey if `survey` gives one.

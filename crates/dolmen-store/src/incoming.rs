@@ -4,14 +4,15 @@ use crate::database::Value;
 use crate::error::StoreError;
 use crate::raw::Kept;
 use crate::rows::{
-    AnalysisRow, ChannelRow, EnvironmentRow, ModePointRow, ModeRow, ProjectFileRow, ProjectRow,
-    ProjectSurveyRow, RawRow, RecordRow, Row, SettingsRow, StatedModeRow, StatedShapeRow, SurveyAnalysisRow,
-    SurveyRow, Table, TiltRow,
+    AnalysisRow, ChannelFaultRow, ChannelRow, EnvironmentRow, ModePointRow, ModeRow, ProjectFileRow,
+    ProjectRow, ProjectSurveyRow, RawRow, RecordRow, Row, SettingsRow, StatedModeRow, StatedShapeRow,
+    SurveyAnalysisRow, SurveyRow, Table, TiltRow,
 };
 use dolmen::modal::Modes;
 use dolmen_project::{Column, ModeKind, Project, RecordSource, Survey};
 use dolmen_records::stays_within;
 use dolmen_work::kept::StoreFault;
+use dolmen_work::sensor_alarms::SensorFaults;
 use serde_json::{Value as Json, json};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -36,6 +37,8 @@ pub struct Incoming<'a> {
     pub files: BTreeMap<String, Kept>,
     /// Modes of the records of surveys, by the name of the survey.
     pub modes: BTreeMap<String, Modes>,
+    /// What is wrong with channels of the records of surveys, by the name of the survey.
+    pub faults: SensorFaults,
 }
 
 /// Which records, with which settings, by which version: what tells analyses apart.
@@ -303,6 +306,7 @@ impl Incoming<'_> {
                 let modes = self.modes.get(&survey.name);
                 if let Some(modes) = modes {
                     analysis(&mut rows, modes, &key, (who, at_us));
+                    self.faults_of(&mut rows, &survey.name, &hash);
                 }
                 if modes.is_some() || known.contains(&key.hash()) {
                     rows.put(&SurveyAnalysisRow {
@@ -338,6 +342,17 @@ impl Incoming<'_> {
         }
         members.iter().for_each(|member| rows.part(member));
         Ok(rows)
+    }
+
+    /// What is wrong with channels of a survey's records.
+    pub(crate) fn faults_of(&self, rows: &mut Rows, survey: &str, hash: &str) {
+        for (channel, fault) in self.faults.get(survey).into_iter().flatten() {
+            rows.put(&ChannelFaultRow {
+                survey: hash.to_owned(),
+                channel: shown(channel),
+                fault: fault.word().to_owned(),
+            });
+        }
     }
 
     pub(crate) fn survey(&self, rows: &mut Rows, survey: &Survey, hash: &str) -> Result<(), StoreError> {

@@ -7,6 +7,7 @@ use crate::error::WorkError;
 use crate::identify;
 use crate::opened::Opened;
 use crate::progress::Progress;
+use crate::sensor_alarms::{SensorFaults, sensor_alarms};
 use crate::survey_dates::{date, day_of};
 use crate::surveyed::SurveyAnswer;
 use crate::watched::{WatchAnswer, WatchedSurvey};
@@ -60,20 +61,24 @@ pub fn watch(opened: &Opened, files: &dyn Files, progress: &dyn Progress) -> Res
 /// # Errors
 /// [`ChangeFault`].
 pub fn watch_of(opened: &Opened, answers: &[SurveyAnswer]) -> Result<WatchAnswer, WorkError> {
-    watch_surveys(opened, |survey| {
+    let faults = answers
+        .iter()
+        .map(|answer| (answer.name.clone(), answer.faults()));
+    watch_surveys(opened, &faults.collect(), |survey| {
         surveyed(survey, answers.iter().find(|answer| answer.name == survey.name))
     })
 }
 
-/// The same; `observed` holds the modes of surveys with records, as a store keeps them.
+/// The same; `observed` holds the modes of surveys with records and `faults` what was wrong with their channels, as a store keeps them.
 ///
 /// # Errors
 /// [`ChangeFault`].
 pub fn watch_observed(
     opened: &Opened,
     observed: &BTreeMap<String, Vec<ObservedMode>>,
+    faults: &SensorFaults,
 ) -> Result<WatchAnswer, WorkError> {
-    watch_surveys(opened, |survey| {
+    watch_surveys(opened, faults, |survey| {
         let mut of = surveyed(survey, None);
         if let Some(modes) = observed.get(&survey.name) {
             of.modes.clone_from(modes);
@@ -82,7 +87,11 @@ pub fn watch_observed(
     })
 }
 
-fn watch_surveys(opened: &Opened, of: impl Fn(&Survey) -> Surveyed) -> Result<WatchAnswer, WorkError> {
+fn watch_surveys(
+    opened: &Opened,
+    faults: &SensorFaults,
+    of: impl Fn(&Survey) -> Surveyed,
+) -> Result<WatchAnswer, WorkError> {
     let project = &opened.project;
     let mut left_out = Vec::new();
     let mut surveys: Vec<HistorySurvey> = Vec::new();
@@ -160,6 +169,7 @@ fn watch_surveys(opened: &Opened, of: impl Fn(&Survey) -> Surveyed) -> Result<Wa
         left_out,
         several,
         works,
+        sensor_alarms: sensor_alarms(project, faults),
         watched,
     })
 }

@@ -1,5 +1,6 @@
 //! What a history of surveys says.
 
+use crate::sensor_alarms::SensorAlarm;
 use dolmen::monitoring::Watched;
 use dolmen_project::{Project, WorkPart};
 use std::sync::Arc;
@@ -19,7 +20,9 @@ pub struct WatchAnswer {
     pub several: Vec<(String, usize)>,
     /// Works by time, each with its day.
     pub works: Vec<(f64, WorkPart)>,
-    /// What they say.
+    /// Sensors that failed: nothing of the structure.
+    pub sensor_alarms: Vec<SensorAlarm>,
+    /// What the surveys say.
     pub watched: Watched,
 }
 
@@ -46,6 +49,11 @@ impl WatchAnswer {
             .iter()
             .filter(|alarm| !alarm.is_answered)
             .count()
+    }
+
+    /// Sensors that fail in the newest record.
+    pub fn open_sensor_alarms(&self) -> usize {
+        self.sensor_alarms.iter().filter(|alarm| alarm.is_open).count()
     }
 
     /// Whether it leans beyond its limit on the day of the last reading.

@@ -62,7 +62,7 @@ const RECORDS: &str = "sampling_rate = \"100 Hz\"\nunit = \"mg\"\nchannels = [{ 
 fn gate(scratch: &Scratch) {
     fs::create_dir_all(scratch.path().join("p")).unwrap();
     fs::create_dir_all(scratch.path().join("in")).unwrap();
-    fs::write(scratch.path().join("p/first.csv"), made_record(2.0, 3000, 1)).unwrap();
+    fs::write(scratch.path().join("p/first.csv"), made_record(2.0, 6000, 1)).unwrap();
     let text = format!("{HEAD}[survey.2026-01-01.records]\nfile = \"first.csv\"\n{RECORDS}");
     fs::write(scratch.path().join("p/project.toml"), text).unwrap();
     good(scratch.briefly(&format!("survey add p {STORE}")));
@@ -109,7 +109,7 @@ fn holds_records_that_came_say_what_a_project_with_them_says() {
     .iter()
     .enumerate()
     {
-        let record = made_record(2.0, 3000, at as u64 + 2);
+        let record = made_record(2.0, 6000, at as u64 + 2);
         put(&scratch.path().join(format!("in/gate {name}.csv")), &record);
         fs::write(scratch.path().join(format!("hand/{at}.csv")), record).unwrap();
         let survey = match name.split_once(' ') {
@@ -177,15 +177,15 @@ fn holds_what_cannot_be_read_goes_to_quarantine_and_what_grows_is_left_alone() {
         "$(touch shell) `touch shell` \"a\" 'b'.csv",
         "; touch shell;\n.csv",
         "--store.csv",
-        "..csv",
+        "a..csv",
     ];
     for (at, name) in hostile.iter().enumerate() {
-        put(&inbox.join(name), made_record(2.0, 3000, at as u64 + 2));
+        put(&inbox.join(name), made_record(2.0, 6000, at as u64 + 2));
     }
     put(&inbox.join("broken.csv"), "low,other\n1,2\n");
     put(&inbox.join("binary"), [0u8, 159, 146, 150, 255, 0]);
     let growing = inbox.join("growing.csv");
-    let whole = made_record(2.0, 3000, 9);
+    let whole = made_record(2.0, 6000, 9);
     fs::write(&growing, &whole[..whole.len() / 2]).unwrap();
     // it grows while the command waits once for what is new
     let (path, rest) = (growing.clone(), whole[whole.len() / 2..].to_owned());
@@ -222,13 +222,13 @@ fn holds_what_cannot_be_read_goes_to_quarantine_and_what_grows_is_left_alone() {
     for (at, name) in hostile.iter().enumerate() {
         assert_eq!(
             fs::read_to_string(inbox.join(name)).unwrap(),
-            made_record(2.0, 3000, at as u64 + 2)
+            made_record(2.0, 6000, at as u64 + 2)
         );
     }
     // finished, it is taken whole; what is in quarantine stays there
     put(&growing, &whole);
     put(&inbox.join("broken.csv"), "low,other\n3,4\n");
-    let korean = scratch.briefly(&format!("{FOLLOW} --language ko"));
+    let korean = scratch.briefly(&format!("{FOLLOW} --language ko --metrics in/m.prom"));
     assert!(
         korean.status <= 1 && korean.stdout.lines().count() == 2,
         "{}{}",
@@ -259,7 +259,7 @@ fn holds_a_killed_follow_loses_nothing_that_was_acknowledged_and_stores_nothing_
             let name = format!("in/2026-02-{:02}T{file:02}00.csv", moment + 1);
             put(
                 &scratch.path().join(name),
-                made_record(2.0, 1000, (moment * FILES + file) as u64 + 2),
+                made_record(2.0, 6000, (moment * FILES + file) as u64 + 2),
             );
         }
         let begun = std::time::Instant::now();
@@ -315,7 +315,7 @@ fn holds_an_alarm_calls_once_and_a_failed_call_is_made_again() {
         let name = format!("in/2026-01-{day:02}.csv");
         put(
             &scratch.path().join(name),
-            made_record(frequency_hz, 3000, day as u64),
+            made_record(frequency_hz, 6000, day as u64),
         );
     };
     (2..14).for_each(|day| put_day(day, 2.0));
@@ -353,6 +353,122 @@ fn holds_an_alarm_calls_once_and_a_failed_call_is_made_again() {
 
 #[cfg(unix)]
 #[test]
+fn holds_a_sensor_that_fails_is_an_alarm_of_its_own_and_none_of_the_structure() {
+    use std::os::unix::fs::PermissionsExt as _;
+    let scratch = Scratch::new("follow-sensor");
+    gate(&scratch);
+    let path = scratch.path().join("call");
+    let note =
+        "printf '%s|%s|%s\\n' \"$DOLMEN_ALARM_KIND\" \"$DOLMEN_ALARM_DATE\" \"$DOLMEN_ALARMS\" >> called";
+    fs::write(&path, format!("#!/bin/sh\n{note}\n")).unwrap();
+    fs::set_permissions(&path, fs::Permissions::from_mode(0o755)).unwrap();
+    let put_day = |day: usize, is_dead: bool| {
+        let record = made_record(2.0, 6000, day as u64);
+        let dead = |line: &str| match line.split_once(',') {
+            Some((low, high)) if low != "low" => format!("0,{high}\n"),
+            _ => format!("{line}\n"),
+        };
+        let record = if is_dead {
+            record.lines().map(dead).collect()
+        } else {
+            record
+        };
+        put(&scratch.path().join(format!("in/2026-01-{day:02}.csv")), record);
+    };
+    for day in 2..=5 {
+        put_day(day, day > 3);
+    }
+    let words = format!("{FOLLOW} --on-alarm ./call --metrics m.prom");
+    let failing = scratch.briefly(&words);
+    assert_eq!(failing.status, 0, "{}{}", failing.stdout, failing.stderr);
+    assert!(
+        failing.stdout.contains("\n  sensor: Channel \"low\" is dead"),
+        "{}",
+        failing.stdout
+    );
+    let called = || fs::read_to_string(scratch.path().join("called")).unwrap_or_default();
+    assert_eq!(called(), "sensor|2026-01-04|0\n");
+    let metrics = fs::read_to_string(scratch.path().join("m.prom")).unwrap();
+    assert!(
+        metrics.contains("kind=\"sensor\"} 1") && metrics.contains("kind=\"structure\"} 0"),
+        "{metrics}"
+    );
+    let history = |all: &Value| all["structures"][0]["history"]["open_sensor_alarms"].clone();
+    let all = json(&scratch, &format!("watch --all {STORE}"));
+    assert_eq!((history(&all), &all["alarming"]), (1.into(), &0.into()));
+    // the same from the files, identified anew
+    good(scratch.briefly(&format!("survey export Gate -o out {STORE}")));
+    let alone = json(&scratch, "watch out");
+    let alarm = &alone["alarms"][0];
+    assert_eq!(
+        (&alarm["kind"], &alarm["channel"], &alarm["fault"]),
+        (&"sensor".into(), &"low".into(), &"dead".into())
+    );
+    assert_eq!(
+        (&alarm["since"], &alarm["records"], &alarm["answered"]),
+        (&"2026-01-04".into(), &2.into(), &false.into())
+    );
+    for (language, said) in [
+        ("en", "SENSOR: \"low\" is dead since 2026-01-04"),
+        ("ko", "센서: \"low\" 신호 없음(2026-01-04부터"),
+    ] {
+        let text = scratch.briefly(&format!("watch out --language {language}"));
+        assert!(text.words().contains(said), "{}", text.stdout);
+    }
+    // it works again: no alarm, and none is called
+    put_day(6, false);
+    assert_eq!(scratch.briefly(&words).status, 0);
+    assert_eq!(called().lines().count(), 1);
+    let all = json(&scratch, &format!("watch --all {STORE}"));
+    assert_eq!(history(&all), 0);
+}
+
+#[test]
+fn holds_a_log_gives_the_temperature_of_each_record() {
+    let scratch = Scratch::new("follow-temperature");
+    gate(&scratch);
+    let inbox = scratch.path().join("in");
+    let toa5 = "\"TOA5\",\"gate\",\"CR1000\"\n\"TIMESTAMP\",\"RECORD\",\"Air_Avg\",\"Tilt\"\n\"TS\",\"RN\",\"Deg C\",\"deg\"\n\"\",\"\",\"Avg\",\"Avg\"\n\
+        \"2026-01-02 06:00:00\",1,2.0,0\n\"2026-01-02 18:00:00\",2,5.04,0\n\"2026-01-03 09:30:00\",3,-7.26,0\n\"2026-01-03 10:10:00\",4,\"NAN\",0\n";
+    fs::write(inbox.join("air.dat"), toa5).unwrap();
+    // a day, a time with a reading near, a time without one
+    for (at, name) in ["2026-01-02", "2026-01-03T10-00-00", "2026-01-05T10-00-00"]
+        .iter()
+        .enumerate()
+    {
+        put(
+            &inbox.join(format!("{name}.csv")),
+            made_record(2.0, 6000, at as u64 + 2),
+        );
+    }
+    let words = format!("{FOLLOW} --temperature in/air.dat --quarantine aside");
+    refused(
+        &scratch.briefly(&words),
+        "the log has several columns: name one of Air_Avg, Tilt",
+    );
+    refused(
+        &scratch.briefly(&format!("{words} --temperature-column Air")),
+        "no column \"Air\"",
+    );
+    let taken = scratch.briefly(&format!("{words} --temperature-column Air_Avg"));
+    assert!(
+        taken.status <= 1 && taken.stdout.lines().count() == 3,
+        "{}{}",
+        taken.stdout,
+        taken.stderr
+    );
+    let kept = json(&scratch, &format!("survey show Gate {STORE}"));
+    let surveys = kept["surveys"].as_array().unwrap();
+    let temperatures: Vec<&Value> = surveys.iter().map(|survey| &survey["temperature_c"]).collect();
+    assert_eq!(
+        temperatures,
+        [&Value::Null, &3.5.into(), &(-7.3).into(), &Value::Null]
+    );
+    content(&scratch, STORE);
+}
+
+#[cfg(unix)]
+#[test]
 fn holds_a_follow_takes_what_comes_until_it_is_terminated() {
     let scratch = Scratch::new("follow-wait");
     gate(&scratch);
@@ -369,7 +485,7 @@ fn holds_a_follow_takes_what_comes_until_it_is_terminated() {
         .unwrap();
     fs::write(
         scratch.path().join("in/2026-03-01.csv"),
-        made_record(2.0, 3000, 5),
+        made_record(2.0, 6000, 5),
     )
     .unwrap();
     let begun = std::time::Instant::now();
@@ -416,7 +532,11 @@ fn refuses_a_folder_a_store_and_a_structure_that_are_not_there() {
         &scratch.briefly("watch --all --follow in --store s.db"),
         "cannot be used with",
     );
-    refused(&scratch.briefly("watch --once p"), "--follow");
+    refused(&scratch.briefly("watch --once p"), "cannot be used with");
+    refused(
+        &scratch.briefly("watch --once --all --store s.db"),
+        "cannot be used with",
+    );
     fs::write(
         scratch.path().join("p/project.toml"),
         format!("{HEAD}[survey.2026]\nfrequencies.x = [2.0]\n").replace("Gate", "Bare"),

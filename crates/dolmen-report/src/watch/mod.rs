@@ -1,5 +1,6 @@
 //! The structure over the years: findings, and the section on its surveys in time.
 
+mod failing;
 mod findings;
 mod numbers;
 mod tables;
@@ -44,10 +45,11 @@ messages! {
 }
 
 /// The sentences on a history as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 4] = [
+pub(crate) const TEMPLATES: [&[Template]; 5] = [
     Years::TEMPLATES,
     findings::Found::TEMPLATES,
     findings::Cause::TEMPLATES,
+    failing::Failing::TEMPLATES,
     tables::Listed::TEMPLATES,
 ];
 

@@ -12,14 +12,17 @@ pub enum AlarmSort {
     Structure,
     /// It leans beyond its limit.
     Tilt,
+    /// A sensor failed.
+    Sensor,
 }
 
 impl AlarmSort {
-    /// "structure", "tilt".
+    /// "structure", "tilt", "sensor".
     pub fn word(self) -> &'static str {
         match self {
             AlarmSort::Structure => "structure",
             AlarmSort::Tilt => "tilt",
+            AlarmSort::Sensor => "sensor",
         }
     }
 }
@@ -35,8 +38,15 @@ pub struct OpenAlarm {
     pub key: String,
 }
 
+impl OpenAlarm {
+    /// Whether somebody must look at the structure, not at a sensor.
+    pub fn is_of_structure(&self) -> bool {
+        self.sort != AlarmSort::Sensor
+    }
+}
+
 /// The alarms that nobody has answered: one for each day on which frequencies confirmed any, and one for a tilt beyond its limit, until a work or
-/// an inspection is entered.
+/// an inspection is entered; one for each sensor that fails.
 pub fn open_alarms(answer: &WatchAnswer) -> Vec<OpenAlarm> {
     let name = |survey: usize| answer.surveys.get(survey).map(|survey| survey.name.as_str());
     let day = |name: &str| day_of_a_record(name).unwrap_or(name).to_owned();
@@ -66,5 +76,16 @@ pub fn open_alarms(answer: &WatchAnswer) -> Vec<OpenAlarm> {
             key: format!("tilt since {last_work}"),
         });
     }
+    let sensors = answer.sensor_alarms.iter().filter(|alarm| alarm.is_open);
+    all.extend(sensors.map(|alarm| OpenAlarm {
+        sort: AlarmSort::Sensor,
+        date: day(&alarm.since),
+        key: format!(
+            "sensor {} since {}: {}",
+            alarm.fault.word(),
+            alarm.since,
+            alarm.channel
+        ),
+    }));
     all
 }

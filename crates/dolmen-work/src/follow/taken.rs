@@ -9,8 +9,8 @@ use crate::record;
 use crate::survey_dates::{date, day_of};
 use dolmen::modal::{Modes, ObservedMode, SensorDoubt};
 use dolmen::signal::{Channel, ChannelFault};
-use dolmen_project::{Survey, survey_like};
-use dolmen_records::{FileError, Files};
+use dolmen_project::{LikeSurvey, Survey, survey_like};
+use dolmen_records::{FileError, Files, Log};
 use dolmen_words::message::Both;
 use std::sync::Arc;
 
@@ -42,6 +42,8 @@ pub struct RecordFile<'a> {
 pub struct Taken {
     /// When it was taken.
     pub time: RecordTime,
+    /// How long it is, s.
+    pub duration_s: f64,
     /// What was seen wrong with its channels.
     pub faults: Vec<ChannelFault>,
     /// What its sensors say against each other.
@@ -65,21 +67,19 @@ pub struct TakenSurvey {
     pub opened: Opened,
 }
 
-/// The files of a project, and one more.
-struct Beside<'a> {
-    path: &'a str,
+/// One file, as it is called.
+struct OneFile<'a> {
+    name: &'a str,
     bytes: &'a [u8],
-    rest: &'a dyn Files,
 }
 
-impl Files for Beside<'_> {
+impl Files for OneFile<'_> {
     fn read(&self, name: &str, most_bytes: u64) -> Result<Vec<u8>, FileError> {
-        if name != self.path {
-            return self.rest.read(name, most_bytes);
-        }
+        let shown = self.name.to_owned();
         match self.bytes.len() as u64 {
+            _ if name != self.name => Err(FileError::Absent { shown }),
             bytes if bytes > most_bytes => Err(FileError::TooLarge {
-                shown: name.to_owned(),
+                shown,
                 bytes,
                 most: most_bytes,
             }),
@@ -125,13 +125,19 @@ impl Pattern {
     /// The project with a survey of this name, whose record lies at `path`; and the text of that survey.
     fn with(
         &self,
-        name: &str,
-        path: &str,
+        (name, path): (&str, &str),
         came_as: &str,
+        temperature_c: Option<f64>,
         files: &dyn Files,
     ) -> Result<(Opened, String), WorkError> {
         let note = format!("came as {came_as}");
-        let own = survey_like(&self.opened.text, &self.survey, name, path, &note);
+        let settings = LikeSurvey {
+            name,
+            file: path,
+            note: &note,
+            temperature_c,
+        };
+        let own = survey_like(&self.opened.text, &self.survey, &settings);
         let own = own.ok_or(WorkError::NoneToFollow)?;
         let text = self.opened.text.clone() + &own;
         let opened = Opened::read(text, self.opened.file.clone(), files)?;
@@ -145,31 +151,47 @@ impl Pattern {
     pub fn take(&self, file: &RecordFile<'_>, rest: &dyn Files, now_s: f64) -> Result<Taken, WorkError> {
         const UNNAMED: &str = "arriving";
         let came_as = plain(file.name);
-        let ending = ending(file.name);
-        let path = path_of(UNNAMED, ending.as_deref());
-        let files = Beside {
-            path: &path,
-            bytes: file.bytes,
-            rest,
+        let with =
+            |ending: Option<&str>| self.with((UNNAMED, &path_of(UNNAMED, ending)), &came_as, None, rest);
+        // a file whose ending says nothing is read as the record of the survey is
+        let own = ending(file.name);
+        let (opened, ending) = match with(own.as_deref()) {
+            Ok((opened, _)) => (opened, own),
+            Err(why) => match with(self.ending().as_deref()) {
+                Ok((opened, _)) => (opened, self.ending()),
+                Err(_) => return Err(why),
+            },
         };
-        let (opened, _) = self.with(UNNAMED, &path, &came_as, &files)?;
-        let source = survey(&opened, UNNAMED).and_then(|survey| survey.records.as_ref());
-        let source = source.ok_or(WorkError::NoneToFollow)?;
-        let read = record::record(source, &files)?;
+        let source = survey(&opened, UNNAMED).and_then(|survey| survey.records.clone());
+        let mut source = source.ok_or(WorkError::NoneToFollow)?;
+        came_as.clone_into(&mut source.file);
+        let files = OneFile {
+            name: &came_as,
+            bytes: file.bytes,
+        };
+        let read = record::record(&source, &files)?;
         let time = record_time(read.begins_s, file.name, file.modified_s, now_s);
+        let duration_s = read.samples as f64 / read.sampling_rate_hz;
         let faults = read.faults.clone();
-        let (modes, doubts) = match identify::of_opened(source, read, &Silent) {
+        let (modes, doubts) = match identify::of_opened(&source, read, &Silent) {
             Ok((answer, _)) => (Ok(answer.analysis.modes), answer.doubts),
             Err(why) => (Err(why), Vec::new()),
         };
         Ok(Taken {
             time,
+            duration_s,
             faults,
             doubts,
             modes,
             came_as,
             ending,
         })
+    }
+
+    /// The ending of the record of the survey.
+    fn ending(&self) -> Option<String> {
+        let source = survey(&self.opened, &self.survey)?.records.as_ref()?;
+        ending(&source.file)
     }
 
     /// The survey that is made of a record: named for its time, with a number behind it where others of that name are there.
@@ -180,6 +202,7 @@ impl Pattern {
         &self,
         taken: &Taken,
         number: usize,
+        temperature_c: Option<f64>,
         rest: &dyn Files,
     ) -> Result<TakenSurvey, WorkError> {
         let name = match number {
@@ -187,7 +210,7 @@ impl Pattern {
             number => format!("{} ({number})", taken.time.name),
         };
         let path = path_of(&name, taken.ending.as_deref());
-        let (opened, own_text) = self.with(&name, &path, &taken.came_as, rest)?;
+        let (opened, own_text) = self.with((&name, &path), &taken.came_as, temperature_c, rest)?;
         Ok(TakenSurvey {
             name,
             path,
@@ -211,6 +234,21 @@ impl TakenSurvey {
 }
 
 impl Taken {
+    /// The temperature of the air while it was taken, from a log of that, °C to a tenth: the mean of its time, or of its day where only that is known,
+    /// else the nearest reading within an hour; `None` where there is none that can be believed.
+    pub fn temperature_c(&self, log: &Log) -> Option<f64> {
+        const HOUR_S: f64 = 3600.0;
+        const DAY_S: f64 = 86_400.0;
+        const BELIEVED_C: std::ops::RangeInclusive<f64> = -60.0..=60.0;
+        let from_s = self.time.at_s;
+        let read = match self.time.name.contains('T') {
+            true => log.around(from_s, from_s + self.duration_s, HOUR_S),
+            false => log.around(from_s, from_s + DAY_S, 0.0),
+        };
+        read.map(|celsius| (10.0 * celsius).round() / 10.0)
+            .filter(|celsius| BELIEVED_C.contains(celsius))
+    }
+
     /// Its modes as a store gives them back.
     pub fn observed(&self) -> Option<Vec<ObservedMode>> {
         let mut all = ObservedMode::all(self.modes.as_ref().ok()?, 0);
