@@ -211,8 +211,12 @@ impl<'a> Following<'a> {
         for (of, file) in some.iter().zip(read) {
             match file {
                 ReadFile::Later => {}
-                ReadFile::Known => self.put_away(of)?,
-                ReadFile::Unreadable(why) => self.quarantine(&of.0, &why)?,
+                ReadFile::Known => self.put_away(of),
+                ReadFile::Unreadable(why) => {
+                    if let Err(fault) = self.quarantine(&of.0, &why) {
+                        self.leave(of, &fault);
+                    }
+                }
                 ReadFile::NotKept(fault) => return Err(self.at.told(fault)),
                 ReadFile::Record(found) => records.push((of, *found)),
             }
@@ -225,7 +229,7 @@ impl<'a> Following<'a> {
             if let Some(survey) = self.store(&of.0, &taken, kept)? {
                 stored.push((of, survey, taken));
             } else {
-                self.put_away(of)?;
+                self.put_away(of);
             }
         }
         if stored.is_empty() {
@@ -234,7 +238,7 @@ impl<'a> Following<'a> {
         self.judge()?;
         for (of, survey, taken) in stored {
             self.say_record(&survey, &of.0, &taken)?;
-            self.put_away(of)?;
+            self.put_away(of);
         }
         self.call()
     }
@@ -335,14 +339,21 @@ impl<'a> Following<'a> {
     }
 
     /// Done with a file that is in the store.
-    fn put_away(&mut self, (path, look): &(PathBuf, Look)) -> Result<()> {
+    fn put_away(&mut self, of: &(PathBuf, Look)) {
         match &self.options.follow.taken {
-            Some(folder) => move_into(folder, path).map(|_| ()),
-            None => {
-                self.inbox.set_done(path, *look);
-                Ok(())
+            Some(folder) => {
+                if let Err(fault) = move_into(folder, &of.0) {
+                    self.leave(of, &fault);
+                }
             }
+            None => self.inbox.set_done(&of.0, of.1),
         }
+    }
+
+    /// A file that cannot be moved stays where it is, and does not hold up the others.
+    fn leave(&mut self, (path, look): &(PathBuf, Look), fault: &anyhow::Error) {
+        complain(fault, self.at.manner);
+        self.inbox.set_done(path, *look);
     }
 
     fn quarantine(&mut self, path: &Path, why: &Both) -> Result<()> {

@@ -16,6 +16,8 @@ pub struct LikeSurvey<'a> {
     pub note: &'a str,
     /// The temperature of the air, °C.
     pub temperature_c: Option<f64>,
+    /// Names of channels that are left out beside those that the other leaves out; without a name, their columns.
+    pub left_out: &'a [String],
 }
 
 /// The table of a survey that has the record settings of the survey `like` in `text`, to be put behind the text; nothing else is that of the
@@ -24,6 +26,16 @@ pub fn survey_like(text: &str, like: &str, own: &LikeSurvey<'_>) -> Option<Strin
     let root = text.parse::<Table>().ok()?;
     let mut records = root.get("survey")?.get(like)?.get("records")?.as_table()?.clone();
     records.get(FILE)?.as_str()?;
+    let channels = records.get_mut("channels").and_then(Value::as_array_mut);
+    for channel in channels.into_iter().flatten().filter_map(Value::as_table_mut) {
+        let named = channel.get("name").or_else(|| channel.get("column"));
+        let is_out = named
+            .and_then(Value::as_str)
+            .is_some_and(|name| own.left_out.iter().any(|out| out == name));
+        if is_out {
+            channel.insert("leave_out".to_owned(), Value::Boolean(true));
+        }
+    }
     records.insert(FILE.to_owned(), Value::String(own.file.to_owned()));
     let temperature = own
         .temperature_c
@@ -64,6 +76,7 @@ channels = [{ column = "a \"b\"", direction = "x", position = [0, 0, "3 m"] }]
                 file,
                 note: "as \"x\\\ny\" '''",
                 temperature_c: file.contains('b').then_some(-3.0),
+                left_out: &[],
             };
             survey_like(text, "2024-05-01", &own).unwrap()
         };
@@ -94,6 +107,34 @@ channels = [{ column = "a \"b\"", direction = "x", position = [0, 0, "3 m"] }]
     }
 
     #[test]
+    fn holds_channels_are_left_out_by_name_or_column() {
+        let own = LikeSurvey {
+            name: "2026",
+            file: "a.csv",
+            note: "",
+            temperature_c: None,
+            left_out: &["a \"b\"".to_owned(), "top".to_owned()],
+        };
+        let more = TEXT.replace(
+            "\"3 m\"] }]",
+            "\"3 m\"] }, { column = 2, name = \"top\" }, { column = \"top\", name = \"low\" }]",
+        );
+        let text = more.clone() + &survey_like(&more, "2024-05-01", &own).unwrap();
+        let project = parse_project(&text, "project.toml").unwrap();
+        let left_out = |at: usize| -> Vec<bool> {
+            let channels = project.surveys[at]
+                .records
+                .iter()
+                .flat_map(|records| &records.channels);
+            channels.map(|channel| channel.leave_out).collect()
+        };
+        assert_eq!(
+            (left_out(0), left_out(1)),
+            (vec![false; 3], vec![true, true, false])
+        );
+    }
+
+    #[test]
     fn refuses_a_survey_without_one_record() {
         for (text, like) in [
             (TEXT, "2024-05-02"),
@@ -108,6 +149,7 @@ channels = [{ column = "a \"b\"", direction = "x", position = [0, 0, "3 m"] }]
                 file: "b",
                 note: "c",
                 temperature_c: None,
+                left_out: &[],
             };
             assert_eq!(survey_like(text, like, &own), None);
         }

@@ -98,7 +98,8 @@ fn unit_of(source: &RecordSource, record: &Record) -> String {
     source.unit.clone().or(read).unwrap_or_default()
 }
 
-fn name(channel: &ChannelSource) -> String {
+/// What a channel is called.
+pub(crate) fn name(channel: &ChannelSource) -> String {
     match (&channel.name, &channel.column) {
         (Some(name), _) | (None, Column::Name(name)) => name.clone(),
         (None, Column::Number(number)) => format!("ch{number}"),

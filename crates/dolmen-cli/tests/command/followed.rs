@@ -16,7 +16,7 @@ const STORE: &str = "--store s.db";
 /// Files in the tests are old, so that they rest; what is written meanwhile is not.
 const FOLLOW: &str = "watch --follow in --store s.db --once --quiet";
 
-/// Two channels of an oscillator of 2 % damping under noise, 100 Hz, by its difference equation.
+/// Three channels of an oscillator of 2 % damping under noise, 100 Hz, by its difference equation.
 pub(crate) fn made_record(frequency_hz: f64, samples: usize, seed: u64) -> String {
     let mut state = seed.wrapping_mul(0x9E37_79B9_7F4A_7C15).wrapping_add(1);
     let mut noise = move || {
@@ -36,12 +36,13 @@ pub(crate) fn made_record(frequency_hz: f64, samples: usize, seed: u64) -> Strin
         2.0 * decay * (omega * (1.0 - zeta * zeta).sqrt() * step).cos(),
         -decay * decay,
     ];
-    let mut text = "low,high\n".to_owned();
+    let mut text = "low,high,mid\n".to_owned();
     let (mut last, mut before) = (0.0, 0.0);
     for _ in 0..samples {
         let now: f64 = one * last + two * before + noise();
         (before, last) = (last, now);
-        text += &format!("{:.4},{:.4}\n", 0.5 * now + 0.3 * noise(), now + 0.3 * noise());
+        let [low, high, mid] = [0.5, 1.0, 0.8].map(|part| part * now + 0.3 * noise());
+        text += &format!("{low:.4},{high:.4},{mid:.4}\n");
     }
     text
 }
@@ -56,7 +57,7 @@ pub(crate) fn put(path: &Path, content: impl AsRef<[u8]>) {
 
 const HEAD: &str = "schema = 1\nkind = \"survey\"\nname = { en = \"Gate\" }\n";
 const RECORDS: &str = "sampling_rate = \"100 Hz\"\nunit = \"mg\"\nchannels = [{ column = \"low\", direction = \"x\", position = [0, 0, 1] }, \
-     { column = \"high\", direction = \"x\", position = [0, 0, 2] }]\n";
+     { column = \"high\", direction = \"x\", position = [0, 0, 3] }, { column = \"mid\", direction = \"x\", position = [0, 0, 2] }]\n";
 
 /// A gate with one survey in a store, and an empty folder for what comes.
 fn gate(scratch: &Scratch) {
@@ -396,31 +397,69 @@ fn holds_a_sensor_that_fails_is_an_alarm_of_its_own_and_none_of_the_structure() 
     let history = |all: &Value| all["structures"][0]["history"]["open_sensor_alarms"].clone();
     let all = json(&scratch, &format!("watch --all {STORE}"));
     assert_eq!((history(&all), &all["alarming"]), (1.into(), &0.into()));
-    // the same from the files, identified anew
+    // the modes are those of the sensor that works, and the file says that the other is left out
+    let kept = json(&scratch, &format!("survey show Gate {STORE}"));
+    let surveys = kept["surveys"].as_array().unwrap();
+    assert!(
+        surveys
+            .iter()
+            .all(|survey| survey["analyses"][0]["modes"][0]["frequency_hz"].is_number()),
+        "{kept}"
+    );
     good(scratch.briefly(&format!("survey export Gate -o out {STORE}")));
-    let alone = json(&scratch, "watch out");
-    let alarm = &alone["alarms"][0];
+    let exported = fs::read_to_string(scratch.path().join("out/project.toml")).unwrap();
+    assert_eq!(exported.matches("leave_out = true").count(), 2, "{exported}");
     assert_eq!(
-        (&alarm["kind"], &alarm["channel"], &alarm["fault"]),
-        (&"sensor".into(), &"low".into(), &"dead".into())
+        json(&scratch, "watch out")["surveys"].as_array().unwrap().len(),
+        5
     );
-    assert_eq!(
-        (&alarm["since"], &alarm["records"], &alarm["answered"]),
-        (&"2026-01-04".into(), &2.into(), &false.into())
-    );
-    for (language, said) in [
-        ("en", "SENSOR: \"low\" is dead since 2026-01-04"),
-        ("ko", "센서: \"low\" 신호 없음(2026-01-04부터"),
-    ] {
-        let text = scratch.briefly(&format!("watch out --language {language}"));
-        assert!(text.words().contains(said), "{}", text.stdout);
-    }
     // it works again: no alarm, and none is called
     put_day(6, false);
     assert_eq!(scratch.briefly(&words).status, 0);
     assert_eq!(called().lines().count(), 1);
     let all = json(&scratch, &format!("watch --all {STORE}"));
     assert_eq!(history(&all), 0);
+}
+
+#[test]
+fn holds_a_project_says_which_of_its_sensors_fail() {
+    let scratch = Scratch::new("watch-sensor");
+    let mut text = HEAD.to_owned();
+    for day in 1..=4 {
+        // the range of the logger ends at 20 from the third day on
+        let most = if day > 2 { 20.0 } else { 1e9 };
+        let clipped = |line: &str| {
+            let mut cells: Vec<String> = line.split(',').map(str::to_owned).collect();
+            if let Ok(high) = cells[1].parse::<f64>() {
+                cells[1] = high.clamp(-most, most).to_string();
+            }
+            cells.join(",") + "\n"
+        };
+        let record: String = made_record(2.0, 6000, day).lines().map(clipped).collect();
+        fs::write(scratch.path().join(format!("{day}.csv")), record).unwrap();
+        text += &format!("[survey.2026-01-0{day}.records]\nfile = \"{day}.csv\"\n{RECORDS}");
+    }
+    fs::write(scratch.path().join("project.toml"), text).unwrap();
+    let alone = json(&scratch, "watch .");
+    assert_eq!(
+        (&alone["open_sensor_alarms"], &alone["open_alarms"]),
+        (&1.into(), &0.into())
+    );
+    let alarm = &alone["alarms"][0];
+    let told = ["kind", "channel", "fault", "since", "date"].map(|key| alarm[key].as_str().unwrap());
+    assert_eq!(told, ["sensor", "high", "clipped", "2026-01-03", "2026-01-04"]);
+    assert_eq!(
+        (&alarm["records"], &alarm["answered"]),
+        (&2.into(), &false.into())
+    );
+    let told = [
+        ("en", "SENSOR: \"high\" is clipped since 2026-01-03 (records: 2)"),
+        ("ko", "센서: \"high\" 포화(클리핑)(2026-01-03부터"),
+    ];
+    for (language, said) in told {
+        let text = scratch.briefly(&format!("watch . --language {language}"));
+        assert!(text.words().contains(said), "{}", text.stdout);
+    }
 }
 
 #[test]
@@ -512,6 +551,29 @@ fn holds_a_follow_takes_what_comes_until_it_is_terminated() {
         "{metrics}"
     );
     assert!(!scratch.path().join("in/2026-03-01.csv").exists());
+}
+
+#[cfg(unix)]
+#[test]
+fn holds_a_broken_file_that_cannot_be_moved_does_not_hold_up_the_others() {
+    let scratch = Scratch::new("follow-stuck");
+    gate(&scratch);
+    put(&scratch.path().join("in/a.csv"), "low,other\n1,2\n");
+    put(
+        &scratch.path().join("in/2026-01-02.csv"),
+        made_record(2.0, 6000, 2),
+    );
+    // a file stands where the folder should be made
+    fs::write(scratch.path().join("aside"), "").unwrap();
+    let answer = scratch.briefly(&format!("{FOLLOW} --quarantine aside"));
+    assert_eq!(answer.status, 0, "{}{}", answer.stdout, answer.stderr);
+    assert!(
+        answer.stderr.contains("cannot make the folder aside"),
+        "{}",
+        answer.stderr
+    );
+    assert!(answer.stdout.contains("2026-01-02") && scratch.path().join("in/a.csv").exists());
+    assert_eq!(names(&scratch).len(), 2);
 }
 
 #[test]

@@ -21,10 +21,18 @@ messages! {
             en: "{survey} ({source}), {file}: stored, but it gives no modes: {why}.",
             ko: "{survey}({source}), {file}: 저장하였으나 모드를 찾지 못하였다: {why}.",
         },
+        NoModes { survey: String, source: Sentence, file: String } => {
+            en: "{survey} ({source}), {file}: stored, but no mode was found in it.",
+            ko: "{survey}({source}), {file}: 저장하였으나 확인된 모드가 없다.",
+        },
         OfRecord => { en: "as the record says", ko: "기록에 적힌 시각" },
         OfFileName => { en: "as its name says", ko: "파일 이름의 날짜" },
         OfFileTime => { en: "as the file's time says", ko: "파일의 수정 시각" },
         Sensor { fault: Sentence } => { en: "  sensor: {fault}", ko: "  센서: {fault}" },
+        LeftOut { channels: Vec<String> } => {
+            en: "  left out of the identification: {channels}",
+            ko: "  식별에서 제외함: {channels}",
+        },
         WrongClock { said: String } => {
             en: "  its clock says {said}, which is not believed: set the clock of the logger",
             ko: "  기록의 시계가 {said}을(를) 가리키므로 따르지 않았다. 기록계의 시계를 맞춘다",
@@ -124,6 +132,7 @@ pub fn followed_text(
     }
     .into();
     let head: Sentence = match (&taken.modes, taken.without_modes()) {
+        (Ok(modes), _) if modes.modes.is_empty() => Followed::NoModes { survey, source, file },
         (Ok(modes), _) => {
             let frequencies_hz: Vec<f64> = modes.modes.iter().map(|mode| mode.frequency_hz).collect();
             Followed::Stored {
@@ -159,6 +168,10 @@ pub fn followed_text(
         }
         .into()
     }));
+    if !taken.left_out.is_empty() {
+        let channels = taken.left_out.clone();
+        lines.push(Followed::LeftOut { channels }.into());
+    }
     lines.iter().map(|line| line.text(language) + "\n").collect()
 }
 
@@ -180,6 +193,7 @@ pub fn followed_json(
         })).collect()),
         "without_modes": taken.without_modes().map(|why| why.english),
         "sensors": taken.faults.iter().map(|fault| fault_words(fault).text(Language::English)).collect::<Vec<_>>(),
+        "left_out": taken.left_out,
         "verdict": match verdict {
             Verdict::Alarm { .. } => "alarm",
             Verdict::Outside { .. } => "outside",

@@ -6,10 +6,11 @@ use crate::identify;
 use crate::opened::Opened;
 use crate::progress::Silent;
 use crate::record;
+use crate::sensor_alarms::SensorFault;
 use crate::survey_dates::{date, day_of};
-use dolmen::modal::{Modes, ObservedMode, SensorDoubt};
+use dolmen::modal::{ModalError, Modes, ObservedMode, SensorDoubt};
 use dolmen::signal::{Channel, ChannelFault};
-use dolmen_project::{LikeSurvey, Survey, survey_like};
+use dolmen_project::{LikeSurvey, RecordSource, Survey, survey_like};
 use dolmen_records::{FileError, Files, Log};
 use dolmen_words::message::Both;
 use std::sync::Arc;
@@ -48,6 +49,8 @@ pub struct Taken {
     pub faults: Vec<ChannelFault>,
     /// What its sensors say against each other.
     pub doubts: Vec<SensorDoubt>,
+    /// Channels that were left out, since nothing is identified with them.
+    pub left_out: Vec<String>,
     /// Its modes, or why there are none.
     pub modes: Result<Modes, WorkError>,
     came_as: String,
@@ -127,7 +130,7 @@ impl Pattern {
         &self,
         (name, path): (&str, &str),
         came_as: &str,
-        temperature_c: Option<f64>,
+        (temperature_c, left_out): (Option<f64>, &[String]),
         files: &dyn Files,
     ) -> Result<(Opened, String), WorkError> {
         let note = format!("came as {came_as}");
@@ -136,6 +139,7 @@ impl Pattern {
             file: path,
             note: &note,
             temperature_c,
+            left_out,
         };
         let own = survey_like(&self.opened.text, &self.survey, &settings);
         let own = own.ok_or(WorkError::NoneToFollow)?;
@@ -151,8 +155,9 @@ impl Pattern {
     pub fn take(&self, file: &RecordFile<'_>, rest: &dyn Files, now_s: f64) -> Result<Taken, WorkError> {
         const UNNAMED: &str = "arriving";
         let came_as = plain(file.name);
-        let with =
-            |ending: Option<&str>| self.with((UNNAMED, &path_of(UNNAMED, ending)), &came_as, None, rest);
+        let with = |ending: Option<&str>| {
+            self.with((UNNAMED, &path_of(UNNAMED, ending)), &came_as, (None, &[]), rest)
+        };
         // a file whose ending says nothing is read as the record of the survey is
         let own = ending(file.name);
         let (opened, ending) = match with(own.as_deref()) {
@@ -173,7 +178,14 @@ impl Pattern {
         let time = record_time(read.begins_s, file.name, file.modified_s, now_s);
         let duration_s = read.samples as f64 / read.sampling_rate_hz;
         let faults = read.faults.clone();
-        let (modes, doubts) = match identify::of_opened(&source, read, &Silent) {
+        let mut found = identify::of_opened(&source, read, &Silent);
+        let mut left_out = Vec::new();
+        // a sensor that fails must not blind the others
+        while let Some(failed) = found.as_ref().err().and_then(|why| without(why, &mut source)) {
+            left_out.extend(failed);
+            found = identify::of_opened(&source, record::record(&source, &files)?, &Silent);
+        }
+        let (modes, doubts) = match found {
             Ok((answer, _)) => (Ok(answer.analysis.modes), answer.doubts),
             Err(why) => (Err(why), Vec::new()),
         };
@@ -182,6 +194,7 @@ impl Pattern {
             duration_s,
             faults,
             doubts,
+            left_out,
             modes,
             came_as,
             ending,
@@ -210,7 +223,12 @@ impl Pattern {
             number => format!("{} ({number})", taken.time.name),
         };
         let path = path_of(&name, taken.ending.as_deref());
-        let (opened, own_text) = self.with((&name, &path), &taken.came_as, temperature_c, rest)?;
+        let (opened, own_text) = self.with(
+            (&name, &path),
+            &taken.came_as,
+            (temperature_c, &taken.left_out),
+            rest,
+        )?;
         Ok(TakenSurvey {
             name,
             path,
@@ -218,6 +236,29 @@ impl Pattern {
             opened,
         })
     }
+}
+
+/// Leaves the channels out for which nothing is identified, of two that hold one signal both, if others remain; which they are.
+fn without(why: &WorkError, source: &mut RecordSource) -> Option<Vec<String>> {
+    let fault = match why {
+        WorkError::Within { cause, .. } => return without(cause, source),
+        WorkError::Modal(why) => match why.as_ref() {
+            ModalError::Channel(fault) => fault,
+            _ => return None,
+        },
+        _ => return None,
+    };
+    let named = match fault {
+        ChannelFault::Duplicated { channel, other, .. } => vec![channel.clone(), other.clone()],
+        fault => vec![SensorFault::of(fault).0],
+    };
+    let used = source.channels.iter_mut().filter(|channel| !channel.leave_out);
+    let (failed, rest): (Vec<_>, Vec<_>) = used.partition(|channel| named.contains(&record::name(channel)));
+    if failed.len() != named.len() || rest.is_empty() {
+        return None;
+    }
+    failed.into_iter().for_each(|channel| channel.leave_out = true);
+    Some(named)
 }
 
 fn survey<'a>(opened: &'a Opened, name: &str) -> Option<&'a Survey> {
