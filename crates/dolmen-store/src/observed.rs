@@ -99,7 +99,6 @@ impl Store {
     pub fn observed(&mut self, name: &str) -> Result<BTreeMap<String, Vec<ObservedMode>>, StoreError> {
         let database = self.database.as_mut();
         refuse_unknown(database, name)?;
-        "(select project from adoption where structure = $1 order by at_us desc limit 1)";
         let columns = "v.name as survey, m.position as mode, m.frequency_hz, m.frequency_sd_hz, m.damping_ratio, m.damping_ratio_sd, \
              q.channel, q.real_part, q.imaginary_part, q.position as point";
         let modes = "join mode m on m.analysis = (select n.hash from survey_analysis sa join analysis n on n.hash = sa.analysis \

@@ -43,7 +43,7 @@ pub(crate) fn middle(mut values: Vec<f64>) -> f64 {
 pub(crate) fn middle_mean(mut values: Vec<f64>) -> f64 {
     values.sort_by(f64::total_cmp);
     let upper = values.len() / 2;
-    match (values.get(upper), values.len() % 2 == 0) {
+    match (values.get(upper), values.len().is_multiple_of(2)) {
         (Some(value), true) => f64::midpoint(values[upper - 1], *value),
         (Some(value), false) => *value,
         (None, _) => 0.0,
