@@ -180,8 +180,6 @@ pub(crate) struct Watch {
         conflicts_with = "project"
     )]
     pub(crate) store: Option<String>,
-    #[command(flatten)]
-    pub(crate) follow: Follow,
     /// With --all: a table (CSV)
     #[arg(long, requires = "all", conflicts_with_all = ["project", "follow"])]
     pub(crate) csv: bool,
@@ -192,6 +190,8 @@ pub(crate) struct Watch {
     /// wrong is in DOLMEN_… of its environment
     #[arg(long, value_name = "PROGRAM")]
     pub(crate) on_alarm: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) follow: Follow,
 }
 
 #[derive(Debug, Args)]
