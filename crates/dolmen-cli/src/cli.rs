@@ -1,5 +1,6 @@
 //! What can be typed: the verbs and their flags, with the help that clap prints.
 
+use crate::cli_follow::Follow;
 use crate::cli_language::{day, positive};
 use crate::cli_portfolio::{Rank, Score};
 use crate::cli_survey;
@@ -166,24 +167,31 @@ pub(crate) struct Compare {
 #[derive(Debug, Args)]
 pub(crate) struct Watch {
     /// Project file with three surveys or more, or a folder that holds project.toml
-    #[arg(required_unless_present = "all", conflicts_with = "all")]
+    #[arg(required_unless_present = "from_store", conflicts_with = "from_store")]
     pub(crate) project: Option<PathBuf>,
     /// Every structure of a store, a line each, the worst first
-    #[arg(long)]
+    #[arg(long, group = "from_store")]
     pub(crate) all: bool,
     /// The store: a file; else DOLMEN_STORE
-    #[arg(long, value_name = "FILE", requires = "all")]
+    #[arg(
+        long,
+        value_name = "FILE",
+        requires = "from_store",
+        conflicts_with = "project"
+    )]
     pub(crate) store: Option<String>,
     /// With --all: a table (CSV)
-    #[arg(long, requires = "all")]
+    #[arg(long, requires = "all", conflicts_with_all = ["project", "follow"])]
     pub(crate) csv: bool,
     /// Write the figure (SVG) and the result (JSON) into this folder
-    #[arg(long, short, value_name = "DIR", conflicts_with = "all")]
+    #[arg(long, short, value_name = "DIR", conflicts_with = "from_store")]
     pub(crate) output: Option<PathBuf>,
-    /// Run this program, without a shell, for each structure with an open alarm or a tilt beyond its limit; what is wrong is in DOLMEN_… of its
-    /// environment
+    /// Run this program, without a shell, for each structure with an open alarm or a tilt beyond its limit, with --follow once for each such alarm; what is
+    /// wrong is in DOLMEN_… of its environment
     #[arg(long, value_name = "PROGRAM")]
     pub(crate) on_alarm: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) follow: Follow,
 }
 
 #[derive(Debug, Args)]

@@ -8,6 +8,7 @@
 
 mod check;
 mod cli;
+mod cli_follow;
 mod cli_language;
 mod cli_portfolio;
 mod cli_survey;
@@ -15,6 +16,8 @@ mod cli_tune;
 mod compare;
 mod draw;
 mod examples;
+mod follow;
+mod follow_read;
 mod identify;
 mod manner;
 mod motion;
@@ -35,6 +38,7 @@ mod tune;
 mod typed;
 mod validate;
 mod watch;
+mod watch_call;
 mod wrong;
 
 use clap::{CommandFactory as _, FromArgMatches as _};

@@ -51,7 +51,7 @@ fn variable(name: &str) -> Option<String> {
 }
 
 /// Microseconds since 1970 (UTC).
-fn now_us() -> i64 {
+pub(crate) fn now_us() -> i64 {
     let since = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
     i64::try_from(since.as_micros()).unwrap_or(i64::MAX)
 }
@@ -65,16 +65,21 @@ impl Where<'_> {
         .into()
     }
 
-    fn place(&self) -> Result<Place> {
+    /// The file of the store as it was named.
+    pub(crate) fn file(&self) -> String {
         let named = self.options.store.clone().or_else(|| variable("DOLMEN_STORE"));
-        Place::of(&named.unwrap_or_default()).map_err(|fault| self.told(fault))
+        named.unwrap_or_default()
+    }
+
+    fn place(&self) -> Result<Place> {
+        Place::of(&self.file()).map_err(|fault| self.told(fault))
     }
 
     fn wait(&self) -> Duration {
         Duration::from_secs_f64(self.options.wait.min(1e6))
     }
 
-    fn who(&self) -> String {
+    pub(crate) fn who(&self) -> String {
         let user = ["USER", "LOGNAME", "USERNAME"].into_iter().find_map(variable);
         let named = self.options.who.clone().or(user);
         named.unwrap_or_else(|| "unknown".to_owned())
@@ -84,7 +89,7 @@ impl Where<'_> {
         Store::open(&self.place()?, self.wait()).map_err(|fault| self.told(fault))
     }
 
-    fn open_to_write(&self) -> Result<Store> {
+    pub(crate) fn open_to_write(&self) -> Result<Store> {
         Store::open_to_write(&self.place()?, self.wait(), now_us()).map_err(|fault| self.told(fault))
     }
 }
@@ -122,14 +127,16 @@ fn add_one(store: &mut Store, options: &Add, found: &Found, at: &Where<'_>) -> R
         text_kept,
         files: kept,
         modes: BTreeMap::new(),
+        faults: BTreeMap::new(),
     };
     let mut unidentified = Vec::new();
     if !options.without_modes {
         for survey in store.due(&incoming).map_err(told)? {
             let progress = Terminal::new(at.manner.quiet);
             match survey_modes(project, &survey, &found.files, &progress) {
-                Ok(Some(modes)) => {
-                    incoming.modes.insert(survey, modes);
+                Ok(Some(found)) => {
+                    incoming.faults.insert(survey.clone(), found.faults);
+                    incoming.modes.insert(survey, found.modes);
                 }
                 Ok(None) => {}
                 Err(why) => unidentified.push(Unidentified {

@@ -2,14 +2,17 @@
 
 use crate::cli::Watch;
 use crate::cli_survey::StoreWhere;
+use crate::follow::follow;
 use crate::manner::Manner;
 use crate::note::note;
 use crate::outcome::Outcome;
 use crate::progress::Terminal;
 use crate::say::{say, say_json};
 use crate::survey::Where;
-use crate::wrong::{CommandError, Noted};
+use crate::watch_call::{Call, judged};
+use crate::wrong::Noted;
 use anyhow::Result;
+use dolmen::modal::ObservedMode;
 use dolmen_folder::{Found, Outputs};
 use dolmen_report::files::watch_files;
 use dolmen_report::json::watch_json;
@@ -17,20 +20,21 @@ use dolmen_report::kept::{inventory_csv, inventory_json, inventory_text, store_f
 use dolmen_report::text::watch_text;
 use dolmen_store::{Search, Store, StoreError, StoredFiles};
 use dolmen_work::inventory::{InventoryLine, worst_first};
-use dolmen_work::judgement::{Colour, Verb, exit_status};
+use dolmen_work::sensor_alarms::SensorFaults;
 use dolmen_work::watch::{watch, watch_observed};
 use dolmen_work::{Opened, told};
 use rayon::prelude::*;
+use std::collections::BTreeMap;
 use std::path::Path;
-use std::process::{Command, Stdio};
 
 /// Structures that are read before they are watched together.
 const TOGETHER: usize = 256;
 
 pub(crate) fn run(options: &Watch, manner: &Manner) -> Result<Outcome> {
-    match &options.project {
-        Some(project) => one(project, options, manner),
-        None => all(options, manner),
+    match (&options.project, &options.follow.follow) {
+        (Some(project), _) => one(project, options, manner),
+        (None, Some(folder)) => follow(folder, options, manner),
+        (None, None) => all(options, manner),
     }
 }
 
@@ -66,32 +70,16 @@ fn call(options: &Watch, lines: &[InventoryLine]) -> Result<()> {
     };
     for line in lines.iter().filter(|line| line.is_alarming()) {
         let Some(history) = &line.history else { continue };
-        let lean = history.lean_beyond.map(|lean| format!("{lean:.5}"));
-        let status = Command::new(program)
-            .env("DOLMEN_STRUCTURE", &line.structure)
-            .env("DOLMEN_SURVEY", &history.last_survey)
-            .env("DOLMEN_ALARMS", history.open_alarms.to_string())
-            .env("DOLMEN_TILT_BEYOND", lean.unwrap_or_default())
-            .stdin(Stdio::null())
-            .status();
-        let shown = program.display().to_string();
-        let fault = match status {
-            Ok(status) if status.success() => continue,
-            Ok(status) => CommandError::ProgramFailed {
-                program: shown,
-                structure: line.structure.clone(),
-                status: status.to_string(),
-            },
-            Err(why) => CommandError::NoProgram { program: shown, why },
-        };
-        return Err(fault.into());
+        Call {
+            structure: &line.structure,
+            survey: &history.last_survey,
+            open_alarms: history.open_alarms,
+            tilt_beyond: history.lean_beyond,
+            kind: None,
+        }
+        .run(program)?;
     }
     Ok(())
-}
-
-fn judged(is_alarming: bool) -> Outcome {
-    let colour = if is_alarming { Colour::Red } else { Colour::Green };
-    Outcome::Judged(exit_status(Verb::Watch, colour, true))
 }
 
 /// A structure as it was read from the store.
@@ -99,7 +87,8 @@ struct Stored {
     structure: String,
     text: Vec<u8>,
     files: StoredFiles,
-    observed: std::collections::BTreeMap<String, Vec<dolmen::modal::ObservedMode>>,
+    observed: BTreeMap<String, Vec<ObservedMode>>,
+    faults: SensorFaults,
 }
 
 fn all(options: &Watch, manner: &Manner) -> Result<Outcome> {
@@ -149,13 +138,14 @@ fn read(store: &mut Store, structure: &str) -> Result<Stored, StoreError> {
         files: store.files(&exported),
         text: exported.text,
         observed: store.observed(structure)?,
+        faults: store.faults(structure)?,
     })
 }
 
 fn watched(stored: Stored) -> InventoryLine {
     let text = String::from_utf8_lossy(&stored.text).into_owned();
     let found = Opened::read(text, stored.structure.clone(), &stored.files)
-        .and_then(|opened| watch_observed(&opened, &stored.observed));
+        .and_then(|opened| watch_observed(&opened, &stored.observed, &stored.faults));
     match found {
         Ok(answer) => InventoryLine::watched(stored.structure, &answer),
         Err(why) => InventoryLine::not_watched(stored.structure, told(&why)),

@@ -73,6 +73,14 @@ pub(crate) enum CommandError {
         why: std::io::Error,
     },
     NoMotionToChange,
+    TooManyOfOneSecond {
+        survey: String,
+        most: usize,
+    },
+    WhichStructure {
+        count: usize,
+        first: Vec<String>,
+    },
     NothingReported {
         projects: usize,
     },
@@ -119,6 +127,14 @@ sentences! {
         NoProgram { program } => {
             en: "--on-alarm {program} could not be run; it is a program, not a line of a shell",
             ko: "--on-alarm {program}을(를) 실행할 수 없다. 셸 명령줄이 아니라 프로그램 하나를 준다",
+        },
+        TooManyOfOneSecond { survey, most } => {
+            en: "more than {most} different records began at {survey}: the clock of the logger stands still, or files of other loggers come into the folder",
+            ko: "{survey}에 시작한 서로 다른 기록이 {most}개를 넘는다. 기록계의 시계가 멈추었거나 다른 기록계의 파일이 폴더에 들어온다",
+        },
+        WhichStructure { count, first } as { count, first: first.join(", ") } => {
+            en: "--follow takes the records of one structure, and the store has {count} ({first}): name one with --structure, or store its project first with `dolmen survey add`",
+            ko: "--follow는 구조물 하나의 기록을 받는데 저장소에 구조물이 {count}기 있다({first}). --structure로 하나를 지정하거나 `dolmen survey add`로 프로젝트를 먼저 저장한다",
         },
         NoMotion => { en: "no motion is given to write", ko: "쓸 지반운동이 없다" },
         NoPlaneMotion => {
@@ -223,6 +239,18 @@ messages! {
         Watched { folder: String } => {
             en: "years.svg and watch.json are in {folder}",
             ko: "years.svg와 watch.json을 {folder}에 썼다",
+        },
+        Following { folder: String, structure: String, survey: String } => {
+            en: "records that come into {folder} are taken for {structure}, with the settings of its survey {survey}",
+            ko: "{folder}에 들어오는 기록을 {structure}의 조사 {survey} 설정으로 처리한다",
+        },
+        StillWritten { files: usize } => {
+            en: "files that were still being written or too new: {files}; what rests by now was taken, the others are left for the next time",
+            ko: "아직 쓰는 중이거나 너무 새로운 파일이 {files}개 있었다. 그사이 완료된 것은 처리하였고 나머지는 다음에 처리한다",
+        },
+        OwnFault => {
+            en: "this is a fault of Dolmen, not of the file: please report it with the file",
+            ko: "파일이 아니라 Dolmen의 결함이다. 이 파일과 함께 알려 주기 바란다",
         },
         StudyLeftOut { study: String, why: Both } => {
             en: "study \"{study}\" is left out of the report: {why}",

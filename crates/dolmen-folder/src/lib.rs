@@ -4,6 +4,7 @@
 //! was measured and, unless it is forced to, nothing that Dolmen did not write.
 
 mod access;
+mod arriving;
 mod files;
 mod open;
 mod outputs;
@@ -11,6 +12,7 @@ mod study_folder;
 mod wrong;
 
 pub use access::Access;
+pub use arriving::{Inbox, InboxLook, Look, move_into, quarantine, quarantined};
 pub use files::{fill_fresh, fresh_folder, read, read_text, start, write};
 pub use open::{Folder, Found};
 pub use outputs::Outputs;

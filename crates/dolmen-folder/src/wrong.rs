@@ -43,6 +43,14 @@ pub enum PathError {
         path: String,
         why: std::io::Error,
     },
+    NoFolder {
+        path: String,
+    },
+    CannotMove {
+        path: String,
+        folder: String,
+        why: std::io::Error,
+    },
     IsFile {
         path: String,
     },
@@ -125,6 +133,14 @@ sentences! {
             en: "files are there that Dolmen did not write, or that were changed since; they stay, and what was to replace them lies beside: {beside}; move yours away, write elsewhere, or give --force to replace them",
             ko: "Dolmen이 쓰지 않았거나 그 뒤에 바뀐 파일이 있어 그대로 두고 새 결과를 그 옆에 썼다: {beside}. 그 파일을 옮기거나, 다른 곳에 쓰거나, --force로 바꾼다",
         },
+        NoFolder { path } => {
+            en: "{path} is no folder: name the folder that records come into",
+            ko: "{path}은(는) 폴더가 아니다. 기록이 들어오는 폴더를 지정한다",
+        },
+        CannotMove { path, folder } => {
+            en: "cannot move {path} into {folder}; both must lie on one file system, and you need the right to write to both",
+            ko: "{path}을(를) {folder}(으)로 옮길 수 없다. 둘은 한 파일 시스템에 있어야 하고 쓰기 권한이 필요하다",
+        },
         Shard { given } => {
             en: "--shard is \"{given}\", but must be k/N with k from 1 to N: 1/4 is the first of four",
             ko: "--shard가 \"{given}\"인데 k/N(k는 1~N)이어야 한다. 1/4은 넷 중 첫째이다",
@@ -146,7 +162,7 @@ sentences! {
             ko: "{path}에 study 기록이 없다. 먼저 `dolmen study`를 실행하거나 나눈 폴더들을 지정한다",
         },
     }
-    caused by { TooLargeToWrite: why, CannotWrite: why, CannotMake: why, CannotOpen: why, LinkToNothing: why }
+    caused by { TooLargeToWrite: why, CannotWrite: why, CannotMake: why, CannotOpen: why, LinkToNothing: why, CannotMove: why }
 }
 
 messages! {

@@ -37,6 +37,7 @@ mod slips;
 mod stack;
 mod study;
 mod survey;
+mod survey_like;
 mod syntax;
 mod tabled;
 mod type_words;
@@ -89,6 +90,7 @@ pub use survey::{
     ModalChoice, ModeKind, OtherDamage, RecordFormat, RecordSource, Severity, Survey, SurveyMode,
     TemperaturePart, Tilt, WatchPart, WorkKind, WorkPart, date_of,
 };
+pub use survey_like::{LikeSurvey, survey_like};
 pub use tabled::lists_in_tables;
 pub use units::{AngleError, parse_angle_rad};
 pub use warned::Warned;

@@ -3,6 +3,7 @@
 mod breaks;
 mod files;
 mod limits;
+mod log;
 pub mod meshes;
 pub mod motions;
 mod number;
@@ -21,8 +22,9 @@ pub use files::{
     PROJECT_BYTES_MOST, RECORD_BYTES_MOST, TABLE_BYTES_MOST, stays_within,
 };
 pub use limits::LimitError;
+pub use log::{Log, LogError, read_log};
 pub use photo::{PHOTO_BYTES_MOST, PHOTO_PIXELS_MOST, Photo, PhotoError, PhotoFormat, read_photo};
 pub use score_form::{ScoreForm, ScoreFormError, read_score_form};
 pub use sheet::{SHEET_BYTES_MOST, SheetCell, SheetError, SheetValue, read_sheet};
-pub use start::time_text;
+pub use start::{start_of_text, time_text};
 pub use wrong::{ERRORS, of_records};

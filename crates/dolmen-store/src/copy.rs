@@ -26,10 +26,12 @@ const HEADS: [(&str, &str, &[&str]); 3] = [
     ("analysis", "analysis", &["mode", "mode_point"]),
 ];
 /// Every table in an order in which each comes after those that it refers to; the log stays where it was written.
-const ORDER: [&str; 9] = [
+const ORDER: [&str; 11] = [
     "raw",
     "structure",
     "survey",
+    "arrival",
+    "channel_fault",
     "settings",
     "analysis",
     "survey_analysis",

@@ -4,8 +4,8 @@ use crate::database::{Database, Value, all};
 use crate::error::StoreError;
 use crate::incoming::{AIR_TEMPERATURE, PROJECT_FILE, refuse_path};
 use crate::rows::{
-    AdoptionRow, AnalysisRow, EnvironmentRow, LogRow, ModeRow, ProjectFileRow, ProjectRow, RecordRow,
-    Row as _, StatedModeRow, SurveyRow, TiltRow, select,
+    AdoptionRow, AnalysisRow, ArrivalRow, EnvironmentRow, LogRow, ModeRow, ProjectFileRow, ProjectRow,
+    RecordRow, Row as _, StatedModeRow, SurveyRow, TiltRow, select,
 };
 use crate::store::{Store, refuse_unknown};
 use dolmen_work::kept::{
@@ -28,8 +28,10 @@ pub struct Search {
 /// A project as it was stored.
 #[derive(Clone, Debug)]
 pub struct Exported {
-    /// The text of the project file.
+    /// The text of the project file, with the surveys that came by themselves behind it.
     pub text: Vec<u8>,
+    /// How many of its bytes are the project file as it was added.
+    pub own_bytes: usize,
     /// Its files: path, hash and size.
     pub files: Vec<(String, String, u64)>,
 }
@@ -111,12 +113,26 @@ fn structures(
 ) -> Result<(), StoreError> {
     const OF_SURVEYS: &str =
         "from project_survey ps join survey v on v.hash = ps.survey where ps.project = p.hash";
+    let arrived = format!(
+        "from arrival r join survey v on v.hash = r.survey where r.structure = s.name and {}",
+        not_in("p.hash")
+    );
     let sql = format!(
         "select s.name, p.kind, p.english, p.korean, p.latitude_deg, p.longitude_deg, \
-         (select count(*) {OF_SURVEYS}), (select min(v.taken_on) {OF_SURVEYS}), (select max(v.taken_on) {OF_SURVEYS}), \
+         (select count(*) {OF_SURVEYS}) + (select count(*) {arrived}), \
+         (select min(t) from (select min(v.taken_on) as t {OF_SURVEYS} union all select min(v.taken_on) {arrived})), \
+         (select max(t) from (select max(v.taken_on) as t {OF_SURVEYS} union all select max(v.taken_on) {arrived})), \
          a.at_us, a.who, {REMOVED} {LATEST} {condition} order by s.name"
     );
     database.query(&sql, values, &mut |row| each(listed(row)?))
+}
+
+/// Whether an arrival `r` is none of the surveys of this state of the project: one that was exported and added again is.
+pub(crate) fn not_in(project: &str) -> String {
+    format!(
+        "not exists (select 1 from survey own join project_survey own_ps on own_ps.survey = own.hash \
+         where own.structure = r.structure and own.name = r.name and own_ps.project = {project})"
+    )
 }
 
 impl Store {
@@ -142,29 +158,46 @@ impl Store {
         search: &Search,
         each: &mut dyn FnMut(ListedSurvey) -> Result<(), StoreError>,
     ) -> Result<(), StoreError> {
-        let (condition, values) = condition(search);
-        let sql = format!(
-            "select s.name, v.name, v.taken_on, \
+        let columns = format!(
+            "s.name, v.name, v.taken_on, \
              (select e.value from environment e where e.survey = v.hash and e.quantity = '{AIR_TEMPERATURE}'), \
              (select count(*) from record r where r.survey = v.hash), \
              coalesce((select min(m.frequency_hz) from mode m where m.analysis = \
                (select n.hash from survey_analysis sa join analysis n on n.hash = sa.analysis where sa.survey = v.hash \
                 order by n.at_us desc, n.hash limit 1)), \
-              (select min(t.frequency_hz) from stated_mode t where t.survey = v.hash)) \
-             {LATEST} join project_survey ps on ps.project = p.hash join survey v on v.hash = ps.survey {condition} \
-             order by s.name, ps.position"
+              (select min(t.frequency_hz) from stated_mode t where t.survey = v.hash))"
         );
-        self.database.query(&sql, &values, &mut |row| {
-            let mut row = Taker::of(row, "survey");
-            each(ListedSurvey {
-                structure: row.take("structure")?,
-                survey: row.take("name")?,
-                date: row.take("taken_on")?,
-                temperature_c: row.take("temperature_c")?,
-                records: row.take("records")?,
-                lowest_frequency_hz: row.take("frequency_hz")?,
-            })
-        })
+        let of_state = format!(
+            "select {columns} {LATEST} join project_survey ps on ps.project = p.hash join survey v on v.hash = ps.survey \
+             where s.name = $1 order by ps.position"
+        );
+        let arrived = format!(
+            "select {columns} {LATEST} join arrival r on r.structure = s.name join survey v on v.hash = r.survey \
+             where s.name = $1 and {} order by r.name",
+            not_in("p.hash")
+        );
+        let (condition, values) = condition(search);
+        let named = all(
+            self.database.as_mut(),
+            &format!("select s.name {LATEST} {condition} order by s.name"),
+            &values,
+        )?;
+        for structure in named {
+            for sql in [&of_state, &arrived] {
+                self.database.query(sql, &structure, &mut |row| {
+                    let mut row = Taker::of(row, "survey");
+                    each(ListedSurvey {
+                        structure: row.take("structure")?,
+                        survey: row.take("name")?,
+                        date: row.take("taken_on")?,
+                        temperature_c: row.take("temperature_c")?,
+                        records: row.take("records")?,
+                        lowest_frequency_hz: row.take("frequency_hz")?,
+                    })
+                })?;
+            }
+        }
+        Ok(())
     }
 
     /// A structure with its surveys, states and log; only the named survey if `survey` gives one.
@@ -188,13 +221,13 @@ impl Store {
             select(database, "where structure = $1 order by at_us desc", &named)?;
         let latest = adoptions.first().ok_or_else(missing)?.project.clone();
         let mut surveys = Vec::new();
-        for row in surveys_of(database, &latest)? {
+        for row in surveys_of(database, name, &latest)? {
             if survey.is_none_or(|only| only == row.name) {
                 surveys.push(kept_survey(database, row)?);
             }
         }
         if let Some(only) = survey.filter(|_| surveys.is_empty()) {
-            let all = surveys_of(database, &latest)?;
+            let all = surveys_of(database, name, &latest)?;
             let last: Vec<&str> = all.iter().rev().take(5).map(|row| row.name.as_str()).collect();
             return Err(StoreFault::NoSurvey {
                 name: only.chars().filter(|sign| !sign.is_control()).collect(),
@@ -238,7 +271,7 @@ impl Store {
         let rows: Vec<ProjectFileRow> = select(
             database,
             "where project = $1 order by path",
-            &[Value::Text(project.hash)],
+            &[Value::Text(project.hash.clone())],
         )?;
         for ProjectFileRow { path, hash, .. } in rows {
             refuse_path(&path)?;
@@ -248,8 +281,22 @@ impl Store {
             }
         }
         let bytes = raw_bytes(database, &project.text_hash)?;
+        let mut text = self.raw.read(&project.text_hash, bytes)?;
+        let own_bytes = text.len();
+        let arrived = format!("r where r.structure = $1 and {} order by r.name", not_in("$2"));
+        let of = [named[0].clone(), Value::Text(project.hash)];
+        for ArrivalRow {
+            path, raw, text: own, ..
+        } in select(database, &arrived, &of)?
+        {
+            refuse_path(&path)?;
+            let bytes = raw_bytes(database, &raw)?;
+            text.extend_from_slice(own.as_bytes());
+            files.push((path, raw, bytes));
+        }
         Ok(Exported {
-            text: self.raw.read(&project.text_hash, bytes)?,
+            text,
+            own_bytes,
             files,
         })
     }
@@ -278,17 +325,27 @@ fn raw_bytes(database: &mut dyn Database, hash: &str) -> Result<u64, StoreError>
     }
 }
 
-fn surveys_of(database: &mut dyn Database, project: &str) -> Result<Vec<SurveyRow>, StoreError> {
+fn surveys_of(
+    database: &mut dyn Database,
+    structure: &str,
+    project: &str,
+) -> Result<Vec<SurveyRow>, StoreError> {
     let columns: Vec<String> = SurveyRow::TABLE
         .columns
         .iter()
         .map(|(name, _)| format!("v.{name}"))
         .collect();
+    let columns = columns.join(", ");
     let sql = format!(
-        "select {} from project_survey ps join survey v on v.hash = ps.survey where ps.project = $1 order by ps.position",
-        columns.join(", ")
+        "select {columns} from project_survey ps join survey v on v.hash = ps.survey where ps.project = $1 order by ps.position"
     );
-    let rows = all(database, &sql, &[Value::Text(project.to_owned())])?;
+    let mut rows = all(database, &sql, &[Value::Text(project.to_owned())])?;
+    let sql = format!(
+        "select {columns} from arrival r join survey v on v.hash = r.survey where r.structure = $1 and {} order by r.name",
+        not_in("$2")
+    );
+    let of = [Value::Text(structure.to_owned()), Value::Text(project.to_owned())];
+    rows.extend(all(database, &sql, &of)?);
     rows.into_iter().map(SurveyRow::of).collect()
 }
 

@@ -4,14 +4,15 @@ use crate::database::Value;
 use crate::error::StoreError;
 use crate::raw::Kept;
 use crate::rows::{
-    AnalysisRow, ChannelRow, EnvironmentRow, ModePointRow, ModeRow, ProjectFileRow, ProjectRow,
-    ProjectSurveyRow, RawRow, RecordRow, Row, SettingsRow, StatedModeRow, StatedShapeRow, SurveyAnalysisRow,
-    SurveyRow, Table, TiltRow,
+    AnalysisRow, ChannelFaultRow, ChannelRow, EnvironmentRow, ModePointRow, ModeRow, ProjectFileRow,
+    ProjectRow, ProjectSurveyRow, RawRow, RecordRow, Row, SettingsRow, StatedModeRow, StatedShapeRow,
+    SurveyAnalysisRow, SurveyRow, Table, TiltRow,
 };
 use dolmen::modal::Modes;
 use dolmen_project::{Column, ModeKind, Project, RecordSource, Survey};
 use dolmen_records::stays_within;
 use dolmen_work::kept::StoreFault;
+use dolmen_work::sensor_alarms::SensorFaults;
 use serde_json::{Value as Json, json};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -36,6 +37,8 @@ pub struct Incoming<'a> {
     pub files: BTreeMap<String, Kept>,
     /// Modes of the records of surveys, by the name of the survey.
     pub modes: BTreeMap<String, Modes>,
+    /// What is wrong with channels of the records of surveys, by the name of the survey.
+    pub faults: SensorFaults,
 }
 
 /// Which records, with which settings, by which version: what tells analyses apart.
@@ -63,12 +66,12 @@ pub(crate) struct Rows(pub(crate) Vec<Group>);
 
 impl Rows {
     /// Begins a group.
-    fn put<R: Row>(&mut self, row: &R) {
+    pub(crate) fn put<R: Row>(&mut self, row: &R) {
         self.0.push(Group(vec![(R::TABLE, row.values())]));
     }
 
     /// Adds to the last group.
-    fn part<R: Row>(&mut self, row: &R) {
+    pub(crate) fn part<R: Row>(&mut self, row: &R) {
         if let Some(Group(rows)) = self.0.last_mut() {
             rows.push((R::TABLE, row.values()));
         }
@@ -126,6 +129,20 @@ impl SurveyTables {
         })
     }
 
+    /// Of an arrival: its own table, and the units of the project as they were written down.
+    pub(crate) fn of_arrival(text: &str, units: &str) -> Result<Self, StoreError> {
+        let units = serde_json::from_str(units).map_err(|why| StoreError::Reader(why.to_string()))?;
+        Ok(SurveyTables {
+            units,
+            ..SurveyTables::of(text)?
+        })
+    }
+
+    /// The units, as [`SurveyTables::of_arrival`] reads them.
+    pub(crate) fn units(&self) -> String {
+        self.units.to_string()
+    }
+
     fn survey(&self, name: &str) -> &Json {
         self.surveys.get(name).unwrap_or(&Json::Null)
     }
@@ -176,7 +193,7 @@ fn gather_texts<'a>(value: &'a Json, found: &mut Vec<&'a str>) {
     }
 }
 
-fn shown(name: &str) -> String {
+pub(crate) fn shown(name: &str) -> String {
     let plain = name
         .chars()
         .map(|sign| if sign.is_control() { '?' } else { sign });
@@ -289,6 +306,7 @@ impl Incoming<'_> {
                 let modes = self.modes.get(&survey.name);
                 if let Some(modes) = modes {
                     analysis(&mut rows, modes, &key, (who, at_us));
+                    self.faults_of(&mut rows, &survey.name, &hash);
                 }
                 if modes.is_some() || known.contains(&key.hash()) {
                     rows.put(&SurveyAnalysisRow {
@@ -326,7 +344,18 @@ impl Incoming<'_> {
         Ok(rows)
     }
 
-    fn survey(&self, rows: &mut Rows, survey: &Survey, hash: &str) -> Result<(), StoreError> {
+    /// What is wrong with channels of a survey's records.
+    pub(crate) fn faults_of(&self, rows: &mut Rows, survey: &str, hash: &str) {
+        for (channel, fault) in self.faults.get(survey).into_iter().flatten() {
+            rows.put(&ChannelFaultRow {
+                survey: hash.to_owned(),
+                channel: shown(channel),
+                fault: fault.word().to_owned(),
+            });
+        }
+    }
+
+    pub(crate) fn survey(&self, rows: &mut Rows, survey: &Survey, hash: &str) -> Result<(), StoreError> {
         rows.put(&SurveyRow {
             hash: hash.to_owned(),
             structure: self.structure.to_owned(),
@@ -456,7 +485,7 @@ fn record(rows: &mut Rows, source: &RecordSource, hash: &str, (survey, setup, st
     }
 }
 
-fn analysis(rows: &mut Rows, modes: &Modes, key: &AnalysisKey, (who, at_us): (&str, i64)) {
+pub(crate) fn analysis(rows: &mut Rows, modes: &Modes, key: &AnalysisKey, (who, at_us): (&str, i64)) {
     let hash = key.hash();
     rows.put(&SettingsRow {
         hash: key.settings.clone(),

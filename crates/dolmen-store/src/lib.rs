@@ -9,6 +9,7 @@
 //! out of use is marked. Names and files of strangers are values of parameters and never part of a statement; a file in the folder
 //! is named by the hash of its bytes alone.
 
+mod arrival;
 mod copy;
 mod database;
 mod error;
@@ -23,6 +24,7 @@ mod sqlite;
 mod store;
 mod verify;
 
+pub use arrival::{Arrived, Arriving, Keeper, hash_of_bytes};
 pub use error::StoreError;
 pub use find::{Exported, Search};
 pub use incoming::{Incoming, PROJECT_FILE};

@@ -2,7 +2,7 @@
 
 use crate::database::{Value, all};
 use crate::error::StoreError;
-use crate::find::{Exported, Taker};
+use crate::find::{Exported, Taker, not_in};
 use crate::raw::RawFolder;
 use crate::store::{Store, refuse_unknown};
 use dolmen::modal::{ObservedMode, ObservedPoint};
@@ -10,6 +10,7 @@ use dolmen::signal::Channel;
 use dolmen_linalg::Complex64;
 use dolmen_records::{FileError, Files};
 use dolmen_words::messages;
+use dolmen_work::sensor_alarms::{SensorFault, SensorFaults};
 use std::collections::BTreeMap;
 
 messages! {
@@ -49,6 +50,9 @@ impl Files for StoredFiles {
     }
 }
 
+/// The latest state of the project of a structure.
+const LATEST: &str = "(select project from adoption where structure = $1 order by at_us desc limit 1)";
+
 impl Store {
     /// The files of a stored project, read when they are asked for.
     pub fn files(&self, project: &Exported) -> StoredFiles {
@@ -61,6 +65,33 @@ impl Store {
         }
     }
 
+    /// What was wrong with channels of the records of a structure's surveys.
+    ///
+    /// # Errors
+    /// There is no such structure, or the database cannot be read.
+    pub fn faults(&mut self, name: &str) -> Result<SensorFaults, StoreError> {
+        let database = self.database.as_mut();
+        refuse_unknown(database, name)?;
+        let sql = format!(
+            "select v.name as survey, c.channel, c.fault from project_survey ps join survey v on v.hash = ps.survey \
+             join channel_fault c on c.survey = v.hash where ps.project = {LATEST} \
+             union all select v.name, c.channel, c.fault from arrival r join survey v on v.hash = r.survey \
+             join channel_fault c on c.survey = v.hash where r.structure = $1 and {} order by survey",
+            not_in(LATEST)
+        );
+        let mut found = SensorFaults::new();
+        for row in all(database, &sql, &[Value::Text(name.to_owned())])? {
+            let mut row = Taker::of(row, "channel_fault");
+            let (survey, channel): (String, String) = (row.take("survey")?, row.take("channel")?);
+            let word: String = row.take("fault")?;
+            // a later version may know others
+            if let Some(fault) = SensorFault::of_word(&word) {
+                found.entry(survey).or_default().push((channel, fault));
+            }
+        }
+        Ok(found)
+    }
+
     /// The modes of each survey of the latest state that has records, by the latest analysis of them.
     ///
     /// # Errors
@@ -68,17 +99,21 @@ impl Store {
     pub fn observed(&mut self, name: &str) -> Result<BTreeMap<String, Vec<ObservedMode>>, StoreError> {
         let database = self.database.as_mut();
         refuse_unknown(database, name)?;
-        let sql = "select v.name, m.position, m.frequency_hz, m.frequency_sd_hz, m.damping_ratio, m.damping_ratio_sd, \
-             q.channel, q.real_part, q.imaginary_part \
-             from project_survey ps join survey v on v.hash = ps.survey \
-             join mode m on m.analysis = (select n.hash from survey_analysis sa join analysis n on n.hash = sa.analysis \
+        let columns = "v.name as survey, m.position as mode, m.frequency_hz, m.frequency_sd_hz, m.damping_ratio, m.damping_ratio_sd, \
+             q.channel, q.real_part, q.imaginary_part, q.position as point";
+        let modes = "join mode m on m.analysis = (select n.hash from survey_analysis sa join analysis n on n.hash = sa.analysis \
                where sa.survey = v.hash order by n.at_us desc, n.hash limit 1) \
-             left join mode_point q on q.analysis = m.analysis and q.mode = m.position \
-             where ps.project = (select project from adoption where structure = $1 order by at_us desc limit 1) \
-             order by ps.position, m.position, q.position";
+             left join mode_point q on q.analysis = m.analysis and q.mode = m.position";
+        let sql = format!(
+            "select {columns}, 0 as is_arrival, ps.position as place from project_survey ps join survey v on v.hash = ps.survey {modes} \
+             where ps.project = {LATEST} \
+             union all select {columns}, 1, 0 from arrival r join survey v on v.hash = r.survey {modes} \
+             where r.structure = $1 and {} order by is_arrival, place, survey, mode, point",
+            not_in(LATEST)
+        );
         let mut found: BTreeMap<String, Vec<ObservedMode>> = BTreeMap::new();
         let mut last = None;
-        for row in all(database, sql, &[Value::Text(name.to_owned())])? {
+        for row in all(database, &sql, &[Value::Text(name.to_owned())])? {
             let mut row = Taker::of(row, "mode");
             let survey: String = row.take("survey")?;
             let position: i64 = row.take("position")?;

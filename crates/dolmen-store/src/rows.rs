@@ -1,4 +1,4 @@
-//! What is kept: a row type a table. `sql/0001_surveys.sql` says what each is for.
+//! What is kept: a row type a table. The files in `sql` say what each is for.
 
 use crate::database::{Database, Field as _, Kind, Value};
 use crate::error::StoreError;
@@ -75,6 +75,11 @@ rows! {
         source: Option<String>,
     }
     ProjectSurveyRow in "project_survey" by "project, position" { project: String, position: i64, survey: String }
+    ArrivalRow in "arrival" by "survey" {
+        survey: String, structure: String, name: String, path: String, raw: String, came_as: String, text: String, units: String,
+        at_us: i64, who: String,
+    }
+    ChannelFaultRow in "channel_fault" by "survey, channel, fault" { survey: String, channel: String, fault: String }
     EnvironmentRow in "environment" by "survey, quantity" { survey: String, quantity: String, value: f64, unit: String }
     TiltRow in "tilt" by "survey, direction" { survey: String, direction: String, ratio: f64, written: String, datum: Option<String> }
     StatedModeRow in "stated_mode" by "survey, direction, position" {

@@ -30,3 +30,30 @@ pub(crate) fn migrate(database: &mut dyn Database, now_us: i64) -> Result<(), St
         database.execute(only, &[Value::Whole(now_us)]).map(|_| ())
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::database::all;
+    use crate::sqlite::{Access, Sqlite};
+    use std::time::Duration;
+
+    #[test]
+    fn holds_a_store_of_the_first_schema_is_brought_to_this_one_and_keeps_its_rows() {
+        let file = std::env::temp_dir().join(format!("dolmen-schema-{}.db", std::process::id()));
+        let mut database = Sqlite::open(&file, Access::Write, Duration::ZERO).unwrap();
+        database.batch(database.schema_files()[0]).unwrap();
+        database.set_schema(1).unwrap();
+        database
+            .batch("insert into structure values ('Gate', 7, 'kim')")
+            .unwrap();
+        assert!(!is_current(&mut database).unwrap());
+        migrate(&mut database, 0).unwrap();
+        assert!(is_current(&mut database).unwrap());
+        let kept = all(&mut database, "select name from structure", &[]).unwrap();
+        assert_eq!(kept, [[Value::Text("Gate".to_owned())]]);
+        assert!(!database.columns("arrival").unwrap().is_empty());
+        drop(database);
+        let _ = std::fs::remove_file(&file);
+    }
+}

@@ -11,7 +11,10 @@ use std::time::Duration;
 
 /// "dolm": files that carry another number belong to other programs.
 const APPLICATION: i64 = 0x646F_6C6D;
-const FILES: &[&str] = &[include_str!("sql/0001_surveys.sql")];
+const FILES: &[&str] = &[
+    include_str!("sql/0001_surveys.sql"),
+    include_str!("sql/0002_arrivals.sql"),
+];
 
 pub(crate) struct Sqlite(Connection);
 

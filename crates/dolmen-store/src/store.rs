@@ -65,6 +65,11 @@ impl Store {
         })
     }
 
+    /// Whether it was opened to be written.
+    pub(crate) fn can_write(&self) -> bool {
+        self.can_write
+    }
+
     /// Keeps the bytes of a file; they are on disk when this returns, and belong to nothing yet.
     ///
     /// # Errors
@@ -149,7 +154,7 @@ pub(crate) fn refuse_unknown(database: &mut dyn Database, name: &str) -> Result<
 }
 
 /// A moment after all that is there, whatever the clocks say: what comes later is later.
-fn next(database: &mut dyn Database, now_us: i64) -> Result<i64, StoreError> {
+pub(crate) fn next(database: &mut dyn Database, now_us: i64) -> Result<i64, StoreError> {
     let sql = "select max(at_us) from (select max(at_us) as at_us from adoption union all select max(at_us) from mark \
                union all select max(at_us) from log) as moments";
     let rows = all(database, sql, &[])?;

@@ -5,7 +5,7 @@ use crate::error::StoreError;
 use crate::incoming::{SurveyTables, analysis_hash, project_hash, settings_hash};
 use crate::raw::Standing;
 use crate::rows::{
-    AnalysisRow, ProjectFileRow, ProjectRow, RawRow, Row, SettingsRow, SurveyRow, TABLES, select,
+    AnalysisRow, ArrivalRow, ProjectFileRow, ProjectRow, RawRow, Row, SettingsRow, SurveyRow, TABLES, select,
 };
 use crate::store::Store;
 use dolmen_work::kept::{Fault, StoreFault, Verified};
@@ -99,6 +99,14 @@ impl Store {
         for row in select::<AnalysisRow>(database, "order by hash", &[])? {
             if analysis_hash(&row.records, &row.settings, &row.version) != row.hash {
                 wrong("analysis", &row.hash);
+            }
+        }
+        for row in select::<ArrivalRow>(database, "order by survey", &[])? {
+            let hash_of_file = |path: &str| (path == row.path).then(|| row.raw.clone());
+            let should = SurveyTables::of_arrival(&row.text, &row.units)
+                .map(|tables| tables.survey_hash(&row.structure, &row.name, &hash_of_file));
+            if should.ok().as_ref() != Some(&row.survey) {
+                wrong("arrival", &row.survey);
             }
         }
         // one project at a time: there may be many, with many surveys

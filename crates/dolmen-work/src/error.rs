@@ -123,6 +123,9 @@ pub enum WorkError {
         known: String,
     },
 
+    /// No survey of a project has its record in one file, as those that come by themselves have theirs.
+    NoneToFollow,
+
     /// A run that needs a motion was prepared without one.
     NoMotionPrepared,
     /// A motion shakes along x and y what moves in a plane.

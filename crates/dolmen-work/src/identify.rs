@@ -6,7 +6,8 @@ use crate::error::{Within as _, WorkError};
 use crate::kinds;
 use crate::opened::Opened;
 use crate::progress::{Progress, Stage};
-use crate::record;
+use crate::record::{self, OpenedRecord};
+use crate::sensor_alarms::SensorFault;
 use crate::stack::factors::{self as stack, factors};
 use crate::surveyed::{RecordAnswer, SetupsAnswer, StiffnessAnswer, SurveyAnswer, WithoutStiffness};
 use crate::wrong::Place;
@@ -71,6 +72,15 @@ pub(crate) fn surveys(
         .collect()
 }
 
+/// What the records of a survey gave.
+#[derive(Clone, Debug)]
+pub struct SurveyModes {
+    /// The modes.
+    pub modes: Modes,
+    /// What is wrong with channels.
+    pub faults: Vec<(String, SensorFault)>,
+}
+
 /// Modes of the records of one survey; `None` if it has no records.
 ///
 /// # Errors
@@ -80,7 +90,7 @@ pub fn survey_modes(
     name: &str,
     files: &dyn Files,
     progress: &dyn Progress,
-) -> Result<Option<Modes>, WorkError> {
+) -> Result<Option<SurveyModes>, WorkError> {
     let Some(survey) = project.surveys.iter().find(|survey| survey.name == name) else {
         let names: Vec<&str> = project.surveys.iter().map(|of| of.name.as_str()).collect();
         return Err(WorkError::NoSuchSurvey {
@@ -89,7 +99,11 @@ pub fn survey_modes(
         });
     };
     let answer = found_in(survey, files, progress)?;
-    Ok(answer.modes().map(|(modes, _)| modes.clone()))
+    let faults = answer.faults();
+    Ok(answer.modes().map(|(modes, _)| SurveyModes {
+        modes: modes.clone(),
+        faults,
+    }))
 }
 
 /// Modes of a survey's records, without the stiffness that explains them.
@@ -266,7 +280,15 @@ fn of_record(
 ) -> Result<(RecordAnswer, Record), WorkError> {
     let file = source.file.clone();
     progress.begin(&Stage::Reading { file });
-    let opened = record::record(source, files)?;
+    of_opened(source, record::record(source, files)?, progress)
+}
+
+/// Modes of a record that was read.
+pub(crate) fn of_opened(
+    source: &RecordSource,
+    opened: OpenedRecord,
+    progress: &dyn Progress,
+) -> Result<(RecordAnswer, Record), WorkError> {
     let file = source.file.clone();
     progress.begin(&Stage::Identifying { file });
     let options = options(source, opened.record.channels())?;

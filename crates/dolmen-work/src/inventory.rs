@@ -46,6 +46,8 @@ pub struct History {
     pub open_alarms: usize,
     /// Whether a tilt is beyond its limit.
     pub is_tilt_beyond: bool,
+    /// Sensors that fail in the newest record.
+    pub open_sensor_alarms: usize,
     /// How much it leans in all directions together, horizontal over vertical, where that is beyond its limit.
     pub lean_beyond: Option<f64>,
     /// The strongest lasting change.
@@ -126,6 +128,7 @@ impl History {
             modes: watched.modes.len(),
             open_alarms: answer.open_alarms(),
             is_tilt_beyond: answer.is_tilt_beyond(),
+            open_sensor_alarms: answer.open_sensor_alarms(),
             lean_beyond: answer
                 .leans()
                 .iter()

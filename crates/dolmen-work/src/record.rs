@@ -18,6 +18,8 @@ pub(crate) struct OpenedRecord {
     pub(crate) samples: usize,
     pub(crate) sampling_rate_hz: f64,
     pub(crate) unit: String,
+    /// The first sample, s from 1 January 1970 in the clock of the file.
+    pub(crate) begins_s: Option<f64>,
     pub(crate) remarks: Vec<String>,
     pub(crate) faults: Vec<ChannelFault>,
 }
@@ -57,6 +59,7 @@ fn reading(bytes: &[u8], source: &RecordSource) -> Result<Reading, WorkError> {
 
 fn opened(reading: Reading, source: &RecordSource) -> Result<OpenedRecord, WorkError> {
     let remarks = reading.remarks();
+    let begins_s = reading.begins_s;
     let record = reading.record;
     let left_out: usize = std::iter::once(source)
         .chain(&source.stations)
@@ -80,6 +83,7 @@ fn opened(reading: Reading, source: &RecordSource) -> Result<OpenedRecord, WorkE
         samples,
         sampling_rate_hz,
         unit,
+        begins_s,
         remarks,
         faults,
     })
@@ -94,7 +98,8 @@ fn unit_of(source: &RecordSource, record: &Record) -> String {
     source.unit.clone().or(read).unwrap_or_default()
 }
 
-fn name(channel: &ChannelSource) -> String {
+/// What a channel is called.
+pub(crate) fn name(channel: &ChannelSource) -> String {
     match (&channel.name, &channel.column) {
         (Some(name), _) | (None, Column::Name(name)) => name.clone(),
         (None, Column::Number(number)) => format!("ch{number}"),

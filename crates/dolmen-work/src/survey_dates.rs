@@ -23,9 +23,45 @@ pub(crate) fn day_of([year, month, day]: [u32; 3]) -> f64 {
     (era * 146_097 + of_cycle - 719_468) as f64
 }
 
+/// Characters of a date with its day: "2019-04-02".
+const DATE: usize = 10;
+
+/// The day that a survey's name is nothing but, with a time or a number behind it or none: "2019-04-02", "2019-04-02T10:30", "2019-04-02 10:30:15",
+/// "2019-04-02 (2)". A name with words behind its date stands for something of its own.
+pub fn day_of_a_record(name: &str) -> Option<&str> {
+    date(name).filter(|[_, _, day]| *day > 0)?;
+    let (day, rest) = name.split_at_checked(DATE)?;
+    let rest = rest.trim_start_matches(['T', ' ']);
+    let is_when = |sign: char| sign.is_ascii_digit() || matches!(sign, ':' | '(' | ')' | ' ');
+    rest.chars().all(is_when).then_some(day)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn holds_names_that_say_only_when_are_of_a_day() {
+        for name in [
+            "2019-04-02",
+            "2019-04-02T10:30",
+            "2019-04-02 10:30:15",
+            "2019-04-02 (2)",
+        ] {
+            assert_eq!(day_of_a_record(name), Some("2019-04-02"), "{name}");
+        }
+        for name in [
+            "2019-04",
+            "2019",
+            "2019-04-02 before",
+            "2019-04-02-a",
+            "2019-04-02조",
+            "first",
+            "",
+        ] {
+            assert_eq!(day_of_a_record(name), None, "{name}");
+        }
+    }
 
     #[test]
     fn exact_days_of_dates_that_are_known() {

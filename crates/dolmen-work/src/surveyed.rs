@@ -1,6 +1,7 @@
 //! What was identified from one survey.
 
 use crate::building::PlanAnswer;
+use crate::sensor_alarms::SensorFault;
 use crate::stack::FactorsAnswer;
 use dolmen::blocks::JointFactorsError;
 use dolmen::modal::{JointSetups, MergedMode, MergedSetups, ModalAnalysis, Modes, Note, SensorDoubt};
@@ -175,6 +176,14 @@ impl SurveyAnswer {
             .collect();
         all.sort_by(f64::total_cmp);
         all
+    }
+
+    /// What is wrong with the channels of its records.
+    pub fn faults(&self) -> Vec<(String, SensorFault)> {
+        let setups = self.setups.iter().flat_map(|setups| &setups.records);
+        let records = self.records.iter().chain(setups);
+        let faults = records.flat_map(|record| &record.faults);
+        faults.map(SensorFault::of).collect()
     }
 
     /// The modes that its records show, of several setups those put together, and the equally strong blocks of time behind their deviations.

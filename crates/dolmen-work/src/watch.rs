@@ -2,10 +2,12 @@
 
 use crate::change_fault::ChangeFault;
 use crate::compare::surveyed;
+use crate::days::{Days, days};
 use crate::error::WorkError;
 use crate::identify;
 use crate::opened::Opened;
 use crate::progress::Progress;
+use crate::sensor_alarms::{SensorFaults, sensor_alarms};
 use crate::survey_dates::{date, day_of};
 use crate::surveyed::SurveyAnswer;
 use crate::watched::{WatchAnswer, WatchedSurvey};
@@ -59,20 +61,24 @@ pub fn watch(opened: &Opened, files: &dyn Files, progress: &dyn Progress) -> Res
 /// # Errors
 /// [`ChangeFault`].
 pub fn watch_of(opened: &Opened, answers: &[SurveyAnswer]) -> Result<WatchAnswer, WorkError> {
-    watch_surveys(opened, |survey| {
+    let faults = answers
+        .iter()
+        .map(|answer| (answer.name.clone(), answer.faults()));
+    watch_surveys(opened, &faults.collect(), |survey| {
         surveyed(survey, answers.iter().find(|answer| answer.name == survey.name))
     })
 }
 
-/// The same; `observed` holds the modes of surveys with records, as a store keeps them.
+/// The same; `observed` holds the modes of surveys with records and `faults` what was wrong with their channels, as a store keeps them.
 ///
 /// # Errors
 /// [`ChangeFault`].
 pub fn watch_observed(
     opened: &Opened,
     observed: &BTreeMap<String, Vec<ObservedMode>>,
+    faults: &SensorFaults,
 ) -> Result<WatchAnswer, WorkError> {
-    watch_surveys(opened, |survey| {
+    watch_surveys(opened, faults, |survey| {
         let mut of = surveyed(survey, None);
         if let Some(modes) = observed.get(&survey.name) {
             of.modes.clone_from(modes);
@@ -81,7 +87,11 @@ pub fn watch_observed(
     })
 }
 
-fn watch_surveys(opened: &Opened, of: impl Fn(&Survey) -> Surveyed) -> Result<WatchAnswer, WorkError> {
+fn watch_surveys(
+    opened: &Opened,
+    faults: &SensorFaults,
+    of: impl Fn(&Survey) -> Surveyed,
+) -> Result<WatchAnswer, WorkError> {
     let project = &opened.project;
     let mut left_out = Vec::new();
     let mut surveys: Vec<HistorySurvey> = Vec::new();
@@ -92,14 +102,19 @@ fn watch_surveys(opened: &Opened, of: impl Fn(&Survey) -> Surveyed) -> Result<Wa
         };
         surveys.push(history_survey(survey, day_of(when), of(survey)));
     }
-    surveys.sort_by(|a, b| a.day.total_cmp(&b.day));
-    let mut kept: Vec<HistorySurvey> = Vec::with_capacity(surveys.len());
-    for survey in surveys {
-        match kept.last().is_some_and(|last| last.day == survey.day) {
-            true => left_out.push(survey.name),
-            false => kept.push(survey),
-        }
-    }
+    let tracking = Tracking {
+        frequency_within: project
+            .change
+            .frequency_within
+            .unwrap_or(Pairing::default().frequency_within),
+        ..Tracking::default()
+    };
+    let Days {
+        surveys: kept,
+        several,
+        left_out: of_one_day,
+    } = days(surveys, &tracking).map_err(ChangeFault::from)?;
+    left_out.extend(of_one_day);
     let with_modes = kept.iter().filter(|survey| !survey.modes.is_empty()).count();
     if with_modes < SURVEYS_LEAST {
         return Err(ChangeFault::TooFewToWatch {
@@ -128,13 +143,7 @@ fn watch_surveys(opened: &Opened, of: impl Fn(&Survey) -> Surveyed) -> Result<Wa
     };
     let usual = WatchOptions::default();
     let options = WatchOptions {
-        tracking: Tracking {
-            frequency_within: project
-                .change
-                .frequency_within
-                .unwrap_or(Pairing::default().frequency_within),
-            ..Tracking::default()
-        },
+        tracking,
         years_between_false_alarms: project
             .watch
             .years_between_false_alarms
@@ -154,10 +163,13 @@ fn watch_surveys(opened: &Opened, of: impl Fn(&Survey) -> Surveyed) -> Result<Wa
                 day: survey.day,
                 temperature_c: survey.temperature_c,
                 frequencies_hz: survey.modes.iter().map(|mode| mode.frequency_hz).collect(),
+                frequency_sds_hz: survey.modes.iter().map(|mode| mode.frequency_sd_hz).collect(),
             })
             .collect(),
         left_out,
+        several,
         works,
+        sensor_alarms: sensor_alarms(project, faults),
         watched,
     })
 }

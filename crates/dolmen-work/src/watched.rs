@@ -1,5 +1,6 @@
 //! What a history of surveys says.
 
+use crate::sensor_alarms::SensorAlarm;
 use dolmen::monitoring::Watched;
 use dolmen_project::{Project, WorkPart};
 use std::sync::Arc;
@@ -13,11 +14,15 @@ pub struct WatchAnswer {
     pub project: Arc<Project>,
     /// The surveys that were watched, by time.
     pub surveys: Vec<WatchedSurvey>,
-    /// Names of surveys that were left out: no date, no modes and no tilt, or the day of another.
+    /// Names of surveys that were left out: no date, no modes and no tilt, or the day of another and a name that says more than when.
     pub left_out: Vec<String>,
+    /// Days with several surveys, which count as one: the day, and how many.
+    pub several: Vec<(String, usize)>,
     /// Works by time, each with its day.
     pub works: Vec<(f64, WorkPart)>,
-    /// What they say.
+    /// Sensors that failed: nothing of the structure.
+    pub sensor_alarms: Vec<SensorAlarm>,
+    /// What the surveys say.
     pub watched: Watched,
 }
 
@@ -32,6 +37,8 @@ pub struct WatchedSurvey {
     pub temperature_c: Option<f64>,
     /// Frequencies of its modes, Hz, as the history numbers them.
     pub frequencies_hz: Vec<f64>,
+    /// Their standard deviations, Hz, where they are known.
+    pub frequency_sds_hz: Vec<Option<f64>>,
 }
 
 impl WatchAnswer {
@@ -42,6 +49,11 @@ impl WatchAnswer {
             .iter()
             .filter(|alarm| !alarm.is_answered)
             .count()
+    }
+
+    /// Sensors that fail in the newest record.
+    pub fn open_sensor_alarms(&self) -> usize {
+        self.sensor_alarms.iter().filter(|alarm| alarm.is_open).count()
     }
 
     /// Whether it leans beyond its limit on the day of the last reading.

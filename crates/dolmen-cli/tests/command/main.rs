@@ -14,6 +14,7 @@ mod docs;
 mod documents;
 mod english;
 mod figure_files;
+mod followed;
 mod frames;
 mod habits;
 mod handovers;

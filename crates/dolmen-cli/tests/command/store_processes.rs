@@ -33,14 +33,17 @@ pub(crate) fn adding(folder: &Path, store: &str, projects: &[String]) -> Child {
 
 /// Names that were acknowledged.
 pub(crate) fn acknowledged(stdout: &[u8]) -> Vec<String> {
+    acknowledged_of(stdout, "structure")
+}
+
+/// What whole lines of JSON say under a key.
+pub(crate) fn acknowledged_of(stdout: &[u8], key: &str) -> Vec<String> {
     let lines = String::from_utf8_lossy(stdout).into_owned();
     let whole = lines.split_inclusive('\n').filter(|line| line.ends_with('\n'));
     whole
         .map(|line| {
-            serde_json::from_str::<Value>(line).unwrap()["structure"]
-                .as_str()
-                .unwrap()
-                .to_owned()
+            let said: Value = serde_json::from_str(line).unwrap();
+            said[key].as_str().unwrap().to_owned()
         })
         .collect()
 }

@@ -9,13 +9,13 @@ use super::unread::{Expected, Unread};
 use crate::meshes::{MeshError, PoseError};
 use crate::motions::MotionError;
 use crate::records::{NotATable, RecordError, SeismicError};
-use crate::{FileError, LimitError, PhotoError, ScoreFormError, SheetError};
+use crate::{FileError, LimitError, LogError, PhotoError, ScoreFormError, SheetError};
 use dolmen_words::message::Argument;
 use dolmen_words::{Template, sayable};
 use std::error::Error;
 
 /// All sentences of the errors of this crate.
-pub const ERRORS: [&[Template]; 19] = [
+pub const ERRORS: [&[Template]; 20] = [
     Piece::TEMPLATES,
     More::TEMPLATES,
     DiffersFromATable::TEMPLATES,
@@ -29,6 +29,7 @@ pub const ERRORS: [&[Template]; 19] = [
     ScoreFormError::TEMPLATES,
     FileError::TEMPLATES,
     LimitError::TEMPLATES,
+    LogError::TEMPLATES,
     Damage::TEMPLATES,
     Unread::TEMPLATES,
     Expected::TEMPLATES,
@@ -52,5 +53,6 @@ pub fn of_records<'e>(error: &'e (dyn Error + 'static)) -> Option<&'e dyn Argume
         ScoreFormError,
         FileError,
         LimitError,
+        LogError,
     )
 }

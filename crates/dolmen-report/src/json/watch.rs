@@ -69,6 +69,27 @@ pub fn watch_json(answer: &WatchAnswer) -> Value {
         alarms.push((found.survey, value));
     }
     alarms.sort_by_key(|(survey, _)| *survey);
+    let sensors = answer.sensor_alarms.iter().map(|alarm| {
+        json!({
+            "date": alarm.last,
+            "since": alarm.since,
+            "mode": Value::Null,
+            "frequency_hz": Value::Null,
+            "kind": "sensor",
+            "confirmed": true,
+            "answered": !alarm.is_open,
+            "value": Value::Null,
+            "limit": Value::Null,
+            "channel": alarm.channel,
+            "fault": alarm.fault,
+            "records": alarm.records,
+        })
+    });
+    let alarms: Vec<Value> = alarms
+        .into_iter()
+        .map(|(_, alarm)| alarm)
+        .chain(sensors)
+        .collect();
     json!({
         "project": project(&answer.project, &answer.file),
         "surveys": answer.surveys.iter().map(|survey| json!({
@@ -76,6 +97,7 @@ pub fn watch_json(answer: &WatchAnswer) -> Value {
             "temperature_c": survey.temperature_c,
         })).collect::<Vec<_>>(),
         "left_out": answer.left_out,
+        "several_of_one_day": answer.several.iter().map(|(day, surveys)| json!({ "day": day, "surveys": surveys })).collect::<Vec<_>>(),
         "works": answer.works.iter().map(|(_, work)| json!({
             "date": work.date,
             "what": work.what,
@@ -87,12 +109,13 @@ pub fn watch_json(answer: &WatchAnswer) -> Value {
             },
         })).collect::<Vec<_>>(),
         "open_alarms": answer.open_alarms(),
+        "open_sensor_alarms": answer.open_sensor_alarms(),
         "significance": watched.significance,
         "interval_days": watched.interval_days,
         "average_limit": watched.average_limit,
         "false_alarm_probability": watched.false_alarm_probability,
         "changes": changes,
-        "alarms": alarms.into_iter().map(|(_, alarm)| alarm).collect::<Vec<_>>(),
+        "alarms": alarms,
         "modes": watched.modes.iter().map(|each| mode(each, answer)).collect::<Vec<_>>(),
         "leans": answer.leans().iter().map(|lean| json!({
             "datum": lean.datum, "directions": lean.directions, "now": lean.size, "limit": lean.limit, "is_beyond": lean.is_beyond(),

@@ -153,7 +153,7 @@ pub fn inventory_json(lines: &[InventoryLine]) -> Value {
 /// The structures as a table (CSV), with the mark by which Excel knows UTF-8.
 pub fn inventory_csv(lines: &[InventoryLine]) -> String {
     let head = "\u{feff}structure,open_alarms,is_tilt_beyond,change_ratio,change_sd,frequency_hz,change_after,change_before,\
-                tilt_direction,tilt,tilt_limit,years_to_limit,surveys,last_survey,not_watched\r\n";
+                tilt_direction,tilt,tilt_limit,years_to_limit,surveys,last_survey,not_watched,open_sensor_alarms\r\n";
     let each = lines.iter().map(|of| {
         let history = of.history.as_ref();
         let change = history.and_then(|history| history.change.as_ref());
@@ -175,6 +175,7 @@ pub fn inventory_csv(lines: &[InventoryLine]) -> String {
             whole(history.map(|history| history.surveys)),
             text_cell(history.map(|history| history.last_survey.as_str())),
             text_cell(of.not_watched.as_deref()),
+            whole(history.map(|history| history.open_sensor_alarms)),
         ])
     });
     head.to_owned() + &each.collect::<String>()

@@ -2,6 +2,7 @@
 
 mod done;
 mod fault;
+mod follow;
 mod formats;
 mod inventory;
 mod list;
@@ -10,6 +11,7 @@ mod show;
 
 pub use done::{added_text, exported_text, imported_text, marked_text, verified_text};
 pub use fault::store_fault;
+pub use follow::{followed_json, followed_text, metrics_text, quarantined_json, quarantined_text};
 pub use formats::{ListFormat, Listing};
 pub use inventory::{inventory_csv, inventory_json, inventory_text};
 pub use list::{StructureList, SurveyList};
@@ -18,10 +20,11 @@ pub use show::structure_text;
 use dolmen_words::Template;
 
 /// The sentences on stores as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 5] = [
+pub(crate) const TEMPLATES: [&[Template]; 6] = [
     fault::Faults::TEMPLATES,
     list::Listed::TEMPLATES,
     inventory::Watched::TEMPLATES,
+    follow::Followed::TEMPLATES,
     show::Shown::TEMPLATES,
     done::Done::TEMPLATES,
 ];

@@ -51,7 +51,7 @@ messages! {
 }
 
 /// The sentence of a fault.
-pub(super) fn fault_words(fault: &ChannelFault) -> Sentence {
+pub(crate) fn fault_words(fault: &ChannelFault) -> Sentence {
     let time = |time_s: f64, decimals| Quantity::new(time_s, Unit::si("s"), Digits::Fixed(decimals));
     match fault.clone() {
         ChannelFault::Constant { channel, value } => Faults::Constant {

@@ -19,6 +19,7 @@ mod tables;
 mod values;
 
 pub(crate) use decay_remarks::decay_remarks;
+pub(crate) use faults::fault_words;
 pub(crate) use findings::findings;
 pub(crate) use setup_remarks::setup_remarks;
 

@@ -1,5 +1,6 @@
 //! What a history says in plain words.
 
+use super::failing::failing;
 use super::numbers::{HALF_95, bare_percent, hertz, percent, plain, slope};
 use crate::document::{Finding, Tone};
 use dolmen::monitoring::{
@@ -141,6 +142,7 @@ pub(crate) fn findings(answer: &WatchAnswer) -> Vec<Finding> {
     all.extend(leans(answer));
     all.extend(answer.watched.tilts.iter().filter_map(tilt));
     all.extend(works(answer));
+    all.extend(failing(answer));
     all.extend(sensors(answer));
     all.push(Finding::new(
         Tone::Plain,

@@ -1,5 +1,6 @@
 //! The structure over the years: findings, and the section on its surveys in time.
 
+mod failing;
 mod findings;
 mod numbers;
 mod tables;
@@ -29,8 +30,12 @@ messages! {
             ko: "{number}. {date}: {what}",
         },
         LeftOut { names: String } => {
-            en: "Left out, since their names begin with no date, they have no modes, or another survey is of the same day: {names}.",
-            ko: "이름이 날짜로 시작하지 않거나, 모드가 없거나, 같은 날의 다른 조사가 있어 제외한 조사: {names}.",
+            en: "Left out, since their names begin with no date, they have no modes, or another survey is of the same day and their names say more than when: {names}.",
+            ko: "이름이 날짜로 시작하지 않거나, 모드가 없거나, 이름에 시각 외의 말이 있고 같은 날의 다른 조사가 있어 제외한 조사: {names}.",
+        },
+        Several { days: usize, surveys: usize } => {
+            en: "Surveys of one day count as one, the medians of what they read: {surveys} surveys on {days} days.",
+            ko: "같은 날의 조사는 중앙값을 취하여 하나로 보았다: {days}일의 조사 {surveys}건.",
         },
         NoProof { share: Quantity } => {
             en: "The search for changes finds one where there is none with {share} probability, all modes together; alarms are counted apart. Frequencies also follow moisture, added mass and the strength of the motion. No change shown is no proof that nothing changed.",
@@ -40,10 +45,11 @@ messages! {
 }
 
 /// The sentences on a history as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 4] = [
+pub(crate) const TEMPLATES: [&[Template]; 5] = [
     Years::TEMPLATES,
     findings::Found::TEMPLATES,
     findings::Cause::TEMPLATES,
+    failing::Failing::TEMPLATES,
     tables::Listed::TEMPLATES,
 ];
 
@@ -73,6 +79,12 @@ pub(crate) fn sections(answer: &WatchAnswer) -> Document<'_> {
         document.put(Block::List(works));
     }
     tables::put(&mut document, answer);
+    if !answer.several.is_empty() {
+        document.note(Years::Several {
+            days: answer.several.len(),
+            surveys: answer.several.iter().map(|(_, surveys)| surveys).sum(),
+        });
+    }
     if !answer.left_out.is_empty() {
         document.note(Years::LeftOut {
             names: answer.left_out.join(", "),

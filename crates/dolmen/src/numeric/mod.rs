@@ -35,6 +35,6 @@ pub use normal::{ln_normal_probability, normal_probability, normal_quantile};
 pub(crate) use quadrature::{adaptive_nodes, nodes_15};
 pub use random::Random;
 pub use roots::{Bracketing, bracketed_root};
-pub(crate) use statistics::middle;
 pub use statistics::{Interval, clopper_pearson, mean, quantile, variance};
+pub(crate) use statistics::{middle, middle_mean};
 pub use student::{student_detectable, student_two_sided, student_two_sided_quantile};

@@ -39,6 +39,17 @@ pub(crate) fn middle(mut values: Vec<f64>) -> f64 {
     values.get(values.len() / 2).copied().unwrap_or(0.0)
 }
 
+/// The median: of an even count the mean of the two in the middle; 0 of none.
+pub(crate) fn middle_mean(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    let upper = values.len() / 2;
+    match (values.get(upper), values.len().is_multiple_of(2)) {
+        (Some(value), true) => f64::midpoint(values[upper - 1], *value),
+        (Some(value), false) => *value,
+        (None, _) => 0.0,
+    }
+}
+
 /// The value below which a share `probability` of the values lies, between order statistics by straight lines.
 ///
 /// ```text

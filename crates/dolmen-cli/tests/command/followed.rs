@@ -1,0 +1,613 @@
+// SOURCE     docs/watch.md, "Records as they come".
+// GOAL       A record that comes becomes a survey, once, as if it had been added by hand; what cannot be read is put aside and nothing is lost.
+// TOLERANCE  none: words, rows, files, exit statuses.
+
+use super::store_processes::acknowledged_of;
+use super::stores::{below, content, good, json, refused};
+use super::verbs::{Answer, Scratch};
+use serde_json::Value;
+use std::fs;
+use std::io::Write as _;
+use std::path::Path;
+use std::process::{Command, Stdio};
+use std::time::{Duration, SystemTime};
+
+const STORE: &str = "--store s.db";
+/// Files in the tests are old, so that they rest; what is written meanwhile is not.
+const FOLLOW: &str = "watch --follow in --store s.db --once --quiet";
+
+/// Three channels of an oscillator of 2 % damping under noise, 100 Hz, by its difference equation.
+pub(crate) fn made_record(frequency_hz: f64, samples: usize, seed: u64) -> String {
+    let mut state = seed.wrapping_mul(0x9E37_79B9_7F4A_7C15).wrapping_add(1);
+    let mut noise = move || {
+        let mut sum = -6.0;
+        for _ in 0..12 {
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
+            sum += (state >> 11) as f64 / (1u64 << 53) as f64;
+        }
+        sum
+    };
+    let (zeta, step) = (0.02, 0.01);
+    let omega = std::f64::consts::TAU * frequency_hz;
+    let decay = (-zeta * omega * step).exp();
+    let [one, two] = [
+        2.0 * decay * (omega * (1.0 - zeta * zeta).sqrt() * step).cos(),
+        -decay * decay,
+    ];
+    let mut text = "low,high,mid\n".to_owned();
+    let (mut last, mut before) = (0.0, 0.0);
+    for _ in 0..samples {
+        let now: f64 = one * last + two * before + noise();
+        (before, last) = (last, now);
+        let [low, high, mid] = [0.5, 1.0, 0.8].map(|part| part * now + 0.3 * noise());
+        text += &format!("{low:.4},{high:.4},{mid:.4}\n");
+    }
+    text
+}
+
+/// A file that was written long ago.
+pub(crate) fn put(path: &Path, content: impl AsRef<[u8]>) {
+    fs::write(path, content).unwrap();
+    let file = fs::File::options().write(true).open(path).unwrap();
+    file.set_modified(SystemTime::now() - Duration::from_secs(3600))
+        .unwrap();
+}
+
+const HEAD: &str = "schema = 1\nkind = \"survey\"\nname = { en = \"Gate\" }\n";
+const RECORDS: &str = "sampling_rate = \"100 Hz\"\nunit = \"mg\"\nchannels = [{ column = \"low\", direction = \"x\", position = [0, 0, 1] }, \
+     { column = \"high\", direction = \"x\", position = [0, 0, 3] }, { column = \"mid\", direction = \"x\", position = [0, 0, 2] }]\n";
+
+/// A gate with one survey in a store, and an empty folder for what comes.
+fn gate(scratch: &Scratch) {
+    fs::create_dir_all(scratch.path().join("p")).unwrap();
+    fs::create_dir_all(scratch.path().join("in")).unwrap();
+    fs::write(scratch.path().join("p/first.csv"), made_record(2.0, 6000, 1)).unwrap();
+    let text = format!("{HEAD}[survey.2026-01-01.records]\nfile = \"first.csv\"\n{RECORDS}");
+    fs::write(scratch.path().join("p/project.toml"), text).unwrap();
+    good(scratch.briefly(&format!("survey add p {STORE}")));
+}
+
+/// What was printed of each record.
+fn lines(answer: &Answer) -> Vec<Value> {
+    assert!(answer.status <= 1, "{}{}", answer.stdout, answer.stderr);
+    answer
+        .stdout
+        .lines()
+        .map(|line| serde_json::from_str(line).unwrap())
+        .collect()
+}
+
+fn names(scratch: &Scratch) -> Vec<String> {
+    let kept = json(scratch, &format!("survey show Gate {STORE}"));
+    let surveys = kept["surveys"].as_array().unwrap();
+    surveys
+        .iter()
+        .map(|survey| survey["name"].as_str().unwrap().to_owned())
+        .collect()
+}
+
+#[test]
+fn holds_records_that_came_say_what_a_project_with_them_says() {
+    let scratch = Scratch::new("follow-same");
+    gate(&scratch);
+    let mut by_hand = fs::read_to_string(scratch.path().join("p/project.toml")).unwrap();
+    fs::create_dir_all(scratch.path().join("hand")).unwrap();
+    fs::copy(
+        scratch.path().join("p/first.csv"),
+        scratch.path().join("hand/first.csv"),
+    )
+    .unwrap();
+    // the last of two days are several, and the last day has changed
+    for (at, name) in [
+        "2026-01-02",
+        "2026-01-03",
+        "2026-01-04 09h30",
+        "2026-01-04 12h00",
+        "2026-01-04 18h00",
+    ]
+    .iter()
+    .enumerate()
+    {
+        let record = made_record(2.0, 6000, at as u64 + 2);
+        put(&scratch.path().join(format!("in/gate {name}.csv")), &record);
+        fs::write(scratch.path().join(format!("hand/{at}.csv")), record).unwrap();
+        let survey = match name.split_once(' ') {
+            Some((day, time)) => format!("{day}T{}:00", time.replace('h', ":")),
+            None => (*name).to_owned(),
+        };
+        by_hand += &format!("[survey.\"{survey}\"]\nrecords.file = \"{at}.csv\"\n");
+        by_hand += &RECORDS
+            .lines()
+            .map(|line| format!("records.{line}\n"))
+            .collect::<String>();
+    }
+    fs::write(scratch.path().join("hand/project.toml"), by_hand).unwrap();
+    let said = lines(&scratch.briefly(&format!("{FOLLOW} --json")));
+    let surveys: Vec<&str> = said.iter().map(|line| line["survey"].as_str().unwrap()).collect();
+    assert_eq!(
+        surveys,
+        [
+            "2026-01-02",
+            "2026-01-03",
+            "2026-01-04T09:30:00",
+            "2026-01-04T12:00:00",
+            "2026-01-04T18:00:00"
+        ]
+    );
+    assert!(
+        said.iter()
+            .all(|line| line["date_from"] == "file_name" && line["modes"][0]["frequency_hz"].is_number())
+    );
+    let of = |folder: &str| json(&scratch, &format!("watch {folder}"));
+    good(scratch.briefly(&format!("survey export Gate -o out {STORE}")));
+    let (mut by_hand, mut exported) = (of("hand"), of("out"));
+    assert_eq!(exported["surveys"].as_array().unwrap().len(), 4, "{exported}");
+    assert_eq!(exported["several_of_one_day"][0]["surveys"], 3);
+    for answer in [&mut by_hand, &mut exported] {
+        answer["project"] = Value::Null;
+    }
+    assert_eq!(by_hand, exported);
+    // as the store alone has it
+    let all = json(&scratch, &format!("watch --all {STORE}"));
+    assert_eq!(all["structures"][0]["history"]["surveys"], 4);
+    let before = content(&scratch, STORE);
+    assert_eq!(
+        lines(&scratch.briefly(&format!("{FOLLOW} --json"))),
+        Vec::<Value>::new()
+    );
+    assert_eq!(before, content(&scratch, STORE));
+    // what was exported may be added again: the same surveys
+    good(scratch.briefly(&format!("survey add out {STORE}")));
+    assert_eq!(names(&scratch).len(), 6);
+    let listed = json(&scratch, &format!("survey list {STORE}"));
+    assert_eq!(listed["structures"][0]["surveys"], 6);
+    assert_eq!(listed["structures"][0]["last_survey"], "2026-01-04");
+    // and another store takes all of it over
+    good(scratch.briefly("survey import s.db --store copy.db"));
+    assert_eq!(content(&scratch, STORE), content(&scratch, "--store copy.db"));
+}
+
+#[test]
+fn holds_what_cannot_be_read_goes_to_quarantine_and_what_grows_is_left_alone() {
+    let scratch = Scratch::new("follow-quarantine");
+    gate(&scratch);
+    let inbox = scratch.path().join("in");
+    let hostile = [
+        "$(touch shell) `touch shell` \"a\" 'b'.csv",
+        "; touch shell;\n.csv",
+        "--store.csv",
+        "a..csv",
+    ];
+    for (at, name) in hostile.iter().enumerate() {
+        put(&inbox.join(name), made_record(2.0, 6000, at as u64 + 2));
+    }
+    put(&inbox.join("broken.csv"), "low,other\n1,2\n");
+    put(&inbox.join("binary"), [0u8, 159, 146, 150, 255, 0]);
+    let growing = inbox.join("growing.csv");
+    let whole = made_record(2.0, 6000, 9);
+    fs::write(&growing, &whole[..whole.len() / 2]).unwrap();
+    // it grows while the command waits once for what is new
+    let (path, rest) = (growing.clone(), whole[whole.len() / 2..].to_owned());
+    let writer = std::thread::spawn(move || {
+        let mut file = fs::File::options().append(true).open(&path).unwrap();
+        for piece in rest.as_bytes().chunks(rest.len() / 100) {
+            std::thread::sleep(Duration::from_millis(40));
+            file.write_all(piece).unwrap();
+        }
+    });
+    let answer = scratch.briefly(&format!("{FOLLOW} --rest 2 --metrics in/m.prom --json"));
+    let said = lines(&answer);
+    writer.join().unwrap();
+    assert_eq!(
+        said.iter().filter(|line| line["survey"].is_string()).count(),
+        hostile.len(),
+        "{said:?}"
+    );
+    assert!(said.iter().all(|line| line["file"] != "growing.csv"), "{said:?}");
+    let names: Vec<&str> = said.iter().filter_map(|line| line["file"].as_str()).collect();
+    assert!(names.iter().all(|name| !name.contains('\n')), "{names:?}");
+    let aside = |name: &str| fs::read(inbox.join("quarantine").join(name)).unwrap();
+    assert_eq!(aside("broken.csv"), b"low,other\n1,2\n");
+    let why = String::from_utf8(aside("broken.csv.why.txt")).unwrap();
+    assert!(why.contains("high"), "{why}");
+    assert_eq!(aside("binary"), [0u8, 159, 146, 150, 255, 0]);
+    let metrics = fs::read_to_string(inbox.join("m.prom")).unwrap();
+    assert!(
+        metrics.contains("dolmen_quarantined_files{structure=\"Gate\"} 2"),
+        "{metrics}"
+    );
+    assert!(!inbox.join("shell").exists() && !scratch.path().join("shell").exists());
+    // what was taken lies where it was, byte for byte
+    for (at, name) in hostile.iter().enumerate() {
+        assert_eq!(
+            fs::read_to_string(inbox.join(name)).unwrap(),
+            made_record(2.0, 6000, at as u64 + 2)
+        );
+    }
+    // finished, it is taken whole; what is in quarantine stays there
+    put(&growing, &whole);
+    put(&inbox.join("broken.csv"), "low,other\n3,4\n");
+    let korean = scratch.briefly(&format!("{FOLLOW} --language ko --metrics in/m.prom"));
+    assert!(
+        korean.status <= 1 && korean.stdout.lines().count() == 2,
+        "{}{}",
+        korean.stdout,
+        korean.stderr
+    );
+    assert!(
+        korean.stdout.contains("읽을 수 없어") && korean.stdout.contains("2-broken.csv"),
+        "{}",
+        korean.stdout
+    );
+    content(&scratch, STORE);
+    good(scratch.briefly(&format!("survey export Gate -o out {STORE}")));
+    let exported = fs::read_dir(scratch.path().join("out/followed")).unwrap();
+    assert_eq!(exported.count(), hostile.len() + 1);
+}
+
+#[cfg(unix)]
+#[test]
+fn holds_a_killed_follow_loses_nothing_that_was_acknowledged_and_stores_nothing_twice() {
+    const MOMENTS: usize = 20;
+    const FILES: usize = 5;
+    let scratch = Scratch::new("follow-kill");
+    gate(&scratch);
+    let (mut seed, mut killed, mut whole_us, mut told) = (11, 0, 0, Vec::new());
+    for moment in 0..=MOMENTS {
+        for file in 0..FILES {
+            let name = format!("in/2026-02-{:02}T{file:02}00.csv", moment + 1);
+            put(
+                &scratch.path().join(name),
+                made_record(2.0, 6000, (moment * FILES + file) as u64 + 2),
+            );
+        }
+        let begun = std::time::Instant::now();
+        let mut child = Command::new(env!("CARGO_BIN_EXE_dolmen"))
+            .args(FOLLOW.split_whitespace())
+            .arg("--json")
+            .current_dir(scratch.path())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        if moment > 0 {
+            std::thread::sleep(Duration::from_micros(below(&mut seed, whole_us)));
+            child.kill().unwrap();
+        }
+        let output = child.wait_with_output().unwrap();
+        if moment == 0 {
+            whole_us = begun.elapsed().as_micros() as u64;
+            assert_eq!(acknowledged_of(&output.stdout, "survey").len(), FILES);
+        }
+        killed += usize::from(output.status.code().is_none());
+        told.extend(acknowledged_of(&output.stdout, "survey"));
+        content(&scratch, STORE);
+        let there = names(&scratch);
+        for name in &told {
+            assert_eq!(
+                there.iter().filter(|kept| *kept == name).count(),
+                1,
+                "{name}: {there:?}"
+            );
+        }
+    }
+    assert!(
+        killed * 2 > MOMENTS,
+        "{killed} of {MOMENTS} were killed before their end"
+    );
+    lines(&scratch.briefly(&format!("{FOLLOW} --json")));
+    let mut there = names(&scratch);
+    assert_eq!(there.len(), 1 + (MOMENTS + 1) * FILES);
+    there.sort();
+    there.dedup();
+    assert_eq!(there.len(), 1 + (MOMENTS + 1) * FILES);
+    assert!(!scratch.path().join("in/quarantine").exists());
+}
+
+#[cfg(unix)]
+#[test]
+fn holds_an_alarm_calls_once_and_a_failed_call_is_made_again() {
+    use std::os::unix::fs::PermissionsExt as _;
+    let scratch = Scratch::new("follow-alarm");
+    gate(&scratch);
+    let put_day = |day: usize, frequency_hz: f64| {
+        let name = format!("in/2026-01-{day:02}.csv");
+        put(
+            &scratch.path().join(name),
+            made_record(frequency_hz, 6000, day as u64),
+        );
+    };
+    (2..14).for_each(|day| put_day(day, 2.0));
+    let program = |text: &str| {
+        let path = scratch.path().join("call");
+        fs::write(&path, format!("#!/bin/sh\n{text}\n")).unwrap();
+        fs::set_permissions(&path, fs::Permissions::from_mode(0o755)).unwrap();
+    };
+    let note = "printf '%s|%s|%s|%s\\n' \"$DOLMEN_STRUCTURE\" \"$DOLMEN_ALARM_KIND\" \"$DOLMEN_ALARM_DATE\" \"$DOLMEN_ALARMS\" >> called";
+    let called = || fs::read_to_string(scratch.path().join("called")).unwrap_or_default();
+    program(note);
+    let words = format!("{FOLLOW} --on-alarm ./call");
+    let quiet = scratch.briefly(&words);
+    assert_eq!(quiet.status, 0, "{}{}", quiet.stdout, quiet.stderr);
+    assert_eq!(called(), "");
+    program("exit 3");
+    (14..18).for_each(|day| put_day(day, 1.8));
+    let failed = scratch.briefly(&words);
+    assert_eq!(failed.status, 1, "{}{}", failed.stdout, failed.stderr);
+    assert!(failed.stdout.contains("ALARM: "), "{}", failed.stdout);
+    assert!(
+        failed.stderr.contains("--on-alarm ./call ended with"),
+        "{}",
+        failed.stderr
+    );
+    program(note);
+    for day in 18..21 {
+        put_day(day, 1.8);
+        assert_eq!(scratch.briefly(&words).status, 1);
+    }
+    let once = called();
+    assert_eq!(once.lines().count(), 1, "{once}");
+    assert!(once.starts_with("Gate|structure|2026-01-1"), "{once}");
+}
+
+#[cfg(unix)]
+#[test]
+fn holds_a_sensor_that_fails_is_an_alarm_of_its_own_and_none_of_the_structure() {
+    use std::os::unix::fs::PermissionsExt as _;
+    let scratch = Scratch::new("follow-sensor");
+    gate(&scratch);
+    let path = scratch.path().join("call");
+    let note =
+        "printf '%s|%s|%s\\n' \"$DOLMEN_ALARM_KIND\" \"$DOLMEN_ALARM_DATE\" \"$DOLMEN_ALARMS\" >> called";
+    fs::write(&path, format!("#!/bin/sh\n{note}\n")).unwrap();
+    fs::set_permissions(&path, fs::Permissions::from_mode(0o755)).unwrap();
+    let put_day = |day: usize, is_dead: bool| {
+        let record = made_record(2.0, 6000, day as u64);
+        let dead = |line: &str| match line.split_once(',') {
+            Some((low, high)) if low != "low" => format!("0,{high}\n"),
+            _ => format!("{line}\n"),
+        };
+        let record = if is_dead {
+            record.lines().map(dead).collect()
+        } else {
+            record
+        };
+        put(&scratch.path().join(format!("in/2026-01-{day:02}.csv")), record);
+    };
+    for day in 2..=5 {
+        put_day(day, day > 3);
+    }
+    let words = format!("{FOLLOW} --on-alarm ./call --metrics m.prom");
+    let failing = scratch.briefly(&words);
+    assert_eq!(failing.status, 0, "{}{}", failing.stdout, failing.stderr);
+    assert!(
+        failing.stdout.contains("\n  sensor: Channel \"low\" is dead"),
+        "{}",
+        failing.stdout
+    );
+    let called = || fs::read_to_string(scratch.path().join("called")).unwrap_or_default();
+    assert_eq!(called(), "sensor|2026-01-04|0\n");
+    let metrics = fs::read_to_string(scratch.path().join("m.prom")).unwrap();
+    assert!(
+        metrics.contains("kind=\"sensor\"} 1") && metrics.contains("kind=\"structure\"} 0"),
+        "{metrics}"
+    );
+    let history = |all: &Value| all["structures"][0]["history"]["open_sensor_alarms"].clone();
+    let all = json(&scratch, &format!("watch --all {STORE}"));
+    assert_eq!((history(&all), &all["alarming"]), (1.into(), &0.into()));
+    // the modes are those of the sensor that works, and the file says that the other is left out
+    let kept = json(&scratch, &format!("survey show Gate {STORE}"));
+    let surveys = kept["surveys"].as_array().unwrap();
+    assert!(
+        surveys
+            .iter()
+            .all(|survey| survey["analyses"][0]["modes"][0]["frequency_hz"].is_number()),
+        "{kept}"
+    );
+    good(scratch.briefly(&format!("survey export Gate -o out {STORE}")));
+    let exported = fs::read_to_string(scratch.path().join("out/project.toml")).unwrap();
+    assert_eq!(exported.matches("leave_out = true").count(), 2, "{exported}");
+    assert_eq!(
+        json(&scratch, "watch out")["surveys"].as_array().unwrap().len(),
+        5
+    );
+    // it works again: no alarm, and none is called
+    put_day(6, false);
+    assert_eq!(scratch.briefly(&words).status, 0);
+    assert_eq!(called().lines().count(), 1);
+    let all = json(&scratch, &format!("watch --all {STORE}"));
+    assert_eq!(history(&all), 0);
+}
+
+#[test]
+fn holds_a_project_says_which_of_its_sensors_fail() {
+    let scratch = Scratch::new("watch-sensor");
+    let mut text = HEAD.to_owned();
+    for day in 1..=4 {
+        // the range of the logger ends at 20 from the third day on
+        let most = if day > 2 { 20.0 } else { 1e9 };
+        let clipped = |line: &str| {
+            let mut cells: Vec<String> = line.split(',').map(str::to_owned).collect();
+            if let Ok(high) = cells[1].parse::<f64>() {
+                cells[1] = high.clamp(-most, most).to_string();
+            }
+            cells.join(",") + "\n"
+        };
+        let record: String = made_record(2.0, 6000, day).lines().map(clipped).collect();
+        fs::write(scratch.path().join(format!("{day}.csv")), record).unwrap();
+        text += &format!("[survey.2026-01-0{day}.records]\nfile = \"{day}.csv\"\n{RECORDS}");
+    }
+    fs::write(scratch.path().join("project.toml"), text).unwrap();
+    let alone = json(&scratch, "watch .");
+    assert_eq!(
+        (&alone["open_sensor_alarms"], &alone["open_alarms"]),
+        (&1.into(), &0.into())
+    );
+    let alarm = &alone["alarms"][0];
+    let told = ["kind", "channel", "fault", "since", "date"].map(|key| alarm[key].as_str().unwrap());
+    assert_eq!(told, ["sensor", "high", "clipped", "2026-01-03", "2026-01-04"]);
+    assert_eq!(
+        (&alarm["records"], &alarm["answered"]),
+        (&2.into(), &false.into())
+    );
+    let told = [
+        ("en", "SENSOR: \"high\" is clipped since 2026-01-03 (records: 2)"),
+        ("ko", "센서: \"high\" 포화(클리핑)(2026-01-03부터"),
+    ];
+    for (language, said) in told {
+        let text = scratch.briefly(&format!("watch . --language {language}"));
+        assert!(text.words().contains(said), "{}", text.stdout);
+    }
+}
+
+#[test]
+fn holds_a_log_gives_the_temperature_of_each_record() {
+    let scratch = Scratch::new("follow-temperature");
+    gate(&scratch);
+    let inbox = scratch.path().join("in");
+    let toa5 = "\"TOA5\",\"gate\",\"CR1000\"\n\"TIMESTAMP\",\"RECORD\",\"Air_Avg\",\"Tilt\"\n\"TS\",\"RN\",\"Deg C\",\"deg\"\n\"\",\"\",\"Avg\",\"Avg\"\n\
+        \"2026-01-02 06:00:00\",1,2.0,0\n\"2026-01-02 18:00:00\",2,5.04,0\n\"2026-01-03 09:30:00\",3,-7.26,0\n\"2026-01-03 10:10:00\",4,\"NAN\",0\n";
+    fs::write(inbox.join("air.dat"), toa5).unwrap();
+    // a day, a time with a reading near, a time without one
+    for (at, name) in ["2026-01-02", "2026-01-03T10-00-00", "2026-01-05T10-00-00"]
+        .iter()
+        .enumerate()
+    {
+        put(
+            &inbox.join(format!("{name}.csv")),
+            made_record(2.0, 6000, at as u64 + 2),
+        );
+    }
+    let words = format!("{FOLLOW} --temperature in/air.dat --quarantine aside");
+    refused(
+        &scratch.briefly(&words),
+        "the log has several columns: name one of Air_Avg, Tilt",
+    );
+    refused(
+        &scratch.briefly(&format!("{words} --temperature-column Air")),
+        "no column \"Air\"",
+    );
+    let taken = scratch.briefly(&format!("{words} --temperature-column Air_Avg"));
+    assert!(
+        taken.status <= 1 && taken.stdout.lines().count() == 3,
+        "{}{}",
+        taken.stdout,
+        taken.stderr
+    );
+    let kept = json(&scratch, &format!("survey show Gate {STORE}"));
+    let surveys = kept["surveys"].as_array().unwrap();
+    let temperatures: Vec<&Value> = surveys.iter().map(|survey| &survey["temperature_c"]).collect();
+    assert_eq!(
+        temperatures,
+        [&Value::Null, &3.5.into(), &(-7.3).into(), &Value::Null]
+    );
+    content(&scratch, STORE);
+}
+
+#[cfg(unix)]
+#[test]
+fn holds_a_follow_takes_what_comes_until_it_is_terminated() {
+    let scratch = Scratch::new("follow-wait");
+    gate(&scratch);
+    let child = Command::new(env!("CARGO_BIN_EXE_dolmen"))
+        .args([
+            "watch", "--follow", "in", "--store", "s.db", "--every", "0.1", "--rest", "0.3", "--taken",
+            "done",
+        ])
+        .args(["--metrics", "m.prom", "--json"])
+        .current_dir(scratch.path())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    fs::write(
+        scratch.path().join("in/2026-03-01.csv"),
+        made_record(2.0, 6000, 5),
+    )
+    .unwrap();
+    let begun = std::time::Instant::now();
+    while !scratch.path().join("done/2026-03-01.csv").exists() {
+        assert!(begun.elapsed() < Duration::from_secs(60));
+        std::thread::sleep(Duration::from_millis(20));
+    }
+    let sent = Command::new("kill")
+        .args(["-TERM", &child.id().to_string()])
+        .status()
+        .unwrap();
+    assert!(sent.success());
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(
+        output.status.code(),
+        Some(0),
+        "{}",
+        String::from_utf8_lossy(&output.stderr)
+    );
+    assert_eq!(acknowledged_of(&output.stdout, "survey"), ["2026-03-01"]);
+    let metrics = fs::read_to_string(scratch.path().join("m.prom")).unwrap();
+    assert!(
+        metrics.contains("dolmen_open_alarms{structure=\"Gate\",kind=\"structure\"} 0"),
+        "{metrics}"
+    );
+    assert!(!scratch.path().join("in/2026-03-01.csv").exists());
+}
+
+#[cfg(unix)]
+#[test]
+fn holds_a_broken_file_that_cannot_be_moved_does_not_hold_up_the_others() {
+    let scratch = Scratch::new("follow-stuck");
+    gate(&scratch);
+    put(&scratch.path().join("in/a.csv"), "low,other\n1,2\n");
+    put(
+        &scratch.path().join("in/2026-01-02.csv"),
+        made_record(2.0, 6000, 2),
+    );
+    // a file stands where the folder should be made
+    fs::write(scratch.path().join("aside"), "").unwrap();
+    let answer = scratch.briefly(&format!("{FOLLOW} --quarantine aside"));
+    assert_eq!(answer.status, 0, "{}{}", answer.stdout, answer.stderr);
+    assert!(
+        answer.stderr.contains("cannot make the folder aside"),
+        "{}",
+        answer.stderr
+    );
+    assert!(answer.stdout.contains("2026-01-02") && scratch.path().join("in/a.csv").exists());
+    assert_eq!(names(&scratch).len(), 2);
+}
+
+#[test]
+fn refuses_a_folder_a_store_and_a_structure_that_are_not_there() {
+    let scratch = Scratch::new("follow-refused");
+    gate(&scratch);
+    refused(
+        &scratch.briefly("watch --follow none --store s.db --once"),
+        "none is no folder",
+    );
+    refused(
+        &scratch.briefly("watch --follow in --store none.db --once"),
+        "no store",
+    );
+    assert!(!scratch.path().join("none.db").exists());
+    refused(&scratch.briefly(&format!("{FOLLOW} --structure Gat")), "Gate");
+    refused(
+        &scratch.briefly("watch --all --follow in --store s.db"),
+        "cannot be used with",
+    );
+    refused(&scratch.briefly("watch --once p"), "cannot be used with");
+    refused(
+        &scratch.briefly("watch --once --all --store s.db"),
+        "cannot be used with",
+    );
+    fs::write(
+        scratch.path().join("p/project.toml"),
+        format!("{HEAD}[survey.2026]\nfrequencies.x = [2.0]\n").replace("Gate", "Bare"),
+    )
+    .unwrap();
+    good(scratch.briefly(&format!("survey add p {STORE}")));
+    refused(&scratch.briefly(FOLLOW), "the store has 2 (Bare, Gate)");
+    refused(
+        &scratch.briefly(&format!("{FOLLOW} --structure Bare")),
+        "no survey of the project has its vibration record in one file",
+    );
+}

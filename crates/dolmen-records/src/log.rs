@@ -1,0 +1,363 @@
+//! Readings of slow sensors over time: files of a Campbell logger (TOA5) and tables of text, a time and values a row.
+
+use crate::number::parse_number;
+use crate::start::start_of_text;
+use dolmen_words::sentences;
+
+/// Lines of a TOA5 file before its readings: the station, names, units, how each was made.
+const TOA5_LINES: usize = 4;
+/// What begins such a file.
+const TOA5: &str = "TOA5";
+/// Columns that are shown of a file in an error.
+const SHOWN_MOST: usize = 12;
+
+/// Readings of one column.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Log {
+    /// When each was taken, s from 1 January 1970 in the clock of the logger; ascending, none twice.
+    pub times_s: Vec<f64>,
+    /// What was read.
+    pub values: Vec<f64>,
+    /// Rows without a reading: "NAN", nothing.
+    pub gaps: usize,
+    /// Rows whose time was there already: the last one counts.
+    pub repeated: usize,
+    /// Rows whose time lies before that of the row above: the clock was set back, or the logger started anew.
+    pub set_back: usize,
+}
+
+/// Why a log cannot be read.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum LogError {
+    /// It is no table of text.
+    NotText,
+    /// No line has a time and values behind it.
+    NoRows,
+    /// There is no such column.
+    NoColumn {
+        /// The name given.
+        given: String,
+        /// The columns there are.
+        known: String,
+    },
+    /// Several columns could be meant.
+    WhichColumn {
+        /// They.
+        known: String,
+    },
+    /// Rows have no time.
+    NoTime {
+        /// The line, from 1.
+        line: usize,
+        /// What stands there.
+        found: String,
+    },
+    /// A cell is no number.
+    NotANumber {
+        /// The line, from 1.
+        line: usize,
+        /// What stands there.
+        found: String,
+    },
+}
+
+sentences! {
+    LogError in "records.log" {
+        NotText => {
+            en: "the log is no text in UTF-8: save it as TOA5 or CSV",
+            ko: "기록 파일이 UTF-8 텍스트가 아니다. TOA5나 CSV로 저장한다",
+        },
+        NoRows => {
+            en: "the log holds no readings: a row begins with its time (\"2026-11-25 10:00\") and has values behind it",
+            ko: "기록 파일에 읽은 값이 없다. 각 행은 시각(\"2026-11-25 10:00\")으로 시작하고 그 뒤에 값이 있어야 한다",
+        },
+        NoColumn { given, known } => {
+            en: "the log has no column \"{given}\", but {known}",
+            ko: "기록 파일에 열 \"{given}\"이(가) 없다. 있는 열: {known}",
+        },
+        WhichColumn { known } => {
+            en: "the log has several columns: name one of {known}",
+            ko: "기록 파일에 열이 여럿 있다. {known} 중 하나를 지정한다",
+        },
+        NoTime { line, found } => {
+            en: "line {line} of the log begins with \"{found}\", which is no time such as \"2026-11-25 10:00:00\"",
+            ko: "기록 파일의 {line}행이 \"{found}\"(으)로 시작하는데 \"2026-11-25 10:00:00\" 같은 시각이 아니다",
+        },
+        NotANumber { line, found } => {
+            en: "line {line} of the log has \"{found}\" where a number should stand; a missing reading is empty or NAN",
+            ko: "기록 파일의 {line}행에 수 대신 \"{found}\"이(가) 있다. 없는 값은 비워 두거나 NAN으로 쓴다",
+        },
+    }
+}
+
+/// The readings of one column of a log. `column` may be left out where there is one.
+///
+/// # Errors
+/// [`LogError`].
+///
+/// # Example
+/// ```
+/// use dolmen_records::read_log;
+/// let text = "\"TOA5\",\"gate\",\"CR1000\"\n\"TIMESTAMP\",\"RECORD\",\"Air_Avg\"\n\"TS\",\"RN\",\"Deg C\"\n\"\",\"\",\"Avg\"\n\"2026-11-25 10:00:00\",7,3.5\n";
+/// let log = read_log(text.as_bytes(), Some("Air_Avg"))?;
+/// assert_eq!((log.times_s[0], log.values[0]), (1_795_600_800.0, 3.5));
+/// # Ok::<(), dolmen_records::LogError>(())
+/// ```
+pub fn read_log(bytes: &[u8], column: Option<&str>) -> Result<Log, LogError> {
+    let text = std::str::from_utf8(bytes).map_err(|_| LogError::NotText)?;
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let lines: Vec<&str> = text.lines().collect();
+    let is_toa5 = lines
+        .first()
+        .is_some_and(|line| cells(line, ',').first().is_some_and(|cell| cell == TOA5));
+    let (sign, names, first) = match is_toa5 {
+        true => (
+            ',',
+            cells(lines.get(1).copied().unwrap_or_default(), ','),
+            TOA5_LINES,
+        ),
+        false => headed(&lines).ok_or(LogError::NoRows)?,
+    };
+    let at = place(&names, column, is_toa5)?;
+    let mut rows = Vec::new();
+    let mut log = Log {
+        times_s: Vec::new(),
+        values: Vec::new(),
+        gaps: 0,
+        repeated: 0,
+        set_back: 0,
+    };
+    let mut before = f64::NEG_INFINITY;
+    for (line, row) in lines.iter().enumerate().skip(first) {
+        if row.trim().is_empty() {
+            continue;
+        }
+        let row = cells(row, sign);
+        let when = row.first().map_or("", String::as_str);
+        let at_s = time(when).ok_or_else(|| LogError::NoTime {
+            line: line + 1,
+            found: shown(when),
+        })?;
+        log.set_back += usize::from(at_s < before);
+        before = at_s;
+        let cell = row.get(at).map_or("", String::as_str);
+        match reading(cell, sign) {
+            Some(Some(value)) => rows.push((at_s, value)),
+            Some(None) => log.gaps += 1,
+            None => {
+                return Err(LogError::NotANumber {
+                    line: line + 1,
+                    found: shown(cell),
+                });
+            }
+        }
+    }
+    rows.sort_by(|a, b| a.0.total_cmp(&b.0)); // in the order of the file where times are one
+    for (at_s, value) in rows {
+        match log.times_s.last() == Some(&at_s) {
+            true => {
+                log.repeated += 1;
+                log.values.pop();
+            }
+            false => log.times_s.push(at_s),
+        }
+        log.values.push(value);
+    }
+    match log.values.is_empty() {
+        true => Err(LogError::NoRows),
+        false => Ok(log),
+    }
+}
+
+/// What separates columns, their names, and the first line of readings.
+fn headed(lines: &[&str]) -> Option<(char, Vec<String>, usize)> {
+    let first = lines.iter().position(|line| {
+        [',', ';', '\t'].iter().any(|sign| {
+            let row = cells(line, *sign);
+            row.len() > 1 && time(&row[0]).is_some()
+        })
+    })?;
+    let sign = [';', '\t', ','].into_iter().find(|sign| {
+        let row = cells(lines[first], *sign);
+        row.len() > 1 && time(&row[0]).is_some()
+    })?;
+    let names = match first.checked_sub(1).and_then(|above| lines.get(above)) {
+        Some(head) => cells(head, sign),
+        None => (1..=cells(lines[first], sign).len())
+            .map(|number| number.to_string())
+            .collect(),
+    };
+    Some((sign, names, first))
+}
+
+fn place(names: &[String], column: Option<&str>, is_toa5: bool) -> Result<usize, LogError> {
+    // the number of the record of a Campbell logger is no reading
+    let is_reading = |(at, name): &(usize, &String)| *at > 0 && !(is_toa5 && *name == "RECORD");
+    let all: Vec<(usize, &String)> = names.iter().enumerate().filter(is_reading).collect();
+    let known = || {
+        let names: Vec<String> = all.iter().take(SHOWN_MOST).map(|(_, name)| shown(name)).collect();
+        names.join(", ")
+    };
+    match (column, all.as_slice()) {
+        (Some(given), all) => {
+            let found = all.iter().find(|(_, name)| *name == given);
+            found.map(|(at, _)| *at).ok_or_else(|| LogError::NoColumn {
+                given: shown(given),
+                known: known(),
+            })
+        }
+        (None, [(at, _)]) => Ok(*at),
+        (None, []) => Err(LogError::NoRows),
+        (None, _) => Err(LogError::WhichColumn { known: known() }),
+    }
+}
+
+/// Cells of a row; quotes around a cell are taken off, and a separator within them is part of it.
+fn cells(row: &str, sign: char) -> Vec<String> {
+    let (mut all, mut cell, mut is_quoted) = (Vec::new(), String::new(), false);
+    for letter in row.chars() {
+        match letter {
+            '"' => is_quoted = !is_quoted,
+            letter if letter == sign && !is_quoted => all.push(std::mem::take(&mut cell)),
+            letter => cell.push(letter),
+        }
+    }
+    all.push(cell);
+    all.iter().map(|cell| cell.trim().to_owned()).collect()
+}
+
+/// "2026-11-25 10:00:00", "2026/11/25T10:00", "2026-11-25": year, month, day first; s from 1970.
+fn time(cell: &str) -> Option<f64> {
+    let (whole, part) = match cell.split_once('.') {
+        Some((whole, part)) if whole.len() > "2026-11-25".len() => (whole, part),
+        _ => (cell, ""),
+    };
+    let whole = whole.trim_end_matches('Z');
+    let is_time = |sign: char| sign.is_ascii_digit() || matches!(sign, '-' | '/' | ':' | ' ' | 'T' | '.');
+    if !whole.chars().all(is_time) || !whole.starts_with(|sign: char| sign.is_ascii_digit()) {
+        return None;
+    }
+    let digits = whole.chars().filter(char::is_ascii_digit).count();
+    let missing = match digits {
+        8 => "000000",
+        12 => "00",
+        14 => "",
+        _ => return None,
+    };
+    let day = whole.get(.."2026-11-25".len())?;
+    if !day
+        .chars()
+        .enumerate()
+        .all(|(at, sign)| matches!(at, 4 | 7) != sign.is_ascii_digit())
+    {
+        return None;
+    }
+    let seconds = start_of_text(&format!("{}{missing}", whole.replace('.', "-")))?;
+    let part: f64 = if part.is_empty() {
+        0.0
+    } else {
+        format!("0.{}", part.trim_end_matches('Z')).parse().ok()?
+    };
+    Some(seconds + part)
+}
+
+/// A number; `Some(None)` where there is no reading, `None` where there is something else.
+fn reading(cell: &str, sign: char) -> Option<Option<f64>> {
+    let missing = [
+        "", "NAN", "NA", "N/A", "NULL", "INF", "-INF", "+INF", "7999", "-7999",
+    ];
+    if missing.iter().any(|word| cell.eq_ignore_ascii_case(word)) {
+        return Some(None);
+    }
+    let cell = match sign {
+        ',' => cell.to_owned(),
+        _ => cell.replace(',', "."),
+    };
+    parse_number(cell.as_bytes())
+        .filter(|value| value.is_finite())
+        .map(Some)
+}
+
+fn shown(text: &str) -> String {
+    const MOST: usize = 40;
+    text.chars()
+        .filter(|sign| !sign.is_control())
+        .take(MOST)
+        .collect()
+}
+
+impl Log {
+    /// The mean of what was read from one moment to another; where nothing was, the reading nearest to their middle that is at most `within_s` away.
+    pub fn around(&self, from_s: f64, to_s: f64, within_s: f64) -> Option<f64> {
+        let begin = self.times_s.partition_point(|at| *at < from_s);
+        let end = self.times_s.partition_point(|at| *at <= to_s);
+        if let Some(read) = self.values.get(begin..end).filter(|read| !read.is_empty()) {
+            return Some(read.iter().sum::<f64>() / read.len() as f64);
+        }
+        let middle_s = f64::midpoint(from_s, to_s);
+        let away = |at: usize| self.times_s.get(at).map(|time_s| (time_s - middle_s).abs());
+        let near = [begin.checked_sub(1), Some(begin)].into_iter().flatten();
+        let (_, at) = near
+            .filter_map(|at| Some((away(at).filter(|away| *away <= within_s)?, at)))
+            .min_by(|a, b| a.0.total_cmp(&b.0))?;
+        self.values.get(at).copied()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const TEN_S: f64 = 1_795_600_800.0; // 2026-11-25 10:00 by `date -u`
+
+    #[test]
+    fn exact_gaps_repeats_and_a_clock_set_back_are_counted() {
+        let text = "\"TOA5\",\"gate\",\"CR1000\",\"1\"\n\"TIMESTAMP\",\"RECORD\",\"Air, deg\",\"Tilt\"\n\"TS\",\"RN\",\"Deg C\",\"deg\"\n\"\",\"\",\"Avg\",\"Avg\"\n\
+            \"2026-11-25 10:00:00\",0,3.5,1\n\"2026-11-25 10:10:00\",1,\"NAN\",1\n\"2026-11-25 10:20:00\",2,4.5,1\n\
+            \"2026-11-25 10:20:00\",0,5.5,1\n\"2026-11-25 09:50:00\",1,2.5,1\n\n\"2026-11-25 10:30:00.5\",2,-7999,1\n";
+        let log = read_log(text.as_bytes(), Some("Air, deg")).unwrap();
+        assert_eq!(log.times_s, [TEN_S - 600.0, TEN_S, TEN_S + 1200.0]);
+        assert_eq!(log.values, [2.5, 3.5, 5.5]);
+        assert_eq!((log.gaps, log.repeated, log.set_back), (2, 1, 1));
+        assert_eq!(log.around(TEN_S, TEN_S + 1200.0, 0.0), Some(4.5));
+        assert_eq!(log.around(TEN_S + 1300.0, TEN_S + 1400.0, 600.0), Some(5.5));
+        assert_eq!(log.around(TEN_S + 1300.0, TEN_S + 1400.0, 60.0), None);
+    }
+
+    #[test]
+    fn exact_tables_with_other_separators_and_a_comma_in_numbers() {
+        let semicolons = "logger 7\nTime;Air\n2026/11/25 10:00;3,5\n2026/11/25 11:00;4,5\n";
+        assert_eq!(read_log(semicolons.as_bytes(), None).unwrap().values, [3.5, 4.5]);
+        let days = "\u{feff}2026-11-25,3.5\n2026-11-26,4.5\n";
+        let log = read_log(days.as_bytes(), None).unwrap();
+        assert_eq!(log.times_s, [TEN_S - 36_000.0, TEN_S + 50_400.0]);
+    }
+
+    #[test]
+    fn refuses_what_is_no_log_and_says_where() {
+        let told = |text: &str, column| read_log(text.as_bytes(), column).unwrap_err();
+        let two = "time,a,b\n2026-11-25 10:00,1,2\n";
+        assert_eq!(told(two, None), LogError::WhichColumn { known: "a, b".into() });
+        let (given, known) = ("c".into(), "a, b".into());
+        assert_eq!(told(two, Some("c")), LogError::NoColumn { given, known });
+        assert_eq!(told("a,b\n1,2\n", None), LogError::NoRows);
+        assert_eq!(told("", None), LogError::NoRows);
+        let bad = format!("{two}yesterday,1,2\n");
+        assert_eq!(
+            told(&bad, Some("a")),
+            LogError::NoTime {
+                line: 3,
+                found: "yesterday".into()
+            }
+        );
+        let bad = format!("{two}2026-11-25 11:00,high,2\n");
+        assert_eq!(
+            told(&bad, Some("a")),
+            LogError::NotANumber {
+                line: 3,
+                found: "high".into()
+            }
+        );
+        assert_eq!(read_log(&[0xff, 0xfe], None).unwrap_err(), LogError::NotText);
+    }
+}

@@ -1,0 +1,299 @@
+//! Records as they come, a line each, and what is told to other programs.
+
+use crate::modal::fault_words;
+use dolmen::monitoring::NotJudged;
+use dolmen_words::message::Both;
+use dolmen_words::{Digits, Language, Quantity, Sentence, Unit, Values, messages};
+use dolmen_work::follow::{OpenAlarm, RecordTime, Taken, TimeSource, Verdict};
+use dolmen_work::watched::WatchAnswer;
+use serde_json::{Value, json};
+
+messages! {
+    /// A record that came, and what became of it.
+    pub(crate) enum Followed in "store.followed" {
+        Stored { survey: String, source: Sentence, file: String, frequencies: Values, verdict: Sentence, open: Sentence } => {
+            en: "{survey} ({source}), {file}: {frequencies}; {verdict}{open}.",
+            ko: "{survey}({source}), {file}: 고유진동수 {frequencies}. {verdict}{open}.",
+        },
+        OpenAlarms { count: usize } => { en: "; open alarms: {count}", ko: ". 조치되지 않은 경보 {count}건" },
+        NoOpenAlarm => { en: "", ko: "" },
+        WithoutModes { survey: String, source: Sentence, file: String, why: Both } => {
+            en: "{survey} ({source}), {file}: stored, but it gives no modes: {why}.",
+            ko: "{survey}({source}), {file}: 저장하였으나 모드를 찾지 못하였다: {why}.",
+        },
+        NoModes { survey: String, source: Sentence, file: String } => {
+            en: "{survey} ({source}), {file}: stored, but no mode was found in it.",
+            ko: "{survey}({source}), {file}: 저장하였으나 확인된 모드가 없다.",
+        },
+        OfRecord => { en: "as the record says", ko: "기록에 적힌 시각" },
+        OfFileName => { en: "as its name says", ko: "파일 이름의 날짜" },
+        OfFileTime => { en: "as the file's time says", ko: "파일의 수정 시각" },
+        Sensor { fault: Sentence } => { en: "  sensor: {fault}", ko: "  센서: {fault}" },
+        LeftOut { channels: Vec<String> } => {
+            en: "  left out of the identification: {channels}",
+            ko: "  식별에서 제외함: {channels}",
+        },
+        WrongClock { said: String } => {
+            en: "  its clock says {said}, which is not believed: set the clock of the logger",
+            ko: "  기록의 시계가 {said}을(를) 가리키므로 따르지 않았다. 기록계의 시계를 맞춘다",
+        },
+        Quarantined { file: String, place: String, why: Both } => {
+            en: "{file} cannot be read and was moved to {place}: {why}.",
+            ko: "{file}을(를) 읽을 수 없어 {place}(으)로 옮겼다: {why}.",
+        },
+        Alarm { frequencies: Values } => {
+            en: "ALARM: {frequencies} left what earlier surveys predict, confirmed with this one",
+            ko: "경보: {frequencies} 모드가 이전 조사의 예측을 벗어났으며 이 조사로 확정되었다",
+        },
+        Outside { frequency: Quantity, score: Quantity } => {
+            en: "outside of what earlier surveys predict, no alarm yet ({frequency}: score {score})",
+            ko: "이전 조사의 예측을 벗어났으나 아직 경보는 아니다({frequency}: 점수 {score})",
+        },
+        AsPredicted { score: Quantity } => {
+            en: "as earlier surveys predict (score farthest out {score})",
+            ko: "이전 조사의 예측과 같다(가장 먼 점수 {score})",
+        },
+        Training => { en: "not judged: too few surveys before it", ko: "판정하지 않음: 이전 조사가 너무 적다" },
+        NewLevel => {
+            en: "not judged: the level after a repair or alarm is still being learned",
+            ko: "판정하지 않음: 보수 또는 경보 이후의 수준을 아직 익히는 중이다",
+        },
+        Temperature => {
+            en: "not judged: too few earlier surveys near its temperature",
+            ko: "판정하지 않음: 비슷한 기온의 이전 조사가 너무 적다",
+        },
+        NoTemperature => { en: "not judged: its temperature is not known", ko: "판정하지 않음: 기온을 알 수 없다" },
+        NoMode => {
+            en: "not judged: none of the modes that are followed was found",
+            ko: "판정하지 않음: 추적 중인 모드가 확인되지 않았다",
+        },
+        TooFew { given: usize, least: usize } => {
+            en: "not judged: {given} days with modes so far, {least} are needed",
+            ko: "판정하지 않음: 모드가 있는 날이 {given}일이며 {least}일이 필요하다",
+        },
+    }
+}
+
+fn hertz(frequencies_hz: &[f64]) -> Values {
+    let each = frequencies_hz.iter();
+    Values(
+        each.map(|hz| Quantity::new(*hz, Unit::si("Hz"), Digits::Significant(4)))
+            .collect(),
+    )
+}
+
+fn verdict_words(verdict: &Verdict) -> Sentence {
+    let score = |score: f64| Quantity::new(score, Unit::ratio(), Digits::Fixed(1));
+    match verdict {
+        Verdict::Alarm { frequencies_hz } => Followed::Alarm {
+            frequencies: hertz(frequencies_hz),
+        },
+        Verdict::Outside {
+            frequency_hz,
+            score: out,
+        } => Followed::Outside {
+            frequency: Quantity::new(*frequency_hz, Unit::si("Hz"), Digits::Significant(4)),
+            score: score(*out),
+        },
+        Verdict::AsPredicted { score: farthest, .. } => Followed::AsPredicted {
+            score: score(*farthest),
+        },
+        Verdict::NotJudged(NotJudged::Training) => Followed::Training,
+        Verdict::NotJudged(NotJudged::NewLevel) => Followed::NewLevel,
+        Verdict::NotJudged(NotJudged::Temperature) => Followed::Temperature,
+        Verdict::NotJudged(NotJudged::NoTemperature) => Followed::NoTemperature,
+        Verdict::NoMode => Followed::NoMode,
+        Verdict::TooFew { given, least } => Followed::TooFew {
+            given: *given,
+            least: *least,
+        },
+    }
+    .into()
+}
+
+/// A record that was stored, in a line, and a line for each sensor that is in doubt.
+pub fn followed_text(
+    survey: &str,
+    file: &str,
+    taken: &Taken,
+    (verdict, open_alarms): (&Verdict, usize),
+    language: Language,
+) -> String {
+    let (survey, file) = (survey.to_owned(), file.to_owned());
+    let RecordTime {
+        source,
+        not_believed_s,
+        ..
+    } = &taken.time;
+    let source = match source {
+        TimeSource::Record => Followed::OfRecord,
+        TimeSource::FileName => Followed::OfFileName,
+        TimeSource::FileTime => Followed::OfFileTime,
+    }
+    .into();
+    let head: Sentence = match (&taken.modes, taken.without_modes()) {
+        (Ok(modes), _) if modes.modes.is_empty() => Followed::NoModes { survey, source, file },
+        (Ok(modes), _) => {
+            let frequencies_hz: Vec<f64> = modes.modes.iter().map(|mode| mode.frequency_hz).collect();
+            Followed::Stored {
+                survey,
+                source,
+                file,
+                frequencies: hertz(&frequencies_hz),
+                verdict: verdict_words(verdict),
+                open: match open_alarms {
+                    0 => Followed::NoOpenAlarm.into(),
+                    count => Followed::OpenAlarms { count }.into(),
+                },
+            }
+        }
+        (Err(_), why) => Followed::WithoutModes {
+            survey,
+            source,
+            file,
+            why: why.unwrap_or_else(|| Both::from("")),
+        },
+    }
+    .into();
+    let mut lines = vec![head];
+    lines.extend(not_believed_s.map(|at_s| {
+        Followed::WrongClock {
+            said: super::moment::moment(at_s),
+        }
+        .into()
+    }));
+    lines.extend(taken.faults.iter().map(|fault| {
+        Followed::Sensor {
+            fault: fault_words(fault),
+        }
+        .into()
+    }));
+    if !taken.left_out.is_empty() {
+        let channels = taken.left_out.clone();
+        lines.push(Followed::LeftOut { channels }.into());
+    }
+    lines.iter().map(|line| line.text(language) + "\n").collect()
+}
+
+/// The same as JSON, in one line.
+pub fn followed_json(
+    survey: &str,
+    file: &str,
+    taken: &Taken,
+    (verdict, open_alarms): (&Verdict, usize),
+) -> Value {
+    let modes = taken.modes.as_ref().ok();
+    json!({
+        "file": file,
+        "survey": survey,
+        "open_alarms": open_alarms,
+        "date_from": taken.time.source,
+        "modes": modes.map_or_else(Vec::new, |modes| modes.modes.iter().map(|mode| json!({
+            "frequency_hz": mode.frequency_hz, "frequency_sd_hz": mode.frequency_sd_hz.filter(|sd| sd.is_finite()),
+        })).collect()),
+        "without_modes": taken.without_modes().map(|why| why.english),
+        "sensors": taken.faults.iter().map(|fault| fault_words(fault).text(Language::English)).collect::<Vec<_>>(),
+        "left_out": taken.left_out,
+        "verdict": match verdict {
+            Verdict::Alarm { .. } => "alarm",
+            Verdict::Outside { .. } => "outside",
+            Verdict::AsPredicted { .. } => "as_predicted",
+            Verdict::NotJudged(NotJudged::Training) => "training",
+            Verdict::NotJudged(NotJudged::NewLevel) => "new_level",
+            Verdict::NotJudged(NotJudged::Temperature) => "temperature",
+            Verdict::NotJudged(NotJudged::NoTemperature) => "no_temperature",
+            Verdict::NoMode => "no_mode",
+            Verdict::TooFew { .. } => "too_few",
+        },
+    })
+}
+
+/// A file that could not be read, and where it lies now.
+pub fn quarantined_text(file: &str, place: &str, why: &Both, language: Language) -> String {
+    let said: Sentence = Followed::Quarantined {
+        file: file.to_owned(),
+        place: place.to_owned(),
+        why: why.clone(),
+    }
+    .into();
+    said.text(language) + "\n"
+}
+
+/// The same as JSON, in one line.
+pub fn quarantined_json(file: &str, place: &str, why: &Both) -> Value {
+    json!({ "file": file, "quarantined": place, "why": why.english })
+}
+
+/// The state of a structure for Prometheus, as the text file of its node exporter.
+pub fn metrics_text(
+    structure: &str,
+    answer: Option<&WatchAnswer>,
+    alarms: &[OpenAlarm],
+    (last_survey_s, quarantined, now_s): (Option<f64>, usize, f64),
+) -> String {
+    let label = structure
+        .replace('\\', "\\\\")
+        .replace('"', "\\\"")
+        .replace('\n', "\\n");
+    let of = format!("structure=\"{label}\"");
+    let mut text = String::new();
+    let mut family = |name: &str, help: &str, rows: Vec<(String, f64)>| {
+        if rows.is_empty() {
+            return;
+        }
+        text += &format!("# HELP {name} {help}\n# TYPE {name} gauge\n");
+        for (labels, value) in rows {
+            text += &format!("{name}{{{labels}}} {value}\n");
+        }
+    };
+    let mut last: [Vec<(String, f64)>; 2] = [Vec::new(), Vec::new()];
+    for (at, mode) in answer
+        .iter()
+        .flat_map(|answer| answer.watched.modes.iter().enumerate())
+    {
+        let label = format!("{of},mode=\"{}\"", at + 1);
+        let shown = mode.track.modes.iter().enumerate().rev();
+        let newest = shown.filter_map(|(survey, mode)| Some((survey, (*mode)?))).next();
+        let found = newest.zip(answer).and_then(|((survey, mode), answer)| {
+            let survey = answer.surveys.get(survey)?;
+            Some((
+                *survey.frequencies_hz.get(mode)?,
+                survey.frequency_sds_hz.get(mode).copied().flatten(),
+            ))
+        });
+        if let Some((frequency_hz, sd_hz)) = found {
+            last[0].push((label.clone(), frequency_hz));
+            last[1].extend(sd_hz.map(|sd_hz| (label, sd_hz)));
+        }
+    }
+    let [frequencies, sds] = last;
+    family(
+        "dolmen_frequency_hertz",
+        "Frequency of a mode, of the last day that shows it.",
+        frequencies,
+    );
+    family("dolmen_frequency_sd_hertz", "Its standard deviation.", sds);
+    let count = |word: &str| alarms.iter().filter(|alarm| alarm.sort.word() == word).count() as f64;
+    let kinds = ["structure", "tilt", "sensor"].map(|word| (format!("{of},kind=\"{word}\""), count(word)));
+    family(
+        "dolmen_open_alarms",
+        "Alarms that nobody has answered.",
+        kinds.to_vec(),
+    );
+    family(
+        "dolmen_last_survey_timestamp_seconds",
+        "When the last record was taken.",
+        last_survey_s.map(|at_s| (of.clone(), at_s)).into_iter().collect(),
+    );
+    family(
+        "dolmen_quarantined_files",
+        "Files that could not be read.",
+        vec![(of.clone(), quarantined as f64)],
+    );
+    family(
+        "dolmen_follow_timestamp_seconds",
+        "When the folder was last looked at.",
+        vec![(of, now_s.floor())],
+    );
+    text
+}

@@ -1,0 +1,207 @@
+//! Records that come by themselves: each is kept as a survey of its own, once, by one transaction.
+
+use crate::database::{Database, Value, all, transaction};
+use crate::error::StoreError;
+use crate::incoming::{Incoming, SurveyTables, analysis, refuse_name, refuse_path, shown};
+use crate::raw::{Kept, RawFolder};
+use crate::rows::{AdoptionRow, ArrivalRow, LogRow, RawRow, SurveyAnalysisRow, insert, select};
+use crate::store::{Act, Store, next, put, refuse_unknown};
+use dolmen_work::kept::StoreFault;
+use std::collections::BTreeSet;
+
+/// The verb of the log by which a call of the alarm is known.
+const ALARM: &str = "alarm";
+
+/// A record that is to be kept as a survey of its own.
+#[derive(Clone, Debug)]
+pub struct Arriving<'a> {
+    /// The project with the survey in it, its file under the path that it names, and its modes, if it gave any.
+    pub incoming: Incoming<'a>,
+    /// The survey.
+    pub survey: &'a str,
+    /// Its table as a project file writes it.
+    pub own_text: &'a str,
+    /// What the file was called.
+    pub came_as: &'a str,
+}
+
+/// What became of a record.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Arrived {
+    /// It is on disk.
+    Stored,
+    /// A survey of the structure has this record already.
+    There,
+    /// Another survey of the structure has this name.
+    NameTaken,
+}
+
+/// Keeps the bytes of files, from any thread.
+#[derive(Clone, Debug)]
+pub struct Keeper(RawFolder);
+
+impl Keeper {
+    /// As [`Store::keep`].
+    ///
+    /// # Errors
+    /// Nothing can be written.
+    pub fn keep(&self, bytes: &[u8]) -> Result<Kept, StoreError> {
+        self.0.keep(bytes)
+    }
+}
+
+/// The hash under which bytes are kept.
+pub fn hash_of_bytes(bytes: &[u8]) -> String {
+    blake3::hash(bytes).to_hex().to_string()
+}
+
+impl Store {
+    /// What keeps files of this store, for several threads.
+    ///
+    /// # Errors
+    /// The store was opened to be read.
+    pub fn keeper(&self) -> Result<Keeper, StoreError> {
+        match self.can_write() {
+            true => Ok(Keeper(self.raw.clone())),
+            false => Err(StoreFault::ReadOnly.into()),
+        }
+    }
+
+    /// The latest state of the project of a structure.
+    ///
+    /// # Errors
+    /// There is no such structure.
+    pub fn state(&mut self, structure: &str) -> Result<String, StoreError> {
+        let database = self.database.as_mut();
+        refuse_unknown(database, structure)?;
+        let condition = "where structure = $1 order by at_us desc limit 1";
+        let rows: Vec<AdoptionRow> = select(database, condition, &[Value::Text(structure.to_owned())])?;
+        let row = rows.into_iter().next();
+        row.map(|row| row.project).ok_or_else(|| {
+            let name = structure.to_owned();
+            StoreFault::NoStructure { name, nearest: None }.into()
+        })
+    }
+
+    /// Hashes of the records that surveys of a structure have or had.
+    ///
+    /// # Errors
+    /// The database cannot be read.
+    pub fn records(&mut self, structure: &str) -> Result<BTreeSet<String>, StoreError> {
+        let sql =
+            "select distinct r.hash from survey v join record r on r.survey = v.hash where v.structure = $1";
+        let rows = all(self.database.as_mut(), sql, &[Value::Text(structure.to_owned())])?;
+        Ok(rows.into_iter().filter_map(text).collect())
+    }
+
+    /// Keeps a record as a survey in one transaction: when this returns [`Arrived::Stored`], it is on disk.
+    ///
+    /// # Errors
+    /// A name that cannot be kept, a structure that is not there, a database that cannot be written.
+    pub fn arrive(&mut self, arriving: &Arriving<'_>, act: &Act<'_>) -> Result<Arrived, StoreError> {
+        refuse_name("who", act.who)?;
+        refuse_name("survey", arriving.survey)?;
+        transaction(self.database.as_mut(), |database| arrive(database, arriving, act))
+    }
+
+    /// Whether the alarm of a structure was called.
+    ///
+    /// # Errors
+    /// The database cannot be read.
+    pub fn is_called(&mut self, structure: &str, alarm: &str) -> Result<bool, StoreError> {
+        let of = [ALARM, structure, alarm].map(|text| Value::Text(text.to_owned()));
+        let condition = "where verb = $1 and subject = $2 and detail = $3";
+        Ok(!select::<LogRow>(self.database.as_mut(), condition, &of)?.is_empty())
+    }
+
+    /// Writes down that the alarm of a structure was called.
+    ///
+    /// # Errors
+    /// The database cannot be written.
+    pub fn set_called(&mut self, structure: &str, alarm: &str, act: &Act<'_>) -> Result<(), StoreError> {
+        transaction(self.database.as_mut(), |database| {
+            let row = LogRow {
+                at_us: next(database, act.now_us)?,
+                who: act.who.to_owned(),
+                verb: ALARM.to_owned(),
+                subject: structure.to_owned(),
+                detail: alarm.to_owned(),
+            };
+            insert(database, &row).map(|_| ())
+        })
+    }
+}
+
+fn text(row: Vec<Value>) -> Option<String> {
+    match row.into_iter().next() {
+        Some(Value::Text(text)) => Some(text),
+        _ => None,
+    }
+}
+
+fn arrive(
+    database: &mut dyn Database,
+    arriving: &Arriving<'_>,
+    act: &Act<'_>,
+) -> Result<Arrived, StoreError> {
+    let incoming = &arriving.incoming;
+    let structure = incoming.structure;
+    refuse_unknown(database, structure)?;
+    let refused = || {
+        StoreError::from(StoreFault::Name {
+            what: "survey",
+            shown: shown(arriving.survey),
+        })
+    };
+    let mut surveys = incoming.project.surveys.iter();
+    let survey = surveys
+        .find(|survey| survey.name == arriving.survey)
+        .ok_or_else(refused)?;
+    let (path, kept) = incoming.files.iter().next().ok_or_else(refused)?;
+    refuse_path(path)?;
+    let text_of = |text: &str| Value::Text(text.to_owned());
+    let sql = "select v.hash from survey v join record r on r.survey = v.hash where v.structure = $1 and r.hash = $2 limit 1";
+    if !all(database, sql, &[text_of(structure), text_of(&kept.hash)])?.is_empty() {
+        return Ok(Arrived::There);
+    }
+    let sql = "select hash from survey where structure = $1 and name = $2 limit 1";
+    if !all(database, sql, &[text_of(structure), text_of(arriving.survey)])?.is_empty() {
+        return Ok(Arrived::NameTaken);
+    }
+    let at_us = next(database, act.now_us)?;
+    let tables = SurveyTables::of(incoming.text)?;
+    let hash_of_file = |named: &str| (named == path).then(|| kept.hash.clone());
+    let hash = tables.survey_hash(structure, &survey.name, &hash_of_file);
+    let mut rows = crate::incoming::Rows::default();
+    rows.put(&RawRow {
+        hash: kept.hash.clone(),
+        bytes: i64::try_from(kept.bytes).unwrap_or(i64::MAX),
+        at_us,
+    });
+    incoming.survey(&mut rows, survey, &hash)?;
+    incoming.faults_of(&mut rows, &survey.name, &hash);
+    rows.put(&ArrivalRow {
+        survey: hash.clone(),
+        structure: structure.to_owned(),
+        name: survey.name.clone(),
+        path: path.clone(),
+        raw: kept.hash.clone(),
+        came_as: shown(arriving.came_as),
+        text: arriving.own_text.to_owned(),
+        units: tables.units(),
+        at_us,
+        who: act.who.to_owned(),
+    });
+    let modes = incoming.modes.get(&survey.name);
+    if let (Some(modes), Some(key)) = (modes, incoming.key(survey, &tables)) {
+        analysis(&mut rows, modes, &key, (act.who, at_us));
+        rows.put(&SurveyAnalysisRow {
+            survey: hash,
+            analysis: key.hash(),
+        });
+    }
+    for group in rows.0 {
+        put(database, &group)?;
+    }
+    Ok(Arrived::Stored)
+}

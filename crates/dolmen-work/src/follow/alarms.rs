@@ -1,0 +1,91 @@
+//! What somebody must be called for.
+
+use crate::survey_dates::day_of_a_record;
+use crate::watched::WatchAnswer;
+use std::collections::BTreeSet;
+
+/// Of what sort an alarm is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, serde::Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum AlarmSort {
+    /// A frequency left what earlier surveys predict.
+    Structure,
+    /// It leans beyond its limit.
+    Tilt,
+    /// A sensor failed.
+    Sensor,
+}
+
+impl AlarmSort {
+    /// "structure", "tilt", "sensor".
+    pub fn word(self) -> &'static str {
+        match self {
+            AlarmSort::Structure => "structure",
+            AlarmSort::Tilt => "tilt",
+            AlarmSort::Sensor => "sensor",
+        }
+    }
+}
+
+/// An alarm that nobody has answered.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, serde::Serialize)]
+pub struct OpenAlarm {
+    /// Of what sort.
+    pub sort: AlarmSort,
+    /// The day that confirmed it; the last survey, of a tilt.
+    pub date: String,
+    /// What tells it from every other alarm of the structure.
+    pub key: String,
+}
+
+impl OpenAlarm {
+    /// Whether somebody must look at the structure, not at a sensor.
+    pub fn is_of_structure(&self) -> bool {
+        self.sort != AlarmSort::Sensor
+    }
+}
+
+/// The alarms that nobody has answered: one for each day on which frequencies confirmed any, and one for a tilt beyond its limit, until a work or
+/// an inspection is entered; one for each sensor that fails.
+pub fn open_alarms(answer: &WatchAnswer) -> Vec<OpenAlarm> {
+    let name = |survey: usize| answer.surveys.get(survey).map(|survey| survey.name.as_str());
+    let day = |name: &str| day_of_a_record(name).unwrap_or(name).to_owned();
+    let days: BTreeSet<String> = answer
+        .watched
+        .alarms
+        .iter()
+        .filter(|alarm| !alarm.is_answered)
+        .filter_map(|alarm| name(alarm.alarm.survey).map(day))
+        .collect();
+    let mut all: Vec<OpenAlarm> = days
+        .into_iter()
+        .map(|date| OpenAlarm {
+            sort: AlarmSort::Structure,
+            key: format!("structure {date}"),
+            date,
+        })
+        .collect();
+    if answer.is_tilt_beyond() {
+        let last_work = answer.works.last().map_or("-", |(_, work)| work.date.as_str());
+        all.push(OpenAlarm {
+            sort: AlarmSort::Tilt,
+            date: answer
+                .surveys
+                .last()
+                .map_or_else(String::new, |last| day(&last.name)),
+            key: format!("tilt since {last_work}"),
+        });
+    }
+    let sensors = answer.sensor_alarms.iter().filter(|alarm| alarm.is_open);
+    all.extend(sensors.map(|alarm| OpenAlarm {
+        sort: AlarmSort::Sensor,
+        date: day(&alarm.since),
+        key: format!(
+            "sensor {} since {}: {}",
+            alarm.fault.word(),
+            alarm.since,
+            alarm.channel
+        ),
+    }));
+    all
+}

@@ -1,0 +1,384 @@
+//! A record that came by itself: read as the latest survey of its project says, and identified.
+
+use super::when::{RecordTime, record_time};
+use crate::error::WorkError;
+use crate::identify;
+use crate::opened::Opened;
+use crate::progress::Silent;
+use crate::record;
+use crate::sensor_alarms::SensorFault;
+use crate::survey_dates::{date, day_of};
+use dolmen::modal::{ModalError, Modes, ObservedMode, SensorDoubt};
+use dolmen::signal::{Channel, ChannelFault};
+use dolmen_project::{LikeSurvey, RecordSource, Survey, survey_like};
+use dolmen_records::{FileError, Files, Log};
+use dolmen_words::message::Both;
+use std::sync::Arc;
+
+/// The folder of a project in which records that came by themselves lie once it is exported.
+const FOLDER: &str = "followed";
+/// Most letters of an ending of a file that is kept.
+const ENDING_MOST: usize = 8;
+
+/// The survey whose settings records that come have.
+#[derive(Clone, Debug)]
+pub struct Pattern {
+    opened: Opened,
+    survey: String,
+}
+
+/// A file that came.
+#[derive(Clone, Debug)]
+pub struct RecordFile<'a> {
+    /// What it is called.
+    pub name: &'a str,
+    /// Its bytes.
+    pub bytes: &'a [u8],
+    /// When it was last written, s from 1 January 1970 (UTC).
+    pub modified_s: f64,
+}
+
+/// What a record gave.
+#[derive(Debug)]
+pub struct Taken {
+    /// When it was taken.
+    pub time: RecordTime,
+    /// How long it is, s.
+    pub duration_s: f64,
+    /// What was seen wrong with its channels.
+    pub faults: Vec<ChannelFault>,
+    /// What its sensors say against each other.
+    pub doubts: Vec<SensorDoubt>,
+    /// Channels that were left out, since nothing is identified with them.
+    pub left_out: Vec<String>,
+    /// Its modes, or why there are none.
+    pub modes: Result<Modes, WorkError>,
+    came_as: String,
+    ending: Option<String>,
+}
+
+/// A survey that was made of a record.
+#[derive(Clone, Debug)]
+pub struct TakenSurvey {
+    /// Its name.
+    pub name: String,
+    /// Where its record lies in the folder of the project.
+    pub path: String,
+    /// Its table as a project file writes it, to be put behind the text.
+    pub own_text: String,
+    /// The project with it.
+    pub opened: Opened,
+}
+
+/// One file, as it is called.
+struct OneFile<'a> {
+    name: &'a str,
+    bytes: &'a [u8],
+}
+
+impl Files for OneFile<'_> {
+    fn read(&self, name: &str, most_bytes: u64) -> Result<Vec<u8>, FileError> {
+        let shown = self.name.to_owned();
+        match self.bytes.len() as u64 {
+            _ if name != self.name => Err(FileError::Absent { shown }),
+            bytes if bytes > most_bytes => Err(FileError::TooLarge {
+                shown,
+                bytes,
+                most: most_bytes,
+            }),
+            _ => Ok(self.bytes.to_vec()),
+        }
+    }
+}
+
+impl Pattern {
+    /// The latest survey of a project with its record in one file: by date, else the last in the file.
+    ///
+    /// # Errors
+    /// [`WorkError::NoneToFollow`].
+    pub fn of(opened: Opened) -> Result<Self, WorkError> {
+        let surveys = opened.project.surveys.iter().enumerate();
+        let usable = surveys.filter(|(_, survey)| {
+            let records = survey.records.as_ref();
+            records.is_some_and(|source| source.stations.is_empty())
+        });
+        let latest = usable.max_by(|(i, a), (j, b)| {
+            let day = |survey: &Survey| date(&survey.name).map_or(f64::NEG_INFINITY, day_of);
+            day(a).total_cmp(&day(b)).then(i.cmp(j))
+        });
+        match latest {
+            Some((_, survey)) => Ok(Pattern {
+                survey: survey.name.clone(),
+                opened,
+            }),
+            None => Err(WorkError::NoneToFollow),
+        }
+    }
+
+    /// The survey.
+    pub fn survey(&self) -> &str {
+        &self.survey
+    }
+
+    /// The project as it was stored.
+    pub fn opened(&self) -> &Opened {
+        &self.opened
+    }
+
+    /// The project with a survey of this name, whose record lies at `path`; and the text of that survey.
+    fn with(
+        &self,
+        (name, path): (&str, &str),
+        came_as: &str,
+        (temperature_c, left_out): (Option<f64>, &[String]),
+        files: &dyn Files,
+    ) -> Result<(Opened, String), WorkError> {
+        let note = format!("came as {came_as}");
+        let settings = LikeSurvey {
+            name,
+            file: path,
+            note: &note,
+            temperature_c,
+            left_out,
+        };
+        let own = survey_like(&self.opened.text, &self.survey, &settings);
+        let own = own.ok_or(WorkError::NoneToFollow)?;
+        let text = self.opened.text.clone() + &own;
+        let opened = Opened::read(text, self.opened.file.clone(), files)?;
+        Ok((opened, own))
+    }
+
+    /// Reads a record as the survey's and seeks its modes; `rest` gives the other files of the project, and `now_s` is the clock, s from 1970.
+    ///
+    /// # Errors
+    /// It cannot be read as those of the survey are. One that gives no modes is no error.
+    pub fn take(&self, file: &RecordFile<'_>, rest: &dyn Files, now_s: f64) -> Result<Taken, WorkError> {
+        const UNNAMED: &str = "arriving";
+        let came_as = plain(file.name);
+        let with = |ending: Option<&str>| {
+            self.with((UNNAMED, &path_of(UNNAMED, ending)), &came_as, (None, &[]), rest)
+        };
+        // a file whose ending says nothing is read as the record of the survey is
+        let own = ending(file.name);
+        let (opened, ending) = match with(own.as_deref()) {
+            Ok((opened, _)) => (opened, own),
+            Err(why) => match with(self.ending().as_deref()) {
+                Ok((opened, _)) => (opened, self.ending()),
+                Err(_) => return Err(why),
+            },
+        };
+        let source = survey(&opened, UNNAMED).and_then(|survey| survey.records.clone());
+        let mut source = source.ok_or(WorkError::NoneToFollow)?;
+        came_as.clone_into(&mut source.file);
+        let files = OneFile {
+            name: &came_as,
+            bytes: file.bytes,
+        };
+        let read = record::record(&source, &files)?;
+        let time = record_time(read.begins_s, file.name, file.modified_s, now_s);
+        let duration_s = read.samples as f64 / read.sampling_rate_hz;
+        let faults = read.faults.clone();
+        let mut found = identify::of_opened(&source, read, &Silent);
+        let mut left_out = Vec::new();
+        // a sensor that fails must not blind the others
+        while let Some(failed) = found.as_ref().err().and_then(|why| without(why, &mut source)) {
+            left_out.extend(failed);
+            found = identify::of_opened(&source, record::record(&source, &files)?, &Silent);
+        }
+        let (modes, doubts) = match found {
+            Ok((answer, _)) => (Ok(answer.analysis.modes), answer.doubts),
+            Err(why) => (Err(why), Vec::new()),
+        };
+        Ok(Taken {
+            time,
+            duration_s,
+            faults,
+            doubts,
+            left_out,
+            modes,
+            came_as,
+            ending,
+        })
+    }
+
+    /// The ending of the record of the survey.
+    fn ending(&self) -> Option<String> {
+        let source = survey(&self.opened, &self.survey)?.records.as_ref()?;
+        ending(&source.file)
+    }
+
+    /// The survey that is made of a record: named for its time, with a number behind it where others of that name are there.
+    ///
+    /// # Errors
+    /// The project cannot be read with it.
+    pub fn survey_of(
+        &self,
+        taken: &Taken,
+        number: usize,
+        temperature_c: Option<f64>,
+        rest: &dyn Files,
+    ) -> Result<TakenSurvey, WorkError> {
+        let name = match number {
+            0 | 1 => taken.time.name.clone(),
+            number => format!("{} ({number})", taken.time.name),
+        };
+        let path = path_of(&name, taken.ending.as_deref());
+        let (opened, own_text) = self.with(
+            (&name, &path),
+            &taken.came_as,
+            (temperature_c, &taken.left_out),
+            rest,
+        )?;
+        Ok(TakenSurvey {
+            name,
+            path,
+            own_text,
+            opened,
+        })
+    }
+}
+
+/// Leaves the channels out for which nothing is identified, of two that hold one signal both, if others remain; which they are.
+fn without(why: &WorkError, source: &mut RecordSource) -> Option<Vec<String>> {
+    let fault = match why {
+        WorkError::Within { cause, .. } => return without(cause, source),
+        WorkError::Modal(why) => match why.as_ref() {
+            ModalError::Channel(fault) => fault,
+            _ => return None,
+        },
+        _ => return None,
+    };
+    let named = match fault {
+        ChannelFault::Duplicated { channel, other, .. } => vec![channel.clone(), other.clone()],
+        fault => vec![SensorFault::of(fault).0],
+    };
+    let used = source.channels.iter_mut().filter(|channel| !channel.leave_out);
+    let (failed, rest): (Vec<_>, Vec<_>) = used.partition(|channel| named.contains(&record::name(channel)));
+    if failed.len() != named.len() || rest.is_empty() {
+        return None;
+    }
+    failed.into_iter().for_each(|channel| channel.leave_out = true);
+    Some(named)
+}
+
+fn survey<'a>(opened: &'a Opened, name: &str) -> Option<&'a Survey> {
+    opened.project.surveys.iter().find(|survey| survey.name == name)
+}
+
+impl TakenSurvey {
+    /// Adds it to the project of a history.
+    pub fn put_into(&self, history: &mut Opened) {
+        if let Some(own) = survey(&self.opened, &self.name) {
+            Arc::make_mut(&mut history.project).surveys.push(own.clone());
+        }
+    }
+}
+
+impl Taken {
+    /// The temperature of the air while it was taken, from a log of that, °C to a tenth: the mean of its time, or of its day where only that is known,
+    /// else the nearest reading within an hour; `None` where there is none that can be believed.
+    pub fn temperature_c(&self, log: &Log) -> Option<f64> {
+        const HOUR_S: f64 = 3600.0;
+        const DAY_S: f64 = 86_400.0;
+        const BELIEVED_C: std::ops::RangeInclusive<f64> = -60.0..=60.0;
+        let from_s = self.time.at_s;
+        let read = match self.time.name.contains('T') {
+            true => log.around(from_s, from_s + self.duration_s, HOUR_S),
+            false => log.around(from_s, from_s + DAY_S, 0.0),
+        };
+        read.map(|celsius| (10.0 * celsius).round() / 10.0)
+            .filter(|celsius| BELIEVED_C.contains(celsius))
+    }
+
+    /// Its modes as a store gives them back.
+    pub fn observed(&self) -> Option<Vec<ObservedMode>> {
+        let mut all = ObservedMode::all(self.modes.as_ref().ok()?, 0);
+        for point in all.iter_mut().flat_map(|mode| &mut mode.shape) {
+            point.channel = Channel::named(point.channel.name.clone());
+        }
+        Some(all)
+    }
+
+    /// Why there are no modes, in both languages.
+    pub fn without_modes(&self) -> Option<Both> {
+        self.modes.as_ref().err().map(|why| crate::told::told_both(why))
+    }
+}
+
+/// A name without what steers a terminal or breaks a line.
+fn plain(name: &str) -> String {
+    const MOST: usize = 120;
+    let steers = |sign: char| {
+        sign.is_control()
+            || matches!(sign, '\u{200e}'..='\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
+    };
+    let signs = name.chars().map(|sign| if steers(sign) { '?' } else { sign });
+    signs.take(MOST).collect()
+}
+
+/// The ending of a file where it is a plain one.
+fn ending(name: &str) -> Option<String> {
+    let (stem, ending) = name.rsplit_once('.')?;
+    let is_plain = ending.len() <= ENDING_MOST && ending.bytes().all(|sign| sign.is_ascii_alphanumeric());
+    (!stem.is_empty() && !ending.is_empty() && is_plain).then(|| ending.to_ascii_lowercase())
+}
+
+fn path_of(survey: &str, ending: Option<&str>) -> String {
+    let stem: String = survey
+        .chars()
+        .filter(|sign| !matches!(sign, '(' | ')'))
+        .map(|sign| if matches!(sign, ':' | ' ') { '-' } else { sign })
+        .collect();
+    match ending {
+        Some(ending) => format!("{FOLDER}/{stem}.{ending}"),
+        None => format!("{FOLDER}/{stem}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use dolmen_records::NoFiles;
+
+    #[test]
+    fn holds_the_latest_survey_with_one_record_is_the_pattern() {
+        let head = "schema = 1\nkind = \"survey\"\nname = \"Gate\"\n";
+        let of = |rest: &str| {
+            let opened = Opened::read(head.to_owned() + rest, "p".to_owned(), &NoFiles).unwrap();
+            Pattern::of(opened).map(|pattern| pattern.survey)
+        };
+        let record = "records = { file = \"a.csv\", sampling_rate = \"100 Hz\" }\n";
+        let three = format!(
+            "[survey.2020-05]\n{record}[survey.2019]\n{record}[survey.first]\n{record}[survey.2024]\nfrequencies.x = [2.0]\n"
+        );
+        assert_eq!(of(&three).unwrap(), "2020-05");
+        assert_eq!(
+            of(&format!("[survey.a]\n{record}[survey.b]\n{record}")).unwrap(),
+            "b"
+        );
+        assert!(matches!(
+            of("[survey.2024]\nfrequencies.x = [2.0]\n"),
+            Err(WorkError::NoneToFollow)
+        ));
+    }
+
+    #[test]
+    fn holds_names_of_strangers_make_no_path() {
+        for (name, ending_of) in [
+            ("a.csv", Some("csv")),
+            ("../../etc/passwd", None),
+            ("a.c/sv", None),
+            ("x.$(reboot)", None),
+            (".csv", None),
+            ("a.verylongending", None),
+            ("A.MSEED", Some("mseed")),
+        ] {
+            assert_eq!(ending(name).as_deref(), ending_of, "{name}");
+        }
+        assert_eq!(
+            path_of("2026-11-25T10:00:00 (2)", Some("csv")),
+            "followed/2026-11-25T10-00-00-2.csv"
+        );
+        assert_eq!(plain("a\nb\u{202e}c\u{1b}[0m"), "a?b?c?[0m");
+    }
+}

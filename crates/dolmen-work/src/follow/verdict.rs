@@ -1,0 +1,89 @@
+//! What a history says of the survey that a record became.
+
+use crate::survey_dates::day_of_a_record;
+use crate::watched::WatchAnswer;
+use dolmen::monitoring::NotJudged;
+
+/// What a history says of a survey: of its day, where several are of one day.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Verdict {
+    /// It confirms an alarm that nobody has answered.
+    Alarm {
+        /// Frequencies of the modes, Hz.
+        frequencies_hz: Vec<f64>,
+    },
+    /// A mode is outside of what those before it predict: no alarm yet.
+    Outside {
+        /// Frequency of the mode that is farthest out, Hz.
+        frequency_hz: f64,
+        /// Its score, 0 as predicted.
+        score: f64,
+    },
+    /// As predicted.
+    AsPredicted {
+        /// Modes that were judged.
+        modes: usize,
+        /// The score that is farthest from 0.
+        score: f64,
+    },
+    /// No mode was judged.
+    NotJudged(NotJudged),
+    /// None of the modes that are followed was found.
+    NoMode,
+    /// There are too few surveys to say anything.
+    TooFew {
+        /// How many have modes.
+        given: usize,
+        /// How many it takes.
+        least: usize,
+    },
+}
+
+/// Scores beyond this are outside: one in 370.
+const OUTSIDE: f64 = 3.0;
+
+/// What a history says of one of its surveys.
+pub fn verdict(answer: &WatchAnswer, survey: &str) -> Verdict {
+    let day = day_of_a_record(survey);
+    let is_it = |name: &str| name == survey || day.is_some_and(|day| name == day);
+    let Some(at) = answer.surveys.iter().position(|of| is_it(&of.name)) else {
+        return Verdict::NoMode;
+    };
+    let modes = &answer.watched.modes;
+    let confirmed: Vec<f64> = answer
+        .watched
+        .alarms
+        .iter()
+        .filter(|alarm| alarm.alarm.survey == at && !alarm.is_answered)
+        .filter_map(|alarm| Some(modes.get(alarm.mode)?.track.frequency_hz))
+        .collect();
+    if !confirmed.is_empty() {
+        return Verdict::Alarm {
+            frequencies_hz: confirmed,
+        };
+    }
+    let judged = modes.iter().flat_map(|mode| {
+        let of_it = mode.judged.judged.iter().filter(|judged| judged.survey == at);
+        of_it.map(|judged| (mode.track.frequency_hz, judged.score))
+    });
+    let (mut scores, mut why) = (Vec::new(), None);
+    for (frequency_hz, score) in judged {
+        match score {
+            Ok(score) => scores.push((frequency_hz, score)),
+            Err(reason) => why = why.or(Some(reason)),
+        }
+    }
+    let farthest = scores
+        .iter()
+        .copied()
+        .max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
+    match (farthest, why) {
+        (Some((frequency_hz, score)), _) if score.abs() > OUTSIDE => Verdict::Outside { frequency_hz, score },
+        (Some((_, score)), _) => Verdict::AsPredicted {
+            modes: scores.len(),
+            score,
+        },
+        (None, Some(why)) => Verdict::NotJudged(why),
+        (None, None) => Verdict::NoMode,
+    }
+}
