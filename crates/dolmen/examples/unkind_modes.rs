@@ -28,7 +28,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut options = Identify::default();
     for wish in wishes.iter().filter(|wish| **wish != "quiet") {
         if let Some(least) = wish.strip_prefix("least=") {
-            options.criteria.damping_ratio_least = least.parse()?;
+            options.criteria.damping_ratio_least = Some(least.parse()?);
             continue;
         }
         options.method = Method::named(wish).ok_or("there is no such method")?;
