@@ -1,7 +1,9 @@
 //! All figures of an identification, named for files.
 
 use super::words::{Modal, say};
-use super::{ShapePanel, likeness, mode_shapes, moving_shapes, sensor_shapes, singular_values, stabilization};
+use super::{
+    ShapePanel, likeness, mode_shapes, moving_shapes, sensor_shapes, singular_values, stabilization,
+};
 use dolmen::structure::{Convention, MeasuredMode};
 use dolmen_project::{Project, Quantity, Structure};
 use dolmen_words::Language;

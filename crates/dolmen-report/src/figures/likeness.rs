@@ -50,11 +50,21 @@ fn matrix(scene: &mut Scene, shown: &[Mode], cell: f64, language: Language) {
     scene.text([0.0, 14.0], &title);
     for (i, a) in shown.iter().enumerate() {
         let y = ABOVE_PX + i as f64 * cell;
-        let hz = format!("{}{}Hz", number::significant(a.frequency_hz, 3), number::NARROW_SPACE);
-        scene.text([LABELS_PX - 6.0, y + 0.5 * cell + 4.0], &Label::new(hz, Anchor::End).small());
+        let hz = format!(
+            "{}{}Hz",
+            number::significant(a.frequency_hz, 3),
+            number::NARROW_SPACE
+        );
+        scene.text(
+            [LABELS_PX - 6.0, y + 0.5 * cell + 4.0],
+            &Label::new(hz, Anchor::End).small(),
+        );
         let column = Label::new(format!("{}", i + 1), Anchor::Middle).small();
         scene.text([LABELS_PX + (i as f64 + 0.5) * cell, ABOVE_PX - 6.0], &column);
-        scene.text([2.0, y + 0.5 * cell + 4.0], &Label::new(format!("{}", i + 1), Anchor::Start).small());
+        scene.text(
+            [2.0, y + 0.5 * cell + 4.0],
+            &Label::new(format!("{}", i + 1), Anchor::Start).small(),
+        );
         for (j, b) in shown.iter().enumerate() {
             let value = assurance(&a.shape, &b.shape);
             let x = LABELS_PX + j as f64 * cell;
@@ -62,7 +72,9 @@ fn matrix(scene: &mut Scene, shown: &[Mode], cell: f64, language: Language) {
             scene.polygon(&corners, &shade(value), Line::new(LIGHT, 0.8));
             if value >= PRINTED && cell >= 22.0 {
                 let ink = if value >= DARK { "#ffffff" } else { TEXT };
-                let label = Label::new(number::fixed(value, 2), Anchor::Middle).small().coloured(ink);
+                let label = Label::new(number::fixed(value, 2), Anchor::Middle)
+                    .small()
+                    .coloured(ink);
                 scene.text([x + 0.5 * cell, y + 0.5 * cell + 4.0], &label);
             }
         }
@@ -93,9 +105,15 @@ fn components(
         number::significant(mode.frequency_hz, 3),
         number::NARROW_SPACE
     );
-    scene.text([middle[0], top + 14.0], &Label::new(title, Anchor::Middle).small());
+    scene.text(
+        [middle[0], top + 14.0],
+        &Label::new(title, Anchor::Middle).small(),
+    );
     let real = format!("MPC {}", number::fixed(mode.phase_collinearity, 2));
-    scene.text([middle[0], top + 28.0], &Label::new(real, Anchor::Middle).small().coloured(GREY));
+    scene.text(
+        [middle[0], top + 28.0],
+        &Label::new(real, Anchor::Middle).small().coloured(GREY),
+    );
     scene.circle(middle, radius, "none", Line::new(LIGHT, 1.0));
     scene.line(
         [middle[0] - radius, middle[1]],
@@ -119,9 +137,16 @@ mod tests {
         let record = ReferenceCase::ShearChain.made(1).unwrap().make().unwrap();
         let modes = identify(&record, &Identify::default()).unwrap().modes;
         let svg = likeness(&modes, Language::English).unwrap();
-        assert_eq!(svg.matches("1.00").count(), 2 + svg.matches("MPC 1.00").count(), "{svg}");
+        assert_eq!(
+            svg.matches("1.00").count(),
+            2 + svg.matches("MPC 1.00").count(),
+            "{svg}"
+        );
         let between = assurance(&modes.modes[0].shape, &modes.modes[1].shape);
-        assert_eq!(svg.matches(&format!(">{between:.2}<")).count(), if between < PRINTED { 0 } else { 2 });
+        assert_eq!(
+            svg.matches(&format!(">{between:.2}<")).count(),
+            if between < PRINTED { 0 } else { 2 }
+        );
         let alone = Modes {
             modes: modes.modes[..1].to_vec(),
             ..modes

@@ -53,7 +53,7 @@ pub fn identify(record: &Record, options: &Identify) -> Result<ModalAnalysis, Mo
     let mut notes = judge_channels(record)?;
     note_filter(record, options, &mut notes);
     let mut peaks = spectrum(record, options)?;
-    let tones_hz = split_tones(record, &mut peaks, &options.criteria, &mut notes)?;
+    let tones_hz = split_tones(record, &mut peaks, options, &mut notes)?;
     let mut analysis = match options.method {
         Method::Fdd | Method::Efdd | Method::Fsdd => of_peaks(peaks, record, options),
         Method::Era => of_decay(record, options, peaks)?,

@@ -6,15 +6,14 @@ use super::remarks::explained;
 use super::spells::{InSpells, in_spells, note_spells};
 use crate::modal::options::{Harmonics, Identify};
 use crate::modal::spectrum::FddResult;
-use crate::modal::subspace::Criteria;
 use crate::modal::{Method, ModalError, Mode, Modes, Note, Tone, ToneOnMode};
 use crate::signal::Record;
 
 /// Power of a sine over that of the mode under it up to which both are told apart. Chosen here: beyond, the skirts of the sine pass for a mode.
 const STRENGTH_MOST: f64 = 15.0;
 
-/// Few modes are damped less. What looks too steady for one damped so much is a machine if it is a sine too, or comes and goes: a mode damped less
-/// follows itself for longer.
+/// Few modes are damped less. What looks too steady for one damped so much is a machine if it is a sine too, comes and goes, or is too steady for
+/// its own width: a mode damped less follows itself for longer.
 const USUAL_LEAST: f64 = 0.002;
 
 /// Takes the peaks out that are narrower than a mode damped by the least, where the lines are fine enough to tell, or too steady for random
@@ -22,7 +21,7 @@ const USUAL_LEAST: f64 = 0.002;
 pub(crate) fn split_tones(
     record: &Record,
     peaks: &mut FddResult,
-    criteria: &Criteria,
+    options: &Identify,
     notes: &mut Vec<Note>,
 ) -> Result<Vec<f64>, ModalError> {
     let width_hz = std::mem::take(&mut peaks.spectrum.half_power_width_hz);
@@ -31,18 +30,24 @@ pub(crate) fn split_tones(
     let mut lines = FineLines::new(record);
     let (mut taken, mut spells): (Vec<Taken>, Vec<InSpells>) = (Vec::new(), Vec::new());
     for ((mode, width_hz), prominence_db) in modes.into_iter().zip(width_hz).zip(prominence_db) {
-        let damping_ratio_least = criteria.damping_least_at(mode.frequency_hz, record.duration_s());
+        let damping_ratio_least = options
+            .criteria
+            .damping_least_at(mode.frequency_hz, record.duration_s());
         let damping_ratio = 0.5 * width_hz / mode.frequency_hz;
         let as_wide = Mode {
             damping_ratio: Some(damping_ratio),
             ..mode.clone()
         };
-        let found = in_spells(record, &as_wide);
+        // a free decay is in spells by its nature
+        let found = in_spells(record, &as_wide).filter(|_| options.method != Method::Era);
         let kurtosis = kurtosis(record, &mode, USUAL_LEAST.max(damping_ratio_least))?;
-        let looks_steady = kurtosis.is_some_and(|k| k.harmonic());
+        let looks_steady = kurtosis.as_ref().is_some_and(Kurtosis::harmonic);
         let is_sine = (looks_steady || damping_ratio < USUAL_LEAST)
             && lines.test(&mode).is_some_and(|line| line.is_sine());
-        let is_steady = looks_steady && (is_sine || found.is_some());
+        let is_steady = looks_steady
+            && (is_sine
+                || found.is_some()
+                || is_steady_at(record, &mode, [damping_ratio_least, damping_ratio])?);
         if let Some(found) = found.filter(|_| !is_steady) {
             spells.push(found);
         } else if damping_ratio < damping_ratio_least || is_steady || is_sine {
@@ -135,6 +140,11 @@ fn strongest(mut tones: Vec<Taken>, skirt_hz: f64) -> Vec<Taken> {
     }
     kept.sort_by(|a, b| a.tone.frequency_hz.total_cmp(&b.tone.frequency_hz));
     kept
+}
+
+/// Whether the motion is too steady for a mode as narrow as its peak.
+fn is_steady_at(record: &Record, peak: &Mode, damped: [f64; 2]) -> Result<bool, ModalError> {
+    Ok(kurtosis(record, peak, follows_itself(damped))?.is_some_and(|k| k.harmonic()))
 }
 
 /// The damping ratio that says for how long the motion of a mode follows itself: half of what was found, where that is not below the least.

@@ -83,7 +83,9 @@ pub(super) fn note_spells(found: Vec<InSpells>, notes: &mut Vec<Note>) {
 /// What a mode is in spells, if it stands out of what is beside it there alone.
 ///
 /// ```text
-/// p/q < 2   in the half of the windows in which the structure moves least, or of each line in the half in which it is weakest
+/// p/q < 2   in the half of the windows in which the structure moves least,
+///           or of each line in the half in which it is weakest (spells much shorter than the record),
+///           or in the third whose neighbours, two windows before and after, are weakest at this line (spells as long as the rest)
 /// ```
 /// Windows are as long as the mode remembers, 1/(ζf), an eighth of the record at most.
 ///
@@ -94,14 +96,22 @@ pub(super) fn in_spells(record: &Record, mode: &Mode) -> Option<InSpells> {
     let windows = lines.strengths.len();
     let mut order: Vec<usize> = (0..windows).collect();
     order.sort_by(|a, b| lines.strengths[*a].total_cmp(&lines.strengths[*b]));
-    let still = &order[..windows / 2];
-    let while_still = lines.stands_out(|powers| still.iter().map(|s| powers[*s]).sum());
+    let while_still = lines.stands_out(|powers| order[..windows / 2].iter().map(|s| powers[*s]).sum());
+    let beside_weak = {
+        let own = &lines.powers[BESIDE.count()];
+        let around = |s: usize| {
+            let [before, after] = [s.checked_sub(2), Some(s + 2)].map(|at| at.and_then(|at| own.get(at)));
+            before.or(after).copied().unwrap_or(0.0) + after.or(before).copied().unwrap_or(0.0)
+        };
+        order.sort_by(|a, b| around(*a).total_cmp(&around(*b)));
+        lines.stands_out(|powers| order[..windows / 3].iter().map(|s| powers[*s]).sum())
+    };
     let at_their_weakest = lines.stands_out(|powers| {
         let mut sorted = powers.to_vec();
         sorted.sort_by(f64::total_cmp);
         sorted[..windows / 2].iter().sum()
     });
-    let stands_out_quiet = while_still.min(at_their_weakest);
+    let stands_out_quiet = while_still.min(at_their_weakest).min(beside_weak);
     (stands_out_quiet < STANDS_OUT).then(|| InSpells {
         frequency_hz: mode.frequency_hz,
         stands_out: lines.stands_out(|powers| powers.iter().sum()),
