@@ -204,6 +204,7 @@ impl Advice for Note {
             | Self::Narrow { .. }
             | Self::TonesOnModes { .. }
             | Self::Harmonics { .. }
+            | Self::InSpells { .. }
             | Self::NoDamping { .. }
             | Self::ClosePairs { .. }
             | Self::Blends { .. }

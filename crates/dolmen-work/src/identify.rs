@@ -321,10 +321,7 @@ fn options(source: &RecordSource, channels: &[Channel]) -> Result<Identify, Work
         block_rows: source.modal.block_rows,
         order_most: source.modal.order_most,
         criteria: Criteria {
-            damping_ratio_least: source
-                .modal
-                .damping_least
-                .unwrap_or(defaults.criteria.damping_ratio_least),
+            damping_ratio_least: source.modal.damping_least,
             damping_ratio_most: source
                 .modal
                 .damping_most

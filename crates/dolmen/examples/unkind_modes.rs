@@ -1,7 +1,7 @@
 //! How well `identify` does on records as unkind as the field's, whose modes are known.
 //!
 //! ```text
-//! cargo run --release -p dolmen --example unkind_modes -- FIRST_SEED LAST_SEED [METHOD] [least=DAMPING_RATIO] [quiet]
+//! cargo run --release -p dolmen --example unkind_modes -- FIRST_SEED LAST_SEED [METHOD] [least=DAMPING_RATIO] [scatter=FLOORS] [quiet]
 //! ```
 //! Prints what went wrong seed by seed, then: modes with enough energy (10 dB over all else in the best combination of the channels, and a
 //! damping ratio that so long a record may show to 30 %) that were found, within 2 % and of like shape; modes that are none; channels left out
@@ -22,13 +22,20 @@ fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
     let [first, last, ref wishes @ ..] = words[..] else {
-        return Err("unkind_modes FIRST_SEED LAST_SEED [METHOD] [least=DAMPING_RATIO] [quiet]".into());
+        return Err(
+            "unkind_modes FIRST_SEED LAST_SEED [METHOD] [least=DAMPING_RATIO] [scatter=FLOORS] [quiet]"
+                .into(),
+        );
     };
     let quiet = wishes.contains(&"quiet");
     let mut options = Identify::default();
     for wish in wishes.iter().filter(|wish| **wish != "quiet") {
         if let Some(least) = wish.strip_prefix("least=") {
-            options.criteria.damping_ratio_least = least.parse()?;
+            options.criteria.damping_ratio_least = Some(least.parse()?);
+            continue;
+        }
+        if let Some(most) = wish.strip_prefix("scatter=") {
+            options.clustering.deviation_over_floor_most = most.parse()?;
             continue;
         }
         options.method = Method::named(wish).ok_or("there is no such method")?;

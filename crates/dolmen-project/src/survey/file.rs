@@ -283,7 +283,7 @@ pub(super) struct ModalRaw {
     pub(super) frequency_low_hz: Option<At<f64>>,
     /// Highest frequency of interest, Hz.
     pub(super) frequency_high_hz: Option<At<f64>>,
-    /// Least damping ratio of a mode; 0.002 if not given: what is damped less is taken for a machine.
+    /// Least damping ratio of a mode; if not given, as little as the record can show: 0.0005 to 0.002. What is damped less is left out.
     pub(super) damping_least: Option<At<f64>>,
     /// Largest damping ratio of a mode; 0.15 if not given.
     pub(super) damping_most: Option<At<f64>>,

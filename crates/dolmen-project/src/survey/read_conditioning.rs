@@ -131,7 +131,7 @@ fn damping_range(reader: &mut Reader, raw: &ModalRaw, path: &str) -> [Option<f64
     ];
     if let Some(given) = most.or(least) {
         let pair = (
-            range[0].unwrap_or(defaults.damping_ratio_least),
+            range[0].unwrap_or(0.0),
             range[1].unwrap_or(defaults.damping_ratio_most),
         );
         ordered(reader, pair, &given.span, path, ("damping_least", "damping_most"));

@@ -1,7 +1,9 @@
 //! All figures of an identification, named for files.
 
 use super::words::{Modal, say};
-use super::{ShapePanel, mode_shapes, moving_shapes, sensor_shapes, singular_values, stabilization};
+use super::{
+    ShapePanel, likeness, mode_shapes, moving_shapes, sensor_shapes, singular_values, stabilization,
+};
 use dolmen::structure::{Convention, MeasuredMode};
 use dolmen_project::{Project, Quantity, Structure};
 use dolmen_words::Language;
@@ -37,6 +39,9 @@ pub fn identification(answer: &IdentifyAnswer, language: Language) -> Vec<Figure
             if !record.analysis.modes.modes.is_empty() {
                 add("mode-shapes", sensor_shapes(&record.analysis.modes, language));
             }
+            if let Some(alike) = likeness(&record.analysis.modes, language) {
+                add("likeness", alike);
+            }
             if let Some(moving) = moving_shapes(&record.analysis.modes, language) {
                 add("moving-shapes", moving);
             }
@@ -54,6 +59,9 @@ pub fn identification(answer: &IdentifyAnswer, language: Language) -> Vec<Figure
             }
             if !setups.modes().modes.is_empty() {
                 add("mode-shapes", sensor_shapes(setups.modes(), language));
+            }
+            if let Some(alike) = likeness(setups.modes(), language) {
+                add("likeness", alike);
             }
             if let Some(moving) = moving_shapes(setups.modes(), language) {
                 add("moving-shapes", moving);

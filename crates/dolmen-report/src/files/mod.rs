@@ -2,6 +2,7 @@
 
 mod drawing;
 mod figures;
+mod modes;
 mod motion;
 mod named;
 mod paraview;

@@ -1,19 +1,26 @@
 //! Surveys as files: what was identified, what changed.
 
+use super::modes::mode_files;
 use super::named::NamedFile;
 use crate::figures::{identification, survey_changes, years};
 use crate::json::{change_json, identification_json, watch_json};
 use dolmen_words::Language;
 use dolmen_work::answer::{CompareAnswer, IdentifyAnswer};
+use dolmen_work::surveyed::SetupsAnswer;
 use dolmen_work::watched::WatchAnswer;
 
-/// Figures and JSON of what was identified.
+/// Figures and JSON of what was identified, and the modes of each survey for other programs.
 pub fn identification_files(answer: &IdentifyAnswer, language: Language) -> Vec<NamedFile> {
     let json = NamedFile::json("identification.json", &identification_json(answer));
     let figures = identification(answer, language)
         .into_iter()
         .map(NamedFile::figure);
-    [json].into_iter().chain(figures).collect()
+    let modes = answer.surveys.iter().flat_map(|survey| {
+        let found = survey.setups.as_ref().map(SetupsAnswer::modes);
+        let found = found.or_else(|| survey.records.as_ref().map(|record| &record.analysis.modes));
+        found.map_or_else(Vec::new, |modes| mode_files(&survey.name, modes))
+    });
+    [json].into_iter().chain(figures).chain(modes).collect()
 }
 
 /// Figure and JSON of what changed.

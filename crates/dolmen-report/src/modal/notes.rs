@@ -3,7 +3,7 @@
 use super::clocks::{Clocks, drifting, late};
 use super::faults::fault_words;
 use super::refused::refused_words;
-use super::steady::{on_mode_words, steady_words, tone_words};
+use super::steady::{in_spells_words, on_mode_words, steady_words, tone_words};
 use super::values::{all_hertz, fixed, hertz, percent};
 use dolmen::modal::Note;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, Values, messages};
@@ -42,6 +42,10 @@ messages! {
         Harmonics { steady: Vec<Sentence> } => {
             en: "The motion at {steady} is too steady for random forces (3 is random, 1.5 a sine): machines, not to be trusted as modes.",
             ko: "{steady}의 운동은 불규칙 외력에 의한 것으로 보기에는 세기가 너무 일정하다(불규칙 3, 정현파 1.5). 기계 진동이며 모드로 신뢰할 수 없다.",
+        },
+        InSpells { modes: Vec<Sentence> } => {
+            en: "Left out, since nothing stands there while the structure is quiet: {modes}. Footsteps, other blows that follow each other, or a machine that ran for a while.",
+            ko: "구조물이 조용한 동안에는 나타나지 않아 모드에서 제외하였다: {modes}. 발걸음처럼 잇따르는 충격이나 잠시 가동한 기계의 진동이다.",
         },
         NoDamping { at: Values } => {
             en: "No damping ratio is given for the peaks at {at}: another mode cuts their sides, they decay too fast to fit, or what decays has another frequency than the peak; the subspace methods tell close modes apart.",
@@ -144,6 +148,9 @@ pub(super) fn note_words(note: &Note) -> Sentence {
                 false => Notes::Harmonics { steady },
             }
         }
+        Note::InSpells { modes } => Notes::InSpells {
+            modes: modes.iter().map(in_spells_words).collect(),
+        },
         Note::NoDamping { frequency_hz } => Notes::NoDamping {
             at: all_hertz(frequency_hz),
         },

@@ -1,7 +1,7 @@
 //! Figures of shapes at the sensors, still and moving.
 
 use crate::document::Document;
-use crate::figures::{moving_shapes, sensor_shapes};
+use crate::figures::{likeness, moving_shapes, sensor_shapes};
 use dolmen::modal::Modes;
 use dolmen_words::{Language, Sentence, messages};
 
@@ -24,6 +24,14 @@ messages! {
         OfJoint => {
             en: "Mode shapes at the sensors of all setups, from one identification.",
             ko: "일괄 식별로 얻은 모든 배치의 센서 위치 모드형상.",
+        },
+        Likeness => {
+            en: "Likeness of the mode shapes (MAC), and their components in the complex plane.",
+            ko: "모드형상의 유사도(MAC)와 복소평면상의 성분.",
+        },
+        LikenessMeaning => {
+            en: "MAC 1: the same shape at these sensors, 0: nothing in common; two modes above 0.5 are hardly told apart by these sensors. Components on one line (MPC 1) move in or against phase, as in a mode of a lightly damped structure; spread out, they are of close modes, of noise, or of clocks that differ.",
+            ko: "MAC 1은 이 센서에서 같은 형상, 0은 공통 성분이 없음을 뜻하며, 0.5를 넘는 두 모드는 이 센서로는 구별하기 어렵다. 성분이 한 직선에 놓이면(MPC 1) 감쇠가 작은 구조물의 모드처럼 동위상 또는 역위상으로 움직이는 것이고, 흩어지면 가까운 모드, 잡음 또는 서로 다른 시계의 영향이다.",
         },
         Moving => {
             en: "The same, moving: each mode at the same pace, twelve modes at most.",
@@ -55,6 +63,10 @@ pub(super) fn shape_figures<'a>(document: &mut Document<'a>, modes: &'a Modes, o
         ShapeFigures::Joint => vec![Shapes::OfJoint.into()],
     };
     document.figure(caption, |language| sensor_shapes(modes, language));
+    if of != ShapeFigures::Joint && likeness(modes, Language::English).is_some() {
+        let caption = vec![Shapes::Likeness.into(), Shapes::LikenessMeaning.into()];
+        document.figure(caption, |language| likeness(modes, language).unwrap_or_default());
+    }
     if of != ShapeFigures::Joint && moving_shapes(modes, Language::English).is_some() {
         let caption = vec![Shapes::Moving.into(), Shapes::MovingMeaning.into()];
         document.figure(caption, |language| {

@@ -1,7 +1,7 @@
 //! Motion that is too steady for random forces.
 
 use super::values::{fixed, hertz, percent};
-use dolmen::modal::{Kurtosis, Tone, ToneOnMode};
+use dolmen::modal::{InSpells, Kurtosis, Tone, ToneOnMode};
 use dolmen_words::{Quantity, Sentence, messages};
 
 messages! {
@@ -23,6 +23,10 @@ messages! {
             en: "{frequency} ({strength} of the power of the mode at {mode})",
             ko: "{frequency}({mode} 모드 세기의 {strength})",
         },
+        InSpells { frequency: Quantity, all: Quantity, quiet: Quantity } => {
+            en: "{frequency} ({all} times what is beside it, {quiet} in quiet times)",
+            ko: "{frequency}(주변의 {all}배, 조용한 동안 {quiet}배)",
+        },
         Kurtosis { kurtosis: Quantity } => { en: "kurtosis {kurtosis}", ko: "첨도 {kurtosis}" },
         Runs { kurtosis: Quantity, share: Quantity } => {
             en: "kurtosis {kurtosis} in the {share} of the record in which it runs",
@@ -39,6 +43,16 @@ fn kurtosis_words(of: &Kurtosis) -> Sentence {
             share: percent(of.share, 0),
         },
         false => Steady::Kurtosis { kurtosis },
+    }
+    .into()
+}
+
+/// What is there in spells alone.
+pub(super) fn in_spells_words(of: &InSpells) -> Sentence {
+    Steady::InSpells {
+        frequency: hertz(of.frequency_hz),
+        all: fixed(of.stands_out, 1),
+        quiet: fixed(of.stands_out_quiet, 1),
     }
     .into()
 }

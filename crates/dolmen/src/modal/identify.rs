@@ -7,6 +7,7 @@ use super::modal_analysis::{ModalAnalysis, of_peaks};
 use super::options::Identify;
 use super::quality::leave_out_late_clocks;
 use super::quality::leave_out_other_clocks;
+use super::quality::leave_out_spells;
 use super::quality::note_hidden_pairs;
 use super::quality::{doubt_channels, to_one_quantity};
 use super::quality::{note_tones_on_modes, split_tones, test_for_machines};
@@ -52,12 +53,7 @@ pub fn identify(record: &Record, options: &Identify) -> Result<ModalAnalysis, Mo
     let mut notes = judge_channels(record)?;
     note_filter(record, options, &mut notes);
     let mut peaks = spectrum(record, options)?;
-    let tones_hz = split_tones(
-        record,
-        &mut peaks,
-        options.criteria.damping_ratio_least,
-        &mut notes,
-    )?;
+    let tones_hz = split_tones(record, &mut peaks, options, &mut notes)?;
     let mut analysis = match options.method {
         Method::Fdd | Method::Efdd | Method::Fsdd => of_peaks(peaks, record, options),
         Method::Era => of_decay(record, options, peaks)?,
@@ -68,6 +64,7 @@ pub fn identify(record: &Record, options: &Identify) -> Result<ModalAnalysis, Mo
     if options.method != Method::Era {
         let all = (0..record.channels().len()).collect();
         test_for_machines(&[(record, all)], options, &mut analysis.modes, &mut notes)?;
+        leave_out_spells(record, &mut analysis.modes, &mut notes);
         leave_out_other_clocks(record, &mut analysis.modes, &mut notes);
         if let Some(alone) = of_one_clock(record, options, &analysis.modes, &notes) {
             return Ok(alone);

@@ -30,7 +30,7 @@ pub use modal_analysis::ModalAnalysis;
 pub use modes::{Method, Mode, Modes};
 pub use notes::{LateClock, Note, Tone, ToneOnMode};
 pub use options::{Harmonics, Identify};
-pub use quality::{Kurtosis, band_kurtosis};
+pub use quality::{InSpells, Kurtosis, band_kurtosis};
 pub use refusal::{Refusal, RefusedPeak};
 pub use sensors::{SensorDoubt, doubt_sensors};
 pub use settings::Settings;

@@ -1,7 +1,7 @@
 //! What must be known beside the modes, as sentences.
 
 use super::subspace::HANKEL_ROWS_MOST;
-use super::{Kurtosis, RefusedPeak};
+use super::{InSpells, Kurtosis, RefusedPeak};
 use crate::signal::ChannelFault;
 
 /// A peak of the spectrum that a machine makes.
@@ -134,6 +134,11 @@ pub enum Note {
         steady: Vec<Kurtosis>,
         /// Whether they were taken out of the modes.
         removed: bool,
+    },
+    /// Left out: modes that stand out of what is beside them while somebody walks, or the like, and not in quiet times.
+    InSpells {
+        /// The modes.
+        modes: Vec<InSpells>,
     },
     /// Peaks whose sides other modes cut, or whose decay is too short: their damping is not given.
     NoDamping {
@@ -284,6 +289,15 @@ impl std::fmt::Display for Note {
                 write!(
                     f,
                     "the motion at {} is too steady for random forces (3 is random, 1.5 a sine): machines, {what}",
+                    all.join(", ")
+                )
+            }
+            Note::InSpells { modes } => {
+                let all: Vec<String> = modes.iter().map(ToString::to_string).collect();
+                write!(
+                    f,
+                    "left out, since nothing stands there while the structure is quiet: {}: footsteps, other blows that follow each other, or \
+                     a machine that ran for a while",
                     all.join(", ")
                 )
             }

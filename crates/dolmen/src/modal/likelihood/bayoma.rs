@@ -2,6 +2,7 @@
 
 use super::band_fit::{BandFit, fit};
 use super::band_lines::{BandLines, DEVIATIONS_MOST, Fitted, Lines, bands_of};
+use super::band_motion::Oscillator;
 use crate::modal::Note;
 use crate::modal::modes::Mode;
 use crate::modal::quality::explained;
@@ -30,7 +31,8 @@ struct Refined {
 struct Refine<'a> {
     /// Range in which modes are accepted, Hz.
     range_hz: [f64; 2],
-    damping_range: [f64; 2],
+    /// Which damping ratios are those of modes.
+    criteria: &'a Criteria,
     /// Machines, whose lines are left out, Hz.
     tones_hz: &'a [f64],
     /// Blocks of the record: each change of a frequency is that of one of them, as for the subspace methods.
@@ -49,12 +51,11 @@ fn refine(record: &Record, mut modes: Vec<Mode>, peaks: &[(&Mode, f64)], how: &R
         all.sort_by(|a, b| a.0.frequency_hz.total_cmp(&b.0.frequency_hz));
         let (with, of_peak): (Vec<Mode>, Vec<bool>) = all.into_iter().unzip();
         let answers = fit_all(record, &with, how);
-        let damped = |zeta: f64| zeta >= how.damping_range[0] && zeta <= how.damping_range[1];
-        let fits = |answer: &Option<Fitted>| {
-            answer
-                .as_ref()
-                .is_some_and(|to| damped(to.oscillator.damping_ratio))
+        let damped = |o: &Oscillator| {
+            let least = how.criteria.damping_least_at(o.frequency_hz, record.duration_s());
+            (least..=how.criteria.damping_ratio_most).contains(&o.damping_ratio)
         };
+        let fits = |answer: &Option<Fitted>| answer.as_ref().is_some_and(|to| damped(&to.oscillator));
         let none: Vec<f64> = (0..with.len())
             .filter(|&i| of_peak[i] && !fits(&answers[i]))
             .map(|i| with[i].frequency_hz)
@@ -99,7 +100,7 @@ pub(crate) fn refined(
     let without: Vec<(&Mode, f64)> = peaks.modes.modes.iter().zip(width_hz).filter(alone).collect();
     let how = Refine {
         range_hz: settings.range_hz,
-        damping_range: [criteria.damping_ratio_least, criteria.damping_ratio_most],
+        criteria,
         tones_hz,
         time_blocks: settings.time_blocks,
     };
@@ -182,7 +183,7 @@ fn fit_all(record: &Record, modes: &[Mode], how: &Refine<'_>) -> Vec<Option<Fitt
 mod tests {
     use super::{Refine, refine};
     use crate::modal::{
-        Identify, MadeMode, MadeRecord, Method, ModalAnalysis, Note, ReferenceCase, identify,
+        Criteria, Identify, MadeMode, MadeRecord, Method, ModalAnalysis, Note, ReferenceCase, identify,
     };
     use crate::signal::{Quantity, Record};
 
@@ -241,7 +242,7 @@ mod tests {
         assert_eq!(found.modes.modes.len(), 3);
         let how = Refine {
             range_hz: [0.3, 8.0],
-            damping_range: [0.002, 0.15],
+            criteria: &Criteria::default(),
             tones_hz: &[],
             time_blocks: 30,
         };

@@ -8,15 +8,13 @@
 //! | Λ | `gain` | what a sine at one line gains in the logarithm of Whittle's likelihood | – |
 
 use crate::modal::Mode;
+use crate::modal::subspace::HALF_WIDTH_LEAST;
 use crate::signal::Record;
 use dolmen_linalg::Complex64;
 use realfft::RealFftPlanner;
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
-/// Half width of the narrowest mode that a record is asked to show, lines: its damping ratio is known to 33 % at best. What is narrower is a
-/// sine, or cannot be told from one.
-const HALF_WIDTH_LEAST: f64 = 1.5;
 /// Lines on each side of the frequency, at least and at most.
 const REACH: [usize; 2] = [64, 512];
 /// Half widths of a mode on each side of it within which its skirts hide the noise.

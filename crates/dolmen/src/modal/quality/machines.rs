@@ -3,6 +3,7 @@
 use super::harmonics::{Kurtosis, band_kurtosis};
 use super::lines::{FineLines, LineTest};
 use super::remarks::explained;
+use super::spells::{InSpells, in_spells, note_spells};
 use crate::modal::options::{Harmonics, Identify};
 use crate::modal::spectrum::FddResult;
 use crate::modal::{Method, ModalError, Mode, Modes, Note, Tone, ToneOnMode};
@@ -11,34 +12,55 @@ use crate::signal::Record;
 /// Power of a sine over that of the mode under it up to which both are told apart. Chosen here: beyond, the skirts of the sine pass for a mode.
 const STRENGTH_MOST: f64 = 15.0;
 
+/// Few modes are damped less. What looks too steady for one damped so much is a machine if it is a sine too, comes and goes, or is too steady for
+/// its own width: a mode damped less follows itself for longer.
+const USUAL_LEAST: f64 = 0.002;
+
 /// Takes the peaks out that are narrower than a mode damped by the least, where the lines are fine enough to tell, or too steady for random
 /// forces; returns their frequencies, Hz. Those of one phase for the whole record, or too steady, are machines; of the rest nobody can say.
 pub(crate) fn split_tones(
     record: &Record,
     peaks: &mut FddResult,
-    damping_ratio_least: f64,
+    options: &Identify,
     notes: &mut Vec<Note>,
 ) -> Result<Vec<f64>, ModalError> {
     let width_hz = std::mem::take(&mut peaks.spectrum.half_power_width_hz);
     let prominence_db = std::mem::take(&mut peaks.spectrum.prominence_db);
     let modes = std::mem::take(&mut peaks.modes.modes);
     let mut lines = FineLines::new(record);
-    let mut taken: Vec<Taken> = Vec::new();
+    let (mut taken, mut spells): (Vec<Taken>, Vec<InSpells>) = (Vec::new(), Vec::new());
     for ((mode, width_hz), prominence_db) in modes.into_iter().zip(width_hz).zip(prominence_db) {
-        let kurtosis = kurtosis(record, &mode, damping_ratio_least)?;
-        let is_steady = kurtosis.is_some_and(|k| k.harmonic());
-        let is_narrow = width_hz < 2.0 * damping_ratio_least * mode.frequency_hz;
-        if is_narrow || is_steady {
+        let damping_ratio_least = options
+            .criteria
+            .damping_least_at(mode.frequency_hz, record.duration_s());
+        let damping_ratio = 0.5 * width_hz / mode.frequency_hz;
+        let as_wide = Mode {
+            damping_ratio: Some(damping_ratio),
+            ..mode.clone()
+        };
+        // a free decay is in spells by its nature
+        let found = in_spells(record, &as_wide).filter(|_| options.method != Method::Era);
+        let kurtosis = kurtosis(record, &mode, USUAL_LEAST.max(damping_ratio_least))?;
+        let looks_steady = kurtosis.as_ref().is_some_and(Kurtosis::harmonic);
+        let is_sine = (looks_steady || damping_ratio < USUAL_LEAST)
+            && lines.test(&mode).is_some_and(|line| line.is_sine());
+        let is_steady = looks_steady
+            && (is_sine
+                || found.is_some()
+                || is_steady_at(record, &mode, [damping_ratio_least, damping_ratio])?);
+        if let Some(found) = found.filter(|_| !is_steady) {
+            spells.push(found);
+        } else if damping_ratio < damping_ratio_least || is_steady || is_sine {
             let tone = Tone {
                 frequency_hz: mode.frequency_hz,
                 width_hz,
                 kurtosis,
             };
-            let is_machine = is_steady || lines.test(&mode).is_some_and(|line| line.is_sine());
             taken.push(Taken {
                 prominence_db,
                 tone,
-                is_machine,
+                is_machine: is_steady || is_sine,
+                damping_ratio_least,
             });
         } else {
             peaks.modes.modes.push(mode);
@@ -50,7 +72,10 @@ pub(crate) fn split_tones(
     let taken = strongest(taken, SKIRT_LINES * line_hz);
     let frequency_hz = taken.iter().map(|of| of.tone.frequency_hz).collect();
     let (machines, narrow): (Vec<Taken>, Vec<Taken>) = taken.into_iter().partition(|of| of.is_machine);
+    let widest = |most: f64, of: &Taken| most.max(of.damping_ratio_least);
+    let damping_ratio_least = narrow.iter().fold(0.0, widest);
     let tones = |of: Vec<Taken>| -> Vec<Tone> { of.into_iter().map(|of| of.tone).collect() };
+    note_spells(spells, notes);
     if !machines.is_empty() {
         notes.push(Note::Tones {
             tones: tones(machines),
@@ -70,6 +95,8 @@ struct Taken {
     prominence_db: f64,
     tone: Tone,
     is_machine: bool,
+    /// Narrower than a mode of this damping ratio, where it is narrow.
+    damping_ratio_least: f64,
 }
 
 /// Names the sines on the modes that were found and on the peaks of the spectrum that none explains, where a mode is left beside the sine.
@@ -115,6 +142,17 @@ fn strongest(mut tones: Vec<Taken>, skirt_hz: f64) -> Vec<Taken> {
     kept
 }
 
+/// Whether the motion is too steady for a mode as narrow as its peak.
+fn is_steady_at(record: &Record, peak: &Mode, damped: [f64; 2]) -> Result<bool, ModalError> {
+    Ok(kurtosis(record, peak, follows_itself(damped))?.is_some_and(|k| k.harmonic()))
+}
+
+/// The damping ratio that says for how long the motion of a mode follows itself: half of what was found, where that is not below the least.
+/// Chosen here.
+fn follows_itself([least, found]: [f64; 2]) -> f64 {
+    (0.5 * found).min(USUAL_LEAST).max(least)
+}
+
 /// Kurtosis near a mode at the sensors that see most of it.
 fn kurtosis(record: &Record, mode: &Mode, damping_ratio_least: f64) -> Result<Option<Kurtosis>, ModalError> {
     const CHANNELS: usize = 4;
@@ -143,7 +181,11 @@ pub(crate) fn test_for_machines(
                 shape: places.iter().map(|&place| mode.shape[place]).collect(),
                 ..mode.clone()
             };
-            let found = kurtosis(record, &seen, options.criteria.damping_ratio_least)?;
+            let least = options
+                .criteria
+                .damping_least_at(mode.frequency_hz, record.duration_s());
+            let damped = [least, mode.damping_ratio.unwrap_or(least)];
+            let found = kurtosis(record, &seen, follows_itself(damped))?;
             let least = [mode.kurtosis, found].into_iter().flatten();
             mode.kurtosis = least.min_by(|a, b| a.kurtosis.total_cmp(&b.kurtosis));
         }

@@ -10,6 +10,7 @@ mod machines;
 mod refused_peaks;
 mod remarks;
 mod shape_checks;
+mod spells;
 
 pub(super) use clocks::leave_out_other_clocks;
 pub(super) use gusts::{unequal, widen};
@@ -20,3 +21,5 @@ pub(super) use machines::{note_tones_on_modes, split_tones, test_for_machines};
 pub(super) use refused_peaks::refusal;
 pub(super) use remarks::{explained, remark};
 pub(super) use shape_checks::{doubt_channels, to_one_quantity};
+pub use spells::InSpells;
+pub(super) use spells::leave_out_spells;

@@ -52,7 +52,7 @@ pub(crate) fn refusal(analysis: &ModalAnalysis, peak_hz: f64, clustering: &Clust
         },
         Stability::Damping => Refusal::Damping {
             damping_ratio: middle(&|p| p.pole.damping_ratio),
-            least: criteria.damping_ratio_least,
+            least: criteria.damping_least_at(peak_hz, duration_s),
             most: criteria.damping_ratio_most,
         },
         Stability::Complex => Refusal::Complex {

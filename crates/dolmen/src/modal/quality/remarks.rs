@@ -2,6 +2,14 @@
 
 use crate::modal::{Method, Mode, Modes, Note, Refusal, RefusedPeak};
 
+/// Frequencies that were left out with a reason of their own.
+fn in_spells_hz(note: &Note) -> Vec<f64> {
+    match note {
+        Note::InSpells { modes } => modes.iter().map(|mode| mode.frequency_hz).collect(),
+        _ => Vec::new(),
+    }
+}
+
 /// `why` tells what refused a peak of the spectrum that is no mode.
 pub(crate) fn remark(
     modes: &Modes,
@@ -11,10 +19,12 @@ pub(crate) fn remark(
 ) {
     const DAMPING_FLOOR: f64 = 0.3; // relative: a damping ratio known worse is a guess
     let picked_away = |peak: &Mode| not_picked_hz.iter().any(|hz| near(*hz, peak.frequency_hz));
+    let in_spells: Vec<f64> = notes.iter().flat_map(in_spells_hz).collect();
+    let is_told = |peak: &Mode| in_spells.iter().any(|hz| near(*hz, peak.frequency_hz));
     let peaks: Vec<RefusedPeak> = peaks
         .modes
         .iter()
-        .filter(|peak| !explained(peak, &modes.modes) && !picked_away(peak))
+        .filter(|peak| !explained(peak, &modes.modes) && !picked_away(peak) && !is_told(peak))
         .map(|peak| RefusedPeak {
             frequency_hz: peak.frequency_hz,
             refusal: why(peak.frequency_hz),

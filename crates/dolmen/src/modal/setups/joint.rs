@@ -208,8 +208,7 @@ fn peaks_of_all(
         notes.extend(judge_channels(record)?);
         note_filter(record, options, notes);
         let mut peaks = spectrum(record, options)?;
-        let least = options.criteria.damping_ratio_least;
-        tones_hz.extend(split_tones(record, &mut peaks, least, notes)?);
+        tones_hz.extend(split_tones(record, &mut peaks, options, notes)?);
         match &mut all {
             None => all = Some(peaks.modes),
             Some(all) => {

@@ -11,9 +11,8 @@ pub struct Criteria {
     pub frequency_low_hz: f64,
     /// Highest frequency, Hz; default none (infinite).
     pub frequency_high_hz: f64,
-    /// Least damping ratio; default 0.002: stone, timber and concrete lie above 0.003, the tones of machines below
-    /// 0.002 (the four in the Palisaden record: 0.0001 to 0.0019).
-    pub damping_ratio_least: f64,
+    /// Least damping ratio; default none: the least that the record can show, see [`damping_least_at`](Self::damping_least_at).
+    pub damping_ratio_least: Option<f64>,
     /// Largest damping ratio; default 0.15: above any structure in ambient motion without dampers (ours).
     pub damping_ratio_most: f64,
     /// Least modal phase collinearity, 0 to 1; default 0.4 (ours: of two modes 2 % apart, 10 minutes show shapes
@@ -38,7 +37,7 @@ impl Default for Criteria {
         Criteria {
             frequency_low_hz: 0.0,
             frequency_high_hz: f64::INFINITY,
-            damping_ratio_least: 0.002,
+            damping_ratio_least: None,
             damping_ratio_most: 0.15,
             phase_collinearity_least: 0.4,
             phase_deviation_most: 0.45,
@@ -50,7 +49,25 @@ impl Default for Criteria {
     }
 }
 
+/// Half width of the narrowest mode that a record is asked to show, lines 1/T apart: its damping ratio is known to 33 % at best. What is
+/// narrower is a sine, or cannot be told from one.
+pub(crate) const HALF_WIDTH_LEAST: f64 = 1.5;
+/// Between these lies the least damping ratio of a mode, whatever the record shows: steel and single stones go down to 0.0005; the tones of
+/// machines lie below 0.002 (the four in the Palisaden record: 0.0001 to 0.0019).
+const DAMPING_LEAST: [f64; 2] = [0.0005, 0.002];
+
 impl Criteria {
+    /// Least damping ratio of a mode at this frequency in a record so long: the one that was given, or
+    ///
+    /// ```text
+    /// ζ f T ≥ 1.5,   between 0.0005 and 0.002
+    /// ```
+    pub fn damping_least_at(&self, frequency_hz: f64, duration_s: f64) -> f64 {
+        let [least, most] = DAMPING_LEAST;
+        self.damping_ratio_least
+            .unwrap_or_else(|| (HALF_WIDTH_LEAST / (frequency_hz * duration_s)).clamp(least, most))
+    }
+
     /// With no pole outside this range either, Hz.
     pub(crate) fn within(&self, [low_hz, high_hz]: [f64; 2]) -> Self {
         Criteria {
@@ -159,7 +176,7 @@ pub(crate) fn judge_poles(
             (below, start) = (start..judged.len(), judged.len());
         }
         let mut frequency_sd_hz = None;
-        let mut stability = hard(pole, criteria);
+        let mut stability = hard(pole, criteria, all.duration_s);
         if stability.is_none() {
             let sd_hz = deviations.frequency_sd_hz(pole)?;
             frequency_sd_hz = Some(sd_hz);
@@ -179,9 +196,10 @@ pub(crate) fn judge_poles(
     })
 }
 
-fn hard(pole: &Pole, c: &Criteria) -> Option<Stability> {
+fn hard(pole: &Pole, c: &Criteria, duration_s: f64) -> Option<Stability> {
     let in_range = (c.frequency_low_hz..=c.frequency_high_hz).contains(&pole.frequency_hz);
-    let damped = (c.damping_ratio_least..=c.damping_ratio_most).contains(&pole.damping_ratio);
+    let damped = (c.damping_least_at(pole.frequency_hz, duration_s)..=c.damping_ratio_most)
+        .contains(&pole.damping_ratio);
     let real = pole.phase_collinearity >= c.phase_collinearity_least
         && pole.phase_deviation <= c.phase_deviation_most;
     match (in_range, damped, real) {

@@ -1,0 +1,315 @@
+//! Modes told from what footsteps leave: a mode stands out while nobody walks, too.
+//!
+//! | symbol | code | meaning |
+//! |:--|:--|:--|
+//! | Z_sk | `powers` | Fourier sum of window s (Hann, half overlapping) along the shape, k lines from the frequency |
+//! | p | | sum of abs(Z_s0)² over windows |
+//! | q | | sum of abs(Z_sk)² over windows; median of the lines of a side; of the lower side |
+
+use super::remarks::near;
+use crate::modal::Note;
+use crate::modal::modes::{Mode, Modes};
+use crate::signal::Record;
+use std::f64::consts::PI;
+use std::ops::RangeInclusive;
+
+/// Lines on each side that are looked at: beyond the main lobe.
+const BESIDE: RangeInclusive<usize> = 4..=12;
+/// A mode stands out of what is beside it at least so far. Chosen on the development seeds of `unkind_modes`: of 271 modes the least has 2.7, of
+/// 38 lines that footsteps left 36 have less than 1.7.
+const STANDS_OUT: f64 = 2.0;
+
+/// A mode that is there in spells alone.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct InSpells {
+    /// Its frequency, Hz.
+    pub frequency_hz: f64,
+    /// Its power over that beside it, in the whole record.
+    pub stands_out: f64,
+    /// The same, in the quiet half.
+    pub stands_out_quiet: f64,
+}
+
+impl std::fmt::Display for InSpells {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(
+            f,
+            "{:.3} Hz ({:.1} times what is beside it, {:.1} in quiet times)",
+            self.frequency_hz, self.stands_out, self.stands_out_quiet
+        )
+    }
+}
+
+/// Leaves out the modes that are there in spells alone, and says so: footsteps and other blows that follow each other make lines of their own,
+/// which a subspace method takes for modes.
+pub(crate) fn leave_out_spells(record: &Record, modes: &mut Modes, notes: &mut Vec<Note>) {
+    if modes.channels.len() != record.channels().len() {
+        return;
+    }
+    let mut left: Vec<InSpells> = Vec::new();
+    modes.modes.retain(|mode| {
+        let spells = in_spells(record, mode);
+        left.extend(spells);
+        spells.is_none()
+    });
+    note_spells(left, notes);
+}
+
+/// Names what is there in spells alone, all in one note, by frequency.
+pub(super) fn note_spells(found: Vec<InSpells>, notes: &mut Vec<Note>) {
+    if found.is_empty() {
+        return;
+    }
+    let before = notes
+        .iter()
+        .position(|note| matches!(note, Note::InSpells { .. }));
+    let mut all = match before.map(|at| notes.remove(at)) {
+        Some(Note::InSpells { modes }) => modes,
+        _ => Vec::new(),
+    };
+    all.extend(
+        found
+            .into_iter()
+            .filter(|of| {
+                let is_told = |told: &InSpells| near(told.frequency_hz, of.frequency_hz);
+                !all.iter().any(is_told)
+            })
+            .collect::<Vec<_>>(),
+    );
+    all.sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
+    notes.push(Note::InSpells { modes: all });
+}
+
+/// What a mode is in spells, if it stands out of what is beside it there alone.
+///
+/// ```text
+/// p/q < 2   in the half of the windows in which the structure moves least,
+///           or of each line in the half in which it is weakest (spells much shorter than the record),
+///           or in the third whose neighbours, two windows before and after, are weakest at this line (spells as long as the rest)
+/// ```
+/// Windows are as long as the mode remembers, 1/(ζf), an eighth of the record at most.
+///
+/// # Limits
+/// A mode that is seen only while something passes, and drowns in noise at all other times, is taken for one that is there in spells.
+pub(super) fn in_spells(record: &Record, mode: &Mode) -> Option<InSpells> {
+    let lines = Lines::of(record, mode)?;
+    let windows = lines.strengths.len();
+    let mut order: Vec<usize> = (0..windows).collect();
+    order.sort_by(|a, b| lines.strengths[*a].total_cmp(&lines.strengths[*b]));
+    let while_still = lines.stands_out(|powers| order[..windows / 2].iter().map(|s| powers[*s]).sum());
+    let beside_weak = {
+        let own = &lines.powers[BESIDE.count()];
+        let around = |s: usize| {
+            let [before, after] = [s.checked_sub(2), Some(s + 2)].map(|at| at.and_then(|at| own.get(at)));
+            before.or(after).copied().unwrap_or(0.0) + after.or(before).copied().unwrap_or(0.0)
+        };
+        order.sort_by(|a, b| around(*a).total_cmp(&around(*b)));
+        lines.stands_out(|powers| order[..windows / 3].iter().map(|s| powers[*s]).sum())
+    };
+    let at_their_weakest = lines.stands_out(|powers| {
+        let mut sorted = powers.to_vec();
+        sorted.sort_by(f64::total_cmp);
+        sorted[..windows / 2].iter().sum()
+    });
+    let stands_out_quiet = while_still.min(at_their_weakest).min(beside_weak);
+    (stands_out_quiet < STANDS_OUT).then(|| InSpells {
+        frequency_hz: mode.frequency_hz,
+        stands_out: lines.stands_out(|powers| powers.iter().sum()),
+        stands_out_quiet,
+    })
+}
+
+/// Powers of the lines about a mode, window by window.
+struct Lines {
+    /// Power of all motion along the shape, one a window.
+    strengths: Vec<f64>,
+    /// Powers of each line in the windows: of those below, the mode's, those above.
+    powers: Vec<Vec<f64>>,
+}
+
+impl Lines {
+    /// `None` where the record is too short, or the lines lie beyond its band.
+    fn of(record: &Record, mode: &Mode) -> Option<Lines> {
+        const WINDOWS_LEAST: usize = 15;
+        const NYQUIST_SHARE: f64 = 0.96;
+        let (rate_hz, n, f) = (record.sampling_rate_hz(), record.length(), mode.frequency_hz);
+        let reach = *BESIDE.end() as f64;
+        let remembers_s = mode.damping_ratio.map_or(0.0, |zeta| 1.0 / (zeta * f));
+        let length = (remembers_s.max(2.0 * reach / f) * rate_hz) as usize;
+        let length = length.min(2 * n / (WINDOWS_LEAST + 1));
+        let line_hz = rate_hz / length as f64;
+        if f < (reach + 2.0) * line_hz || f + reach * line_hz > 0.5 * NYQUIST_SHARE * rate_hz {
+            return None;
+        }
+        let along = along(record, mode);
+        let hann = |t: usize| (PI * (t as f64 + 0.5) / length as f64).sin().powi(2);
+        let hann: Vec<f64> = (0..length).map(hann).collect();
+        let beside = BESIDE.map(|k| k as f64);
+        let offsets: Vec<f64> = beside.clone().map(|k| -k).chain([0.0]).chain(beside).collect();
+        let mut strengths = Vec::new();
+        let mut powers = vec![Vec::new(); offsets.len()];
+        for s in 0..(2 * n / length).saturating_sub(1) {
+            let from = s * length / 2;
+            let part: Vec<f64> = along[from..from + length]
+                .iter()
+                .zip(&hann)
+                .map(|(y, h)| y * h)
+                .collect();
+            strengths.push(part.iter().map(|y| y * y).sum());
+            for (powers, k) in powers.iter_mut().zip(&offsets) {
+                powers.push(power_at(&part, (f + k * line_hz) / rate_hz));
+            }
+        }
+        Some(Lines { strengths, powers })
+    }
+
+    /// p/q, each line's power taken from those of its windows by `of`.
+    fn stands_out(&self, of: impl Fn(&[f64]) -> f64) -> f64 {
+        let each: Vec<f64> = self.powers.iter().map(|powers| of(powers)).collect();
+        let middle = BESIDE.count();
+        let median = |side: &[f64]| {
+            let mut sorted = side.to_vec();
+            sorted.sort_by(f64::total_cmp);
+            sorted[sorted.len() / 2]
+        };
+        let beside = median(&each[..middle]).min(median(&each[middle + 1..]));
+        each[middle] / beside.max(f64::MIN_POSITIVE)
+    }
+}
+
+/// The motion along a mode's shape, of the sensors that see most of it.
+fn along(record: &Record, mode: &Mode) -> Vec<f64> {
+    const CHANNELS: usize = 4;
+    let mut channels: Vec<usize> = (0..mode.shape.len()).collect();
+    channels.sort_by(|&a, &b| mode.shape[b].norm().total_cmp(&mode.shape[a].norm()));
+    let mut along = vec![0.0; record.length()];
+    for &c in channels.iter().take(CHANNELS) {
+        let samples = record.samples(c);
+        let mean = samples.iter().sum::<f64>() / samples.len() as f64;
+        let weight = mode.shape[c].re;
+        along
+            .iter_mut()
+            .zip(samples)
+            .for_each(|(sum, y)| *sum += weight * (y - mean));
+    }
+    along
+}
+
+/// abs(Σ x_t e^(−2πiνt))² by Goertzel's recurrence, ν in cycles a sample.
+fn power_at(x: &[f64], cycles_a_sample: f64) -> f64 {
+    let twice_cos = 2.0 * (2.0 * PI * cycles_a_sample).cos();
+    let (mut last, mut before) = (0.0, 0.0);
+    for x in x {
+        (last, before) = (x + twice_cos * last - before, last);
+    }
+    last * last + before * before - twice_cos * last * before
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::modal::{MadeMode, MadeRecord, Method};
+    use crate::numeric::Random;
+    use dolmen_linalg::Complex64;
+
+    const MODES: [(f64, f64, [f64; 2]); 2] = [(3.1, 0.01, [1.0, 0.6]), (8.3, 0.008, [-0.7, 1.0])];
+
+    fn mode((frequency_hz, damping_ratio, shape): (f64, f64, [f64; 2])) -> Mode {
+        Mode {
+            frequency_hz,
+            frequency_sd_hz: None,
+            frequency_changes_hz: Vec::new(),
+            damping_ratio: Some(damping_ratio),
+            damping_ratio_sd: None,
+            shape: shape.map(Complex64::from).to_vec(),
+            shape_sd: None,
+            phase_collinearity: 1.0,
+            cycles: 600.0 * frequency_hz,
+            orders: Vec::new(),
+            kurtosis: None,
+            window_bias: None,
+        }
+    }
+
+    /// Two modes for ten minutes, with a motion of its own at 5.5 Hz from 200 to 230 s and passing vehicles.
+    fn record(vehicles: &[f64]) -> Record {
+        let made = MadeRecord {
+            modes: MODES
+                .map(|(frequency_hz, damping_ratio, shape)| MadeMode {
+                    frequency_hz,
+                    damping_ratio,
+                    shape: shape.to_vec(),
+                })
+                .to_vec(),
+            duration_s: 600.0,
+            seed: 11,
+            ..MadeRecord::default()
+        };
+        let kind = made.make().unwrap();
+        let rate_hz = kind.sampling_rate_hz();
+        let mut random = Random::new(4, 0);
+        let samples: Vec<Vec<f64>> = (0..2)
+            .map(|c| {
+                let spread =
+                    (kind.samples(c).iter().map(|y| y * y).sum::<f64>() / kind.length() as f64).sqrt();
+                let mut phase = 0.0;
+                let each = kind.samples(c).iter().enumerate().map(|(t, y)| {
+                    let at_s = t as f64 / rate_hz;
+                    phase += 2.0 * PI * 5.5 / rate_hz + 0.01 * random.normal();
+                    let walks = (200.0..230.0).contains(&at_s);
+                    let passes = |from_s: &f64| (0.0..8.0).contains(&(at_s - from_s));
+                    let gust = if vehicles.iter().any(passes) { 5.0 } else { 1.0 };
+                    gust * y
+                        + if walks { spread * f64::sin(phase) } else { 0.0 }
+                        + 0.1 * spread * random.normal()
+                });
+                each.collect()
+            })
+            .collect();
+        Record::new(kind.channels().to_vec(), samples, rate_hz).unwrap()
+    }
+
+    #[test]
+    fn holds_a_line_of_half_a_minute_is_in_spells_and_modes_are_not() {
+        for vehicles in [&[][..], &[50.0, 310.0, 480.0]] {
+            let record = record(vehicles);
+            for own in MODES {
+                assert_eq!(in_spells(&record, &mode(own)), None, "{vehicles:?}");
+            }
+            let walked = in_spells(&record, &mode((5.5, 0.004, [0.8, 0.9]))).unwrap();
+            assert!(
+                walked.stands_out > 5.0 && walked.stands_out_quiet < 1.7,
+                "{walked:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn holds_it_is_left_out_and_named() {
+        let record = record(&[]);
+        let mut all = Modes {
+            modes: vec![mode(MODES[0]), mode((5.5, 0.004, [0.8, 0.9])), mode(MODES[1])],
+            channels: record.channels().to_vec(),
+            method: Method::SsiCov,
+            duration_s: 600.0,
+            history: Vec::new(),
+        };
+        let mut notes = Vec::new();
+        leave_out_spells(&record, &mut all, &mut notes);
+        assert_eq!(all.modes.len(), 2);
+        let said = notes[0].to_string();
+        assert!(said.contains("while the structure is quiet: 5.500 Hz"), "{said}");
+    }
+
+    #[test]
+    fn exact_power_of_a_line() {
+        let x = [1.0, -2.0, 0.5, 3.0, -1.0];
+        let nu = 0.23;
+        let sum: Complex64 = x
+            .iter()
+            .enumerate()
+            .map(|(t, x)| Complex64::from_polar(*x, -2.0 * PI * nu * t as f64))
+            .sum();
+        assert!((power_at(&x, nu) / sum.norm_sqr() - 1.0).abs() < 1e-12);
+    }
+}
