@@ -40,7 +40,7 @@ pub fn likeness(modes: &Modes, language: Language) -> Option<String> {
     for (m, mode) in shown.iter().enumerate() {
         let left = MATRIX_PX + 24.0 + (m % ACROSS) as f64 * panel;
         let top = (m / ACROSS) as f64 * (TITLE_PX + panel);
-        components(&mut scene, (m + 1, mode), ([left, top], panel), language);
+        components(&mut scene, (m + 1, mode), ([left, top], panel));
     }
     Some(scene.svg(say(Titles::LikenessOfModes, language)))
 }
@@ -91,20 +91,11 @@ fn shade(value: f64) -> String {
 }
 
 /// Each channel's component as a line from the middle, the largest 1.
-fn components(
-    scene: &mut Scene,
-    (number, mode): (usize, &Mode),
-    ([left, top], side): ([f64; 2], f64),
-    language: Language,
-) {
+fn components(scene: &mut Scene, (number, mode): (usize, &Mode), ([left, top], side): ([f64; 2], f64)) {
     let middle = [left + 0.5 * side, top + TITLE_PX + 0.5 * side];
     let radius = 0.5 * side - 8.0;
-    let title = format!(
-        "{} {number} · {}{}Hz",
-        say(Modal::Mode, language),
-        number::significant(mode.frequency_hz, 3),
-        number::NARROW_SPACE
-    );
+    let hertz = number::significant(mode.frequency_hz, 3);
+    let title = format!("{number} · {hertz}{}Hz", number::NARROW_SPACE);
     scene.text(
         [middle[0], top + 14.0],
         &Label::new(title, Anchor::Middle).small(),
