@@ -141,7 +141,7 @@ pub(super) fn step(stage: &Stage<'_>) -> Result<Option<Step>, StabilityError> {
             (sum + cost).abs()
         })
         .fold(0.0, f64::max);
-    if !(missed <= MISSED_MOST) || x.iter().chain(z).any(|value| !value.is_finite()) {
+    if missed > MISSED_MOST || x.iter().chain(z).any(|value| !value.is_finite()) {
         return Err(StabilityError::ConicProgramme {
             reason: format!(
                 "{:?} after {} steps, under moving supports, its forces miss the balance by {missed:e} of the weight",

@@ -130,7 +130,7 @@ pub fn follow_support_movement(
     let mut path = Path::of(stack, options)?;
     let size = path.size;
     let largest = path.unit.iter().map(|u| u.length()).fold(0.0, f64::max);
-    if !(largest > 0.0) {
+    if largest <= 0.0 {
         return Err(StabilityError::Option {
             option: "support_movements",
             given: largest,
