@@ -11,7 +11,10 @@ use super::limits::LimitsRaw;
 use super::loads::{CombinationRaw, LoadRaw, WindOrShelteredRaw};
 use super::report::ReportRaw;
 use super::site::{MotionRaw, SiteRaw};
-use super::stack::{ArchRaw, BedRaw, BlockRaw, ContactRaw, PagodaRaw, SideSupportRaw, StoneWallRaw, TieRaw};
+use super::stack::{
+    ArchRaw, BedRaw, BlockRaw, ContactRaw, PagodaRaw, SideSupportRaw, StoneWallRaw, SupportMovementRaw,
+    TieRaw,
+};
 use super::study::StudyRaw;
 use super::survey::{ChangeRaw, SurveyRaw, WatchRaw};
 use schemars::JsonSchema;
@@ -81,6 +84,8 @@ pub(super) struct FileRaw {
     pub(super) ties: Option<Vec<At<TieRaw>>>,
     /// kind = "stack": what stands beside blocks and holds them.
     pub(super) side_supports: Option<Vec<At<SideSupportRaw>>>,
+    /// kind = "stack": how far the ground moves under single blocks: supports that spread or settle.
+    pub(super) support_movement: Option<Vec<At<SupportMovementRaw>>>,
     /// kind = "building": the floors, each with the storey below it, lowest first.
     pub(super) floors: Option<At<Vec<At<FloorRaw>>>>,
     /// kind = "building": whether the weight takes part of the stiffness (P-delta); true if not given.

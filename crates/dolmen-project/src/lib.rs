@@ -80,7 +80,7 @@ pub use site::{HazardPart, HazardSource, MotionPart, MotionSize, MotionSource, P
 pub use stack::{
     ArchPart, BedPart, BlockPart, ContactPart, MadePart, MeshPart, OpeningPart, PagodaPart,
     PagodaSlendernessPart, PointsFrame, ShapePart, SideSupportPart, StackFault, StackPart, StoneWallPart,
-    SurveyedLean, TiePart, TopPart,
+    SupportMovementPart, SurveyedLean, TiePart, TopPart,
 };
 pub use study::{
     ArtificialPart, Axis, DRIFT_LIMITS, ExpectedTrend, HarmonicPart, LawPart, Override, Scan, StudyPart,

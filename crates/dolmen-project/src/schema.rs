@@ -72,6 +72,7 @@ pub(super) const KEYS_OF_KIND: &[(&str, &[&str])] = &[
             "contacts",
             "ties",
             "side_supports",
+            "support_movement",
             "as_surveyed",
         ],
     ),

@@ -4,6 +4,7 @@ use crate::chain::loads::AtRest;
 use crate::error::WorkError;
 use crate::judgement::first_sway;
 use crate::part_limit::Compared;
+use crate::stack::frequencies::all_modes;
 use crate::state::{Check, DemandAnswer, SpectralAt, TiltCheck};
 use crate::told::told;
 use crate::{building, chain, frame};
@@ -53,12 +54,12 @@ pub(crate) fn of(
         Err(why) => answer.refused = Some(told(&why)),
     }
     if let Check::Stack(stack) = check {
-        let modes = stack.frequencies.as_ref().and_then(|known| known.modes());
+        let modes = all_modes(stack);
         if stack.check.verdict == Verdict::Unstable {
             answer.refused = Some("it does not stand without shaking".to_owned());
         } else {
             let options = StackCheckOptions::default();
-            answer.stack = stack_against_site(&stack.stack, &options, &answer.site, modes)?;
+            answer.stack = stack_against_site(&stack.stack, &options, &answer.site, modes.as_deref())?;
             if answer.stack.is_none() {
                 let why = "the table gives no acceleration of the ground: begin it at T = 0, or write peak_ground_acceleration";
                 answer.refused = Some(why.to_owned());

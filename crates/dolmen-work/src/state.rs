@@ -155,7 +155,7 @@ pub struct StackAnswer {
 pub enum StackFrequencies {
     /// They are known.
     Known {
-        /// All of them, lowest first; [`MODES_SHOWN`] are shown.
+        /// Lowest first, of few stones all; [`MODES_SHOWN`] are shown.
         modes: Vec<StackMode>,
         /// Which of all its modes is the first of swaying along x and along y, and its frequency, Hz.
         sways: [Option<(usize, f64)>; 2],
@@ -180,7 +180,7 @@ impl StackFrequencies {
         }
     }
 
-    /// All modes, lowest first.
+    /// The modes found, lowest first.
     pub fn modes(&self) -> Option<&[StackMode]> {
         match self {
             StackFrequencies::Known { modes, .. } => Some(modes),

@@ -358,6 +358,34 @@ fn refuses_a_tie_or_side_support_nowhere_near_what_it_holds() {
 }
 
 #[test]
+fn holds_an_arch_that_does_not_stand_its_movement_is_unstable() {
+    let arch = |movement: &str| {
+        format!(
+            "schema = 1\nkind = \"stack\"\nname = \"Arch\"\ndensity = 2600\njoint = {{ friction = 0.8 }}\n\
+             arch = {{ span = 1.85, thickness = 0.15, depth = 0.5, voussoirs = 10 }}\n\
+             support_movement = [{{ on = \"voussoir 10\", {movement} }}]\n"
+        )
+    };
+    // it falls at 109.2 mm
+    for (movement, status, said) in [
+        ("x = \"20 mm\"", 0, "It stands under that, and up to 5.4"),
+        ("x = \"80 mm\"", 0, "VERDICT Own weight: marginal"),
+        ("x = \"120 mm\"", 1, "beyond 0.910 of it"),
+    ] {
+        let answer = check("spreading", &arch(movement), "");
+        let printed = answer.stdout.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert_eq!(answer.status, status, "{movement}: {printed}{}", answer.stderr);
+        assert!(printed.contains(said), "{movement}: {printed}");
+    }
+    let answer = check(
+        "spreading-refused",
+        &arch("x = \"1 mm\"").replace("voussoir 10\"", "keystone\""),
+        "",
+    );
+    assert_eq!(answer.status, 2, "{}", answer.stdout);
+}
+
+#[test]
 fn holds_a_study_whose_least_size_fells_says_so() {
     let scratch = Scratch::with_examples("least-fells");
     let study = "[study.s]\nlaw = \"rigid\"\nmotions = [\"el-centro-1940-ns\"]\npeak = [\"3 g\", \"4 g\"]\n";

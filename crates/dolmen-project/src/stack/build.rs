@@ -10,7 +10,7 @@ use super::vectors::{centroid, unit_normal};
 use crate::quantity::{Pick, Quantity};
 use dolmen::structure::stack::{
     BED_GAP_M, Block, Body, Joint, JointMaterial, Pagoda, PagodaFactors, PagodaSlenderness, Placement,
-    SideSupport, Solid, Stack, StackError, Tie, pagoda,
+    SideSupport, Solid, Stack, StackError, SupportMovement, Tie, pagoda,
 };
 
 /// Least rise of the normal of a face that can be stood on, as cosine: 45°. Chosen here; what leans more is a side.
@@ -393,6 +393,19 @@ impl StackPart {
             };
             stack = stack
                 .with_side_support(support)
+                .map_err(|why| StackFault::part(path, why))?;
+        }
+        for (i, part) in self.support_movement.iter().enumerate() {
+            let path = format!("support_movement[{}]", i + 1);
+            let movement = SupportMovement {
+                block: part.block,
+                movement_m: part
+                    .movement
+                    .each_ref()
+                    .map(|part| part.as_ref().map_or(0.0, &mut *pick)),
+            };
+            stack = stack
+                .with_support_movement(movement)
                 .map_err(|why| StackFault::part(path, why))?;
         }
         Ok(stack)

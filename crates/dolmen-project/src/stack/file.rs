@@ -251,6 +251,21 @@ pub(crate) struct TieRaw {
     pub(super) shear_strength: Option<At<QuantityRaw>>,
 }
 
+/// The ground under a block that moves.
+#[derive(Debug, serde::Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct SupportMovementRaw {
+    /// The block, which stands on the ground; the stack stands as drawn before the ground below it moves.
+    #[schemars(required)]
+    pub(super) on: Option<At<String>>,
+    /// How far the ground moves along x; 0 if not given.
+    pub(super) x: Option<At<QuantityRaw>>,
+    /// Along y; 0 if not given.
+    pub(super) y: Option<At<QuantityRaw>>,
+    /// Upwards, a settlement is negative; 0 if not given.
+    pub(super) z: Option<At<QuantityRaw>>,
+}
+
 /// Something beside a block that it meets after a gap.
 #[derive(Debug, serde::Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]

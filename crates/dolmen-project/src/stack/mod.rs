@@ -20,13 +20,14 @@ mod vectors;
 pub(crate) use doubts::doubt_stack;
 pub use fault::StackFault;
 pub(crate) use file::{
-    ArchRaw, BedRaw, BlockRaw, ContactRaw, PagodaRaw, SideSupportRaw, StoneWallRaw, TieRaw,
+    ArchRaw, BedRaw, BlockRaw, ContactRaw, PagodaRaw, SideSupportRaw, StoneWallRaw, SupportMovementRaw,
+    TieRaw,
 };
 pub(crate) use lean::lean;
 pub use part::{
     ArchPart, BedPart, BlockPart, ContactPart, MadePart, MeshPart, OpeningPart, PagodaPart,
-    PagodaSlendernessPart, PointsFrame, ShapePart, SideSupportPart, StackPart, StoneWallPart, TiePart,
-    TopPart,
+    PagodaSlendernessPart, PointsFrame, ShapePart, SideSupportPart, StackPart, StoneWallPart,
+    SupportMovementPart, TiePart, TopPart,
 };
 pub(crate) use read::stack;
 pub(crate) use slips::judge_stack;

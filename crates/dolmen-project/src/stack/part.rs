@@ -262,6 +262,15 @@ pub struct SideSupportPart {
     pub stiffness: Quantity,
 }
 
+/// How far the ground under a block moves, as the file gives it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SupportMovementPart {
+    /// The block, by its index.
+    pub block: usize,
+    /// Along x, y and upwards, m; `None`: 0.
+    pub movement: [Option<Quantity>; 3],
+}
+
 /// Whether the file says of a value that it was measured or tested.
 fn is_measured(value: &Quantity) -> bool {
     matches!(value.source, Some(Evidence::Measured | Evidence::Test))
@@ -286,6 +295,8 @@ pub struct StackPart {
     pub ties: Vec<TiePart>,
     /// What stands beside blocks.
     pub side_supports: Vec<SideSupportPart>,
+    /// Supports that spread or settle.
+    pub support_movement: Vec<SupportMovementPart>,
     /// How it leans as surveyed; `None` if upright, or if blocks carry their own tilt.
     pub lean: Option<SurveyedLean>,
     /// Acceleration of gravity, m/s².
@@ -438,6 +449,9 @@ impl StackPart {
             all.extend(&support.position);
             all.extend(&support.gap);
             all.push(&support.stiffness);
+        }
+        for support in &self.support_movement {
+            all.extend(support.movement.iter().flatten());
         }
     }
 }

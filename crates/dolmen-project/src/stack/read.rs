@@ -3,10 +3,12 @@
 use super::bed::bed;
 use super::block::block;
 use super::body::{block_index, body, names};
-use super::file::{BlockRaw, ContactRaw, SideSupportRaw, TieRaw};
+use super::file::{BlockRaw, ContactRaw, SideSupportRaw, SupportMovementRaw, TieRaw};
 use super::made::{arch_part, wall_part};
 use super::pagoda::pagoda;
-use super::part::{BedPart, BlockPart, ContactPart, MadePart, SideSupportPart, StackPart, TiePart};
+use super::part::{
+    BedPart, BlockPart, ContactPart, MadePart, SideSupportPart, StackPart, SupportMovementPart, TiePart,
+};
 use crate::content::WarningKind;
 use crate::error::Fault;
 use crate::file::FileRaw;
@@ -103,6 +105,12 @@ pub(crate) fn stack(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) -> Op
         "side_supports",
         |reader, raw, path| side_support(reader, raw, path, &names),
     );
+    let support_movement = listed(
+        reader,
+        raw.support_movement.as_deref(),
+        "support_movement",
+        |reader, raw, path| support_movement(reader, raw, path, &names),
+    );
     let stack = StackPart {
         blocks: blocks.into_iter().collect::<Option<_>>()?,
         pagoda: pagoda_part,
@@ -112,6 +120,7 @@ pub(crate) fn stack(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) -> Op
         contacts: contacts?,
         ties: ties?,
         side_supports: side_supports?,
+        support_movement: support_movement?,
         lean: None,
         gravity_m_s2,
     };
@@ -255,6 +264,40 @@ fn side_support(
         direction: direction?,
         gap,
         stiffness: stiffness?,
+    })
+}
+
+fn support_movement(
+    reader: &mut Reader,
+    raw: &At<SupportMovementRaw>,
+    path: &str,
+    names: &[String],
+) -> Option<SupportMovementPart> {
+    let given = &raw.value;
+    let block = block_index(reader, given.on.as_ref(), &format!("{path}.on"), names);
+    let before = reader.faults.len();
+    let parts = [(&given.x, "x"), (&given.y, "y"), (&given.z, "z")];
+    let movement = parts.map(|(part, key)| {
+        reader.quantity(
+            part.as_ref(),
+            &format!("{path}.{key}"),
+            Measure::Length,
+            Bound::Any,
+        )
+    });
+    (reader.faults.len() == before).then_some(())?;
+    let moves = movement.iter().flatten().any(|part| part.value != 0.0);
+    if !moves {
+        let message = WrongStack::SupportStaysWhereItIs {
+            path: path.to_string(),
+        };
+        let fault = Fault::new(raw.span.clone(), path, message);
+        reader.fault(fault.help(WrongStack::WriteHowFarGroundMoves));
+        return None;
+    }
+    Some(SupportMovementPart {
+        block: block?,
+        movement,
     })
 }
 

@@ -91,6 +91,14 @@ messages! {
             en: "{path}: '{name}' stands, over the blocks below it, on itself",
             ko: "{path}: '{name}'이(가) 아래 부재들을 거쳐 자기 자신 위에 놓인다",
         },
+        SupportStaysWhereItIs { path: String } => {
+            en: "{path} moves nothing: x, y and z are 0 or not given",
+            ko: "{path}에 변위가 없다: x, y, z가 모두 0이거나 주어지지 않았다",
+        },
+        WriteHowFarGroundMoves => {
+            en: "write how far the ground below the block moves, such as x = \"30 mm\" outwards or z = \"-10 mm\" down",
+            ko: "부재 아래 지반이 움직이는 거리를 쓴다. 예: 바깥쪽으로 x = \"30 mm\", 아래로 z = \"-10 mm\"",
+        },
         LetOneOfThem => { en: "let one of them stand on \"ground\"", ko: "그중 하나를 \"ground\" 위에 놓는다" },
         NorHaveMoreBlocks { others: String } => {
             en: ", nor have {others} more blocks",

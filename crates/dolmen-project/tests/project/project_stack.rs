@@ -155,6 +155,26 @@ fn holds_ties_and_side_supports_are_read() {
 }
 
 #[test]
+fn holds_movements_of_supports_are_read_and_refused_by_name() {
+    let moved = |movement: &str| STACK.to_owned() + "support_movement = [" + movement + "]\n";
+    let text = moved("{ on = \"base\", x = \"30 mm\", z = \"-10 mm\" }");
+    let movement = built(&text).support_movements()[0];
+    assert_eq!((movement.block, movement.movement_m), (0, [0.03, 0.0, -0.01]));
+    let project = parse_project(&text, "project.toml").unwrap();
+    let mut paths = project.inputs().into_iter().map(|input| input.path.as_str());
+    assert!(paths.any(|path| path == "support_movement[1].z"));
+    let still = refused(&moved("{ on = \"base\", x = 0 }"));
+    assert!(still.contains("support_movement[1] moves nothing"), "{still}");
+    let unknown = refused(&moved("{ on = \"bose\", x = \"1 mm\" }"));
+    assert!(
+        unknown.contains("bose") && unknown.contains("did you mean"),
+        "{unknown}"
+    );
+    let above = refused(&moved("{ on = \"roof\", x = \"1 mm\" }"));
+    assert!(above.contains("'roof', which does not stand on it"), "{above}");
+}
+
+#[test]
 fn holds_every_number_of_a_stack_is_an_input_and_can_be_picked() {
     let text = stack_with(&[
         (

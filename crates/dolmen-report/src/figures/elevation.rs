@@ -227,7 +227,7 @@ pub(super) fn times(value: f64, drawn: f64) -> f64 {
 }
 
 /// Convex hull of points of the plane, counter-clockwise (Andrew 1979).
-fn hull(mut points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
+pub(super) fn hull(mut points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
     points.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
     points.dedup();
     let turns_left = |a: [f64; 2], b: [f64; 2], c: [f64; 2]| {

@@ -24,6 +24,7 @@ mod likeness;
 mod lines;
 mod modal;
 mod motion;
+mod moved_supports;
 mod moving_shapes;
 mod plan_modes;
 mod plot;
@@ -69,6 +70,7 @@ pub(crate) use joint_factors::joint_factors;
 pub use likeness::likeness;
 pub use modal::{sensor_shapes, singular_values, stabilization};
 pub use motion::motion_figures;
+pub(crate) use moved_supports::moved_supports;
 pub use moving_shapes::moving_shapes;
 pub(crate) use plan_modes::plan_modes;
 pub use rank::ranking;
@@ -86,8 +88,9 @@ pub(crate) use words::TEMPLATES;
 pub use years::years;
 
 /// The words of single figures as they are written.
-pub(crate) const OF_SINGLE_FIGURES: [&[Template]; 3] = [
+pub(crate) const OF_SINGLE_FIGURES: [&[Template]; 4] = [
     damage_map::Mapped::TEMPLATES,
     drawing::Drawn::TEMPLATES,
+    moved_supports::Shown::TEMPLATES,
     years::Panels::TEMPLATES,
 ];

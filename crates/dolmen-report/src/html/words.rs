@@ -204,12 +204,15 @@ fn stack_words(path: &str, language: Language) -> Option<String> {
             "centre" => format!("{} {}", language.pick("centre", "중심"), axis(number)?),
             "place" => format!("{} {}", language.pick("place", "위치"), axis(number)?),
             "side_supports" => format!("{} {number}", language.pick("side support", "측면 지지")),
+            "support_movement" => {
+                format!("{} {number}", language.pick("support movement", "지점 변위"))
+            }
             "pagoda" => language.pick("pagoda:", "석탑").to_owned(),
             "arch" => language.pick("arch:", "아치").to_owned(),
             "wall" => language.pick("wall:", "벽체").to_owned(),
             "joint" => language.pick("joint", "접합면").to_owned(),
             "tilt" => language.pick("tilt", "기울기").to_owned(),
-            "x" | "y" => name.to_owned(),
+            "x" | "y" | "z" => name.to_owned(),
             "position" => format!("{} {}", language.pick("position", "위치"), axis(number)?),
             "at" => format!("{} {}", language.pick("place", "위치"), axis(number)?),
             "offset" => format!("{} {}", language.pick("offset", "편심"), axis(number)?),

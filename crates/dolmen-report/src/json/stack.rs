@@ -1,8 +1,8 @@
 //! The check of a stack, as JSON.
 
 use dolmen::assess::SettleRun;
-use dolmen::stability::stack::CutLimits;
-use dolmen::structure::stack::{Body, Stack};
+use dolmen::stability::stack::{CutLimits, MovedStack, MovedSupports, MovementEnding};
+use dolmen::structure::stack::{Body, Solid, Stack};
 use dolmen_project::SurveyedLean;
 use dolmen_work::state::{MODES_SHOWN, StackAnswer, StackFrequencies};
 use serde_json::{Value, json};
@@ -27,6 +27,7 @@ pub(super) fn stack(answer: &StackAnswer) -> Value {
         "gravity_margin": limits.gravity_margin,
         "verdict": check.verdict,
         "settle_run": check.settle_run.as_ref().map(settle_run),
+        "supports": check.supports.as_ref().map(|supports| self::supports(stack, supports)),
         "capacity": check.capacity,
         "frequencies": answer.frequencies.as_ref().map(frequencies),
         "period_of_thumb_s": check.period_of_thumb.period_s,
@@ -64,6 +65,39 @@ fn settle_run(of: &SettleRun) -> Value {
             json!({ "kind": "too_many", "stones": stones, "stones_most": SettleRun::STONES_MOST })
         }
     }
+}
+
+/// What becomes of it while its supports move.
+fn supports(stack: &Stack, supports: &MovedSupports) -> Value {
+    let (kind, falls_by_factor) = match supports.ending {
+        MovementEnding::Falls { by_factor } => ("falls", Some(by_factor)),
+        MovementEnding::Stands => ("stands", None),
+        MovementEnding::NotFollowed => ("not_followed", None),
+    };
+    let state = |moved: &MovedStack| {
+        json!({
+            "factor": moved.factor,
+            "reactions": moved.reactions.iter().map(|reaction| json!({
+                "under": stack.name(Body::Block(reaction.block)), "force_n": reaction.force_n,
+            })).collect::<Vec<_>>(),
+            "mechanism": moved.mechanism,
+            "slip_m": moved.slip_m,
+            "corners_m": moved.solids.iter().map(Solid::vertices_m).collect::<Vec<_>>(),
+        })
+    };
+    json!({
+        "movements": stack.support_movements().iter().map(|movement| json!({
+            "under": stack.name(Body::Block(movement.block)), "movement_m": movement.movement_m,
+        })).collect::<Vec<_>>(),
+        "ending": kind,
+        "stands_to_factor": supports.last.factor,
+        "falls_by_factor": falls_by_factor,
+        "small": state(&supports.small),
+        "given": supports.given.as_ref().map(state),
+        "last": state(&supports.last),
+        "residual": supports.residual,
+        "steps": supports.steps,
+    })
 }
 
 fn frequencies(frequencies: &StackFrequencies) -> Value {

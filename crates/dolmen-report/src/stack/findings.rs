@@ -3,6 +3,7 @@
 use super::lean::lean;
 use super::mechanism::moving;
 use super::notes::note;
+use super::supports;
 use super::verdict::banner;
 use super::words::{at, direction, first_with_ties, joint_moves, moves_together};
 use crate::document::{Finding, Tone};
@@ -36,7 +37,17 @@ messages! {
 /// The findings, the most important first.
 pub(crate) fn findings(answer: &StackAnswer) -> Vec<Finding> {
     let check = &answer.check;
-    let mut all = vec![Finding::key(Tone::of(check.verdict), banner(answer))];
+    let mut all = Vec::new();
+    let (decided, others): (Vec<Finding>, Vec<Finding>) = supports::findings(answer)
+        .into_iter()
+        .partition(|_| supports::decide(check));
+    let own = match supports::decide(check) {
+        true => Tone::Plain,
+        false => Tone::of(check.verdict),
+    };
+    all.extend(decided);
+    all.push(Finding::key(own, banner(answer)));
+    all.extend(others);
     match (&check.limits.governing, moves_together(check)) {
         (Some(first), None) => {
             let (moves, at) = (joint_moves(&check.limits, first), at(&first.threshold));

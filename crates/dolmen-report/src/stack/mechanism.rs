@@ -45,12 +45,17 @@ messages! {
 
 /// Which joints open and which slide; no full stop. `None` without a mechanism.
 pub(super) fn moving(answer: &StackAnswer) -> Option<Sentence> {
-    let mechanism = mechanism(answer)?;
+    joints_moving(&answer.stack, mechanism(answer))
+}
+
+/// The same of a mechanism.
+pub(super) fn joints_moving(stack: &Stack, mechanism: Option<&Mechanism>) -> Option<Sentence> {
+    let mechanism = mechanism?;
     let of = |motions: &[JointMotion]| {
         let joints = mechanism.joints.iter();
         let names: Vec<Sentence> = joints
             .filter(|moving| motions.contains(&moving.motion))
-            .map(|moving| between(&answer.stack, moving))
+            .map(|moving| between(stack, moving))
             .collect();
         let named = listed(names.get(..NAMED_MOST).unwrap_or(&names));
         match names.len() {
@@ -93,19 +98,26 @@ pub(super) fn section(document: &mut Document<'_>, answer: &StackAnswer) {
     };
     document.put(Block::Table(Table {
         caption: vec![Moving::Caption.into(), meaning.into()],
-        columns: vec![
-            Column::words(Moving::Joint),
-            Column::words(Moving::Motion),
-            Column::numbers(Moving::ClosedX, Unit::si("m")),
-            Column::numbers(Moving::ClosedY, Unit::si("m")),
-            Column::numbers(Moving::ClosedZ, Unit::si("m")),
-        ],
-        rows: found
-            .joints
-            .iter()
-            .map(|moving| row(&answer.stack, moving))
-            .collect(),
+        columns: moving_columns(),
+        rows: joint_rows(&answer.stack, found),
     }));
+}
+
+/// The columns of a table of joints that move.
+pub(super) fn moving_columns() -> Vec<Column> {
+    vec![
+        Column::words(Moving::Joint),
+        Column::words(Moving::Motion),
+        Column::numbers(Moving::ClosedX, Unit::si("m")),
+        Column::numbers(Moving::ClosedY, Unit::si("m")),
+        Column::numbers(Moving::ClosedZ, Unit::si("m")),
+    ]
+}
+
+/// Its rows.
+pub(super) fn joint_rows(stack: &Stack, mechanism: &Mechanism) -> Vec<Vec<Cell>> {
+    let joints = mechanism.joints.iter();
+    joints.map(|moving| row(stack, moving)).collect()
 }
 
 fn row(stack: &Stack, moving: &MovingJoint) -> Vec<Cell> {

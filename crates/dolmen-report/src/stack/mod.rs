@@ -7,6 +7,7 @@ mod limits;
 mod mechanism;
 mod notes;
 mod standing;
+mod supports;
 mod variants;
 mod verdict;
 mod words;
@@ -57,7 +58,7 @@ messages! {
 }
 
 /// The sentences on stacks as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 11] = [
+pub(crate) const TEMPLATES: [&[Template]; 12] = [
     verdict::Judged::TEMPLATES,
     findings::Found::TEMPLATES,
     lean::Leaning::TEMPLATES,
@@ -67,6 +68,7 @@ pub(crate) const TEMPLATES: [&[Template]; 11] = [
     Drawn::TEMPLATES,
     limits::Limits::TEMPLATES,
     mechanism::Moving::TEMPLATES,
+    supports::Supports::TEMPLATES,
     frequencies::Frequencies::TEMPLATES,
     variants::Variants::TEMPLATES,
 ];
@@ -103,6 +105,7 @@ pub(crate) fn sections<'a>(answer: &'a StackAnswer, fits: &[SpringFit], shaking:
     });
     document.charted(capacity.with_series(|| limits::series(check)));
     directions(&mut document, answer, shaking);
+    supports::section(&mut document, answer);
     frequencies::section(&mut document, answer, fits);
     document
 }

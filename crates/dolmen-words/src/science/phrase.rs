@@ -462,6 +462,11 @@ const PHRASES: &[(&str, &str)] = &[
     ("position_m of a tie", "타이의 position_m"),
     ("direction of a side support", "옆 지지의 방향"),
     ("position_m of a side support", "옆 지지의 position_m"),
+    ("movement_m of a support", "지점 변위의 movement_m"),
+    (
+        "a positive number: the length of the movement",
+        "양수(변위의 길이)",
+    ),
     ("position_m of a force", "힘의 position_m"),
     ("pressure_pa of the wind", "바람의 pressure_pa"),
     ("direction of the wind", "바람의 방향"),

@@ -5,7 +5,9 @@ use crate::judgement::lowest_measured;
 use crate::state::{SpringFit, StackAnswer, StackFrequencies};
 use crate::told::told;
 use dolmen::assess::StackCheck;
-use dolmen::blocks::{ContactRule, calibrate_springs, first_sway, stack_modes};
+use dolmen::blocks::{
+    ContactRule, StackMode, calibrate_springs, first_sway, lowest_stack_modes, stack_modes,
+};
 use dolmen::stability::Verdict;
 use dolmen::structure::stack::Stack;
 use dolmen_project::Survey;
@@ -13,19 +15,36 @@ use dolmen_project::Survey;
 /// How a joint is made of springs: exact for small motion of faces that stay closed.
 const RULE: ContactRule = ContactRule::Four;
 
+/// Modes that are found at least, of many stones: more than are shown, and of a tower the first that sway either way. Chosen here.
+const MODES_LEAST: usize = 24;
+
 /// Frequencies of a stack that stands.
 pub(crate) fn of(stack: &Stack, check: &StackCheck) -> Option<StackFrequencies> {
     if check.verdict == Verdict::Unstable {
         return None;
     }
-    Some(match stack_modes(stack, RULE) {
-        Ok(modes) => {
-            let sways =
-                [0, 1].map(|axis| first_sway(&modes, axis).map(|mode| (mode, modes[mode].frequency_hz)));
-            StackFrequencies::Known { modes, sways }
+    let mut count = MODES_LEAST;
+    loop {
+        let modes = match lowest_stack_modes(stack, RULE, count) {
+            Ok(modes) => modes,
+            Err(why) => return Some(StackFrequencies::Refused(told(&why))),
+        };
+        let sways = [0, 1].map(|axis| first_sway(&modes, axis).map(|mode| (mode, modes[mode].frequency_hz)));
+        let has_all = modes.len() == 6 * stack.blocks().len();
+        if has_all || sways.iter().all(Option::is_some) {
+            return Some(StackFrequencies::Known { modes, sways });
         }
-        Err(why) => StackFrequencies::Refused(told(&why)),
-    })
+        count *= 4;
+    }
+}
+
+/// All modes of a stack, of which a check finds the lowest alone where there are many; `None` if it knows them not.
+pub(crate) fn all_modes(answer: &StackAnswer) -> Option<Vec<StackMode>> {
+    let known = answer.frequencies.as_ref()?.modes()?;
+    match known.len() == 6 * answer.stack.blocks().len() {
+        true => Some(known.to_vec()),
+        false => stack_modes(&answer.stack, RULE).ok(),
+    }
 }
 
 /// Survey by survey the factor on the springs with which the first modes along x and y have the frequencies measured.

@@ -1,6 +1,6 @@
 //! A run under its own weight of a stack that friction carries: forces that balance are necessary, that it stays is seen.
 
-use super::stack::{StackCheck, by_margins};
+use super::stack::{StackCheck, by_margins, with_movement};
 use super::stack_notes::{SettleRun, StackNote};
 use crate::blocks::{Outcome, Springs, simulate_springs};
 use crate::stability::Verdict;
@@ -42,7 +42,7 @@ pub fn with_settle_run(stack: &Stack, check: StackCheck) -> StackCheck {
     };
     let mut check = check;
     check.notes[carries] = note;
-    check.verdict = verdict;
+    check.verdict = with_movement(verdict, check.supports.as_ref());
     check.settle_run = Some(found);
     check
 }

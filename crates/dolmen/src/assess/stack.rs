@@ -4,9 +4,10 @@ use super::AssessError;
 use super::stack_notes::{SettleRun, StackNote};
 use crate::stability::Verdict;
 use crate::stability::stack::{
-    DemandComparison, Holding, LimitAnalysis, LimitAnalysisResult, LimitAnalysisStatus, PeriodOfThumb,
-    RockingBlock, Shaking, StackDemand, StackLimitStates, StackLimits, StackLoads, Threshold,
-    compare_with_demand, limit_analysis, period_of_thumb, rocking_blocks, stack_limits,
+    DemandComparison, Holding, LimitAnalysis, LimitAnalysisResult, LimitAnalysisStatus, MovedSupports,
+    MovementEnding, PeriodOfThumb, RockingBlock, Shaking, StackDemand, StackLimitStates, StackLimits,
+    StackLoads, SupportMovementOptions, Threshold, compare_with_demand, follow_support_movement,
+    limit_analysis, period_of_thumb, rocking_blocks, stack_limits,
 };
 use crate::structure::stack::Stack;
 
@@ -37,6 +38,8 @@ pub struct StackCheck {
     pub period_of_thumb: PeriodOfThumb,
     /// Against the demand, if there is one.
     pub demand: Option<DemandComparison>,
+    /// What becomes of it while its supports move, if they do and it stands before.
+    pub supports: Option<MovedSupports>,
     /// The run under its own weight, where friction carries and one was asked for: [`with_settle_run`](super::with_settle_run).
     pub settle_run: Option<SettleRun>,
     /// What to know of these numbers.
@@ -83,6 +86,7 @@ pub fn check_stack(stack: &Stack, options: &StackCheckOptions) -> Result<StackCh
         rocking: None,
         period_of_thumb: period_of_thumb(stack.height_m())?,
         demand: None,
+        supports: None,
         settle_run: None,
         notes: Vec::new(),
         limits,
@@ -91,6 +95,14 @@ pub fn check_stack(stack: &Stack, options: &StackCheckOptions) -> Result<StackCh
     note_kinetic_friction(stack, options, &mut check)?;
     if check.limits.standing.stands() {
         analyse(stack, options, &mut check)?;
+    }
+    if check.verdict != Verdict::Unstable && !stack.support_movements().is_empty() {
+        let following = SupportMovementOptions {
+            loads: options.limits.loads.clone(),
+            ..SupportMovementOptions::default()
+        };
+        check.supports = Some(follow_support_movement(stack, &following)?);
+        check.verdict = with_movement(check.verdict, check.supports.as_ref());
     }
     if let (Some(capacity), Some(uplift)) = (check.capacity, check.limits.uplift) {
         let slides = check
@@ -230,6 +242,23 @@ fn analyse(stack: &Stack, options: &StackCheckOptions, check: &mut StackCheck) -
         false => by_margins,
     };
     Ok(())
+}
+
+/// A verdict, with what supports that move make of it.
+pub(super) fn with_movement(verdict: Verdict, supports: Option<&MovedSupports>) -> Verdict {
+    let Some(supports) = supports else { return verdict };
+    let at_least = |other: Verdict| match verdict {
+        Verdict::Unstable => Verdict::Unstable,
+        verdict => verdict.max(other),
+    };
+    match (supports.ending, &supports.given) {
+        (MovementEnding::Falls { .. }, None) => Verdict::Unstable,
+        (_, None) => at_least(Verdict::Unknown),
+        (MovementEnding::Falls { .. }, Some(_)) if supports.last.factor < MovedSupports::MARGINAL_BELOW => {
+            at_least(Verdict::Marginal)
+        }
+        _ => verdict,
+    }
 }
 
 /// The verdict of a stack that stands, by its joints and by how little moves it.

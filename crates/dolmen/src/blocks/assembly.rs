@@ -11,7 +11,8 @@ use super::hulls::{Hull, Side, separation};
 use super::links::{Link, Prop};
 use super::outline::{Outline, take_over};
 use super::patch::{Law, Motion, Patch, Stored, Wrench};
-use crate::structure::stack::{JointMaterial, Stack};
+use crate::structure::stack::{Joint, JointMaterial, Stack};
+use std::collections::BTreeMap;
 
 /// Shift of a face on its bed after which the patch is clipped again, in parts of the smaller body's radius. Chosen here:
 /// the edge about which a block rocks is as exact.
@@ -78,43 +79,71 @@ pub(super) struct Assembly {
     looked: Vec<usize>,
     /// Energy that clipping again took from the springs, J.
     clip_loss: f64,
+    /// Whether every pair of bodies is looked at, or those alone that touch as drawn.
+    watches_all: bool,
 }
 
 impl Assembly {
     /// The stack as drawn.
     pub(super) fn of(stack: &Stack, rule: ContactRule) -> Self {
+        let count = stack.blocks().len();
+        let all = (1..=count).flat_map(|second| (0..second).map(move |first| (first, second)));
+        Assembly::with_pairs(stack, rule, all, true)
+    }
+
+    /// The stack as drawn, with what touches there alone: for small motion.
+    pub(super) fn of_joints(stack: &Stack, rule: ContactRule) -> Self {
+        let mut ends: Vec<(usize, usize)> = stack.joints().iter().map(ends_of).collect();
+        ends.sort_by_key(|&(first, second)| (second, first));
+        ends.dedup();
+        Assembly::with_pairs(stack, rule, ends.into_iter(), false)
+    }
+
+    /// From now on with all pairs of stones, as drawn again, if it had those that touch alone.
+    pub(super) fn watch_all(&mut self, stack: &Stack) {
+        if !self.watches_all {
+            *self = Assembly::of(stack, self.rule);
+        }
+    }
+
+    fn with_pairs(
+        stack: &Stack,
+        rule: ContactRule,
+        each: impl Iterator<Item = (usize, usize)>,
+        watches_all: bool,
+    ) -> Self {
         let bodies = bodies_of(stack);
         let hulls: Vec<Option<Hull>> = std::iter::once(None)
             .chain(stack.blocks().iter().map(|block| Some(Hull::of(&block.solid))))
             .collect();
+        let mut joints: BTreeMap<(usize, usize), &Joint> = BTreeMap::new();
+        let mut below: Vec<Option<&Joint>> = vec![None; bodies.len()];
+        for joint in stack.joints() {
+            joints.entry(ends_of(joint)).or_insert(joint);
+            below[joint.upper + 1].get_or_insert(joint);
+        }
         let mut pairs = Vec::new();
-        for second in 1..bodies.len() {
-            for first in 0..second {
-                let of_pair = stack.joints().iter().find(|joint| {
-                    let ends = (index_of(joint.lower), joint.upper + 1);
-                    ends == (first, second) || ends == (second, first)
-                });
-                let carried = || stack.joints().iter().find(|joint| joint.upper + 1 == second);
-                let mut material = of_pair
-                    .or_else(carried)
-                    .map_or_else(JointMaterial::default, |j| j.material);
-                if of_pair.is_none() {
-                    (material.cohesion_pa, material.tension_pa) = (0.0, 0.0); // nothing bonds what meets by accident
-                }
-                let contact = of_pair.and_then(|joint| {
-                    let side = |index: usize| side(&hulls, &bodies, index);
-                    patch_of_joint(joint, side(index_of(joint.lower)), side(joint.upper + 1), rule)
-                });
-                let (a, b) = (bodies[first].radius, bodies[second].radius);
-                pairs.push(Pair {
-                    first,
-                    second,
-                    material,
-                    size: if first == 0 { b } else { a.min(b) },
-                    slack: if contact.is_some() { f64::INFINITY } else { 0.0 },
-                    contact,
-                });
+        for (first, second) in each {
+            let of_pair = joints.get(&(first, second)).copied();
+            let mut material = of_pair
+                .or(below[second])
+                .map_or_else(JointMaterial::default, |joint| joint.material);
+            if of_pair.is_none() {
+                (material.cohesion_pa, material.tension_pa) = (0.0, 0.0); // nothing bonds what meets by accident
             }
+            let contact = of_pair.and_then(|joint| {
+                let side = |index: usize| side(&hulls, &bodies, index);
+                patch_of_joint(joint, side(index_of(joint.lower)), side(joint.upper + 1), rule)
+            });
+            let (a, b) = (bodies[first].radius, bodies[second].radius);
+            pairs.push(Pair {
+                first,
+                second,
+                material,
+                size: if first == 0 { b } else { a.min(b) },
+                slack: if contact.is_some() { f64::INFINITY } else { 0.0 },
+                contact,
+            });
         }
         let mut assembly = Assembly {
             links: stack.ties().iter().map(Link::of).collect(),
@@ -130,6 +159,7 @@ impl Assembly {
             stale: Vec::new(),
             looked: Vec::new(),
             clip_loss: 0.0,
+            watches_all,
         };
         assembly.list_active();
         assembly
@@ -399,6 +429,12 @@ impl Assembly {
         };
         self.pairs.iter().map(of_pair).fold(0.0, f64::max)
     }
+}
+
+/// The bodies of a joint, the lower index first.
+fn ends_of(joint: &Joint) -> (usize, usize) {
+    let (lower, upper) = (index_of(joint.lower), joint.upper + 1);
+    (lower.min(upper), lower.max(upper))
 }
 
 fn side<'a>(hulls: &'a [Option<Hull>], bodies: &'a [RigidBody], index: usize) -> Side<'a> {

@@ -98,6 +98,20 @@ impl BlockSkyline {
         true
     }
 
+    /// Adds to every entry of the diagonal this part of itself, and the least number that is not 0.
+    pub(super) fn stiffen(&mut self, part: f64) {
+        for block in &mut self.diagonal {
+            for (i, row) in block.iter_mut().enumerate() {
+                row[i] += f64::MIN_POSITIVE + part * row[i];
+            }
+        }
+    }
+
+    /// Whether the symmetric matrix of these factors is positive definite: all blocks left on the diagonal are.
+    pub(super) fn is_positive_definite(&self) -> bool {
+        self.diagonal.iter().all(is_positive_definite)
+    }
+
     /// Solves with the factors, in place.
     pub(super) fn solve(&self, right: &mut [[f64; SIX]]) {
         let rows = self.first.len();
@@ -124,6 +138,23 @@ impl BlockSkyline {
             }
         }
     }
+}
+
+/// Whether a symmetric block is positive definite, by the pivots of Cholesky.
+fn is_positive_definite(block: &Block) -> bool {
+    let mut lower = [[0.0_f64; SIX]; SIX];
+    for i in 0..SIX {
+        for j in 0..=i {
+            let own = 0.5 * (block[i][j] + block[j][i]);
+            let left = (0..j).fold(own, |left, k| left - lower[i][k] * lower[j][k]);
+            lower[i][j] = match i == j {
+                true if left > 0.0 => left.sqrt(),
+                true => return false,
+                false => left / lower[j][j],
+            };
+        }
+    }
+    true
 }
 
 /// C −= A B.
@@ -251,6 +282,26 @@ mod tests {
             for (found, exact) in right.iter().flatten().zip(exact.column(0)) {
                 assert!((found - exact).abs() < 1e-12, "{found} against {exact}");
             }
+        }
+    }
+
+    #[test]
+    fn exact_a_symmetric_matrix_is_positive_definite_until_its_least_eigenvalue_is_0() {
+        // a chain of springs of 1 held at one end by k: least pivot k / (1 + k) > 0
+        for (held, expected) in [(1e-3, true), (-1e-3, false)] {
+            let mut sky = BlockSkyline::within(vec![0, 0, 1]);
+            for row in 0..3 {
+                for part in 0..SIX {
+                    let ends = if row == 2 { 1.0 } else { 2.0 };
+                    sky.block_mut(row, row)[part][part] = if row == 0 { 1.0 + held } else { ends };
+                    if row > 0 {
+                        sky.block_mut(row, row - 1)[part][part] = -1.0;
+                        sky.block_mut(row - 1, row)[part][part] = -1.0;
+                    }
+                }
+            }
+            assert!(sky.factor());
+            assert_eq!(sky.is_positive_definite(), expected);
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::contact_points::ContactRule;
 use super::error::BlocksError;
-use super::frequencies::{StackMode, stack_modes};
+use super::frequencies::{StackMode, lowest_stack_modes, stack_modes};
 use crate::structure::stack::Stack;
 
 /// What is left to correct, as a logarithm of the factor, with which the springs are found. Chosen here: far below what is measured.
@@ -111,7 +111,7 @@ pub fn calibrate_springs(
     for _ in 0..ROUNDS {
         let next = factor * correction.exp();
         let with_next = multiplied(stack, next)?;
-        let next_modes = stack_modes(&with_next, contact_rule)?;
+        let next_modes = lowest_stack_modes(&with_next, contact_rule, modes.len())?;
         let next_correction = left(&next_modes);
         if next_correction.abs() >= correction.abs() {
             break; // joints open or close between the two: no factor does better

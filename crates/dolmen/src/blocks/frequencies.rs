@@ -3,7 +3,8 @@
 use super::assembly::Assembly;
 use super::contact_points::ContactRule;
 use super::error::BlocksError;
-use super::matrices::{Closed, Part, contact_matrix, mass_matrix};
+use super::lowest_modes::lowest;
+use super::matrices::{Closed, OUTLINE_FROM, Part, contact_matrix, mass_matrix};
 use super::rest::settle;
 use crate::structure::stack::Stack;
 use dolmen_linalg::generalized_symmetric_eigen;
@@ -86,42 +87,90 @@ pub fn sway_amplification(stack: &Stack, mode: &StackMode, axis: usize) -> f64 {
 /// # Source
 /// Kim, Koo & Hong (2018) Fig. 17 uses K_n 1e9, K_s 4e8 Pa/m, with corner contact.
 pub fn stack_modes(stack: &Stack, contact_rule: ContactRule) -> Result<Vec<StackMode>, BlocksError> {
-    let mut assembly = Assembly::of(stack, contact_rule);
+    let assembly = settled(stack, contact_rule)?;
+    all_modes(stack, &assembly)
+}
+
+/// The lowest natural modes of a stack in contact, as [`stack_modes`] gives them: at least `count` of more than 40 stones, of fewer all.
+///
+/// ```text
+/// A = Lᵀ (K + s M)⁻¹ L,  M = L Lᵀ;   its largest eigenvalues are 1/(ω² + s), by subspace iteration within the outline of K
+/// ```
+///
+/// # Errors
+/// Those of [`stack_modes`].
+///
+/// # Limits
+/// Those of [`stack_modes`]. Frequencies agree with it to 1e-9, shapes to 1e-6 of the largest displacement.
+pub fn lowest_stack_modes(
+    stack: &Stack,
+    contact_rule: ContactRule,
+    count: usize,
+) -> Result<Vec<StackMode>, BlocksError> {
+    let assembly = settled(stack, contact_rule)?;
+    let size = 6 * stack.blocks().len();
+    if assembly.bodies.len() <= OUTLINE_FROM || MANY * count > size {
+        return all_modes(stack, &assembly);
+    }
+    match lowest(&assembly, count)? {
+        Some(found) => Ok(found
+            .iter()
+            .map(|lowest| mode(stack, lowest.square, &lowest.shape))
+            .collect()),
+        None => all_modes(stack, &assembly),
+    }
+}
+
+/// More than this part of all modes are found at once. Chosen here: the full matrix then costs no more.
+const MANY: usize = 8;
+
+fn settled(stack: &Stack, contact_rule: ContactRule) -> Result<Assembly, BlocksError> {
+    let mut assembly = match stack.blocks().len() >= OUTLINE_FROM {
+        true => Assembly::of_joints(stack, contact_rule),
+        false => Assembly::of(stack, contact_rule),
+    };
     settle(&mut assembly, stack)?;
+    Ok(assembly)
+}
+
+fn all_modes(stack: &Stack, assembly: &Assembly) -> Result<Vec<StackMode>, BlocksError> {
     let eigen = generalized_symmetric_eigen(
-        &contact_matrix(&assembly, Part::Springs, Closed::Pressed),
-        &mass_matrix(&assembly),
+        &contact_matrix(assembly, Part::Springs, Closed::Pressed),
+        &mass_matrix(assembly),
     )?;
+    let values = eigen.values.iter().enumerate();
+    Ok(values
+        .map(|(at, value)| mode(stack, *value, eigen.vectors.column(at)))
+        .collect())
+}
+
+/// A mode from its ω² and its shape with φᵀ M φ = 1.
+fn mode(stack: &Stack, value: f64, column: &[f64]) -> StackMode {
     let masses: Vec<f64> = stack.blocks().iter().map(|block| block.mass_kg()).collect();
     let whole: f64 = masses.iter().sum();
-    let modes = eigen.values.iter().enumerate().map(|(mode, value)| {
-        let column = eigen.vectors.column(mode);
-        // φᵀ M φ = 1
-        let effective_mass_ratio = std::array::from_fn(|axis| {
-            let of = |(block, mass): (&[f64], &f64)| mass * block[axis];
-            let momentum: f64 = column.chunks_exact(6).zip(&masses).map(of).sum();
-            momentum * momentum / whole
-        });
-        let kinetic_energy_ratio = std::array::from_fn(|axis| {
-            let of = |(block, mass): (&[f64], &f64)| mass * block[axis] * block[axis];
-            column.chunks_exact(6).zip(&masses).map(of).sum()
-        });
-        let largest = column
-            .chunks(6)
-            .flat_map(|block| &block[..3])
-            .fold(0.0_f64, |most, v| most.max(v.abs()));
-        let scale = if largest > 0.0 { 1.0 / largest } else { 1.0 };
-        let blocks = column.chunks_exact(6);
-        StackMode {
-            frequency_hz: value.max(0.0).sqrt() / std::f64::consts::TAU,
-            effective_mass_ratio,
-            kinetic_energy_ratio,
-            shape: blocks
-                .map(|block| std::array::from_fn(|i| block[i] * scale))
-                .collect(),
-        }
+    let effective_mass_ratio = std::array::from_fn(|axis| {
+        let of = |(block, mass): (&[f64], &f64)| mass * block[axis];
+        let momentum: f64 = column.chunks_exact(6).zip(&masses).map(of).sum();
+        momentum * momentum / whole
     });
-    Ok(modes.collect())
+    let kinetic_energy_ratio = std::array::from_fn(|axis| {
+        let of = |(block, mass): (&[f64], &f64)| mass * block[axis] * block[axis];
+        column.chunks_exact(6).zip(&masses).map(of).sum()
+    });
+    let largest = column
+        .chunks(6)
+        .flat_map(|block| &block[..3])
+        .fold(0.0_f64, |most, v| most.max(v.abs()));
+    let scale = if largest > 0.0 { 1.0 / largest } else { 1.0 };
+    let blocks = column.chunks_exact(6);
+    StackMode {
+        frequency_hz: value.max(0.0).sqrt() / std::f64::consts::TAU,
+        effective_mass_ratio,
+        kinetic_energy_ratio,
+        shape: blocks
+            .map(|block| std::array::from_fn(|i| block[i] * scale))
+            .collect(),
+    }
 }
 
 #[cfg(test)]
@@ -181,6 +230,38 @@ mod tests {
         .unwrap();
         assert_eq!(first_sway(&modes, 1), Some(0));
         assert_eq!(first_sway(&[], 0), None);
+    }
+
+    #[test]
+    fn agrees_lowest_modes_with_those_of_the_full_matrix() {
+        // not square, so that no two modes are equal
+        let sizes: Vec<[f64; 3]> = (0..70)
+            .map(|i| [3.0 - 0.02 * f64::from(i), 2.6 - 0.015 * f64::from(i), 0.3])
+            .collect();
+        let stack = tower(&sizes);
+        let all = stack_modes(&stack, ContactRule::Four).unwrap();
+        let lowest = lowest_stack_modes(&stack, ContactRule::Four, 24).unwrap();
+        assert_eq!((all.len(), lowest.len()), (420, 24));
+        for (full, found) in all.iter().zip(&lowest) {
+            assert!(
+                (found.frequency_hz / full.frequency_hz - 1.0).abs() < 1e-9,
+                "{} {}",
+                found.frequency_hz,
+                full.frequency_hz
+            );
+            for axis in 0..3 {
+                let [a, b] = [full, found].map(|mode| mode.effective_mass_ratio[axis]);
+                assert!((a - b).abs() < 1e-7, "{a} {b}");
+            }
+            // the shape of pure torsion is in parts of rounding
+            if full.kinetic_energy_ratio.iter().sum::<f64>() < 1e-6 {
+                continue;
+            }
+            let [a, b] = [full, found].map(|mode| mode.shape.last().unwrap().map(f64::abs));
+            for (a, b) in a.iter().zip(b) {
+                assert!((a - b).abs() < 1e-6, "{a} {b}");
+            }
+        }
     }
 
     #[test]

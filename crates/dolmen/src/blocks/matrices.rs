@@ -3,6 +3,7 @@
 //! Degrees of freedom: of each block the displacement of its centroid [m] and its turn [rad] about it, in the ground's axes.
 
 use super::assembly::Assembly;
+use super::block_skyline::{BlockSkyline, SIX};
 use super::links::{Link, Prop};
 use super::patch::{LANES, Patch};
 use dolmen_linalg::Matrix;
@@ -14,6 +15,42 @@ const SLIPPING: f64 = 1.0 - 1e-9;
 const ROUNDING_M: f64 = 1e-12;
 /// Steps of the power iteration: the largest frequency need only be known to a per cent.
 const POWER_STEPS: usize = 80;
+
+/// Stones from which matrices are kept within their outline only. Chosen here: below, a full one costs no more.
+pub(super) const OUTLINE_FROM: usize = 40;
+
+/// A matrix [6n × 6n] that entries are added to.
+pub(super) trait Entries {
+    fn add(&mut self, row: usize, column: usize, value: f64);
+}
+
+impl Entries for Matrix {
+    fn add(&mut self, row: usize, column: usize, value: f64) {
+        self[(row, column)] += value;
+    }
+}
+
+impl Entries for BlockSkyline {
+    fn add(&mut self, row: usize, column: usize, value: f64) {
+        self.block_mut(row / SIX, column / SIX)[row % SIX][column % SIX] += value;
+    }
+}
+
+/// Zeros within the outline of all that is in contact or tied.
+pub(super) fn within_outline(assembly: &Assembly) -> BlockSkyline {
+    let mut first: Vec<usize> = (0..assembly.bodies.len() - 1).collect();
+    let patches = assembly
+        .patches()
+        .map(|patch| [patch.plane_body, patch.point_body]);
+    let links = assembly.links().iter().map(|link| [link.lower, link.upper]);
+    for [a, b] in patches.chain(links) {
+        let (low, high) = (a.min(b), a.max(b));
+        if low > 0 {
+            first[high - 1] = first[high - 1].min(low - 1);
+        }
+    }
+    BlockSkyline::within(first)
+}
 
 /// Which springs or dashpots a matrix is of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -83,7 +120,7 @@ impl Bond {
     }
 
     /// Adds it to K between two bodies, each with the way from its centroid to the point.
-    fn add_to(&self, matrix: &mut Matrix, ends: [(usize, DVec3); 2]) {
+    fn add_to(&self, matrix: &mut impl Entries, ends: [(usize, DVec3); 2]) {
         for (a, (body_a, arm_a)) in ends.iter().enumerate() {
             for (b, (body_b, arm_b)) in ends.iter().enumerate() {
                 if *body_a == 0 || *body_b == 0 {
@@ -104,7 +141,7 @@ impl Bond {
                         let (row, column) = (6 * (body_a - 1) + 3 * i, 6 * (body_b - 1) + 3 * j);
                         for (n, entries) in block.to_cols_array_2d().iter().enumerate() {
                             for (m, entry) in entries.iter().enumerate() {
-                                matrix[(row + m, column + n)] += sign * entry;
+                                matrix.add(row + m, column + n, sign * entry);
                             }
                         }
                     }
@@ -134,17 +171,22 @@ struct Between {
 pub(super) fn contact_matrix(assembly: &Assembly, part: Part, closed: Closed) -> Matrix {
     let size = 6 * (assembly.bodies.len() - 1);
     let mut matrix = Matrix::zeros(size, size);
+    add_contacts(assembly, part, closed, &mut matrix);
+    matrix
+}
+
+/// Adds the stiffness or damping of everything in contact.
+pub(super) fn add_contacts(assembly: &Assembly, part: Part, closed: Closed, matrix: &mut impl Entries) {
     for patch in assembly.patches() {
         let between = across_patch(assembly, patch, part, closed);
-        between.bond.add_to(&mut matrix, between.ends);
+        between.bond.add_to(matrix, between.ends);
     }
     if part == Part::Springs {
         for link in assembly.links().iter().filter(|link| !link.broken) {
             let between = across_link(assembly, link);
-            between.bond.add_to(&mut matrix, between.ends);
+            between.bond.add_to(matrix, between.ends);
         }
     }
-    matrix
 }
 
 /// Springs between two bodies by themselves.
@@ -237,7 +279,7 @@ pub(super) fn add_props(assembly: &Assembly, matrix: &mut Matrix) {
     }
 }
 
-fn add_prop(assembly: &Assembly, prop: &Prop, matrix: &mut Matrix) {
+fn add_prop(assembly: &Assembly, prop: &Prop, matrix: &mut impl Entries) {
     let d = prop.direction;
     let outer = DMat3::from_cols(d * d.x, d * d.y, d * d.z) * prop.stiffness;
     let body = &assembly.bodies[prop.body];
@@ -246,7 +288,7 @@ fn add_prop(assembly: &Assembly, prop: &Prop, matrix: &mut Matrix) {
 }
 
 /// Adds the side supports that are pressed.
-pub(super) fn add_pressed_props(assembly: &Assembly, matrix: &mut Matrix) {
+pub(super) fn add_pressed_props(assembly: &Assembly, matrix: &mut impl Entries) {
     for prop in assembly.props() {
         if prop.depth(&assembly.bodies[prop.body]) > 0.0 {
             add_prop(assembly, prop, matrix);

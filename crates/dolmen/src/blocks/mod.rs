@@ -17,6 +17,7 @@ mod frequencies;
 mod history;
 mod hulls;
 mod links;
+mod lowest_modes;
 mod matrices;
 mod observe;
 mod outline;
@@ -55,7 +56,7 @@ pub use factors::{
     CommonFactor, FactorRange, JointFactor, JointFactors, JointFactorsError, JointFactorsOptions,
     MeasuredStackMode, PairedBy, PairedMode, StackMotion, StiffnessOf, UnusedMode, WhyUnused, joint_factors,
 };
-pub use frequencies::{StackMode, first_sway, stack_modes, sway_amplification};
+pub use frequencies::{StackMode, first_sway, lowest_stack_modes, stack_modes, sway_amplification};
 pub use history::{Energy, JointHistory, Outcome, Pose, RigidEvidence, StackHistory};
 pub use rigid::{Rigid, simulate_rigid};
 pub use sliding::{Sliding, simulate_sliding};

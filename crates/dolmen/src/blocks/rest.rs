@@ -1,9 +1,12 @@
 //! Settlement: the stack at rest under its own weight, found by Newton steps instead of waiting.
 
 use super::assembly::Assembly;
+use super::block_skyline::SIX;
 use super::error::BlocksError;
 use super::forces::Forces;
-use super::matrices::{Closed, Part, contact_matrix, longest_step};
+use super::matrices::{
+    Closed, OUTLINE_FROM, Part, add_contacts, contact_matrix, longest_step, within_outline,
+};
 use super::standing::check_standing;
 use crate::structure::stack::{Body, Stack};
 use dolmen_linalg::{Matrix, solve};
@@ -69,6 +72,7 @@ pub(super) fn settle(assembly: &mut Assembly, stack: &Stack) -> Result<(), Block
     let drawn = assembly.clone();
     for round in 0..ROUNDS {
         if round > 0 {
+            assembly.watch_all(stack);
             let h = 0.5 * longest_step(assembly);
             relax(assembly, &mut forces, h);
         }
@@ -84,16 +88,11 @@ pub(super) fn settle(assembly: &mut Assembly, stack: &Stack) -> Result<(), Block
             }
             least = least.min(left.largest);
             iterations += 1;
-            let mut stiffness = contact_matrix(assembly, Part::Springs, closed);
+            let step = newton_step(assembly, closed, &left.forces);
             closed = Closed::Pressed;
-            // a stone that nothing holds sideways keeps its place
-            for i in 0..stiffness.rows() {
-                stiffness[(i, i)] += f64::MIN_POSITIVE + 1e-9 * stiffness[(i, i)];
-            }
-            let Ok(step) = solve(&stiffness, &Matrix::from_column(&left.forces)) else {
+            let Some(step) = step else {
                 break;
             };
-            let step = step.column(0);
             for (body, step) in assembly.bodies.iter_mut().skip(1).zip(step.chunks_exact(6)) {
                 body.position += DVec3::new(step[0], step[1], step[2]);
                 body.turn_by(DVec3::new(step[3], step[4], step[5]));
@@ -106,6 +105,27 @@ pub(super) fn settle(assembly: &mut Assembly, stack: &Stack) -> Result<(), Block
         residual: left.largest,
         block: stack.name(Body::Block(left.block)).to_owned(),
     })
+}
+
+/// Displacements and turns that balance these forces; `None` where nothing holds a stone.
+fn newton_step(assembly: &Assembly, closed: Closed, forces: &[f64]) -> Option<Vec<f64>> {
+    // a stone that nothing holds sideways keeps its place
+    const HELD: f64 = 1e-9;
+    if assembly.bodies.len() > OUTLINE_FROM {
+        let mut stiffness = within_outline(assembly);
+        add_contacts(assembly, Part::Springs, closed, &mut stiffness);
+        stiffness.stiffen(HELD);
+        stiffness.factor().then_some(())?;
+        let mut right: Vec<[f64; SIX]> = forces.as_chunks().0.to_vec();
+        stiffness.solve(&mut right);
+        return Some(right.into_flattened());
+    }
+    let mut stiffness = contact_matrix(assembly, Part::Springs, closed);
+    for i in 0..stiffness.rows() {
+        stiffness[(i, i)] += f64::MIN_POSITIVE + HELD * stiffness[(i, i)];
+    }
+    let step = solve(&stiffness, &Matrix::from_column(forces)).ok()?;
+    Some(step.column(0).to_vec())
 }
 
 /// Steps under gravity in which much of the motion is taken away.

@@ -8,8 +8,12 @@
 //! | r_P, r_S | `arm` | from each body's centroid to the contact | m |
 
 use super::assembly::Assembly;
+use super::block_skyline::BlockSkyline;
 use super::error::BlocksError;
-use super::matrices::{Closed, Part, add_pressed_props, contact_matrix, mass_matrix};
+use super::matrices::{
+    Closed, Entries, OUTLINE_FROM, Part, add_contacts, add_pressed_props, contact_matrix, mass_matrix,
+    within_outline,
+};
 use super::patch::LANES;
 use crate::structure::stack::{Body, Stack};
 use dolmen_linalg::{Matrix, cholesky, generalized_symmetric_eigen};
@@ -32,6 +36,9 @@ const FACTOR_MOST: f64 = 1e6;
 /// # Errors
 /// [`BlocksError::Topples`] with the factor on all springs from which it would stand.
 pub(super) fn check_standing(assembly: &Assembly, stack: &Stack) -> Result<(), BlocksError> {
+    if assembly.bodies.len() > OUTLINE_FROM && stands_within_outline(assembly) {
+        return Ok(());
+    }
     let mut springs = contact_matrix(assembly, Part::Springs, Closed::Stuck);
     add_pressed_props(assembly, &mut springs);
     let size = springs.rows();
@@ -62,11 +69,37 @@ pub(super) fn check_standing(assembly: &Assembly, stack: &Stack) -> Result<(), B
     })
 }
 
+/// The same within the outline of the matrix: whether K + G is positive definite.
+fn stands_within_outline(assembly: &Assembly) -> bool {
+    let mut matrix = within_outline(assembly);
+    add_contacts(assembly, Part::Springs, Closed::Stuck, &mut matrix);
+    add_pressed_props(assembly, &mut matrix);
+    matrix.stiffen(NEUTRAL);
+    add_weights(assembly, &mut Symmetrised(&mut matrix));
+    matrix.factor() && matrix.is_positive_definite()
+}
+
+/// Adds half of an entry on either side of the diagonal.
+struct Symmetrised<'a>(&'a mut BlockSkyline);
+
+impl Entries for Symmetrised<'_> {
+    fn add(&mut self, row: usize, column: usize, value: f64) {
+        self.0.add(row, column, 0.5 * value);
+        self.0.add(column, row, 0.5 * value);
+    }
+}
+
 /// G of all contacts, ties and side supports at rest, [6n × 6n]. Symmetric, as every stone is in balance.
 fn weight_matrix(assembly: &Assembly) -> Matrix {
-    let bodies = &assembly.bodies;
-    let size = 6 * (bodies.len() - 1);
+    let size = 6 * (assembly.bodies.len() - 1);
     let mut matrix = Matrix::zeros(size, size);
+    add_weights(assembly, &mut matrix);
+    Matrix::from_fn(size, size, |i, j| 0.5 * (matrix[(i, j)] + matrix[(j, i)]))
+}
+
+/// Adds G, not yet symmetric.
+fn add_weights(assembly: &Assembly, matrix: &mut impl Entries) {
+    let bodies = &assembly.bodies;
     for patch in assembly.patches() {
         let motion = patch.motion(bodies);
         for group in &patch.points {
@@ -75,26 +108,25 @@ fn weight_matrix(assembly: &Assembly) -> Matrix {
                 let force = motion.to_ground * patch.force_at_rest(group, lane, at);
                 let place = motion.origin + motion.to_ground * at;
                 let end = |body: usize| (body, place - bodies[body].position);
-                add_weight(&mut matrix, end(patch.plane_body), end(patch.point_body), force);
+                add_weight(matrix, end(patch.plane_body), end(patch.point_body), force);
             }
         }
     }
     for link in assembly.links().iter().filter(|link| !link.broken) {
         let (force, place) = link.force(bodies);
         let end = |body: usize| (body, place - bodies[body].position);
-        add_weight(&mut matrix, end(link.lower), end(link.upper), force);
+        add_weight(matrix, end(link.lower), end(link.upper), force);
     }
     for prop in assembly.props() {
         let body = &bodies[prop.body];
         let arm = body.now(prop.drawn) - body.position;
         let force = prop.direction * (-prop.stiffness * prop.depth(body));
-        add_weight(&mut matrix, (0, DVec3::ZERO), (prop.body, arm), force);
+        add_weight(matrix, (0, DVec3::ZERO), (prop.body, arm), force);
     }
-    Matrix::from_fn(size, size, |i, j| 0.5 * (matrix[(i, j)] + matrix[(j, i)]))
 }
 
 /// Adds to G what one force does.
-fn add_weight(matrix: &mut Matrix, plane: (usize, DVec3), point: (usize, DVec3), force: DVec3) {
+fn add_weight(matrix: &mut impl Entries, plane: (usize, DVec3), point: (usize, DVec3), force: DVec3) {
     let ((p, arm_p), (s, arm_s)) = (plane, point);
     for (moved, of_point) in [(p, false), (s, true)] {
         if moved == 0 {
@@ -121,8 +153,9 @@ fn add_weight(matrix: &mut Matrix, plane: (usize, DVec3), point: (usize, DVec3),
                     continue;
                 }
                 for i in 0..3 {
-                    matrix[(6 * (body - 1) + i, 6 * (moved - 1) + freedom)] -= push[i];
-                    matrix[(6 * (body - 1) + 3 + i, 6 * (moved - 1) + freedom)] -= torque[i];
+                    let (row, column) = (6 * (body - 1) + i, 6 * (moved - 1) + freedom);
+                    matrix.add(row, column, -push[i]);
+                    matrix.add(row + 3, column, -torque[i]);
                 }
             }
         }

@@ -38,6 +38,7 @@ mod rocking_and_sliding;
 mod rocking_block;
 mod setups;
 mod sliding_pile;
+mod spreading_arches;
 mod stack_contacts;
 mod stack_ends;
 mod stack_falls;

@@ -59,6 +59,7 @@ pub fn cuts(stack: &Stack) -> Cuts {
         undecided: Vec::new(),
         statically_determinate: is_statically_determinate(stack),
     };
+    let carriers = Carriers::of(stack);
     let mut parts: Vec<Vec<usize>> = Vec::new();
     for &joint in &carrying {
         let level = carrying
@@ -66,7 +67,7 @@ pub fn cuts(stack: &Stack) -> Cuts {
             .filter(|&&other| same_plane(&joints[joint], &joints[other]));
         let together: Vec<usize> = level.map(|&other| joints[other].upper).collect();
         for start in [vec![joints[joint].upper], together] {
-            for part in connected(stack, &carried(stack, start)) {
+            for part in carriers.connected(&carriers.carried(start)) {
                 if !parts.contains(&part) {
                     parts.push(part);
                 }
@@ -79,9 +80,13 @@ pub fn cuts(stack: &Stack) -> Cuts {
             joints: Vec::new(),
         };
         let mut leans = false;
+        let mut within = vec![false; stack.blocks().len()];
+        for &block in &cut.blocks {
+            within[block] = true;
+        }
         for (index, joint) in joints.iter().enumerate() {
-            let above = cut.blocks.contains(&joint.upper);
-            let below = !matches!(joint.lower, Body::Block(block) if cut.blocks.contains(&block));
+            let above = within[joint.upper];
+            let below = !matches!(joint.lower, Body::Block(block) if within[block]);
             if carries(joint) && above && below {
                 cut.joints.push(index);
             } else if !carries(joint) && above == below {
@@ -117,49 +122,63 @@ fn same_plane(a: &Joint, b: &Joint) -> bool {
     normal.dot(other) >= PARALLEL && normal.dot(between).abs() <= BED_GAP_M
 }
 
-/// These blocks and all that stands on them, ascending.
-pub(super) fn carried(stack: &Stack, start: Vec<usize>) -> Vec<usize> {
-    let mut above = vec![false; stack.blocks().len()];
-    let mut next = start;
-    while let Some(block) = next.pop() {
-        if std::mem::replace(&mut above[block], true) {
-            continue;
-        }
-        let on_it = stack.joints().iter();
-        next.extend(
-            on_it
-                .filter(|joint| carries(joint) && joint.lower == Body::Block(block))
-                .map(|joint| joint.upper),
-        );
-    }
-    (0..above.len()).filter(|&block| above[block]).collect()
+/// Which blocks lie on which.
+pub(super) struct Carriers {
+    /// The blocks that lie on each.
+    on: Vec<Vec<usize>>,
+    /// The blocks that each lies on.
+    under: Vec<Vec<usize>>,
 }
 
-/// Parts of these blocks that joints hold together, each ascending.
-fn connected(stack: &Stack, blocks: &[usize]) -> Vec<Vec<usize>> {
-    let mut left = blocks.to_vec();
-    let mut parts = Vec::new();
-    while let Some(first) = left.pop() {
-        let mut part = vec![first];
-        let mut next = vec![first];
-        while let Some(block) = next.pop() {
-            for joint in stack.joints().iter().filter(|joint| carries(joint)) {
-                let Body::Block(lower) = joint.lower else { continue };
-                let other = match block {
-                    _ if lower == block => joint.upper,
-                    _ if joint.upper == block => lower,
-                    _ => continue,
-                };
-                if let Some(at) = left.iter().position(|&candidate| candidate == other) {
-                    left.swap_remove(at);
-                    part.push(other);
-                    next.push(other);
-                }
+impl Carriers {
+    pub(super) fn of(stack: &Stack) -> Self {
+        let none = vec![Vec::new(); stack.blocks().len()];
+        let mut carriers = Carriers {
+            on: none.clone(),
+            under: none,
+        };
+        for joint in stack.joints().iter().filter(|joint| carries(joint)) {
+            if let Body::Block(lower) = joint.lower {
+                carriers.on[lower].push(joint.upper);
+                carriers.under[joint.upper].push(lower);
             }
         }
-        part.sort_unstable();
-        parts.push(part);
+        carriers
     }
-    parts.sort();
-    parts
+
+    /// These blocks and all that stands on them, ascending.
+    pub(super) fn carried(&self, start: Vec<usize>) -> Vec<usize> {
+        let mut above = vec![false; self.on.len()];
+        let mut next = start;
+        while let Some(block) = next.pop() {
+            if !std::mem::replace(&mut above[block], true) {
+                next.extend(&self.on[block]);
+            }
+        }
+        (0..above.len()).filter(|&block| above[block]).collect()
+    }
+
+    /// Parts of these blocks that joints hold together, each ascending.
+    fn connected(&self, blocks: &[usize]) -> Vec<Vec<usize>> {
+        let mut left = vec![false; self.on.len()];
+        for &block in blocks {
+            left[block] = true;
+        }
+        let mut parts = Vec::new();
+        for &first in blocks {
+            let (mut part, mut next) = (Vec::new(), vec![first]);
+            while let Some(block) = next.pop() {
+                if std::mem::replace(&mut left[block], false) {
+                    part.push(block);
+                    next.extend(self.on[block].iter().chain(&self.under[block]));
+                }
+            }
+            if !part.is_empty() {
+                part.sort_unstable();
+                parts.push(part);
+            }
+        }
+        parts.sort();
+        parts
+    }
 }

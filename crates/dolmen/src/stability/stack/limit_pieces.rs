@@ -1,7 +1,7 @@
 //! The balance of a stack in pieces that know nothing of each other.
 
 use super::SwayingForces;
-use super::cuts::{carried, carries};
+use super::cuts::{Carriers, carries};
 use super::limit_programme::{Column, Programme, Push, Within};
 use super::limit_region::{Symmetry, group, turned};
 use super::loads::{Load, together};
@@ -159,8 +159,9 @@ pub(super) fn pieces(
     if ties {
         links.extend(stack.ties().iter().map(|tie| Link::new(tie.lower, tie.upper)));
     }
+    let carriers = Carriers::of(stack);
     let groups: Vec<Vec<usize>> = (0..loads.len())
-        .map(|block| carried(stack, vec![block]))
+        .map(|block| carriers.carried(vec![block]))
         .collect();
     let alone: Vec<Option<usize>> = (0..loads.len())
         .map(|block| alone(stack, &links, block, &groups[block]))
@@ -217,6 +218,12 @@ pub(super) fn pieces(
         length: stack.height_m(),
     };
     let found = (0..loads.len()).filter(|&piece| piece_of.contains(&piece));
+    let mut acts_of: Vec<Vec<&Act>> = vec![Vec::new(); loads.len()];
+    for act in acts {
+        if let Some(&(first, _)) = ends(act.link).first() {
+            acts_of[piece_of[first]].push(act);
+        }
+    }
     found
         .map(|piece| {
             let within: Vec<usize> = (0..loads.len())
@@ -226,9 +233,9 @@ pub(super) fn pieces(
             let mut own = Vec::new();
             let mut pushes = Vec::new();
             let mut units = Vec::new();
-            for act in acts {
+            for &act in &acts_of[piece] {
                 let ends = ends(act.link);
-                let Some(&(first, _)) = ends.first().filter(|end| piece_of[end.0] == piece) else {
+                let Some(&(first, _)) = ends.first() else {
                     continue;
                 };
                 let unit = balances[first].weight;

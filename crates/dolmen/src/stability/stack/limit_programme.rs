@@ -262,7 +262,8 @@ impl Programme {
     }
 }
 
-fn settings() -> DefaultSettings<f64> {
+/// How the solver is asked.
+pub(super) fn settings() -> DefaultSettings<f64> {
     DefaultSettings {
         verbose: false,
         presolve_enable: false,

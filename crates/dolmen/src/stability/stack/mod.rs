@@ -14,6 +14,8 @@ mod limit_region;
 mod limit_states;
 mod loads;
 mod mechanism;
+mod moved_contacts;
+mod movement_programme;
 mod part;
 mod pressure;
 mod resistance;
@@ -21,6 +23,7 @@ mod rocking;
 mod stack_limits;
 mod stack_limits_options;
 mod standing;
+mod support_movement;
 mod threshold;
 mod thrust_line;
 mod toe;
@@ -49,5 +52,9 @@ pub use rocking::{
 pub use stack_limits::stack_limits;
 pub use stack_limits_options::StackLimits;
 pub use standing::Standing;
+pub use support_movement::{
+    MovedStack, MovedSupports, MovementEnding, SupportMovementOptions, SupportReaction,
+    follow_support_movement,
+};
 pub use threshold::Threshold;
 pub use thrust_line::{ThrustPlace, ThrustPoint, thrust_line};

@@ -285,6 +285,16 @@ pub enum StackError {
         /// What is allowed, m.
         allowed_m: f64,
     },
+    /// The ground is to move under a block that does not stand on it.
+    #[error(
+        "the ground is to move under '{block}', which does not stand on it: name one that does ({})", on_ground.join(", ")
+    )]
+    NotOnGround {
+        /// The block.
+        block: String,
+        /// The blocks that stand on the ground.
+        on_ground: Vec<String>,
+    },
     /// A block rests on nothing.
     #[error(
         "'{block}' floats: the nearest bed below it, of {nearest}, is {gap_m:.4} m away, and a bed must lie within {allowed_m} m"

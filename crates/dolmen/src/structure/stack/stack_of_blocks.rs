@@ -2,7 +2,7 @@
 
 use super::beds::{BED_GAP_M, Bed, FACET_LEAST, USED_LEAST, bed, gap_allowed_m};
 use super::overlap::overlap_depth;
-use super::{Body, Joint, JointMaterial, Solid, StackError};
+use super::{Body, Joint, JointMaterial, Solid, StackError, SupportMovement};
 use glam::DVec3;
 
 /// Ties and side supports lie no farther than this from the bounds of the blocks that they hold, m. Our choice: clamps lie on the outside of stones.
@@ -73,6 +73,7 @@ pub struct Stack {
     joints: Vec<Joint>,
     ties: Vec<Tie>,
     side_supports: Vec<SideSupport>,
+    pub(super) support_movements: Vec<SupportMovement>,
     gravity_m_s2: f64,
 }
 
@@ -138,6 +139,7 @@ impl Stack {
             joints,
             ties: Vec::new(),
             side_supports: Vec::new(),
+            support_movements: Vec::new(),
             gravity_m_s2,
         };
         stack.check_carried()?;

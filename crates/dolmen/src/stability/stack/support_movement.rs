@@ -1,0 +1,529 @@
+//! A stack whose supports move: which joints open, what the supports bear, and how far it can go before it falls.
+
+use super::loads::{Load, StackLoads};
+use super::mechanism::{JointMotion, Mechanism, MovingJoint};
+use super::moved_contacts::{Contact, Corner, Faces, Moved, faces_of};
+use super::movement_programme::{Dead, Motion, Stage, Step, step};
+use crate::stability::StabilityError;
+use crate::structure::stack::{Solid, Stack};
+use glam::DVec3;
+
+/// How supports that move are followed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SupportMovementOptions {
+    /// What acts besides the weight; it keeps its direction. Default nothing.
+    pub loads: StackLoads,
+    /// Largest turn of a stone, rad, and largest displacement over the size of the stack, in one step. Default 0.004, chosen here: half of
+    /// it moves the collapse of an arch of t/R 0.15 by less than 0.1 %.
+    pub step: f64,
+    /// Movement at which it is followed no further, over the size of the stack. Default 0.5, chosen here: far beyond what is repaired.
+    pub movement_most: f64,
+    /// Most steps, those that were tried and not taken included. Default 1000, chosen here.
+    pub steps_most: usize,
+}
+
+impl Default for SupportMovementOptions {
+    fn default() -> Self {
+        SupportMovementOptions {
+            loads: StackLoads::default(),
+            step: 0.004,
+            movement_most: 0.5,
+            steps_most: 1000,
+        }
+    }
+}
+
+/// What the ground does on one block.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct SupportReaction {
+    /// The block that stands on it.
+    pub block: usize,
+    /// Force of the ground on the block, N, z up.
+    pub force_n: [f64; 3],
+}
+
+/// A stack with its supports moved so far.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MovedStack {
+    /// How far, over the movement given.
+    pub factor: f64,
+    /// Its stones where they are then.
+    pub solids: Vec<Solid>,
+    /// Joints that are open or have slipped since it was drawn.
+    pub mechanism: Option<Mechanism>,
+    /// What each support bears, in the order of the blocks.
+    pub reactions: Vec<SupportReaction>,
+    /// Largest slip in a closed joint on the way there, m.
+    pub slip_m: f64,
+}
+
+/// How it ended.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum MovementEnding {
+    /// No forces in the joints balance the weight beyond the last state; so much less than one step beyond it.
+    Falls {
+        /// Factor on the movement given at which it was found falling.
+        by_factor: f64,
+    },
+    /// It was followed to the end of what is looked at and stood.
+    Stands,
+    /// A step could not be solved, or the steps allowed did not suffice: it is not known how it goes on.
+    NotFollowed,
+}
+
+/// What supports that move do to a stack.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MovedSupports {
+    /// Under a movement so small that nothing but the first joints has opened.
+    pub small: MovedStack,
+    /// Under the movement given; `None` if it does not come so far.
+    pub given: Option<MovedStack>,
+    /// The last state in which it stood.
+    pub last: MovedStack,
+    /// How it ended.
+    pub ending: MovementEnding,
+    /// Largest error of balance of any step, over the weight.
+    pub residual: f64,
+    /// Steps tried.
+    pub steps: usize,
+}
+
+impl MovedSupports {
+    /// Slip in closed joints, over the size of the stack, from which the movement at collapse rests on friction. Chosen here.
+    pub const SLIP_TELLS: f64 = 1e-3;
+    /// Factor on the movement given below which what stands is marginal. Chosen here, as that on a load.
+    pub const MARGINAL_BELOW: f64 = 1.5;
+}
+
+/// The movement of a first state, over the size of the stack. Chosen here: joints open by as little.
+const SMALL: f64 = 1e-4;
+/// Least step of the movement, over the size of the stack: what needs less falls. Chosen here: 0.02 mm a metre.
+const STEP_LEAST: f64 = 2e-5;
+/// Gaps and slips below this part of the largest are not named. Chosen here, as in the limit analysis.
+const NAMED_LEAST: f64 = 1e-3;
+/// And so are those below this part of the movement, to which they count as the largest at least. Chosen here.
+const NAMED_OF_MOVEMENT: f64 = 0.1;
+
+/// Follows a stack while the ground under some of its stones moves, from how it was drawn until no forces in its joints balance its weight.
+///
+/// ```text
+/// each step   the motion of all stones that loses most weight while nothing enters anything, for a small part of the movement given
+/// then        stones turned and moved in full; joints found anew where faces still cover each other; the next step
+/// falls       if no step is small enough for stones to move as little, or the weight is not balanced
+/// ```
+///
+/// # Errors
+/// [`StabilityError`] for options out of their range, a stack without such movements, or a programme that was not solved.
+///
+/// # Limits
+/// The movement is slow. Stone is rigid and infinitely strong; bond, ties and side supports are left out; only joints as drawn are looked at:
+/// stones that meet anew are not seen. What slides does so by Coulomb's law to the first order of the step; of joints that bear alike which
+/// slides first is chance. Until the joints have opened the stones do not tell where cracks are.
+///
+/// # Source
+/// Ochsendorf (2006) for arches on spreading supports; Portioli & Cascini (2017) for the step.
+pub fn follow_support_movement(
+    stack: &Stack,
+    options: &SupportMovementOptions,
+) -> Result<MovedSupports, StabilityError> {
+    let mut path = Path::of(stack, options)?;
+    let size = path.size;
+    let largest = path.unit.iter().map(|u| u.length()).fold(0.0, f64::max);
+    if largest <= 0.0 {
+        return Err(StabilityError::Option {
+            option: "support_movements",
+            given: largest,
+            allowed: "one movement or more, with a length",
+        });
+    }
+    let [small, least] = [SMALL, STEP_LEAST].map(|share| share * size / largest);
+    let most = options.movement_most * size / largest;
+    let mut ahead = small;
+    let (mut first, mut given): (Option<MovedStack>, Option<MovedStack>) = (None, None);
+    let mut falls_by: Option<f64> = None;
+    let mut before: Option<(Path<'_>, f64)> = None;
+    let mut ending = MovementEnding::NotFollowed;
+    while path.steps < options.steps_most {
+        let mut to = path.factor + ahead;
+        if given.is_none() && path.factor < 1.0 && to > 1.0 - 0.5 * least {
+            to = 1.0;
+        }
+        let path_factor = path.factor;
+        let from = path.clone();
+        match path.try_step(to) {
+            Tried::Taken { share } => {
+                before = Some((from, to - path_factor));
+                if first.is_none() {
+                    first = Some(path.state());
+                }
+                if given.is_none() && path.factor == 1.0 {
+                    given = Some(path.state());
+                }
+                if path.factor >= most.max(1.0) {
+                    ending = MovementEnding::Stands;
+                    break;
+                }
+                let grows = falls_by.is_none() && share < 0.5;
+                ahead *= if grows { 1.5 } else { 1.0 };
+            }
+            not_taken => {
+                falls_by = Some(falls_by.map_or(to, |by| by.min(to)));
+                ahead = 0.5 * (to - path.factor);
+                if ahead < least {
+                    // a state is known to stand only by the step from it: go back and come nearer
+                    if let Some((before, taken)) = before.take().filter(|(_, taken)| *taken > least) {
+                        let steps = path.steps;
+                        path = Path { steps, ..before };
+                        ahead = (0.25 * taken).max(0.5 * least);
+                        given = given.filter(|state| state.factor <= path.factor);
+                        falls_by = Some(to);
+                        continue;
+                    }
+                    if not_taken == Tried::Falls {
+                        ending = MovementEnding::Falls { by_factor: to };
+                    }
+                    break;
+                }
+            }
+        }
+        // what was too far once may only have been too large a step
+        if falls_by.is_some_and(|by| path.factor >= by * (1.0 - 1e-12)) {
+            falls_by = None;
+        }
+    }
+    let last = path.state();
+    Ok(MovedSupports {
+        small: first.unwrap_or_else(|| last.clone()),
+        given,
+        last,
+        ending,
+        residual: path.residual,
+        steps: path.steps,
+    })
+}
+
+/// What came of a step.
+#[derive(Clone, Copy, PartialEq)]
+enum Tried {
+    /// Stones moved by this share of the largest step.
+    Taken {
+        share: f64,
+    },
+    /// They would move farther, or nothing balances them.
+    Falls,
+    NotSolved,
+}
+
+/// A stack on its way.
+#[derive(Clone)]
+struct Path<'a> {
+    stack: &'a Stack,
+    faces: Vec<Faces>,
+    dead: Vec<Dead>,
+    /// The movement given, under each block, m.
+    unit: Vec<DVec3>,
+    size: f64,
+    step: f64,
+    weight: f64,
+    factor: f64,
+    moved: Vec<Moved>,
+    contacts: Vec<Contact>,
+    reactions: Vec<DVec3>,
+    /// Largest displacement of a stone in the last step, m.
+    last_m: f64,
+    /// Largest slip of a closed corner so far, m.
+    slip_m: f64,
+    residual: f64,
+    steps: usize,
+}
+
+impl<'a> Path<'a> {
+    fn of(stack: &'a Stack, options: &SupportMovementOptions) -> Result<Self, StabilityError> {
+        for (option, given) in [("step", options.step), ("movement_most", options.movement_most)] {
+            if !(given > 0.0 && given <= 1.0) {
+                return Err(StabilityError::Option {
+                    option,
+                    given,
+                    allowed: "above 0, at most 1",
+                });
+            }
+        }
+        let loads = options.loads.on_blocks(stack)?;
+        let mut unit = vec![DVec3::ZERO; loads.len()];
+        for movement in stack.support_movements() {
+            unit[movement.block] += DVec3::from(movement.movement_m);
+        }
+        let bounds = stack.blocks().iter().map(|block| block.solid.bounds_m());
+        let all = bounds.fold([DVec3::INFINITY, DVec3::NEG_INFINITY], |all, [low, high]| {
+            [all[0].min(low.into()), all[1].max(high.into())]
+        });
+        let mut path = Path {
+            stack,
+            faces: faces_of(stack),
+            dead: loads.iter().map(dead).collect(),
+            unit,
+            size: (all[1] - all[0]).max_element(),
+            step: options.step,
+            weight: loads.iter().map(|load| load.mass).sum::<f64>() * stack.gravity_m_s2(),
+            factor: 0.0,
+            moved: loads.iter().map(|load| Moved::at_rest(load.centroid())).collect(),
+            contacts: Vec::new(),
+            reactions: Vec::new(),
+            last_m: 0.0,
+            slip_m: 0.0,
+            residual: 0.0,
+            steps: 0,
+        };
+        path.contacts = path.contacts_of(&path.moved, 0.0);
+        Ok(path)
+    }
+
+    fn contacts_of(&self, moved: &[Moved], factor: f64) -> Vec<Contact> {
+        let each = self.faces.iter().filter_map(|faces| {
+            let below = match faces.lower {
+                Some(lower) => moved[lower],
+                None => Moved::ground(self.unit[faces.upper] * factor),
+            };
+            faces.contact(&below, &moved[faces.upper])
+        });
+        each.collect()
+    }
+
+    /// Goes on to a factor.
+    fn try_step(&mut self, factor: f64) -> Tried {
+        self.steps += 1;
+        let ground: Vec<DVec3> = self.unit.iter().map(|u| *u * (factor - self.factor)).collect();
+        let found = step(&Stage {
+            moved: &self.moved,
+            contacts: &self.contacts,
+            dead: &self.dead,
+            ground: &ground,
+            length: self.size,
+            weight: self.weight,
+        });
+        let Step {
+            motions,
+            reactions,
+            missed,
+        } = match found {
+            Ok(Some(found)) => found,
+            Ok(None) => return Tried::Falls,
+            Err(_) => return Tried::NotSolved,
+        };
+        let far = |motion: &Motion| motion.turn.length().max(motion.shift.length() / self.size);
+        let share = motions.iter().map(far).fold(0.0, f64::max) / self.step;
+        if share > 1.0 {
+            return Tried::Falls;
+        }
+        let moved = self.moved.iter().zip(&motions);
+        self.moved = moved
+            .map(|(moved, motion)| moved.on(motion.shift, motion.turn))
+            .collect();
+        self.factor = factor;
+        self.contacts = self.contacts_of(&self.moved, factor);
+        self.reactions = reactions;
+        self.last_m = motions
+            .iter()
+            .map(|motion| motion.shift.length())
+            .fold(0.0, f64::max);
+        self.slip_m = self.slip_m.max(self.slip_now_m());
+        self.residual = self.residual.max(missed);
+        Tried::Taken { share }
+    }
+
+    fn state(&self) -> MovedStack {
+        let blocks = self.stack.blocks().iter().zip(&self.moved);
+        let reactions = self.stack.on_ground().into_iter().filter_map(|block| {
+            let force_n = self.reactions.get(block)?.to_array();
+            Some(SupportReaction { block, force_n })
+        });
+        MovedStack {
+            factor: self.factor,
+            solids: blocks
+                .map(|(block, moved)| {
+                    let shift = moved.now() - moved.rotation * moved.centre;
+                    block.solid.moved(moved.rotation, shift)
+                })
+                .collect(),
+            mechanism: self.mechanism(),
+            reactions: reactions.collect(),
+            slip_m: self.slip_m,
+        }
+    }
+
+    /// Gaps below this are closed, m.
+    fn closed_below(&self) -> f64 {
+        let corners = self.contacts.iter().flat_map(|contact| &contact.corners);
+        let far = self.unit.iter().map(|u| u.length()).fold(0.0, f64::max) * self.factor;
+        let most = corners
+            .map(|corner| corner.gap.max(corner.slip))
+            .fold(0.0, f64::max);
+        NAMED_LEAST * most.max(NAMED_OF_MOVEMENT * far)
+    }
+
+    /// Corners of a contact that are closed: nearest, and no farther than a slip of the last step has lifted them.
+    fn closed<'c>(&self, contact: &'c Contact) -> Vec<&'c Corner> {
+        let least = self.closed_below();
+        let nearest = contact.corners.iter().map(|corner| corner.gap);
+        let nearest = nearest.fold(f64::INFINITY, f64::min);
+        let lifted = least.max(2.0 * contact.friction * self.last_m);
+        let within = |corner: &&Corner| nearest <= lifted && corner.gap <= nearest + least;
+        contact.corners.iter().filter(within).collect()
+    }
+
+    /// Largest slip of the closed corners of all contacts.
+    fn slip_now_m(&self) -> f64 {
+        let closed = self.contacts.iter().flat_map(|contact| self.closed(contact));
+        closed.map(|corner| corner.slip).fold(0.0, f64::max)
+    }
+
+    /// Joints that are open or have slipped.
+    fn mechanism(&self) -> Option<Mechanism> {
+        let least = self.closed_below();
+        let named = |contact: &Contact| {
+            let closed = self.closed(contact);
+            let motion = match (
+                closed.len() < contact.corners.len(),
+                closed.iter().any(|corner| corner.slip > least),
+            ) {
+                (false, false) => return None,
+                (true, false) => JointMotion::Opens,
+                (false, true) => JointMotion::Slides,
+                (true, true) => JointMotion::OpensAndSlides,
+            };
+            let middle = closed.iter().map(|corner| corner.upper).sum::<DVec3>() / closed.len() as f64;
+            Some(MovingJoint {
+                joint: contact.joint,
+                motion,
+                closed_at_m: (!closed.is_empty()).then(|| middle.into()),
+            })
+        };
+        let joints: Vec<MovingJoint> = self.contacts.iter().filter_map(named).collect();
+        (!joints.is_empty()).then_some(Mechanism { joints })
+    }
+}
+
+/// Loads keep their direction: force at the centroid, moment about it.
+fn dead(load: &Load) -> Dead {
+    Dead {
+        force: load.force,
+        moment: load.moment - load.centroid().cross(load.force),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::MovedSupports;
+    use super::*;
+    use crate::structure::stack::{Block, JointMaterial, Placement, Solid, SupportMovement};
+
+    fn block(name: &str, size: [f64; 3], position_m: [f64; 3]) -> Block {
+        let place = Placement {
+            position_m,
+            ..Placement::default()
+        };
+        Block {
+            name: name.into(),
+            solid: Solid::cuboid(size[0], size[1], size[2]).unwrap().placed(&place),
+            density_kg_m3: 2600.0,
+        }
+    }
+
+    /// Two pillars 0.4 m wide with a lintel across, on joints of these frictions; the right one moves.
+    fn lintel(frictions: [f64; 2], movement_m: [f64; 3]) -> MovedSupports {
+        let blocks = vec![
+            block("left", [0.4, 0.4, 1.0], [-0.8, 0.0, 0.0]),
+            block("right", [0.4, 0.4, 1.0], [0.8, 0.0, 0.0]),
+            block("lintel", [2.0, 0.4, 0.3], [0.0, 0.0, 1.0]),
+        ];
+        let mut stack = Stack::new(blocks, JointMaterial::with_friction(2.0), 9.81).unwrap();
+        for (joint, friction) in [(2, frictions[0]), (3, frictions[1])] {
+            let material = JointMaterial::with_friction(friction);
+            stack = stack.with_material(joint, material).unwrap();
+        }
+        let movement = SupportMovement { block: 1, movement_m };
+        let stack = stack.with_support_movement(movement).unwrap();
+        follow_support_movement(&stack, &SupportMovementOptions::default()).unwrap()
+    }
+
+    #[test]
+    fn exact_a_stone_goes_with_its_ground() {
+        let stack = Stack::new(
+            vec![block("stone", [0.4, 0.4, 2.0], [0.0; 3])],
+            JointMaterial::default(),
+            9.81,
+        );
+        let movement = SupportMovement {
+            block: 0,
+            movement_m: [0.01, -0.02, -0.03],
+        };
+        let stack = stack.unwrap().with_support_movement(movement).unwrap();
+        let found = follow_support_movement(&stack, &SupportMovementOptions::default()).unwrap();
+        assert_eq!(found.ending, MovementEnding::Stands);
+        let given = found.given.unwrap();
+        let [x, y, z] = given.solids[0].centroid_m();
+        assert!((x - 0.01).abs() < 1e-9 && (y + 0.02).abs() < 1e-9 && (z - 0.97).abs() < 1e-9);
+        let [along, across, up] = given.reactions[0].force_n;
+        let weight = 0.32 * 2600.0 * 9.81;
+        assert!(along.abs() + across.abs() < 1e-6 * weight && (up / weight - 1.0).abs() < 1e-8);
+        assert!(given.mechanism.is_none() && given.slip_m < 1e-9);
+    }
+
+    #[test]
+    fn exact_a_lintel_falls_when_it_has_slid_off_the_smoother_pillar() {
+        for (frictions, name) in [([0.2, 0.6], "left"), ([0.6, 0.2], "right")] {
+            let found = lintel(frictions, [0.1, 0.0, 0.0]);
+            let fell_at = 0.1 * found.last.factor;
+            assert!(matches!(found.ending, MovementEnding::Falls { .. }));
+            assert!((fell_at - 0.4).abs() < 1e-3, "{name}: {fell_at}");
+            assert!(
+                (found.last.slip_m - fell_at).abs() < 1e-3,
+                "{name}: {}",
+                found.last.slip_m
+            );
+            // the smoother joint drags by what lies on it: of the lintel 0.375 to 0.625, wherever it lies on the pillars
+            let drags = [0.375, 0.625].map(|share| 0.2 * share * 0.24 * 2600.0 * 9.81);
+            let [left, right] = [0, 1].map(|at| found.small.reactions[at].force_n[0]);
+            assert!((left + right).abs() < 1e-6 * drags[0], "{left} {right}");
+            assert!(
+                right > drags[0] - 1e-3 && right < drags[1] + 1e-3,
+                "{right} {drags:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn exact_a_lintel_turns_with_a_pillar_that_settles() {
+        let found = lintel([0.6, 0.6], [0.0, 0.0, -0.02]);
+        // it turns about the inner edge of the left pillar and lies on the outer one of the right, 0.6 and 1 m from its middle
+        let mechanism = found.small.mechanism.unwrap();
+        let places: Vec<f64> = mechanism
+            .joints
+            .iter()
+            .filter_map(|joint| Some(joint.closed_at_m?[0]))
+            .collect();
+        assert_eq!(places.len(), 2, "{mechanism:?}");
+        assert!(
+            (places[0] + 0.6).abs() < 1e-6 && (places[1] - 1.0).abs() < 1e-6,
+            "{places:?}"
+        );
+        for (at, share) in [(0, 1.0 / 1.6), (1, 0.6 / 1.6)] {
+            let weight = (0.24 * share + 0.16) * 2600.0 * 9.81;
+            let up = found.small.reactions[at].force_n[2];
+            assert!((up / weight - 1.0).abs() < 1e-6, "{up} {weight}");
+        }
+        assert!(found.given.is_some());
+    }
+
+    #[test]
+    fn refuses_options_out_of_range_and_no_movement() {
+        let blocks = vec![block("stone", [0.4, 0.4, 2.0], [0.0; 3])];
+        let stack = Stack::new(blocks, JointMaterial::default(), 9.81).unwrap();
+        let options = SupportMovementOptions::default();
+        let fault = follow_support_movement(&stack, &options).unwrap_err().to_string();
+        assert!(fault.starts_with("support_movements is 0"), "{fault}");
+        let options = SupportMovementOptions { step: 0.0, ..options };
+        assert!(follow_support_movement(&stack, &options).is_err());
+    }
+}

@@ -1,0 +1,17 @@
+//! Movements of the ground under single stones of a stack.
+
+/// How far the ground under one block moves: an abutment that gives way, a footing that settles.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SupportMovement {
+    /// The block; it stands on the ground.
+    pub block: usize,
+    /// Displacement of the ground below it, m, z up.
+    pub movement_m: [f64; 3],
+}
+
+impl SupportMovement {
+    /// Length of the displacement, m.
+    pub fn length_m(&self) -> f64 {
+        self.movement_m.iter().map(|part| part * part).sum::<f64>().sqrt()
+    }
+}

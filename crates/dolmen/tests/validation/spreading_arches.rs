@@ -1,0 +1,218 @@
+// SOURCE     Ochsendorf (2006), The masonry arch on spreading supports: the method (three hinges whose place is searched at each
+//            spread until the thrust line leaves the arch), not its numbers.
+// GOAL       Thrust and collapse of round arches whose supports move, found by following all stones, against a thrust line in half an
+//            arch that shares nothing with it.
+// PARAMETERS flat-faced voussoirs, radius 1 of the centre line, thickness t, n voussoirs, no sliding.
+//
+//              C  crown hinge, at the outer line          H →  thrust
+//            /  \
+//         A /    \  hinge at the inner line of joint k    below A the half moves with its support
+//          |      |  → u
+//
+// TOLERANCE  Thrust at the first movement 1e-6: both are limit analyses, exact but for the movement of 1e-4. Spread at collapse 0.1 %:
+//            steps of 0.004 rad on the way, and the least step (measured: 0.02 %).
+
+use dolmen::stability::stack::{
+    MovedSupports, MovementEnding, SupportMovementOptions, follow_support_movement,
+};
+use dolmen::structure::stack::{ArchFactors, JointMaterial, Stack, SupportMovement, arch};
+
+const DENSITY_KG_M3: f64 = 2600.0;
+const GRAVITY_M_S2: f64 = 9.81;
+const DEPTH_M: f64 = 0.5;
+
+/// The right half of a round arch, from its crown down, as points and weights of our own.
+struct Half {
+    /// Inner and outer end of each joint, the crown first.
+    joints: Vec<[[f64; 2]; 2]>,
+    /// Weight and centroid of each voussoir.
+    stones: Vec<(f64, [f64; 2])>,
+    thickness: f64,
+}
+
+impl Half {
+    fn new(voussoirs: usize, thickness: f64) -> Self {
+        let (inner, outer) = (1.0 - 0.5 * thickness, 1.0 + 0.5 * thickness);
+        let joints: Vec<[[f64; 2]; 2]> = (0..=voussoirs / 2)
+            .map(|joint| {
+                let (sin, cos) = (std::f64::consts::PI * joint as f64 / voussoirs as f64).sin_cos();
+                [inner, outer].map(|radius| [radius * sin, radius * cos])
+            })
+            .collect();
+        let stones = joints
+            .windows(2)
+            .map(|pair| {
+                let corners = [pair[0][0], pair[0][1], pair[1][1], pair[1][0]];
+                let (mut area, mut first) = (0.0, [0.0; 2]);
+                for (a, b) in corners.iter().zip(corners.iter().cycle().skip(1)) {
+                    let cross = a[0] * b[1] - b[0] * a[1];
+                    area += 0.5 * cross;
+                    first = [0, 1].map(|axis| first[axis] + cross * (a[axis] + b[axis]) / 6.0);
+                }
+                let weight = area.abs() * DEPTH_M * DENSITY_KG_M3 * GRAVITY_M_S2;
+                (weight, first.map(|moment| moment / area))
+            })
+            .collect();
+        Half {
+            joints,
+            stones,
+            thickness,
+        }
+    }
+
+    /// Moment about a point of the weights of the first stones.
+    fn weights(&self, stones: &[(f64, [f64; 2])], about: [f64; 2]) -> f64 {
+        stones
+            .iter()
+            .map(|(weight, at)| weight * (about[0] - at[0]))
+            .sum()
+    }
+
+    /// The thrusts that keep the line inside the arch as drawn if it crosses the crown at this height.
+    fn range(&self, crown: f64) -> [f64; 2] {
+        let (mut least, mut most) = (0.0_f64, f64::INFINITY);
+        for (joint, [inner, outer]) in self.joints.iter().enumerate().skip(1) {
+            let above = &self.stones[..joint];
+            least = match inner[1] < crown {
+                true => least.max(self.weights(above, *inner) / (crown - inner[1])),
+                false => f64::INFINITY,
+            };
+            if outer[1] < crown {
+                most = most.min(self.weights(above, *outer) / (crown - outer[1]));
+            }
+        }
+        [least, most]
+    }
+
+    /// Least and largest thrust of the arch as drawn: the highest, and the lowest crossing of the crown that keeps the line inside.
+    fn thrusts(&self) -> [f64; 2] {
+        let (mut low, mut high) = (1.0 - 0.5 * self.thickness, 1.0 + 0.5 * self.thickness);
+        let least = self.range(high)[0];
+        for _ in 0..60 {
+            let middle = 0.5 * (low + high);
+            let [least, most] = self.range(middle);
+            (low, high) = if least <= most {
+                (low, middle)
+            } else {
+                (middle, high)
+            };
+        }
+        [least, self.range(high)[1]]
+    }
+
+    /// The thrust with a hinge at the inner line of joint `k` once the support has moved out by `u`; `None` where the line of thrust then
+    /// leaves a joint.
+    fn thrust(&self, k: usize, u: f64) -> Option<f64> {
+        let (crown, hinge) = (self.joints[0][1], self.joints[k][0]);
+        let from = [crown[0] - hinge[0], crown[1] - hinge[1]];
+        let length = from[0].hypot(from[1]);
+        let across = hinge[0] + u;
+        (across < length).then_some(())?;
+        let to = [-across, (length * length - across * across).sqrt()];
+        let (cos, sin) = (
+            (from[0] * to[0] + from[1] * to[1]) / (length * length),
+            (from[0] * to[1] - from[1] * to[0]) / (length * length),
+        );
+        let upper = |at: [f64; 2]| {
+            let arm = [at[0] - hinge[0], at[1] - hinge[1]];
+            [
+                hinge[0] + u + cos * arm[0] - sin * arm[1],
+                hinge[1] + sin * arm[0] + cos * arm[1],
+            ]
+        };
+        let lower = |at: [f64; 2]| [at[0] + u, at[1]];
+        let stones: Vec<(f64, [f64; 2])> = self
+            .stones
+            .iter()
+            .enumerate()
+            .map(|(i, (weight, at))| (*weight, if i < k { upper(*at) } else { lower(*at) }))
+            .collect();
+        let (crown, pivot) = (upper(crown), lower(hinge));
+        let thrust = self.weights(&stones[..k], pivot) / (crown[1] - pivot[1]);
+        let inside = (1..self.joints.len()).all(|joint| {
+            let ends = self.joints[joint].map(|at| if joint < k { upper(at) } else { lower(at) });
+            let [inner, outer] =
+                ends.map(|end| thrust * (crown[1] - end[1]) - self.weights(&stones[..joint], end));
+            joint == k || (inner >= 0.0 && outer <= 0.0)
+        });
+        inside.then_some(thrust)
+    }
+
+    /// The thrust at a spread `u` of each support, wherever the hinge is.
+    fn spread_thrust(&self, u: f64) -> Option<f64> {
+        (1..self.joints.len()).find_map(|k| self.thrust(k, u))
+    }
+
+    /// The largest `u` that any hinge allows.
+    fn last(&self) -> f64 {
+        let step = 2e-5;
+        let mut last = 0.0;
+        for number in 0..10_000 {
+            let u = f64::from(number) * step;
+            if self.spread_thrust(u).is_some() {
+                last = u;
+            }
+        }
+        last
+    }
+}
+
+fn round_arch(voussoirs: u32, thickness_m: f64) -> Stack {
+    let span_m = 2.0 - thickness_m;
+    let blocks = arch(&ArchFactors {
+        span_m,
+        rise_m: 0.5 * span_m,
+        thickness_m,
+        depth_m: DEPTH_M,
+        voussoirs,
+        springing_height_m: 0.0,
+        abutment_m: 1.0,
+        density_kg_m3: DENSITY_KG_M3,
+    });
+    Stack::new(blocks.unwrap(), JointMaterial::with_friction(1.5), GRAVITY_M_S2).unwrap()
+}
+
+/// The arch with its right support moved by this.
+fn followed(voussoirs: u32, thickness_m: f64, movement_m: [f64; 3]) -> MovedSupports {
+    let movement = SupportMovement {
+        block: voussoirs as usize - 1,
+        movement_m,
+    };
+    let stack = round_arch(voussoirs, thickness_m)
+        .with_support_movement(movement)
+        .unwrap();
+    let found = follow_support_movement(&stack, &SupportMovementOptions::default()).unwrap();
+    assert!(found.residual < 1e-7, "{}", found.residual);
+    found
+}
+
+#[test]
+fn agrees_spreading_supports_bear_the_least_thrust_and_closing_ones_the_largest() {
+    for (voussoirs, thickness) in [(10, 0.15), (16, 0.2)] {
+        let [least, most] = Half::new(voussoirs as usize, thickness).thrusts();
+        for (way, thrust) in [(1.0, least), (-1.0, most)] {
+            let found = followed(voussoirs, thickness, [way * 1e-3, 0.0, 0.0]);
+            for (reaction, side) in found.small.reactions.iter().zip([1.0, -1.0]) {
+                let force = side * reaction.force_n[0];
+                assert!(
+                    (force / thrust - 1.0).abs() < 1e-6,
+                    "{voussoirs} {way}: {force} {thrust}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn agrees_span_at_collapse_of_spreading_arches() {
+    for (voussoirs, thickness) in [(10, 0.15), (16, 0.2)] {
+        let exact = 2.0 * Half::new(voussoirs as usize, thickness).last();
+        let found = followed(voussoirs, thickness, [0.01, 0.0, 0.0]);
+        let spread = 0.01 * found.last.factor;
+        assert!(matches!(found.ending, MovementEnding::Falls { .. }));
+        assert!(
+            (spread / exact - 1.0).abs() < 1e-3,
+            "{voussoirs} {thickness}: {spread} {exact}"
+        );
+    }
+}
