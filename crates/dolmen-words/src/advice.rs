@@ -205,6 +205,7 @@ impl Advice for Note {
             | Self::TonesOnModes { .. }
             | Self::Harmonics { .. }
             | Self::InSpells { .. }
+            | Self::LightModes { .. }
             | Self::NoDamping { .. }
             | Self::ClosePairs { .. }
             | Self::Blends { .. }

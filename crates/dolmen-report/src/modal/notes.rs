@@ -28,8 +28,8 @@ messages! {
             ko: "{tones}에 기록 전체에서 위상이 일정하거나 세기가 너무 일정한 스펙트럼 선이 있다. 기계 진동이다.",
         },
         Narrow { least: Quantity, peaks: Vec<Sentence> } => {
-            en: "The spectrum has peaks narrower than a mode with a damping ratio of {least}, at {peaks}: machines that run for a part of the time, or modes damped less than that; damping_least in the modal options of the survey admits them.",
-            ko: "{peaks}에 감쇠비 {least}인 모드보다 폭이 좁은 스펙트럼 피크가 있다. 일부 시간만 가동한 기계 진동이거나 감쇠가 그보다 작은 모드이다. 모드라면 조사의 modal 항목에서 damping_least로 하한을 낮춘다.",
+            en: "The spectrum has peaks narrower than a mode with a damping ratio of {least}, or steadier than modes are, at {peaks}: machines that run for a part of the time, or modes damped less than that; damping_least in the modal options of the survey admits them.",
+            ko: "{peaks}에 감쇠비 {least}인 모드보다 폭이 좁거나 모드보다 세기가 일정한 스펙트럼 피크가 있다. 일부 시간만 가동한 기계 진동이거나 감쇠가 그보다 작은 모드이다. 모드라면 조사의 modal 항목에서 damping_least로 하한을 낮춘다.",
         },
         TonesOnModes { tones: Vec<Sentence> } => {
             en: "Machines run on modes, at {tones}: their sines keep one phase for the whole record; the damping ratio of such a mode comes out too low, and its shape is the machine's too: measure while the machine rests.",
@@ -50,6 +50,10 @@ messages! {
         NoDamping { at: Values } => {
             en: "No damping ratio is given for the peaks at {at}: another mode cuts their sides, they decay too fast to fit, or what decays has another frequency than the peak; the subspace methods tell close modes apart.",
             ko: "{at} 피크의 감쇠비는 제시하지 않는다. 다른 모드가 피크의 옆을 자르거나, 감쇠가 너무 빠르거나, 감쇠하는 진동수가 피크와 다르다. 가까운 모드는 부분공간법으로 구별한다.",
+        },
+        LightModes { at: Values } => {
+            en: "The modes at {at} are damped less than 0.2 %: few structures but steel and single stones are, and a machine whose speed wanders looks the same. Measure again while machines rest.",
+            ko: "{at} 모드의 감쇠비가 0.2 %보다 작다. 강재나 단일 석재가 아니면 드물고, 회전수가 변하는 기계의 진동도 이와 같이 보인다. 기계가 멈춘 동안 다시 계측한다.",
         },
         ClosePairs { pairs: Vec<Sentence> } => {
             en: "The modes at {pairs} lie closer than their bandwidths: the plane of their two shapes is known better than each shape in it.",
@@ -152,6 +156,9 @@ pub(super) fn note_words(note: &Note) -> Sentence {
             modes: modes.iter().map(in_spells_words).collect(),
         },
         Note::NoDamping { frequency_hz } => Notes::NoDamping {
+            at: all_hertz(frequency_hz),
+        },
+        Note::LightModes { frequency_hz } => Notes::LightModes {
             at: all_hertz(frequency_hz),
         },
         Note::ClosePairs { pairs } => Notes::ClosePairs {

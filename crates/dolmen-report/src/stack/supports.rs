@@ -62,9 +62,9 @@ messages! {
         Given => { en: "as given", ko: "주어진 변위" },
         Last => { en: "the most", ko: "최대 변위" },
         Times => { en: "times", ko: "배율" },
-        ForceX => { en: "Fx", ko: "Fx" },
-        ForceY => { en: "Fy", ko: "Fy" },
-        ForceZ => { en: "Fz", ko: "Fz" },
+        ForceX => { en: "Fx", ko: "x방향 힘" },
+        ForceY => { en: "Fy", ko: "y방향 힘" },
+        ForceZ => { en: "Fz", ko: "z방향 힘" },
         First => { en: "Joints as the supports begin to move.", ko: "지점이 움직이기 시작할 때의 접합면." },
         AtTheEnd => {
             en: "Joints at the largest movement in which it stood.",

@@ -191,6 +191,10 @@ const PHRASES: &[(&str, &str)] = &[
         "at most one finite start for each block",
         "블록마다 유한한 초깃값 하나 이하",
     ),
+    (
+        "one movement or more, with a length",
+        "길이가 있는 변위 하나 이상",
+    ),
     ("one of the sites given", "주어진 위치 중 하나"),
     ("one of the modes of the structure", "구조물의 모드 중 하나"),
     (

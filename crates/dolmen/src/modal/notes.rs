@@ -116,7 +116,7 @@ pub enum Note {
         /// The peaks.
         tones: Vec<Tone>,
     },
-    /// Peaks narrower than a mode damped by the least, that no test calls a machine.
+    /// Peaks narrower than a mode damped by the least, or steadier than modes are, that no test calls a machine.
     Narrow {
         /// The peaks.
         peaks: Vec<Tone>,
@@ -142,6 +142,11 @@ pub enum Note {
     },
     /// Peaks whose sides other modes cut, or whose decay is too short: their damping is not given.
     NoDamping {
+        /// Their frequencies, Hz.
+        frequency_hz: Vec<f64>,
+    },
+    /// Modes damped less than those of most structures.
+    LightModes {
         /// Their frequencies, Hz.
         frequency_hz: Vec<f64>,
     },
@@ -261,7 +266,7 @@ impl std::fmt::Display for Note {
                 let all: Vec<String> = peaks.iter().map(ToString::to_string).collect();
                 write!(
                     f,
-                    "the spectrum has peaks narrower than a mode damped by {:.2} %, at {}: machines that run for a part of the time, or modes damped \
+                    "the spectrum has peaks narrower than a mode damped by {:.2} %, or steadier than modes are, at {}: machines that run for a part of the time, or modes damped \
                      less than that",
                     100.0 * damping_ratio_least,
                     all.join(", ")
@@ -308,6 +313,14 @@ impl std::fmt::Display for Note {
                     f,
                     " Hz: another mode cuts their sides, they decay too fast to fit, or what \
                      decays has another frequency than the peak; the subspace methods tell close modes apart"
+                )
+            }
+            Note::LightModes { frequency_hz } => {
+                write!(f, "the modes at ")?;
+                list(f, frequency_hz)?;
+                write!(
+                    f,
+                    " Hz are damped less than 0.2 %: few structures but steel and single stones are, and a machine whose speed wanders looks the same"
                 )
             }
             Note::ClosePairs { pairs } => {

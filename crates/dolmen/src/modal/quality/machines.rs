@@ -1,9 +1,10 @@
 //! Peaks and modes that machines make: told by their width and by how steady they are.
 
 use super::harmonics::{Kurtosis, band_kurtosis};
+use super::in_spells::InSpells;
 use super::lines::{FineLines, LineTest};
-use super::remarks::explained;
-use super::spells::{InSpells, in_spells, note_spells};
+use super::remarks::{USUAL_LEAST, explained};
+use super::spells::{in_spells, note_spells};
 use crate::modal::options::{Harmonics, Identify};
 use crate::modal::spectrum::FddResult;
 use crate::modal::{Method, ModalError, Mode, Modes, Note, Tone, ToneOnMode};
@@ -11,10 +12,6 @@ use crate::signal::Record;
 
 /// Power of a sine over that of the mode under it up to which both are told apart. Chosen here: beyond, the skirts of the sine pass for a mode.
 const STRENGTH_MOST: f64 = 15.0;
-
-/// Few modes are damped less. What looks too steady for one damped so much is a machine if it is a sine too, comes and goes, or is too steady for
-/// its own width: a mode damped less follows itself for longer.
-const USUAL_LEAST: f64 = 0.002;
 
 /// Takes the peaks out that are narrower than a mode damped by the least, where the lines are fine enough to tell, or too steady for random
 /// forces; returns their frequencies, Hz. Those of one phase for the whole record, or too steady, are machines; of the rest nobody can say.
@@ -44,13 +41,14 @@ pub(crate) fn split_tones(
         let looks_steady = kurtosis.as_ref().is_some_and(Kurtosis::harmonic);
         let is_sine = (looks_steady || damping_ratio < USUAL_LEAST)
             && lines.test(&mode).is_some_and(|line| line.is_sine());
+        // what looks too steady for a mode damped as usual is a machine if it is a sine too, comes and goes, or is too steady for its own width
         let is_steady = looks_steady
             && (is_sine
                 || found.is_some()
                 || is_steady_at(record, &mode, [damping_ratio_least, damping_ratio])?);
         if let Some(found) = found.filter(|_| !is_steady) {
             spells.push(found);
-        } else if damping_ratio < damping_ratio_least || is_steady || is_sine {
+        } else if damping_ratio < damping_ratio_least || looks_steady || is_sine {
             let tone = Tone {
                 frequency_hz: mode.frequency_hz,
                 width_hz,
@@ -198,5 +196,35 @@ pub(crate) fn test_for_machines(
         }
         notes.push(Note::Harmonics { steady, removed });
     }
+    leave_out_steady_light(options, modes, notes);
     Ok(())
+}
+
+/// Leaves out what is damped so little as only machines and the lightest structures are, and has the steadiness of a machine rather than the
+/// randomness of a mode, however few strengths tell: unless the user admits such modes. Chosen here: the tone of Palisaden at 20.5 Hz has 1.57.
+fn leave_out_steady_light(options: &Identify, modes: &mut Modes, notes: &mut Vec<Note>) {
+    const KURTOSIS_LEAST: f64 = 2.0;
+    if options.criteria.damping_ratio_least.is_some() {
+        return;
+    }
+    let mut peaks: Vec<Tone> = Vec::new();
+    modes.modes.retain(|mode| {
+        let light = mode.damping_ratio.filter(|zeta| *zeta < USUAL_LEAST);
+        let steady = mode.kurtosis.filter(|of| of.kurtosis < KURTOSIS_LEAST);
+        let (Some(zeta), Some(_)) = (light, steady) else {
+            return true;
+        };
+        peaks.push(Tone {
+            frequency_hz: mode.frequency_hz,
+            width_hz: 2.0 * zeta * mode.frequency_hz,
+            kurtosis: mode.kurtosis,
+        });
+        false
+    });
+    if !peaks.is_empty() {
+        notes.push(Note::Narrow {
+            peaks,
+            damping_ratio_least: USUAL_LEAST,
+        });
+    }
 }

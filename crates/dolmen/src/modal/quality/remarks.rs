@@ -2,6 +2,9 @@
 
 use crate::modal::{Method, Mode, Modes, Note, Refusal, RefusedPeak};
 
+/// Few modes are damped less.
+pub(super) const USUAL_LEAST: f64 = 0.002;
+
 /// Frequencies that were left out with a reason of their own.
 fn in_spells_hz(note: &Note) -> Vec<f64> {
     match note {
@@ -44,6 +47,14 @@ pub(crate) fn remark(
         if !frequency_hz.is_empty() {
             notes.push(Note::NoDamping { frequency_hz });
         }
+    }
+    let light = modes
+        .modes
+        .iter()
+        .filter(|m| m.damping_ratio.is_some_and(|zeta| zeta < USUAL_LEAST));
+    let frequency_hz: Vec<f64> = light.map(|m| m.frequency_hz).collect();
+    if !frequency_hz.is_empty() {
+        notes.push(Note::LightModes { frequency_hz });
     }
     let pairs: Vec<[f64; 2]> = modes
         .modes

@@ -6,6 +6,7 @@
 //! | p | | sum of abs(Z_s0)² over windows |
 //! | q | | sum of abs(Z_sk)² over windows; median of the lines of a side; of the lower side |
 
+use super::in_spells::InSpells;
 use super::remarks::near;
 use crate::modal::Note;
 use crate::modal::modes::{Mode, Modes};
@@ -18,27 +19,6 @@ const BESIDE: RangeInclusive<usize> = 4..=12;
 /// A mode stands out of what is beside it at least so far. Chosen on the development seeds of `unkind_modes`: of 271 modes the least has 2.7, of
 /// 38 lines that footsteps left 36 have less than 1.7.
 const STANDS_OUT: f64 = 2.0;
-
-/// A mode that is there in spells alone.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct InSpells {
-    /// Its frequency, Hz.
-    pub frequency_hz: f64,
-    /// Its power over that beside it, in the whole record.
-    pub stands_out: f64,
-    /// The same, in the quiet half.
-    pub stands_out_quiet: f64,
-}
-
-impl std::fmt::Display for InSpells {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(
-            f,
-            "{:.3} Hz ({:.1} times what is beside it, {:.1} in quiet times)",
-            self.frequency_hz, self.stands_out, self.stands_out_quiet
-        )
-    }
-}
 
 /// Leaves out the modes that are there in spells alone, and says so: footsteps and other blows that follow each other make lines of their own,
 /// which a subspace method takes for modes.

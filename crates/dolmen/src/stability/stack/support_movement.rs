@@ -245,7 +245,7 @@ impl<'a> Path<'a> {
                 return Err(StabilityError::Option {
                     option,
                     given,
-                    allowed: "above 0, at most 1",
+                    allowed: "above 0 and at most 1",
                 });
             }
         }

@@ -1,0 +1,22 @@
+//! A mode that is there while somebody walks alone.
+
+/// A mode that is there in spells alone.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct InSpells {
+    /// Its frequency, Hz.
+    pub frequency_hz: f64,
+    /// Its power over that beside it, in the whole record.
+    pub stands_out: f64,
+    /// The same, in the quiet half.
+    pub stands_out_quiet: f64,
+}
+
+impl std::fmt::Display for InSpells {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(
+            f,
+            "{:.3} Hz ({:.1} times what is beside it, {:.1} in quiet times)",
+            self.frequency_hz, self.stands_out, self.stands_out_quiet
+        )
+    }
+}
