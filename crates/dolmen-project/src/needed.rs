@@ -11,7 +11,7 @@ use dolmen_words::message::Both;
 use std::ops::Range;
 
 /// Most parts of a structure, our choice: no chain or frame that people model by hand comes near.
-const PARTS_MOST: usize = 1000;
+const PARTS_MOST: usize = 2000;
 
 /// Reports a key that the file lacks.
 pub(super) fn missing(reader: &mut Reader, key: &str, message: impl Into<Both>, help: impl Into<Both>) {

@@ -8,6 +8,9 @@ use super::values::{all_hertz, fixed, hertz, percent};
 use dolmen::modal::Note;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, Values, messages};
 
+/// Lines that footsteps left that are named; one walk leaves twenty.
+const SPELLS_SHOWN: usize = 5;
+
 messages! {
     /// Notes on modes.
     pub(crate) enum Notes in "modal.notes" {
@@ -46,6 +49,10 @@ messages! {
         InSpells { modes: Vec<Sentence> } => {
             en: "Left out, since nothing stands there while the structure is quiet: {modes}. Footsteps, other blows that follow each other, or a machine that ran for a while.",
             ko: "구조물이 조용한 동안에는 나타나지 않아 모드에서 제외하였다: {modes}. 발걸음처럼 잇따르는 충격이나 잠시 가동한 기계의 진동이다.",
+        },
+        InSpellsAndMore { modes: Vec<Sentence>, more: usize } => {
+            en: "Left out, since nothing stands there while the structure is quiet: {modes}, and {more} more. Footsteps, other blows that follow each other, or a machine that ran for a while.",
+            ko: "구조물이 조용한 동안에는 나타나지 않아 모드에서 제외하였다: {modes} 외 {more}개. 발걸음처럼 잇따르는 충격이나 잠시 가동한 기계의 진동이다.",
         },
         NoDamping { at: Values } => {
             en: "No damping ratio is given for the peaks at {at}: another mode cuts their sides, they decay too fast to fit, or what decays has another frequency than the peak; the subspace methods tell close modes apart.",
@@ -150,6 +157,14 @@ pub(super) fn note_words(note: &Note) -> Sentence {
             match removed {
                 true => Notes::HarmonicsRemoved { steady },
                 false => Notes::Harmonics { steady },
+            }
+        }
+        Note::InSpells { modes } if modes.len() > SPELLS_SHOWN => {
+            let mut strongest = modes.clone();
+            strongest.sort_by(|a, b| b.stands_out.total_cmp(&a.stands_out));
+            Notes::InSpellsAndMore {
+                modes: strongest[..SPELLS_SHOWN].iter().map(in_spells_words).collect(),
+                more: modes.len() - SPELLS_SHOWN,
             }
         }
         Note::InSpells { modes } => Notes::InSpells {
