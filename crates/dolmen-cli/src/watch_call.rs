@@ -7,7 +7,7 @@ use dolmen_work::judgement::{Colour, Verb, exit_status};
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-/// What the program is told, in its environment.
+/// What the program finds in its environment.
 pub(crate) struct Call<'a> {
     pub(crate) structure: &'a str,
     /// The last survey.

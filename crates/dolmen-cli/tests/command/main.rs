@@ -15,6 +15,7 @@ mod documents;
 mod english;
 mod figure_files;
 mod followed;
+mod followed_alarms;
 mod frames;
 mod habits;
 mod handovers;

@@ -1,4 +1,4 @@
-//! Records as they come, a line each, and what is told to other programs.
+//! Records as they come, a line each, and metrics for other programs.
 
 use crate::modal::fault_words;
 use dolmen::monitoring::NotJudged;

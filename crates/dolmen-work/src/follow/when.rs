@@ -63,7 +63,7 @@ fn moment(at_s: f64) -> String {
     text.replacen(' ', "T", 1)
 }
 
-/// The moment that a survey of a record is named for, s from 1 January 1970; of a day its start.
+/// The moment that a survey of a record has its name from, s from 1 January 1970; of a day its start.
 pub fn moment_of(survey: &str) -> Option<f64> {
     let day = day_of_a_record(survey)?;
     let whole = survey.get(..DATE_AND_TIME).and_then(start_of_text);

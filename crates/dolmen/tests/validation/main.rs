@@ -30,6 +30,7 @@ mod joint_factors_random;
 mod limit_analysis_microlp;
 mod liquid_columns;
 mod lost_samples;
+mod machines_in_records;
 mod made_records;
 mod park_min_2010;
 mod plan_stiffness;
