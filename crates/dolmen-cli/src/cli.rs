@@ -32,6 +32,8 @@ pub(crate) enum Verb {
     New(New),
     /// The structure as entered: names, dimensions, offsets, tilts, sensors; nothing is computed
     Draw(Draw),
+    /// Where a few sensors see the modes best and tell them apart, and what they leave unseen
+    Sensors(Sensors),
     /// Is the file right, does it stand: stability, limits, modes. Milliseconds
     Check(Check),
     /// Records → modes → stiffness, with its ambiguity stated
@@ -119,6 +121,33 @@ pub(crate) struct Draw {
     pub(crate) project: PathBuf,
     /// Write the drawing (SVG) into this file instead of standard output
     #[arg(long, short, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Sensors {
+    /// Project file with a structure, or a folder that holds project.toml
+    pub(crate) project: PathBuf,
+    /// Sensors that record at once
+    #[arg(long, short = 'n', value_name = "N", default_value_t = 4)]
+    pub(crate) count: usize,
+    /// Axes of each sensor: 1, 2 (both horizontal) or 3
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    pub(crate) axes: usize,
+    /// How high a sensor may stand, m above the ground: what a ladder reaches
+    #[arg(long, value_name = "METRES", value_parser = positive)]
+    pub(crate) up_to: Option<f64>,
+    /// How many modes they shall tell apart, the lowest; as many as channels, 3 to 6, without it
+    #[arg(long, value_name = "N")]
+    pub(crate) modes: Option<usize>,
+    /// Record so many times, with the sensors moved on
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    pub(crate) setups: usize,
+    /// Sensors that stay where they are in all setups
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub(crate) references: usize,
+    /// Write the drawing (SVG), the plan (JSON) and the lines for a survey (TOML) into this folder
+    #[arg(long, short, value_name = "DIR")]
     pub(crate) output: Option<PathBuf>,
 }
 

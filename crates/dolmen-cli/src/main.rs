@@ -29,6 +29,7 @@ mod report;
 mod request;
 mod say;
 mod score;
+mod sensors;
 mod signals;
 mod simulate;
 mod study;
@@ -93,6 +94,7 @@ fn run(cli: &Cli, typed: &Typed) -> anyhow::Result<Outcome> {
     match &cli.verb {
         Verb::New(options) => examples::run(options, manner),
         Verb::Draw(options) => draw::run(options, manner),
+        Verb::Sensors(options) => sensors::run(options, manner),
         Verb::Check(options) => check::run(options, typed, manner),
         Verb::Identify(options) => identify::run(options, manner),
         Verb::Compare(options) => compare::run(options, manner),

@@ -228,6 +228,10 @@ messages! {
             en: "figures and identification.json are in {folder}",
             ko: "그림과 identification.json을 {folder}에 썼다",
         },
+        Sensors { folder: String } => {
+            en: "sensors.svg, sensors.json and sensors.toml are in {folder}",
+            ko: "sensors.svg, sensors.json, sensors.toml을 {folder}에 썼다",
+        },
         Compared { folder: String } => {
             en: "change.svg and change.json are in {folder}",
             ko: "change.svg와 change.json을 {folder}에 썼다",

@@ -33,6 +33,7 @@ mod motion;
 mod processing;
 mod rank;
 mod score;
+mod sensors;
 pub mod sentences;
 mod simulated;
 mod stack;
@@ -54,6 +55,7 @@ pub use identify::identification_text;
 pub use motion::motion_report_text;
 pub use rank::rank_text;
 pub use score::{score_quality_text, score_text};
+pub use sensors::sensors_text;
 
 /// The listings of the book are compiled and run as tests.
 #[cfg(doctest)]

@@ -9,7 +9,7 @@ use crate::surveys_given::Given;
 use crate::{
     building, building_simulation, chain, change, check, demand, document, engineer, figures, frame,
     frame_simulation, headline, identification, kept, limits, loads, modal, motion, processing, rank, score,
-    simulated, stack, stack_simulation, study, text, tune, watch, xlsx,
+    sensors, simulated, stack, stack_simulation, study, text, tune, watch, xlsx,
 };
 use dolmen_words::Template;
 
@@ -54,6 +54,7 @@ pub fn sentences() -> Vec<Template> {
     groups.extend(motion::TEMPLATES);
     groups.extend(score::TEMPLATES);
     groups.extend(rank::TEMPLATES);
+    groups.extend(sensors::TEMPLATES);
     groups.extend(kept::TEMPLATES);
     groups.extend(figures::TEMPLATES);
     groups.extend(figures::OF_SINGLE_FIGURES);

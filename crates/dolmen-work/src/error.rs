@@ -4,6 +4,7 @@ use crate::change_fault::ChangeFault;
 use crate::motion::MotionRequestError;
 use crate::portfolio::PortfolioError;
 use crate::score::ScoreDesignsError;
+use crate::sensors::SensorsError;
 use crate::study::{JournalError, StudyError};
 use dolmen::assess::AssessError;
 use dolmen::blocks::BlocksError;
@@ -61,6 +62,8 @@ pub enum WorkError {
     Portfolio(Box<PortfolioError>),
     /// A table of designs is refused.
     Designs(Box<ScoreDesignsError>),
+    /// Sensors cannot be planned.
+    Sensors(Box<SensorsError>),
     /// A journal cannot be read.
     Journal(Box<JournalError>),
     /// From the science.
@@ -274,6 +277,7 @@ handed_on! {
     Change: ChangeFault,
     Portfolio: PortfolioError,
     Designs: ScoreDesignsError,
+    Sensors: SensorsError,
     Journal: JournalError,
     Assess: AssessError,
     Blocks: BlocksError,
@@ -295,6 +299,7 @@ impl WorkError {
         Some(match self {
             WorkError::MotionRequest(why) => why.as_ref(),
             WorkError::Study(why) => why.as_ref(),
+            WorkError::Sensors(why) => why.as_ref(),
             WorkError::File(why) => why.as_ref(),
             WorkError::Project(why) => why.as_ref(),
             WorkError::Record(why) => why.as_ref(),

@@ -37,6 +37,7 @@ mod record;
 mod report;
 pub mod score;
 pub mod sensor_alarms;
+pub mod sensors;
 mod simulate;
 pub mod simulation;
 pub mod stack;

@@ -10,6 +10,7 @@ use dolmen_project::{Project, RecordSource, Survey};
 use dolmen_words::message::Both;
 use dolmen_words::number::{NARROW_SPACE, trimmed};
 use dolmen_words::{Language, Sentence, messages};
+use dolmen_work::sensors::{Axis, SensorsAnswer};
 use std::collections::BTreeMap;
 
 /// Levels nearer than this are one dimension, px.
@@ -35,9 +36,29 @@ messages! {
 
 /// The drawing; `None` of a survey alone, and of a stack that cannot be built.
 pub(crate) fn drawing(project: &Project, language: Language) -> Option<String> {
-    let sheet = sheet(elevations(&project.structure, true))?;
     let leaning = project.surveys.iter().rfind(|survey| !survey.tilt.is_empty());
-    let sensors = sensors(project);
+    drawn(project, leaning, sensors(project), language)
+}
+
+/// The structure with sensors that are planned, by their numbers, instead of those of surveys.
+pub(crate) fn planned_drawing(answer: &SensorsAnswer, language: Language) -> Option<String> {
+    let numbered = answer.sensors.iter().enumerate().map(|(at, sensor)| {
+        let axes: Vec<&str> = sensor.site.axes.iter().filter_map(Axis::key).collect();
+        (
+            sensor.site.position_m,
+            format!("{} {}", at + 1, axes.join("")).trim_end().to_owned(),
+        )
+    });
+    drawn(&answer.project, None, by_place(numbered), language)
+}
+
+fn drawn(
+    project: &Project,
+    leaning: Option<&Survey>,
+    sensors: Vec<([f64; 3], String)>,
+    language: Language,
+) -> Option<String> {
+    let sheet = sheet(elevations(&project.structure, true))?;
     let notes = notes(&sheet, leaning, !sensors.is_empty());
     let lines = notes.len() as f64;
     let mut scene = Scene::new(sheet.width_px, sheet.ground_px + 52.0 + FOOT_PX * lines);
@@ -214,9 +235,13 @@ fn sensors(project: &Project) -> Vec<([f64; 3], String)> {
         let sources = survey.records.iter().chain(&survey.setups);
         sources.for_each(|source| channels(source, &mut all));
     }
-    // those within a millimetre are one place
-    let mut places: BTreeMap<[i64; 3], ([f64; 3], Vec<&str>)> = BTreeMap::new();
-    for (name, place) in all {
+    by_place(all.into_iter().map(|(name, place)| (place, name.to_owned())))
+}
+
+/// Those within a millimetre are one place.
+fn by_place(all: impl IntoIterator<Item = ([f64; 3], String)>) -> Vec<([f64; 3], String)> {
+    let mut places: BTreeMap<[i64; 3], ([f64; 3], Vec<String>)> = BTreeMap::new();
+    for (place, name) in all {
         let key = place.map(|length| (length * 1e3).round() as i64);
         let (_, names) = places.entry(key).or_insert((place, Vec::new()));
         if !name.is_empty() && !names.contains(&name) {

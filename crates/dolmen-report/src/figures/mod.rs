@@ -59,7 +59,7 @@ pub use change::survey_changes;
 pub(crate) use damage_map::{DamageMark, damage_map};
 pub use demand::design_spectrum;
 pub(crate) use demand::spectrum_curves;
-pub(crate) use drawing::drawing;
+pub(crate) use drawing::{drawing, planned_drawing};
 pub use frame::frame_sketch;
 pub(crate) use frame_histories::FramePlot;
 pub use frame_histories::frame_histories;

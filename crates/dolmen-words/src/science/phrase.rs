@@ -15,6 +15,13 @@ const PHRASES: &[(&str, &str)] = &[
         "자료 안에서 순서대로 서로 떨어진 구간의 시작",
     ),
     ("0 or a positive number", "0 또는 양수"),
+    (
+        "1 or more, with a site that sees them",
+        "모드를 볼 자리와 함께 1 이상",
+    ),
+    ("a finite number a mode", "모드마다 유한한 수 하나"),
+    ("sites of the list, each once", "목록의 자리, 한 번씩"),
+    ("1 to the number of sites", "1에서 자리의 수까지"),
     ("0 (exact) or a positive number", "0(정확한 값) 또는 양수"),
     ("positive", "양수"),
     ("positive and finite", "양의 유한한 수"),

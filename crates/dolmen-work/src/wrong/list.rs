@@ -11,6 +11,7 @@ use crate::kept::StoreFault;
 use crate::motion::MotionRequestError;
 use crate::portfolio::PortfolioError;
 use crate::score::ScoreDesignsError;
+use crate::sensors::SensorsError;
 use crate::study::{JournalError, StudyError};
 use dolmen_project::{AngleError, DamperFault, ProjectError, StackFault};
 use dolmen_records::of_records;
@@ -20,7 +21,7 @@ use dolmen_words::{Template, sayable};
 use std::error::Error;
 
 /// All sentences of the errors of this crate.
-pub const ERRORS: [&[Template]; 17] = [
+pub const ERRORS: [&[Template]; 18] = [
     WorkError::TEMPLATES,
     ChangeFault::TEMPLATES,
     MotionRequestError::TEMPLATES,
@@ -28,6 +29,7 @@ pub const ERRORS: [&[Template]; 17] = [
     JournalError::TEMPLATES,
     ScoreDesignsError::TEMPLATES,
     PortfolioError::TEMPLATES,
+    SensorsError::TEMPLATES,
     StoreFault::TEMPLATES,
     FlagWords::TEMPLATES,
     KnownNames::TEMPLATES,
@@ -52,6 +54,7 @@ pub(crate) fn of_work<'e>(error: &'e (dyn Error + 'static)) -> Option<&'e dyn Ar
         JournalError,
         ScoreDesignsError,
         PortfolioError,
+        SensorsError,
         ForeignFlag,
         StoreFault,
         ProjectError,

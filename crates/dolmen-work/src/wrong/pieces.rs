@@ -19,6 +19,7 @@ messages! {
     pub(crate) enum Place in "work.place" {
         AllSetups => { en: "all setups as one", ko: "하나로 합친 측정 배치" },
         OfSurvey { name: String } => { en: "survey {name}", ko: "조사 {name}" },
+        SensorsPlaced => { en: "placing sensors", ko: "센서 배치" },
         SpringsMeasured => {
             en: "springs that would have the measured frequencies of the surveys",
             ko: "조사의 계측 진동수에 맞는 스프링",

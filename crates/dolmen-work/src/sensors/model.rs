@@ -1,0 +1,235 @@
+//! Places for sensors on a structure of each kind, and how its modes move them.
+
+use super::answer::{PlannedMode, SensorsOf};
+use super::error::SensorsError;
+use super::sites::{Axis, Side, Site, Spot, free_sides, sites};
+use crate::error::WorkError;
+use dolmen::blocks::{ContactRule, lowest_stack_modes};
+use dolmen::stability::chain_limits;
+use dolmen::structure::NaturalMode;
+use dolmen_project::{BuildingPart, ChainPart, FramePart, Project, Quantity, StackPart, Structure};
+
+/// What a plan is made of.
+pub(super) struct Model {
+    pub(super) modes: Vec<PlannedMode>,
+    pub(super) sites: Vec<Site>,
+    /// The displacement of each channel of each site in each mode.
+    pub(super) rows: Vec<Vec<Vec<f64>>>,
+    pub(super) of: SensorsOf,
+}
+
+pub(super) fn model(project: &Project, wanted: usize, axes: usize) -> Result<Model, WorkError> {
+    let (modes, spots, of) = match &project.structure {
+        Structure::Survey => return Err(SensorsError::NoModel.into()),
+        Structure::Chain(part) => chain(part, wanted)?,
+        Structure::Frame(part) => frame(part, wanted)?,
+        Structure::Stack(part) => stack(part, wanted)?,
+        Structure::Building(part) => building(part, wanted)?,
+    };
+    let (sites, rows) = sites(spots, axes);
+    Ok(Model {
+        modes,
+        sites,
+        rows,
+        of,
+    })
+}
+
+type Planned = (Vec<PlannedMode>, Vec<Spot>, SensorsOf);
+
+fn planned(frequency_hz: Option<f64>, direction: Option<String>, along: Option<[f64; 3]>) -> PlannedMode {
+    PlannedMode {
+        frequency_hz,
+        direction,
+        along,
+        seen_ratio: 0.0,
+        most_alike: None,
+    }
+}
+
+fn part_name(name: Option<&String>, index: usize) -> String {
+    name.cloned().unwrap_or_else(|| (index + 1).to_string())
+}
+
+/// The tops of the links.
+fn chain(part: &ChainPart, wanted: usize) -> Result<Planned, WorkError> {
+    let chain = part.build(&mut Quantity::nominal)?;
+    let given = part.stiffness_n_m_rad(&mut Quantity::nominal);
+    let of = if given.is_some() {
+        SensorsOf::Given
+    } else {
+        SensorsOf::EqualJoints
+    };
+    let stiffness = match given {
+        Some(stiffness) => stiffness,
+        None => vec![2.0 * chain_limits(&chain)?.equal_joints_n_m_rad; part.links.len()],
+    };
+    let all: Vec<NaturalMode> = standing(chain.natural_modes(&stiffness)?)?;
+    let modes: Vec<&NaturalMode> = all.iter().take(wanted).collect();
+    let mut height = 0.0;
+    let spots = part.links.iter().enumerate().map(|(at, link)| {
+        height += link.length.value;
+        Spot {
+            part: part_name(link.name.as_ref(), at),
+            side: Side::Top,
+            position_m: [0.0, 0.0, height],
+            channels: vec![(
+                Axis::InPlane,
+                modes.iter().map(|mode| mode.displacement[at]).collect(),
+            )],
+        }
+    });
+    let spots: Vec<Spot> = spots.collect();
+    let known = |mode: &&NaturalMode| (of == SensorsOf::Given).then_some(mode.frequency_hz);
+    let modes = modes
+        .iter()
+        .map(|mode| planned(known(mode), None, None))
+        .collect();
+    Ok((modes, spots, of))
+}
+
+/// The levels, along each direction.
+fn frame(part: &FramePart, wanted: usize) -> Result<Planned, WorkError> {
+    let frame = part.build(&mut Quantity::nominal)?;
+    let mut of = SensorsOf::Given;
+    // number of the direction, order of the mode in it, the mode, whether its frequency is known
+    let mut all: Vec<(usize, usize, NaturalMode, bool)> = Vec::new();
+    for (number, direction) in part.directions.iter().enumerate() {
+        let given = part.stiffness_n_m(&direction.name, &mut Quantity::nominal);
+        let is_known = given.is_some();
+        let stiffness = given.unwrap_or_else(|| {
+            of = SensorsOf::EqualStoreys;
+            let least = frame.geometric_n_m().into_iter().fold(0.0, f64::max);
+            vec![EQUAL_STOREYS * least; part.storeys.len()]
+        });
+        let modes = standing(frame.natural_modes(&stiffness)?)?
+            .into_iter()
+            .enumerate();
+        all.extend(modes.map(|(order, mode)| (number, order, mode, is_known)));
+    }
+    match of {
+        SensorsOf::Given => all.sort_by(|a, b| a.2.frequency_hz.total_cmp(&b.2.frequency_hz)),
+        // the first of every direction before the second of any
+        SensorsOf::EqualJoints | SensorsOf::EqualStoreys => {
+            all.sort_by_key(|(number, order, _, _)| (*order, *number))
+        }
+    }
+    all.truncate(wanted);
+    let mut height = 0.0;
+    let spots = part.storeys.iter().enumerate().map(|(at, storey)| {
+        height += storey.height.value;
+        let along = |number: usize| {
+            all.iter()
+                .map(move |(of, _, mode, _)| if *of == number { mode.displacement[at] } else { 0.0 })
+        };
+        let channel = |(number, name): (usize, String)| (Axis::Named(name), along(number).collect());
+        let names = part.directions.iter().map(|direction| direction.name.clone());
+        Spot {
+            part: part_name(storey.name.as_ref(), at),
+            side: Side::Top,
+            position_m: [0.0, 0.0, height],
+            channels: names.enumerate().map(channel).collect(),
+        }
+    });
+    let spots: Vec<Spot> = spots.collect();
+    let modes = all.iter().map(|(number, _, mode, is_known)| {
+        let direction = part.directions[*number].name.clone();
+        planned(is_known.then_some(mode.frequency_hz), Some(direction), None)
+    });
+    Ok((modes.collect(), spots, of))
+}
+
+/// Stiffness of storeys that are not known, over the largest that the weight takes: far enough above it that the shape does not depend on it.
+const EQUAL_STOREYS: f64 = 20.0;
+
+/// The free sides of the stones.
+fn stack(part: &StackPart, wanted: usize) -> Result<Planned, WorkError> {
+    let stack = part.build(&mut Quantity::nominal)?;
+    let mut all = lowest_stack_modes(&stack, ContactRule::Four, wanted)?;
+    all.truncate(wanted);
+    let spots = free_sides(&stack).into_iter().map(|(number, side, position_m)| {
+        let block = &stack.blocks()[number];
+        let centre = block.solid.centroid_m();
+        let arm: [f64; 3] = std::array::from_fn(|i| position_m[i] - centre[i]);
+        let along = |axis: usize| {
+            let moved = |shape: &[f64; 6]| {
+                let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
+                shape[axis] + shape[3 + j] * arm[k] - shape[3 + k] * arm[j]
+            };
+            all.iter()
+                .map(|mode| moved(&mode.shape[number]))
+                .collect::<Vec<f64>>()
+        };
+        Spot {
+            part: block.name.clone(),
+            side,
+            position_m,
+            channels: vec![(Axis::X, along(0)), (Axis::Y, along(1)), (Axis::Z, along(2))],
+        }
+    });
+    let spots: Vec<Spot> = spots.collect();
+    let modes = all
+        .iter()
+        .map(|mode| planned(Some(mode.frequency_hz), None, Some(mode.kinetic_energy_ratio)));
+    Ok((modes.collect(), spots, SensorsOf::Given))
+}
+
+/// The corners of the floors, or where floors have no outline, their middles and two places a radius of gyration beside them.
+fn building(part: &BuildingPart, wanted: usize) -> Result<Planned, WorkError> {
+    let Some(vibrating) = part.as_written() else {
+        return Err(SensorsError::Falls.into());
+    };
+    let building = vibrating.building();
+    let found = building.modes()?;
+    let all: Vec<_> = found.modes.iter().take(wanted).collect();
+    let (floors, _) = part.floors_and_storeys(&mut Quantity::nominal)?;
+    let heights = part
+        .floors
+        .iter()
+        .flat_map(|floor| std::iter::repeat_n(floor.height.value, floor.count));
+    let mut height = 0.0;
+    let mut spots = Vec::new();
+    for (at, ((floor, name), storey_m)) in floors.iter().zip(part.floor_names()).zip(heights).enumerate() {
+        height += storey_m;
+        let [x, y] = floor.centre_m;
+        let places: Vec<(Side, [f64; 2])> = match &floor.outline {
+            Some(outline) => {
+                let corners = outline.corners_m().iter().enumerate();
+                corners
+                    .map(|(number, corner)| (Side::Corner(number), *corner))
+                    .collect()
+            }
+            None => vec![
+                (Side::Top, [x, y]),
+                (Side::Right, [x + floor.gyration_m, y]),
+                (Side::Back, [x, y + floor.gyration_m]),
+            ],
+        };
+        for (side, place) in places {
+            let along = |axis: usize| {
+                let arm = if axis == 0 { y - place[1] } else { place[0] - x };
+                let moved = |shape: &[f64]| shape[3 * at + axis] + shape[3 * at + 2] * arm;
+                all.iter().map(|mode| moved(&mode.shape)).collect::<Vec<f64>>()
+            };
+            spots.push(Spot {
+                part: name.clone(),
+                side,
+                position_m: [place[0], place[1], height],
+                channels: vec![(Axis::X, along(0)), (Axis::Y, along(1))],
+            });
+        }
+    }
+    let modes = all.iter().map(|mode| {
+        let [x, y, _] = mode.energy_shares;
+        planned(Some(mode.frequency_hz), None, Some([x, y, 0.0]))
+    });
+    Ok((modes.collect(), spots, SensorsOf::Given))
+}
+
+/// The modes, unless the structure falls in one.
+fn standing(modes: Vec<NaturalMode>) -> Result<Vec<NaturalMode>, WorkError> {
+    match modes.iter().all(|mode| mode.omega_squared > 0.0) {
+        true => Ok(modes),
+        false => Err(SensorsError::Falls.into()),
+    }
+}
