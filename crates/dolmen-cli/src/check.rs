@@ -2,9 +2,11 @@
 
 use crate::cli::Check as Options;
 use crate::manner::Manner;
+use crate::note::note;
 use crate::outcome::Outcome;
 use crate::say::{say, say_json};
 use crate::typed::Typed;
+use crate::wrong::Noted;
 use anyhow::Result;
 use dolmen_folder::Found;
 use dolmen_report::check_text;
@@ -23,6 +25,11 @@ pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<O
         sensitivity: options.sensitivity,
     };
     let answer = check(&found.opened, &how)?;
+    let variants = answer.variants.iter().map(|variant| &variant.state);
+    let mut states = answer.state.iter().chain(variants);
+    if options.samples.is_some() && states.all(|state| state.sampled.is_none()) && !manner.quiet {
+        note!("{}", Noted::NothingToSample.text(manner));
+    }
     if manner.json {
         say_json(&check_json(&answer))?;
     } else {

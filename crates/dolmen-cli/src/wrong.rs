@@ -211,6 +211,10 @@ messages! {
             en: "ranking, figure and page are in {folder}",
             ko: "순위, 그림, 웹 페이지를 {folder}에 썼다",
         },
+        NothingToSample => {
+            en: "--samples had nothing to draw: no input carries a cov (coefficient of variation), or the stiffness that a load factor rests on is not known; give cov = 0.1 beside the value of an input",
+            ko: "--samples로 추출할 것이 없다. cov(변동계수)가 있는 입력이 없거나 하중배율에 필요한 강성을 모른다. 입력의 값 옆에 cov = 0.1처럼 준다",
+        },
         Wrote { files: String } => { en: "wrote {files}", ko: "쓴 파일: {files}" },
         RunsKept { journal: String, runs: usize } => {
             en: "{journal}: {runs} runs are kept from before",

@@ -7,7 +7,7 @@ use super::file::{KindRaw, UnitsRaw};
 use super::file_number::{At, EvidenceRaw, NumberRaw, QuantityRaw};
 use super::measure::{Bound, Measure};
 use super::quantity::{Evidence, Quantity};
-use super::units::{Dimension, Unit, UnitError, parse_unit, split_number, tilt_ratio};
+use super::units::{Dimension, Unit, UnitError, is_angle, parse_unit, split_number, tilt_ratio};
 use super::warned::Warned;
 use super::written::{short, with_unit};
 use super::wrong::{Common, WrongNumber, WrongUnit};
@@ -234,6 +234,15 @@ impl<'f> Reader<'f> {
                 return None;
             }
         };
+        if measure == Measure::Ratio && is_angle(text) {
+            let (of, text) = (of.to_owned(), text.trim().to_owned());
+            self.fault(
+                Fault::new(span.clone(), path, WrongNumber::AngleForRatio { of, text })
+                    .allowed(WrongNumber::WrongKindOfUnit)
+                    .help(WrongNumber::TangentOfAngle),
+            );
+            return None;
+        }
         if unit.dimension == measure.dimension() {
             return Some(unit);
         }

@@ -276,6 +276,11 @@ pub(super) fn split_number(text: &str) -> Option<(f64, &str)> {
     Some((value, text[end..].trim()))
 }
 
+/// Whether a unit is one of angles: they have the dimension of ratios.
+pub(super) fn is_angle(unit: &str) -> bool {
+    ["deg", "rad", "mrad", "°"].contains(&unit.trim())
+}
+
 pub(super) fn tilt_ratio(text: &str) -> Option<f64> {
     let (number, rest) = split_number(text)?;
     let ratio = match rest.strip_prefix('/') {
@@ -288,9 +293,8 @@ pub(super) fn tilt_ratio(text: &str) -> Option<f64> {
             let unit = parse_unit(rest)
                 .ok()
                 .filter(|unit| unit.dimension == Dimension::RATIO)?;
-            let is_angle = ["deg", "rad", "mrad", "°"].contains(&rest);
             let value = number * unit.factor;
-            if is_angle { value.tan() } else { value }
+            if is_angle(rest) { value.tan() } else { value }
         }
     };
     ratio.is_finite().then_some(ratio)

@@ -42,17 +42,9 @@ messages! {
             en: "joint does not say everything; Dolmen's own values are taken, and assumed: {taken} (friction acts in the limits; stiffness and damping only in motion)",
             ko: "접합면(joint) 물성 일부가 주어지지 않아 Dolmen의 기본값으로 가정하였다: {taken} (마찰은 한계에 작용하며 강성과 감쇠는 지진응답에만 작용한다)",
         },
-        TiltNotAlongAxes { survey: String } => {
-            en: "the tilt of survey {survey} is not in the model, which leans along x and y alone: give tilt = (x, y) there",
-            ko: "조사 {survey}의 기울기는 모델에 반영되지 않았다. 모델은 x, y 방향으로만 기울이므로 tilt를 x, y로 준다",
-        },
         TiltOnParts { survey: String } => {
             en: "the tilt of survey {survey} is not added to the model: its blocks carry their own tilt, offset or place",
             ko: "조사 {survey}의 기울기는 모델에 더하지 않았다. 부재별 기울기, 이동량 또는 좌표가 이미 주어져 있다",
-        },
-        TiltTooSteep { survey: String } => {
-            en: "the tilt of survey {survey} is not in the model: a stack on level ground leans by 5° at most; give each block its own tilt",
-            ko: "조사 {survey}의 기울기는 모델에 반영되지 않았다. 수평 지반 위의 적층 모델은 5°까지만 기울일 수 있으므로 부재별 tilt를 준다",
         },
         TiltOfSeveralFeet { survey: String } => {
             en: "the tilt of survey {survey} is not in the model: several blocks stand on the ground; give each block its own tilt",

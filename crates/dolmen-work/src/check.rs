@@ -10,7 +10,7 @@ use crate::state::{Check, FrequencyContradiction, Sampled, SensitivityOf, State,
 use crate::wrong::Place;
 use dolmen::assess::{Sensitivity, elasticity, probability};
 use dolmen::numeric::Random;
-use dolmen_project::{Project, Quantity, Structure};
+use dolmen_project::{Pick, Project, Quantity, Structure};
 use std::collections::BTreeMap;
 
 /// What is asked beyond the check itself.
@@ -175,6 +175,15 @@ fn sampled(project: &Project, sampling: Sampling) -> Result<Option<Sampled>, Wor
     if scatters.is_empty() || kinds::load_factor(project, &mut Quantity::nominal)?.is_none() {
         return Ok(None);
     }
+    let has_loads = |pick: Pick<'_>| -> Result<Option<bool>, WorkError> {
+        let Some(check) = kinds::check(project, pick)? else {
+            return Ok(None);
+        };
+        let loads = kinds::loads(project, &check, &tilts(project, &check), pick)?;
+        Ok(loads.and_then(|loads| loads.factor()).map(|factor| factor <= 1.0))
+    };
+    let is_loaded = has_loads(&mut Quantity::nominal)?.is_some();
+    let mut overloaded = Vec::new();
     let mut load_factors = Vec::with_capacity(sampling.samples);
     let unstable = probability(
         sampling.samples,
@@ -191,13 +200,30 @@ fn sampled(project: &Project, sampling: Sampling) -> Result<Option<Sampled>, Wor
                 .filter(|factor| !factor.is_nan())
                 .ok_or(WorkError::SampleNotANumber)?;
             load_factors.push(factor);
+            if is_loaded {
+                overloaded.push(
+                    has_loads(&mut pick)
+                        .within(|| Place::SampleImpossible)?
+                        .unwrap_or(true),
+                );
+            }
             Ok(factor <= 1.0)
         },
     )?;
+    let mut overloaded = overloaded.into_iter();
+    let under_loads = match is_loaded {
+        true => Some(probability(
+            sampling.samples,
+            sampling.seed,
+            |_| -> Result<bool, WorkError> { Ok(overloaded.next().unwrap_or(true)) },
+        )?),
+        false => None,
+    };
     load_factors.sort_by(f64::total_cmp);
     let inputs = scatters.iter().map(|(q, _)| q.path.clone()).collect();
     Ok(Some(Sampled {
         unstable,
+        under_loads,
         load_factors,
         inputs,
     }))

@@ -233,6 +233,8 @@ pub struct VariantAnswer {
 pub struct Sampled {
     /// Probability that the structure falls (λ ≤ 1).
     pub unstable: Probability,
+    /// Probability that a combination of wind and static loads brings a joint to its limit; `None` where there are none.
+    pub under_loads: Option<Probability>,
     /// λ of each sample, ascending. For a frame the smallest of its directions.
     pub load_factors: Vec<f64>,
     /// Paths of the inputs that were drawn.

@@ -26,7 +26,7 @@ fn holds_a_report_is_handed_over_with_all_that_the_engineer_gives() {
                 "검토 결과 요약",
                 "위치와 사진",
                 "입력한 구조",
-                "2026-04-02 점검",
+                "2026-04-02 점검 결과",
                 "대안 비교",
                 "<h2>종합의견",
             ],

@@ -109,8 +109,21 @@ fn holds_a_surveyed_tilt_is_said_or_why_it_is_left_out() {
         own.contains("not added to the model: its blocks carry their own"),
         "{own}"
     );
-    let steep = said("", "x = \"1/40\"", "x = \"1/9\"");
-    assert!(steep.contains("leans by 5° at most"), "{steep}");
+    let steep = said("", "x = \"1/40\"", "x = \"1/11\"");
+    assert!(
+        steep.contains("leans the stack by 5.3° on level ground") && steep.contains("as_surveyed"),
+        "{steep}"
+    );
+    assert!(said("", "x = \"1/40\"", "x = \"1/12\"").contains("found it, tilt x 1/12"));
+    let turned = said("", "x = \"1/40\"", "east = \"1/40\"");
+    assert!(
+        turned.contains("\"east\" is neither") && turned.contains("must be x or y"),
+        "{turned}"
+    );
+    for date in ["2025.09.10", "20250910", "2025년 9월 10일", "2025. 9. 10. 정기"] {
+        let dated = said("", "[survey.2025-09-10]", &format!("[survey.\"{date}\"]"));
+        assert!(dated.contains("found it, tilt x 1/40"), "{dated}");
+    }
     let unknown = said("as_surveyed = \"2024\"\n", "", "");
     assert!(
         unknown.contains("must be one of \"latest\", \"none\", \"2025-09-10\""),
@@ -119,6 +132,10 @@ fn holds_a_surveyed_tilt_is_said_or_why_it_is_left_out() {
     // a survey without a date counts only where it is named
     let undated = said("", "[survey.2025-09-10]", "[survey.before-the-repair]");
     assert!(!undated.contains("found it"), "{undated}");
+    assert!(
+        undated.contains("is not in this model") && undated.contains("as_surveyed names another"),
+        "{undated}"
+    );
 }
 
 /// A pole of two stones whose survey found it to lean.

@@ -1,21 +1,11 @@
 //! Whose measured tilt a model takes over.
 
 use super::part::Survey;
+use super::watch::date_of;
 use crate::error::Fault;
 use crate::file_number::At;
 use crate::reader::Reader;
 use crate::wrong::WrongStack;
-
-/// The day of a survey from its name: "2010-05-12", "2011-restored".
-fn day(name: &str) -> Option<[u32; 3]> {
-    let mut parts = name.split('-');
-    let number =
-        |part: Option<&str>, digits: usize| part.filter(|part| part.len() == digits)?.parse::<u32>().ok();
-    let year = number(parts.next(), 4)?;
-    let month = number(parts.next(), 2);
-    let day = month.and_then(|_| number(parts.next(), 2));
-    Some([year, month.unwrap_or(0), day.unwrap_or(0)])
-}
 
 /// The survey whose tilt the model takes over: the one named, else the latest with a date and a tilt.
 pub(crate) fn as_surveyed<'a>(
@@ -27,7 +17,7 @@ pub(crate) fn as_surveyed<'a>(
     match given.map(|given| given.value.as_str()) {
         Some("none") => None,
         None | Some("latest") => tilted()
-            .filter_map(|survey| Some((day(&survey.name)?, survey)))
+            .filter_map(|survey| Some((date_of(&survey.name)?, survey)))
             .max_by_key(|(day, _)| *day)
             .map(|(_, survey)| survey),
         Some(name) => {

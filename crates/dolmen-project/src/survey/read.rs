@@ -386,6 +386,7 @@ fn tilt(reader: &mut Reader, raw: &At<NumberRaw>, path: &str) -> Option<Tilt> {
         NumberRaw::Number(ratio) => (Some(*ratio), short(*ratio)),
         NumberRaw::Text(text) => (tilt_ratio(text), text.trim().to_owned()),
     };
+    reader.mark(path, &raw.span);
     let fault = |message: WrongSurvey| Fault::new(raw.span.clone(), path, message);
     match ratio {
         Some(ratio) if ratio.abs() <= TILT_MOST => Some(Tilt { ratio, written }),

@@ -35,19 +35,81 @@ pub enum WorkKind {
     Event,
 }
 
-/// The year, month and day that a text begins with: "2019", "2019-04" or "2019-04-02", what is missing 0.
+/// The year, month and day that a text begins with, what is missing 0: "2019", "2019-04", "2019-04-02", "2019.04.02", "2019. 4. 2.",
+/// "2019/4/2", "20190402", "2019년 4월 2일".
 pub fn date_of(text: &str) -> Option<[u32; 3]> {
-    let mut parts = text.splitn(3, '-');
-    let year = parts.next().filter(|y| y.len() == 4)?.parse().ok()?;
-    let mut part = |most: u32| {
-        let text = parts.next()?;
-        let digits: String = text.chars().take_while(char::is_ascii_digit).collect();
-        digits
-            .parse()
-            .ok()
-            .filter(|n| digits.len() == 2 && (1..=most).contains(n))
+    let digits = |text: &str| text.bytes().take_while(u8::is_ascii_digit).count();
+    let number = |text: &str| text.parse::<u32>().ok();
+    let within = |most: u32| move |n: &u32| (1..=most).contains(n);
+    if digits(text) == 8 {
+        let month = number(&text[4..6]).filter(within(12))?;
+        let day = number(&text[6..8]).filter(within(31))?;
+        return Some([number(&text[..4])?, month, day]);
+    }
+    if digits(text) != 4 {
+        return None;
+    }
+    let year = number(&text[..4])?;
+    // what stands between two numbers, and how many digits the next one has at least: "2019-1" may be the first survey of a year
+    let next = |rest: &str, marks: &[(char, usize)], most: u32| -> Option<(u32, usize)> {
+        let rest_at = |at: usize| rest.get(at..);
+        let (mark, least) = *marks.iter().find(|(mark, _)| rest.starts_with(*mark))?;
+        let at = mark.len_utf8();
+        let spaces = rest_at(at)?.bytes().take_while(|byte| *byte == b' ').count();
+        let digits_at = at + spaces;
+        let count = digits(rest_at(digits_at)?);
+        let value = number(&rest[digits_at..digits_at + count]).filter(within(most))?;
+        (least..=2).contains(&count).then_some((value, digits_at + count))
     };
-    let month = part(12);
-    let day = month.and_then(|_| part(31));
-    Some([year, month.unwrap_or(0), day.unwrap_or(0)])
+    let rest = &text[4..];
+    let Some((month, used)) = next(rest, &[('-', 2), ('.', 1), ('/', 1), ('년', 1)], 12) else {
+        return Some([year, 0, 0]);
+    };
+    let day = next(&rest[used..], &[('-', 2), ('.', 1), ('/', 1), ('월', 1)], 31);
+    match (day, rest.starts_with(['.', '/'])) {
+        (Some((day, _)), _) => Some([year, month, day]),
+        // "2019.1" may be the first survey of a year, "2019.04" is a month
+        (None, true) if used < 3 => Some([year, 0, 0]),
+        (None, _) => Some([year, month, 0]),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn holds_dates_as_people_write_them() {
+        for name in [
+            "2026-03-09",
+            "2026.03.09",
+            "2026. 3. 9.",
+            "2026.3.9",
+            "2026/3/9",
+            "20260309",
+            "2026년 3월 9일",
+            "2026년3월9일",
+            "2026-03-09T10:30",
+            "2026-03-09 before",
+        ] {
+            assert_eq!(date_of(name), Some([2026, 3, 9]), "{name}");
+        }
+        for name in ["2026-03", "2026.03", "2026년 3월", "2026년 3월 정기점검"] {
+            assert_eq!(date_of(name), Some([2026, 3, 0]), "{name}");
+        }
+        for name in [
+            "2026",
+            "2026년",
+            "2026-1",
+            "2026.1",
+            "2026-restored",
+            "2026 (2)",
+            "2026-13-01",
+        ] {
+            assert_eq!(date_of(name), Some([2026, 0, 0]), "{name}");
+        }
+        for name in ["정기점검 2026", "first", "", "202603", "20261301", "202603091"] {
+            assert_eq!(date_of(name), None, "{name}");
+        }
+    }
 }

@@ -21,6 +21,14 @@ messages! {
             en: "write weight instead of mass in {part}",
             ko: "{part}에 mass 대신 weight를 쓴다",
         },
+        AngleForRatio { of: String, text: String } => {
+            en: "{of} is a ratio, but \"{text}\" is an angle",
+            ko: "{of}은(는) 비율인데 \"{text}\"은(는) 각도이다",
+        },
+        TangentOfAngle => {
+            en: "give the number itself: a coefficient of friction is the tangent of the angle of friction (0.601 for 31°)",
+            ko: "비율을 그대로 준다. 마찰계수는 마찰각의 탄젠트이다(31°이면 0.601)",
+        },
         WrongKindOfUnit => { en: "wrong kind of unit", ko: "단위의 종류가 다르다" },
         HasNoUnit { path: String, given: String } => {
             en: "{path} = {given} has no unit",

@@ -46,6 +46,27 @@ messages! {
             ko: "{path}이(가) \"{ground}\"이다",
         },
         MustBeNameOf => { en: "must be the name of a block", ko: "부재 이름이어야 한다" },
+        TiltDirection { direction: String } => {
+            en: "the model leans as this survey found it, along x and y; \"{direction}\" is neither",
+            ko: "모델은 이 조사의 기울기만큼 x, y 방향으로 기울인다. \"{direction}\"은(는) 그 가운데 없다",
+        },
+        MustBeXOrY => { en: "must be x or y", ko: "x 또는 y이어야 한다" },
+        OrLeftUpright => {
+            en: "turn the tilt to x and y of the blocks, or leave it out of the model with as_surveyed = \"none\"",
+            ko: "기울기를 부재의 x, y 방향으로 바꾸거나 as_surveyed = \"none\"으로 모델에서 뺀다",
+        },
+        TiltTooSteep { degrees: String } => {
+            en: "leans the stack by {degrees}° on level ground",
+            ko: "수평 지반 위의 적층 모델이 {degrees}° 기울어진다",
+        },
+        TiltMost => {
+            en: "5° at most (1/11.4, 87 mm/m): beyond, joints are not recognised any more",
+            ko: "5° 이하(1/11.4, 87 mm/m)이어야 한다. 그보다 크면 접합면을 인식하지 못한다",
+        },
+        TiltOnEachBlock => {
+            en: "check the number and its unit; else give each block its own tilt, or leave this one out of the model with as_surveyed = \"none\"",
+            ko: "값과 단위를 확인한다. 맞으면 부재마다 tilt를 주거나 as_surveyed = \"none\"으로 모델에서 뺀다",
+        },
         AsSurveyedButNo { name: String } => {
             en: "as_surveyed = \"{name}\", but no survey of this name has a tilt",
             ko: "as_surveyed = \"{name}\"인데 기울기(tilt)가 있는 조사 중에 이 이름이 없다",

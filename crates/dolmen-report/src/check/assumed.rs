@@ -25,8 +25,8 @@ messages! {
             ko: "치수·무게 {count}개(이를 사용한 모든 결과)",
         },
         StonesStiffness { count: usize } => {
-            en: "stiffness values, {count} (natural frequencies, demand on elastic joints and simulated motion rest on them; the verdict and the limits do not)",
-            ko: "강성 {count}개(고유진동수, 탄성 접합면의 요구 수준, 지진응답이 이에 의존하며 판정과 한계 가속도는 무관하다)",
+            en: "stiffness values, {count} (natural frequencies, demand on elastic joints and with it the verdict on the earthquake, and simulated motion rest on them; whether it stands and the limits do not)",
+            ko: "강성 {count}개(고유진동수, 탄성 접합면의 요구 수준과 그에 따른 지진 판정, 지진응답이 이에 의존하며 자중에 대한 판정과 한계 가속도는 무관하다)",
         },
         ChainStiffness { count: usize } => {
             en: "stiffness values, {count} (the verdict, the load factor, the margins and the modes rest on them; limits from weights and lengths do not)",
@@ -49,8 +49,8 @@ messages! {
             ko: "감쇠 {count}개(지진응답만 이에 의존한다)",
         },
         Damping { count: usize } => {
-            en: "damping values, {count} (nothing on this page rests on them but changes from survey to survey)",
-            ko: "감쇠 {count}개(조사 사이의 변화 외에는 이 보고서의 결과와 무관)",
+            en: "damping values, {count} (the response to the spectrum of a site and to motions, and changes from survey to survey, rest on them; stability and modes do not)",
+            ko: "감쇠 {count}개(부지 스펙트럼과 지진동에 대한 응답, 조사 사이의 변화가 이에 의존하며 안정성과 모드는 무관하다)",
         },
         OfVariant { variant: Both, inputs: Vec<Sentence> } => {
             en: "Every result of the variant “{variant}” rests on what is assumed, not measured: {inputs}.",

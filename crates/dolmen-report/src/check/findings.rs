@@ -18,6 +18,10 @@ messages! {
             en: "What to do next: measure its vibration and let `dolmen identify` find the stiffness.",
             ko: "다음 단계: 진동을 계측하고 `dolmen identify`로 강성을 추정한다.",
         },
+        Write => {
+            en: "What to do next: write the stiffness that `dolmen identify` finds into joints, or direction.NAME.stiffness.",
+            ko: "다음 단계: `dolmen identify`로 추정한 강성을 joints나 direction.NAME.stiffness에 쓴다.",
+        },
         LoadFactor { factor: Quantity, most: Quantity } => {
             en: "A load factor of {factor} is far above what timber frames and stone poles have ({most} at most): are masses and stiffness in the units of the file?",
             ko: "하중배율 {factor}은(는) 목조 골조와 석조 당간의 통상 범위({most} 이하)를 크게 벗어난다. 질량과 강성의 단위가 파일의 단위와 맞는지 확인해야 한다.",
@@ -27,13 +31,20 @@ messages! {
 
 /// Of one version: its kind's own, what its site asks, what surveys say, its scatter.
 pub(super) fn of_state(project: &Project, state: &State) -> Vec<Finding> {
-    let mut all = of_kind(&state.check);
+    // what was asked for, and what is not in the model although it was measured, come first
+    let mut all: Vec<Finding> = state.sampled.iter().flat_map(sampled::findings).collect();
+    let measured = measured::measured(state);
+    let (before, after) = match &state.check {
+        Check::Stack(_) => (measured, Vec::new()),
+        Check::Chain(_) | Check::Frame(_) | Check::Building(_) => (Vec::new(), measured),
+    };
+    all.extend(before);
+    all.extend(of_kind(&state.check));
     all.extend(loads::findings(project, state));
     all.extend(demand::findings(state.demand.as_ref()));
     all.extend(unusual(state));
-    all.extend(next(state));
-    all.extend(measured::measured(state));
-    all.extend(state.sampled.as_ref().map(sampled::finding));
+    all.extend(next(project, state));
+    all.extend(after);
     all
 }
 
@@ -56,13 +67,21 @@ fn unusual(state: &State) -> Option<Finding> {
 }
 
 /// What makes an unknown verdict known.
-fn next(state: &State) -> Option<Finding> {
+fn next(project: &Project, state: &State) -> Option<Finding> {
     let unknown = match &state.check {
         Check::Chain(check) => check.stability.is_none(),
         Check::Frame(directions) => directions.iter().any(|of| of.check.stability.is_none()),
         Check::Stack(_) | Check::Building(_) => false,
     };
-    unknown.then(|| Finding::key(Tone::Plain, Unusual::Identify))
+    let is_measured = project
+        .surveys
+        .iter()
+        .any(|survey| !survey.modes.is_empty() || survey.records.is_some() || !survey.setups.is_empty());
+    let what = match is_measured {
+        true => Unusual::Write,
+        false => Unusual::Identify,
+    };
+    unknown.then(|| Finding::key(Tone::Plain, what))
 }
 
 /// All of a check, what is worst first.
@@ -70,6 +89,8 @@ pub(crate) fn findings(answer: &CheckAnswer) -> Vec<Finding> {
     let mut all = Vec::new();
     let states = answer.state.iter();
     all.extend(states.flat_map(|state| of_state(&answer.project, state)));
+    all.extend(measured::beyond_its_limit(&answer.project));
+    all.extend(measured::severe_damage(&answer.project));
     all.extend(variants::findings(answer));
     all.extend(building::variant_findings(&answer.variants));
     all.extend(assumed::findings(answer));

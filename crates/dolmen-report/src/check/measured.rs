@@ -1,7 +1,9 @@
 //! What surveys say against the model: a tilt that overturns, a frequency that the model does not have.
 
 use crate::document::{Finding, Tone};
+use crate::engineer::damage_words;
 use dolmen::stability::Verdict;
+use dolmen_project::{Project, Severity, Survey, date_of};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::state::{Check, FrequencyContradiction, State, TiltCheck};
 
@@ -22,6 +24,10 @@ messages! {
             en: "The tilt of {tilt} measured in direction {direction} (survey {survey}) is not used: storeys start plumb here. What leans pushes sideways with that share of its weight.",
             ko: "{direction} 방향 실측 기울기 {tilt}({survey} 조사)는 쓰지 않았다. 이 모델의 층은 연직에서 시작한다. 기울어진 부분은 자중의 그 비율만큼 옆으로 민다.",
         },
+        TiltNotInModel { tilt: Sentence, direction: String, survey: String, limit: Sentence } => {
+            en: "The measured tilt of {tilt} in direction {direction} (survey {survey}) is not in this model: margins and limits are those without it. At {limit} a bed stands on its edge. The latest survey whose name begins with a date leans the model; as_surveyed names another.",
+            ko: "{direction} 방향 실측 기울기 {tilt}({survey} 조사)는 이 모델에 반영되지 않았다. 여유도와 한계는 기울기가 없는 상태의 값이다. 접합면이 모서리로만 지지되는 한계는 {limit}이다. 이름이 날짜로 시작하는 최근 조사의 기울기가 반영되며, 다른 조사는 as_surveyed로 지정한다.",
+        },
         TiltOverturns { tilt: Sentence, direction: String, survey: String, limit: Sentence } => {
             en: "The measured tilt of {tilt} in direction {direction} (survey {survey}) is beyond {limit}, at which a bed stands on its edge: it overturns, whatever the load factor.",
             ko: "{direction} 방향 실측 기울기 {tilt}({survey} 조사)는 접합면이 모서리로만 지지되는 한계 {limit}을(를) 넘는다. 하중배율과 관계없이 전도된다.",
@@ -34,6 +40,15 @@ messages! {
             en: "The measured tilt of {tilt} in direction {direction} (survey {survey}) compares with {limit}, at which a bed stands on its edge; beds begin to open at a third of that.",
             ko: "{direction} 방향 실측 기울기 {tilt}({survey} 조사)는 접합면이 모서리로만 지지되는 한계 {limit}보다 작다. 접합면은 그 3분의 1에서 벌어지기 시작한다.",
         },
+        BeyondItsLimit { survey: String, tilt: Sentence, limit: Sentence } => {
+            en: "The tilt that survey {survey} measured, {tilt} by all directions together, is beyond the limit of {limit} that the file sets (tilt_limit).",
+            ko: "{survey} 조사의 실측 기울기는 모든 방향을 합하여 {tilt}로, 파일에서 정한 한계(tilt_limit) {limit}을(를) 넘는다.",
+        },
+        SevereDamage { survey: String, found: Vec<Sentence> } => {
+            en: "Survey {survey} found severe damage, which is not in the model: {found}.",
+            ko: "{survey} 점검에서 심한 손상이 발견되었으나 모델에는 반영되지 않았다: {found}.",
+        },
+        Damaged { part: String, what: Sentence } => { en: "{part}: {what}", ko: "{part} {what}" },
         Likely { contradicted: Sentence, likely: Sentence } => { en: "{contradicted} {likely}", ko: "{contradicted} {likely}" },
         Contradicted { survey: String, measured: Quantity, direction: String, computed: Quantity } => {
             en: "Survey {survey} measured {measured} in direction {direction}; this model has {computed}. Its stiffness or mass is not that of the structure measured, and the verdict is on the model.",
@@ -47,6 +62,41 @@ pub(super) fn measured(state: &State) -> Vec<Finding> {
     let contradictions = state.contradictions.iter().map(contradiction);
     let tilts = state.tilts.iter().map(|of| tilt(of, &state.check));
     contradictions.chain(tilts).collect()
+}
+
+/// A measured tilt beyond the limit that the file sets, by the last survey that states any.
+pub(super) fn beyond_its_limit(project: &Project) -> Option<Finding> {
+    let limit = project.watch.tilt_limit?;
+    let tilted = |survey: &&Survey| !survey.tilt.is_empty();
+    let dated = project.surveys.iter().filter(tilted);
+    let last = dated.max_by_key(|survey| date_of(&survey.name).unwrap_or_default())?;
+    let squares = last.tilt.values().map(|tilt| tilt.ratio * tilt.ratio);
+    let ratio = squares.sum::<f64>().sqrt();
+    let said = || Measured::BeyondItsLimit {
+        survey: last.name.clone(),
+        tilt: one_in(ratio),
+        limit: one_in(limit),
+    };
+    (ratio >= limit).then(|| Finding::key(Tone::Bad, said()))
+}
+
+/// Severe damage of the last survey that lists any damage.
+pub(super) fn severe_damage(project: &Project) -> Option<Finding> {
+    let inspected = |survey: &&Survey| !survey.inspections.is_empty();
+    let dated = project.surveys.iter().filter(inspected);
+    let last = dated.max_by_key(|survey| date_of(&survey.name).unwrap_or_default())?;
+    let severe = last
+        .inspections
+        .iter()
+        .filter(|one| one.severity == Some(Severity::Severe));
+    let found: Vec<Sentence> = severe
+        .map(|one| {
+            let (part, what) = (one.part.clone(), damage_words(&one.what));
+            Measured::Damaged { part, what }.into()
+        })
+        .collect();
+    let survey = last.name.clone();
+    (!found.is_empty()).then(|| Finding::key(Tone::Warn, Measured::SevereDamage { survey, found }))
 }
 
 fn one_in(ratio: f64) -> Sentence {
@@ -81,6 +131,15 @@ fn tilt(of: &TiltCheck, check: &Check) -> Finding {
         Verdict::Unstable => Finding::key(
             Tone::Bad,
             Measured::TiltOverturns {
+                tilt,
+                direction,
+                survey,
+                limit,
+            },
+        ),
+        _ if matches!(check, Check::Stack(_)) => Finding::key(
+            Tone::Warn,
+            Measured::TiltNotInModel {
                 tilt,
                 direction,
                 survey,

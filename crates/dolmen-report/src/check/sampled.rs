@@ -3,6 +3,7 @@
 use crate::document::{Block, Cell, Column, Document, Figure, Finding, Series, Table, Tone};
 use crate::figures::load_factor_distribution;
 use crate::html::words::path_words;
+use dolmen::assess::Probability;
 use dolmen_words::message::Both;
 use dolmen_words::{Digits, Quantity, Unit, messages};
 use dolmen_work::answer::CheckAnswer;
@@ -10,8 +11,6 @@ use dolmen_work::state::{Sampled, SensitivityOf, State};
 
 /// Inputs whose elasticity is below this are not listed: less than a hundredth of a per cent for one per cent of input.
 const ELASTICITY_SHOWN_LEAST: f64 = 5e-5;
-/// A chance of falling whose upper bound is above this is said beside the verdict. Chosen here.
-const SAID_LEAST: f64 = 0.01;
 
 messages! {
     /// Uncertain inputs.
@@ -19,6 +18,10 @@ messages! {
         Falls { count: usize, samples: usize, estimate: Quantity, confidence: Quantity, lower: Quantity, upper: Quantity } => {
             en: "With the scatter given for the inputs it falls under its own weight alone, without any shaking, in {count} of {samples} samples: {estimate}, {confidence} interval {lower} to {upper}. This is a probability of the model and the stated scatter, not of the stones.",
             ko: "입력값의 변동을 고려하면 지진 없이 자중만으로 표본 {samples}개 중 {count}개에서 전도된다: {estimate}, {confidence} 신뢰구간 {lower}–{upper}. 이는 모델과 주어진 변동에 대한 확률이며 실물의 확률이 아니다.",
+        },
+        Overloaded { count: usize, samples: usize, estimate: Quantity, confidence: Quantity, lower: Quantity, upper: Quantity } => {
+            en: "Wind and static loads bring a joint to its limit, in one combination or more, in {count} of {samples} samples: {estimate}, {confidence} interval {lower} to {upper}.",
+            ko: "바람과 정적 하중의 조합에서 접합부가 한계에 이르는 표본은 {samples}개 중 {count}개이다: {estimate}, {confidence} 신뢰구간 {lower}–{upper}.",
         },
         Head => { en: "Uncertain inputs", ko: "입력의 불확실성" },
         Drawn { samples: usize } => {
@@ -62,8 +65,29 @@ messages! {
 }
 
 /// How often it falls.
-pub(super) fn finding(sampled: &Sampled) -> Finding {
-    let falls = &sampled.unstable;
+pub(super) fn findings(sampled: &Sampled) -> Vec<Finding> {
+    let mut all = vec![falling(&sampled.unstable)];
+    all.extend(sampled.under_loads.as_ref().map(overloaded));
+    all
+}
+
+fn overloaded(of: &Probability) -> Finding {
+    let tone = match of.count {
+        0 => Tone::Plain,
+        _ => Tone::Warn,
+    };
+    let said = Scatter::Overloaded {
+        count: of.count,
+        samples: of.samples,
+        estimate: Quantity::percent(of.estimate, 2),
+        confidence: Quantity::new(of.confidence, Unit::percent(), Digits::Trimmed(3)),
+        lower: Quantity::percent(of.lower, 2),
+        upper: Quantity::percent(of.upper, 2),
+    };
+    Finding::key(tone, said).with_code("probability")
+}
+
+fn falling(falls: &Probability) -> Finding {
     let tone = match falls.count {
         0 => Tone::Plain,
         _ => Tone::Warn,
@@ -76,10 +100,7 @@ pub(super) fn finding(sampled: &Sampled) -> Finding {
         lower: Quantity::percent(falls.lower, 2),
         upper: Quantity::percent(falls.upper, 2),
     };
-    match falls.upper > SAID_LEAST {
-        true => Finding::key(tone, said).with_code("probability"),
-        false => Finding::new(tone, said).with_code("probability"),
-    }
+    Finding::key(tone, said).with_code("probability")
 }
 
 /// Samples and sensitivities.

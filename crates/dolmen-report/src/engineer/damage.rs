@@ -104,7 +104,7 @@ fn mark(found: &Inspection) -> DamageMark {
 }
 
 /// The damage in words.
-fn what(kind: &DamageKind) -> Sentence {
+pub(crate) fn what(kind: &DamageKind) -> Sentence {
     match kind {
         DamageKind::Crack => Damage::Crack,
         DamageKind::Spalling => Damage::Spalling,

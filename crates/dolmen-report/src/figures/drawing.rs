@@ -141,7 +141,9 @@ fn put_heights(scene: &mut Scene, view: &View) {
     };
     // levels that would stand on each other are left out: the top stays
     let mut shown = vec![bottom];
-    for level in levels {
+    // heights of parts that lean against each other, as in an arch, are in no file
+    let is_stacked = view.elevation.is_stacked();
+    for level in levels.into_iter().filter(|level| is_stacked || *level == top) {
         if (level - shown[shown.len() - 1]) * view.scale >= LEVELS_PX {
             shown.push(level);
         }

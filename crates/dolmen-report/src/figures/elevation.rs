@@ -46,7 +46,24 @@ pub(super) struct Elevation {
     pub(super) tilts_times: f64,
 }
 
+/// Levels nearer than this are one, m.
+const LEVEL_M: f64 = 1e-3;
+
 impl Elevation {
+    /// Whether every part stands at the top of another or at the bottom.
+    pub(super) fn is_stacked(&self) -> bool {
+        let bounds: Vec<[[f64; 2]; 2]> = self.parts.iter().map(PartOutline::bounds).collect();
+        let bottom = bounds
+            .iter()
+            .map(|[least, _]| least[1])
+            .fold(f64::INFINITY, f64::min);
+        let is_level = |level: f64| {
+            (level - bottom).abs() <= LEVEL_M
+                || bounds.iter().any(|[_, most]| (level - most[1]).abs() <= LEVEL_M)
+        };
+        bounds.iter().all(|[least, _]| is_level(least[1]))
+    }
+
     pub(super) fn bounds(&self) -> [[f64; 2]; 2] {
         super::stack_view::bounds(self.parts.iter().flat_map(|part| part.corners_m.iter().copied()))
     }
@@ -59,6 +76,11 @@ pub(super) fn elevations(structure: &Structure, exaggerate: bool) -> Vec<Elevati
         Structure::Frame(part) => vec![of_frame(part)],
         Structure::Building(part) => (0..2).map(|axis| of_building(part, axis)).collect(),
         Structure::Stack(part) => {
+            // as entered: upright, the lean of a survey is drawn beside it
+            let part = &StackPart {
+                lean: None,
+                ..(**part).clone()
+            };
             let stack = part.build(&mut Quantity::nominal).ok();
             let each = stack
                 .iter()

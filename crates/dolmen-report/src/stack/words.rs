@@ -82,7 +82,8 @@ pub(super) fn direction(of: [f64; 2]) -> Sentence {
     match (y.abs() < ON_AXIS, x.abs() < ON_AXIS) {
         (true, _) => axis(x, "+x", "-x"),
         (false, true) => axis(y, "+y", "-y"),
-        (false, false) => Sentence::of_symbol(&format!("{:.0}°", y.atan2(x).to_degrees())),
+        // never −0°
+        (false, false) => Sentence::of_symbol(&format!("{:.0}°", y.atan2(x).to_degrees().round() + 0.0)),
     }
 }
 

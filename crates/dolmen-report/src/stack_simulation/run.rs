@@ -6,6 +6,9 @@ use dolmen::blocks::{ContactLaw, ContactRule, RigidEvidence};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::stack::StackSimulation;
 
+/// Energy that lifts the stack by no more than this is none: a structure that hardly moves takes hardly any from the ground, and a share of that says
+/// nothing. Chosen here.
+const LIFT_LEAST_M: f64 = 1e-6;
 /// Share of the work put in that contacts may make before it is called a fault: that of the engine's own tests.
 const ENERGY_MADE_MOST: f64 = 1e-3;
 /// A solution farther from the law than this is counted as loose, m/s: that of the engine.
@@ -80,7 +83,9 @@ messages! {
 /// That contacts made too much energy, if they did.
 pub(super) fn made_too_much(simulation: &StackSimulation) -> Option<Run> {
     let made = simulation.history.energy_made_ratio();
-    (made > ENERGY_MADE_MOST).then(|| Run::MadeTooMuch {
+    let weight_n = simulation.stack.mass_kg() * simulation.stack.gravity_m_s2();
+    let is_tiny = simulation.history.energy_made_j <= weight_n * LIFT_LEAST_M;
+    (made > ENERGY_MADE_MOST && !is_tiny).then(|| Run::MadeTooMuch {
         made: Quantity::percent(made, 2),
         limit: Quantity::new(ENERGY_MADE_MOST, Unit::percent(), Digits::Trimmed(2)),
     })

@@ -7,7 +7,7 @@ use crate::frame::FrameSimulation;
 use crate::part_limit::PartLimit;
 use crate::simulation::Simulation;
 use crate::stack::{StackRuns, StackSimulation};
-use dolmen::assess::{DamageState, JointDamage};
+use dolmen::assess::{DamageState, DamageThresholds, JointDamage};
 use dolmen::blocks::Outcome;
 
 /// How a run came to its end.
@@ -56,9 +56,16 @@ pub(super) fn of_stack(run: &StackSimulation) -> Vec<EarthquakeFinding> {
         _ if run.is_whole() => Ending::Whole,
         _ => Ending::Open,
     };
+    // what is left of a slip is not known before the end; how far a joint rocked is
+    let rocked =
+        |joint: &JointDamage| joint.peak_rocking_ratio >= DamageThresholds::default().severe_rocking_ratio;
+    let state = match ending {
+        Ending::Open if !run.damage.joints.iter().any(rocked) => run.damage.state.min(DamageState::Offset),
+        _ => run.damage.state,
+    };
     let is_nan = run.damage.joints.iter().any(has_nan);
     let broke = !run.history.broken_ties.is_empty();
-    let found = of_damage(ending, run.damage.state, is_nan, broke);
+    let found = of_damage(ending, state, is_nan, broke);
     under(run.motion.motion.name(), found)
 }
 
@@ -112,13 +119,33 @@ pub(super) fn of_chain(run: &ChainSimulation) -> Vec<EarthquakeFinding> {
     let is_nan = peaks.any(|peak| peak.rotation_rad.is_nan());
     let found = vec![of_fall(ending, is_nan)];
     match &run.motion {
-        Some((motion, _)) => under(motion.motion.name(), found),
+        Some((motion, _)) => {
+            let name = motion.motion.name();
+            let mut all = under(name, found);
+            all.extend(near_an_edge(ending, &run.parts(), name));
+            all
+        }
         // a push alone is no earthquake: that it stands says nothing of one
         None => {
             let counted = found.into_iter().filter(|(word, _)| *word != Earthquake::Above);
             findings(None, counted.collect())
         }
     }
+}
+
+/// A bed that came near its edge, or stood on it, although nothing fell: the same share counts as near that counts for storeys.
+fn near_an_edge(ending: Ending, parts: &[PartLimit], motion: &str) -> Option<EarthquakeFinding> {
+    let with_edge = parts.iter().filter(|part| part.ratio().is_some()).cloned();
+    let worst = of_parts(&with_edge.collect::<Vec<_>>(), Some(motion))
+        .into_iter()
+        .next()?;
+    let is_near = matches!(worst.word, Earthquake::Near | Earthquake::BelowDemand);
+    (ending == Ending::Whole && worst.decided_by == DecidedBy::BedEdge && is_near).then_some(
+        EarthquakeFinding {
+            word: Earthquake::Near,
+            ..worst
+        },
+    )
 }
 
 fn of_fall(ending: Ending, is_nan: bool) -> (Earthquake, DecidedBy) {

@@ -1,0 +1,143 @@
+// SOURCE     What engineers met on their first days with the command.
+// GOAL       What looked safe and was not known is said, or refused.
+// TOLERANCE  none: words and exit statuses.
+
+use super::verbs::Scratch;
+use std::fs;
+
+const TOWER: &str = "schema = 1\nkind = \"stack\"\nname = \"Tower\"\ndensity = 2600\njoint = { friction = 0.6 }\n\
+    blocks = [{ name = \"base\", width = 1.2, height = 0.4 }, { name = \"body\", width = 0.6, height = 1.4 }, \
+    { name = \"roof\", width = 1.1, height = 0.3 }]\n";
+
+/// One stone on a bed of 0.6 m: 20 kN at 1.5 m.
+const POLE: &str = "schema = 1\nkind = \"chain\"\nname = \"Pole\"\nunits = { force = \"kN\", stiffness = \"kN*m/rad\" }\ndamping_ratio = 0.02\n\
+    links = [{ name = \"shaft\", weight = 20, length = 3.0, centroid = 1.5, breadth = 0.6, bed_width = 0.6 }]\njoints = [{ stiffness = 3000 }]\n";
+
+fn said(name: &str, text: &str, words: &str) -> (i32, String) {
+    let scratch = Scratch::new(name);
+    fs::write(scratch.path().join("project.toml"), text).unwrap();
+    let answer = scratch.dolmen(words);
+    (answer.status, format!("{}{}", answer.words(), answer.stderr))
+}
+
+#[test]
+fn refuses_an_angle_where_a_ratio_stands() {
+    for friction in [
+        "{ value = 31, unit = \"deg\" }",
+        "\"31 deg\"",
+        "\"31 °\"",
+        "\"0.54 rad\"",
+    ] {
+        let text = TOWER.replace("friction = 0.6", &format!("friction = {friction}"));
+        let (status, words) = said("angle-for-ratio", &text, "check project.toml");
+        assert_eq!(status, 2, "{words}");
+        assert!(
+            words.contains("is an angle") && words.contains("tangent of the angle of friction"),
+            "{words}"
+        );
+    }
+    let (status, _) = said(
+        "ratio-in-percent",
+        &TOWER.replace("friction = 0.6", "friction = \"60 %\""),
+        "check project.toml",
+    );
+    assert_eq!(status, 0);
+}
+
+#[test]
+fn holds_a_pole_that_stood_on_its_edge_is_near_what_was_asked() {
+    // the moment of 20 kN under a quarter of g comes to N b/2 = 6 kN m; shaken by a tenth of that nothing is near
+    let shaken = |peak: &str| {
+        said(
+            "pole-on-edge",
+            POLE,
+            &format!("simulate project.toml --motion el-centro-1940-ns --peak {peak}g"),
+        )
+    };
+    let (status, words) = shaken("0.5");
+    assert!(
+        status == 0 && words.contains("VERDICT Earthquake el-centro-1940-ns: near demand (1.00)"),
+        "{words}"
+    );
+    let (_, words) = shaken("0.02");
+    assert!(words.contains("above demand"), "{words}");
+}
+
+#[test]
+fn holds_a_run_that_was_cut_has_no_verdict_from_what_is_left() {
+    let whole = "simulate project.toml --motion el-centro-1940-ns --scale 2 --law springs";
+    // a stone that slides far: friction is low, and at the cut it is on its way
+    let slippery = TOWER.replace("friction = 0.6", "friction = 0.12");
+    let (_, words) = said("whole-run", &slippery, whole);
+    assert!(words.contains("below demand (DS3)"), "{words}");
+    let (status, words) = said("cut-run", &slippery, &format!("{whole} --duration 5"));
+    assert_eq!(status, 3, "{words}");
+    assert!(words.contains("not decided"), "{words}");
+    // how far a joint rocked will not be undone
+    let (_, words) = said("cut-rocking", TOWER, &format!("{whole} --duration 5"));
+    assert!(words.contains("below demand (DS3)"), "{words}");
+}
+
+#[test]
+fn holds_samples_count_wind_and_say_where_there_is_nothing_to_draw() {
+    let (status, words) = said("nothing-drawn", POLE, "check project.toml --samples 100");
+    assert!(status == 0 && words.contains("no input carries a cov"), "{words}");
+    // N b/2 = 6 kN m, less what the lean under the load takes: 4 kN at 1.5 m are 6 kN m
+    let loaded = POLE.replace("weight = 20", "weight = { value = 20, cov = 0.1 }")
+        + "loads = [{ name = \"rope\", at = \"shaft\", height = 1.47, force = 4 }]\n";
+    let (_, words) = said("loads-drawn", &loaded, "check project.toml --samples 400");
+    assert!(
+        words.contains("Wind and static loads bring a joint to its limit"),
+        "{words}"
+    );
+    let share = words
+        .split("or more, in ")
+        .nth(1)
+        .and_then(|rest| rest.split(' ').next())
+        .unwrap();
+    let count: usize = share.parse().unwrap();
+    assert!(
+        (100..=300).contains(&count),
+        "{count} of 400: at the limit about half"
+    );
+}
+
+#[test]
+fn holds_severe_damage_and_a_tilt_beyond_its_limit_are_findings_of_a_check() {
+    let more = "[watch]\ntilt_limit = \"1/150\"\n[survey.2026-03-10]\ntilt = { x = \"1/160\", y = \"1/160\" }\n\
+        inspections = [{ part = \"body\", what = \"crack\", severity = \"severe\" }, { part = \"roof\", what = \"growth\", severity = \"slight\" }]\n";
+    let (_, words) = said("damaged", &format!("{TOWER}{more}"), "check project.toml");
+    assert!(
+        words.contains("severe damage, which is not in the model: body: crack."),
+        "{words}"
+    );
+    assert!(
+        words.contains("1/113 by all directions together, is beyond the limit of 1/150"),
+        "{words}"
+    );
+    let (_, words) = said(
+        "not-beyond",
+        &format!("{TOWER}{}", more.replace("1/160", "1/250")),
+        "check project.toml",
+    );
+    assert!(!words.contains("is beyond the limit"), "{words}");
+    let (_, words) = said(
+        "damaged-report",
+        &format!("{TOWER}{more}"),
+        "report project.toml -o r.html",
+    );
+    assert!(words.contains("r.html"), "{words}");
+}
+
+#[test]
+fn holds_a_drawing_shows_the_heights_of_the_file_although_the_model_leans() {
+    let leaning = format!("{TOWER}[survey.2026-03-10]\ntilt = {{ x = \"30 mm/m\" }}\n");
+    let heights = |text: &str| {
+        let scratch = Scratch::new("drawn-upright");
+        fs::write(scratch.path().join("project.toml"), text).unwrap();
+        let drawn = scratch.dolmen("draw project.toml").stdout;
+        ["0.4", "1.4", "0.3", "2.1"].map(|height| drawn.contains(&format!(">{height}<")))
+    };
+    assert_eq!(heights(TOWER), [true; 4]);
+    assert_eq!(heights(&leaning), [true; 4]);
+}
