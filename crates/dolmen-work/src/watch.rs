@@ -20,7 +20,7 @@ use dolmen_project::{Project, Survey, WorkKind, WorkPart};
 use dolmen_records::Files;
 use std::collections::BTreeMap;
 
-/// Surveys with modes that a history needs.
+/// Surveys with modes, or with tilts, that a history needs.
 pub const SURVEYS_LEAST: usize = 3;
 
 /// Surveys from which on a report has a section on the years: with fewer no change is sought, and two are compared.
@@ -44,7 +44,7 @@ fn has_modes(survey: &Survey) -> bool {
 /// What the surveys of a project say of its structure over the years.
 ///
 /// # Errors
-/// Fewer than three surveys with a date and modes; records that cannot be read.
+/// Fewer than three surveys with a date and modes, and with tilts; records that cannot be read.
 pub fn watch(opened: &Opened, files: &dyn Files, progress: &dyn Progress) -> Result<WatchAnswer, WorkError> {
     let answers: Vec<SurveyAnswer> = opened
         .project
@@ -116,9 +116,10 @@ fn watch_surveys(
     } = days(surveys, &tracking).map_err(ChangeFault::from)?;
     left_out.extend(of_one_day);
     let with_modes = kept.iter().filter(|survey| !survey.modes.is_empty()).count();
-    if with_modes < SURVEYS_LEAST {
+    let with_tilts = kept.iter().filter(|survey| !survey.tilts.is_empty()).count();
+    if with_modes.max(with_tilts) < SURVEYS_LEAST {
         return Err(ChangeFault::TooFewToWatch {
-            given: with_modes,
+            given: with_modes.max(with_tilts),
             least: SURVEYS_LEAST,
         }
         .into());

@@ -141,3 +141,62 @@ fn holds_a_drawing_shows_the_heights_of_the_file_although_the_model_leans() {
     assert_eq!(heights(TOWER), [true; 4]);
     assert_eq!(heights(&leaning), [true; 4]);
 }
+
+fn years(frequency: impl Fn(usize) -> String, tilt: impl Fn(usize) -> String) -> String {
+    let surveys: String = (0..5)
+        .map(|year| {
+            format!(
+                "[survey.{}-04-10]\n{}{}",
+                2022 + year,
+                frequency(year),
+                tilt(year)
+            )
+        })
+        .collect();
+    format!("schema = 1\nkind = \"survey\"\nname = \"Pagoda\"\n[watch]\ntilt_limit = \"1/150\"\n{surveys}")
+}
+
+#[test]
+fn holds_five_surveys_whose_last_is_four_per_cent_lower_point_at_it() {
+    let read = |year: usize| {
+        let hz = [5.00, 5.01, 4.99, 5.00, 4.80][year];
+        format!("frequencies.x = [{{ value = {hz}, sd = 0.01 }}]\n")
+    };
+    let (status, words) = said("apart", &years(read, |_| String::new()), "watch project.toml");
+    assert_eq!(status, 0, "{words}");
+    assert!(
+        words.contains(
+            "2026-04-10, has 4.800 Hz: −4.0 % from the median of those before it, 5.000 Hz, and 14 times"
+        ),
+        "{words}"
+    );
+    let near = |year: usize| read(year).replace("4.8,", "4.98,");
+    let (_, words) = said("not-apart", &years(near, |_| String::new()), "watch project.toml");
+    assert!(!words.contains("from the median"), "{words}");
+}
+
+#[test]
+fn holds_tilts_alone_are_watched() {
+    let tilt = |year: usize| format!("tilt.x = \"{} mm/m\"\n", [4.0, 4.5, 5.1, 5.5, 6.1][year]);
+    let (status, words) = said(
+        "tilts-alone",
+        &years(|_| String::new(), tilt),
+        "watch project.toml",
+    );
+    assert_eq!(status, 0, "{words}");
+    // a line of least squares through 4.0 … 6.1 over four years: 0.52 a year
+    assert!(
+        words.contains("changes by 0.52") && words.contains("reaches its limit of 6.67 mm/m"),
+        "{words}"
+    );
+    assert!(!words.contains("no mode was found"), "{words}");
+    let (status, words) = said(
+        "too-few-tilts",
+        &years(|_| String::new(), |year| tilt(year).repeat(usize::from(year > 2))),
+        "watch project.toml",
+    );
+    assert!(
+        status == 2 && words.contains("2 surveys of the file have modes, or a tilt"),
+        "{words}"
+    );
+}

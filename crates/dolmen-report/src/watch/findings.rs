@@ -53,8 +53,12 @@ messages! {
             ko: "{from}부터 {to}까지 추적한 모드 {modes}개에서 지속적인 변화가 확인되지 않았다. 중간 시점의 {least} 급변은 각 모드에서 80 %의 확률로 발견되었을 것이나 그보다 작은 변화는 놓쳤을 수 있다.",
         },
         TooFew { from: String, to: String } => {
-            en: "Whether a frequency changed lastingly from {from} to {to} cannot be said: no mode was found in 8 surveys or more. Measure on, or compare two surveys.",
-            ko: "{from}부터 {to}까지 고유진동수가 지속적으로 변하였는지 판단할 수 없다. 8회 이상의 조사에서 확인된 모드가 없다. 계측을 계속하거나 두 조사를 비교한다.",
+            en: "Whether a frequency changed lastingly from {from} to {to} cannot be said: no mode was found in 8 surveys or more. Measure on, or compare two surveys (`dolmen compare`).",
+            ko: "{from}부터 {to}까지 고유진동수가 지속적으로 변하였는지 판단할 수 없다. 8회 이상의 조사에서 확인된 모드가 없다. 계측을 계속하거나 두 조사를 비교한다(`dolmen compare`).",
+        },
+        LastApart { last: String, frequency: Quantity, change: Quantity, usual: Quantity, times: Quantity } => {
+            en: "The last survey, {last}, has {frequency}: {change} from the median of those before it, {usual}, and {times} times the standard deviations of both. With so few surveys that gives no alarm, and the weather may do it; look at it with `dolmen compare`.",
+            ko: "마지막 조사 {last}의 고유진동수는 {frequency}로, 이전 조사의 중앙값 {usual}에서 {change} 변하였으며 표준편차의 {times}배이다. 조사가 적어 경보로 판정하지 않으며 기상의 영향일 수 있다. `dolmen compare`로 살펴본다.",
         },
         Missed { frequency: Quantity, least: Quantity } => {
             en: "Beside that, a lasting step of {least} would have been seen with 80 % probability, in the mode that shows least ({frequency}).",
@@ -182,6 +186,7 @@ fn alarms(answer: &WatchAnswer) -> Vec<Finding> {
         let answered = watched.alarms.len();
         return match is_judged {
             true => vec![Finding::key(Tone::Good, Found::NoOpenAlarm { answered, last })],
+            false if answer.watched.modes.is_empty() => Vec::new(),
             false => vec![Finding::key(Tone::Unknown, Found::NoneJudged { training: 10 })],
         };
     };
@@ -207,6 +212,9 @@ fn alarms(answer: &WatchAnswer) -> Vec<Finding> {
 /// Why the last survey was not judged, where no mode of it was.
 fn last_survey(answer: &WatchAnswer) -> Option<Finding> {
     let last = answer.surveys.len().checked_sub(1)?;
+    if answer.watched.modes.is_empty() {
+        return None; // tilts alone are watched
+    }
     let of_last = answer.watched.modes.iter().filter_map(|mode| {
         let found = mode.judged.judged.last()?;
         (found.survey == last).then_some(found)
@@ -231,6 +239,62 @@ fn last_survey(answer: &WatchAnswer) -> Option<Finding> {
     Some(Finding::key(Tone::Unknown, Found::LastNotJudged { last, reason }))
 }
 
+/// Deviations from the median of the surveys before it from which the last one is pointed at, where none is judged. Chosen here.
+const APART_FROM: f64 = 4.0;
+
+/// Modes that the last survey has elsewhere than those before it, the farthest first.
+fn last_apart(answer: &WatchAnswer) -> Vec<Finding> {
+    let Some(last) = answer.surveys.len().checked_sub(1) else {
+        return Vec::new();
+    };
+    let mut apart: Vec<(f64, Found)> = Vec::new();
+    for mode in &answer.watched.modes {
+        let read = |survey: usize| {
+            let at = (*mode.track.modes.get(survey)?)?;
+            let of = answer.surveys.get(survey)?;
+            Some((
+                *of.frequencies_hz.get(at)?,
+                of.frequency_sds_hz.get(at)?.unwrap_or(0.0),
+            ))
+        };
+        let before: Vec<(f64, f64)> = (0..last).filter_map(read).collect();
+        let Some((now_hz, now_sd_hz)) = read(last).filter(|_| before.len() >= 2) else {
+            continue;
+        };
+        let usual_hz = middle(before.iter().map(|(hz, _)| *hz).collect());
+        let off = before.iter().map(|(hz, _)| (hz - usual_hz).abs()).collect();
+        let stated = middle(before.iter().map(|(_, sd)| *sd).collect());
+        // the normal deviation of a median of absolute deviations, and no less than what the surveys state
+        let usual_sd_hz = stated.max(1.4826 * middle(off));
+        let times = (now_hz - usual_hz).abs() / now_sd_hz.hypot(usual_sd_hz);
+        if times.is_finite() && times >= APART_FROM {
+            let found = Found::LastApart {
+                last: name(answer, last),
+                frequency: hertz(now_hz),
+                change: percent(now_hz / usual_hz - 1.0, 1),
+                usual: hertz(usual_hz),
+                times: plain(times, 0),
+            };
+            apart.push((times, found));
+        }
+    }
+    apart.sort_by(|a, b| b.0.total_cmp(&a.0));
+    apart
+        .into_iter()
+        .map(|(_, found)| Finding::key(Tone::Warn, found))
+        .collect()
+}
+
+fn middle(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    let half = values.len() / 2;
+    match values.len() {
+        0 => f64::NAN,
+        even if even % 2 == 0 => 0.5 * (values[half - 1] + values[half]),
+        _ => values[half],
+    }
+}
+
 fn changes(answer: &WatchAnswer) -> Vec<Finding> {
     let watched = &answer.watched;
     let listed: Vec<(&WatchedMode, &WatchedChange)> = watched
@@ -248,7 +312,9 @@ fn changes(answer: &WatchAnswer) -> Vec<Finding> {
         .filter_map(|mode| Some((mode.seen_from_ratio?, mode.track.frequency_hz)))
         .max_by(|a, b| a.0.total_cmp(&b.0));
     let Some((least, of_hz)) = least else {
-        return vec![Finding::key(Tone::Unknown, Found::TooFew { from, to })];
+        let has_modes = !watched.modes.is_empty();
+        let too_few = has_modes.then(|| Finding::key(Tone::Unknown, Found::TooFew { from, to }));
+        return last_apart(answer).into_iter().chain(too_few).collect();
     };
     if listed.is_empty() {
         let said = Found::Unchanged {
@@ -387,14 +453,15 @@ fn tilt(trend: &TiltTrend) -> Option<Finding> {
             ));
         }
         if let (Some(years), Some(earliest)) = (reach.years, reach.years_earliest) {
+            let decimals = usize::from(years < 10.0);
             let said = Found::TiltReaches {
                 direction,
                 yearly,
                 half,
                 limit: slope(reach.limit, 2),
-                years: plain(years, 0),
-                earliest: plain(earliest, 0),
-                latest: plain(reach.years_latest.unwrap_or(f64::INFINITY), 0),
+                years: plain(years, decimals),
+                earliest: plain(earliest, decimals),
+                latest: plain(reach.years_latest.unwrap_or(f64::INFINITY), decimals),
             };
             return Some(Finding::key(Tone::Warn, said));
         }
