@@ -71,7 +71,7 @@ fn holds_words_of_the_sliding_model_and_where_it_does_not_hold() {
         "1 of 1 beds let go, the one below ‘block 1’ most",
     );
     said(
-        &format!("{blocks} --peak 0.5g --full"),
+        &format!("{blocks} --peak 0.5g"),
         "Beds by the sliding model, lowest first.",
     );
     said(&format!("{blocks} --peak 0.5g --language ko"), "미끄러짐 모델");

@@ -84,7 +84,7 @@ pub(super) fn shafts_are_shafts(reader: &mut Reader, part: &ChainPart) {
     }
     for link in &part.links {
         let share = link.centroid.value / link.length.value;
-        if share >= CENTROID_SHARE.0 && share < CENTROID_SHARE.1 {
+        if (CENTROID_SHARE.0..CENTROID_SHARE.1).contains(&share) {
             continue;
         }
         let path = &link.centroid.path;

@@ -32,7 +32,7 @@ messages! {
         Caption => { en: "Beds by the sliding model, lowest first.", ko: "미끄러짐 모델의 접합면별 결과, 아래에서부터." },
         Meaning => {
             en: "Modes of Hwang and Kim (2002); each bed against the block below it.",
-            ko: "황인선·김재관(2002)의 거동 모드. 아래 블록에 대한 상대 운동이다.",
+            ko: "황인섭·김재관(2002)의 거동 모드. 아래 블록에 대한 상대 운동이다.",
         },
         Until { at: Quantity } => { en: "Up to {at}, where it ended.", ko: "해석이 끝난 {at}까지의 값이다." },
         Bed => { en: "Bed below", ko: "접합면(위 블록)" },
@@ -86,7 +86,7 @@ fn moved(run: &SlidingRun, simulation: &StackSimulation, joint: usize, upper: St
         upper,
         slip: significant(of.peak_slip_m, "m"),
         left: significant(of.residual_slip_m(), "m"),
-        turn: significant(of.peak_yaw_rad, "rad"),
+        turn: Quantity::new(of.peak_yaw_rad, milli("rad"), Digits::Fixed(3)),
         beside: significant(beside_m, "m"),
     }
 }

@@ -9,42 +9,10 @@
 //! | N | `axial_n` | weight above | N |
 //! | c, γ, ψ, y | `Shape` | curvature ψ', shear strain y' − ψ, rotation of the section, displacement | 1/m, , , |
 
+use super::shaft::{Section, Shaft, Stone, taper};
 use super::{Chain, Inertia, StructureError};
 use crate::numeric::{gauss_legendre, integral, legendre, second_integral};
 use dolmen_linalg::{LinalgError, Matrix, generalized_symmetric_eigen};
-
-/// A rectangular section.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct Section {
-    /// Size in the direction of motion, m.
-    pub depth_m: f64,
-    /// Size across it, m.
-    pub breadth_m: f64,
-}
-
-/// A shaft whose depth and breadth change linearly from its foot to its top.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct Shaft {
-    /// Length, m.
-    pub length_m: f64,
-    /// Section at its foot.
-    pub foot: Section,
-    /// Section at its top; 0 is a point or an edge.
-    pub top: Section,
-}
-
-/// Elastic constants and density.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Stone {
-    /// E, Young's modulus, Pa.
-    pub elastic_modulus_pa: f64,
-    /// ν, Poisson's ratio.
-    pub poisson_ratio: f64,
-    /// ρ, density, kg/m³.
-    pub density_kg_m3: f64,
-}
 
 /// How a beam deforms.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -424,26 +392,6 @@ impl Pole {
     }
 }
 
-impl Shaft {
-    /// The section at a share of its length.
-    fn section(&self, share: f64) -> Section {
-        let at = |foot: f64, top: f64| foot + share * (top - foot);
-        Section {
-            depth_m: at(self.foot.depth_m, self.top.depth_m),
-            breadth_m: at(self.foot.breadth_m, self.top.breadth_m),
-        }
-    }
-
-    /// Simpson's rule, exact for an area of the second degree.
-    fn volume_m3(&self) -> f64 {
-        let area = |share: f64| {
-            let section = self.section(share);
-            section.depth_m * section.breadth_m
-        };
-        self.length_m * (area(0.0) + 4.0 * area(0.5) + area(1.0)) / 6.0
-    }
-}
-
 /// A point of quadrature and its weights: dz times EI, κGA, N, ρA, ρI.
 struct Station {
     shaft: usize,
@@ -473,15 +421,6 @@ impl Shape {
     fn free(at: Vec<At>) -> Self {
         Shape { at, spring: 0.0 }
     }
-}
-
-/// top/foot of a shaft whose centre of mass is at a share of its length; `None` if none is.
-fn taper(centroid: f64) -> Option<f64> {
-    if !(centroid >= 0.25 && centroid < 0.75) {
-        return None;
-    }
-    let (a, b, c) = (3.0 - 4.0 * centroid, 2.0 - 4.0 * centroid, 1.0 - 4.0 * centroid);
-    Some((-b + (b * b - 4.0 * a * c).sqrt()) / (2.0 * a))
 }
 
 fn positive(
