@@ -94,7 +94,7 @@ pub struct ChainPart {
     /// Damping ratio of the first mode, by dashpots in proportion to the springs.
     pub damping_ratio: Option<Quantity>,
     /// The stone of the links; `None` if it is not given.
-    pub stone: Option<StonePart>,
+    pub stone: Option<Box<StonePart>>,
     /// Acceleration of gravity, m/s², that turns weights into masses.
     pub gravity_m_s2: f64,
     /// How a survey found it to lean; `None` if none did, or the file leaves that out.

@@ -184,7 +184,7 @@ pub(crate) fn chain(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) -> Op
         joints,
         cap,
         damping_ratio,
-        stone: stone(reader, raw.stone.as_ref()),
+        stone: stone(reader, raw.stone.as_ref()).map(Box::new),
         gravity_m_s2,
         lean: None,
     };
