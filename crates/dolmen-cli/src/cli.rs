@@ -279,6 +279,8 @@ pub(crate) enum Law {
     Rigid,
     /// Each, however long rigid contact takes
     Both,
+    /// Springs, and beside them the sliding model of a pile, whose blocks slide and twist but do not rock
+    Sliding,
 }
 
 #[derive(Debug, Args)]

@@ -75,6 +75,7 @@ pub(crate) fn simulation(options: &Simulate, manner: &Manner) -> Result<Simulate
             Some(crate::cli::Law::Springs) => Law::Springs,
             Some(crate::cli::Law::Rigid) => Law::Rigid,
             Some(crate::cli::Law::Both) => Law::Both,
+            Some(crate::cli::Law::Sliding) => Law::Sliding,
         },
         contact_rule: match options.points {
             Points::P4 => ContactRule::Corners,

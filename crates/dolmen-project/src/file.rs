@@ -3,7 +3,7 @@
 //! the schema finds it.
 
 use super::building::{DamperRaw, DampingRaw, FloorRaw, WatchedRaw};
-use super::chain::{CapRaw, JointRaw, LinkRaw};
+use super::chain::{CapRaw, JointRaw, LinkRaw, StoneRaw};
 use super::file_names::NamesRaw;
 use super::file_number::{At, EvidenceRaw, OrUnknown, QuantityRaw};
 use super::frame::{AxialRaw, ConventionRaw, DirectionRaw, StoreyRaw};
@@ -57,6 +57,9 @@ pub(super) struct FileRaw {
     /// kind = "chain": viscous damping of the first mode, as a ratio, by dashpots in proportion to the stiffness of the joints; instead
     /// of their own damping. For `dolmen simulate`.
     pub(super) damping_ratio: Option<At<QuantityRaw>>,
+    /// kind = "chain": the stone of the links, { elastic_modulus = "40 GPa", poisson_ratio = 0.2, density = "2600 kg/m3" }: `dolmen check` then
+    /// sets the pole beside one without joints.
+    pub(super) stone: Option<At<StoneRaw>>,
     /// kind = "frame": the storeys, lowest first.
     pub(super) storeys: Option<At<Vec<At<StoreyRaw>>>>,
     /// kind = "frame": what axial_force of a storey is: "storey", the force in its columns (its own level and all

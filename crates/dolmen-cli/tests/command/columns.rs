@@ -94,3 +94,51 @@ fn holds_simulations_say_that_columns_are_left_out() {
         scratch.dolmen("simulate examples/free_columns --motion el-centro-1940-ns --peak 0.1g --language ko");
     assert!(korean.stdout.contains("복원모멘트"), "{}", korean.stdout);
 }
+
+#[test]
+fn holds_a_frame_of_one_storey_moves_on_its_columns_alone() {
+    let scratch = Scratch::with_examples("columns_alone");
+    let simulate = |peak: &str| {
+        let command = "simulate examples/free_columns/rigid_stones.toml --motion el-centro-1940-ns";
+        json(&scratch, &format!("{command} --peak {peak}"))["simulations"][0].clone()
+    };
+    // b 0.5 m, h 4 m: feet lift off at g b/h, and stay down below it
+    let calm = &simulate("0.12g")["columns_alone"];
+    let of = |columns: &serde_json::Value, key: &str| columns[key].as_f64().unwrap();
+    assert!((of(calm, "uplift_m_s2") / (9.80665 * 0.125) - 1.0).abs() < 1e-9);
+    assert_eq!(calm["outcome"], "stood");
+    let rocks = &simulate("0.2g")["columns_alone"];
+    assert_eq!(rocks["outcome"], "rocked");
+    // without weight in the columns: p̂² = g/2R, r = cos 2α
+    let pull = 9.80665 / 4.0_f64.hypot(0.5);
+    assert!((of(rocks, "frequency_parameter_rad_s").powi(2) / pull - 1.0).abs() < 1e-9);
+    let kept = (4.0_f64.powi(2) - 0.25) / (4.0_f64.powi(2) + 0.25);
+    assert!((of(rocks, "velocity_ratio") / kept - 1.0).abs() < 1e-9);
+    let peak = of(rocks, "peak_rotation_rad");
+    let drift = 4.0 * peak.sin() + 0.5 * (1.0 - peak.cos());
+    assert!((of(rocks, "peak_drift_m") / drift - 1.0).abs() < 1e-9);
+    let falls = &simulate("3g")["columns_alone"];
+    assert_eq!(falls["outcome"], "fell");
+    let command = "simulate examples/free_columns/rigid_stones.toml --motion el-centro-1940-ns --peak";
+    let said = |end: &str, words: &str| {
+        let answer = scratch.dolmen(&format!("{command} {end}"));
+        assert!(answer.words().contains(words), "{words}: {}", answer.stdout);
+    };
+    said(
+        "0.12g",
+        "on its 4 columns alone, without joints and walls: no foot lifts off",
+    );
+    said("0.2g", "and rock without falling");
+    said("3g", "Joints and walls must hold the frame");
+    said("0.2g --language ko", "접합부와 벽체 없이 기둥 4개만으로는");
+    let output = scratch.dolmen(&format!("{command} 0.2g --output alone"));
+    assert_eq!(output.status, 0, "{}", output.stderr);
+    let listed = fs::read_dir(scratch.path().join("alone/x")).unwrap();
+    let names: Vec<String> = listed
+        .map(|f| f.unwrap().file_name().into_string().unwrap())
+        .collect();
+    assert!(names.iter().any(|name| name.contains("columns")), "{names:?}");
+    // beds that give way: not run, and said
+    let beds = scratch.dolmen("simulate examples/free_columns --motion el-centro-1940-ns");
+    assert!(beds.words().contains("only on rigid stones"), "{}", beds.stdout);
+}

@@ -7,9 +7,10 @@ use serde_json::Value;
 use std::collections::BTreeSet;
 use std::fs;
 
-const COMMANDS: [&str; 35] = [
+const COMMANDS: [&str; 38] = [
     "check examples/naju_flagpole --samples 20 --sensitivity",
     "check examples/naju_flagpole/wind.toml",
+    "check examples/naju_flagpole/one_stone.toml",
     "check examples/heunginjimun_gate",
     "check examples/free_columns",
     "check examples/three_storey_pagoda --sensitivity",
@@ -27,8 +28,10 @@ const COMMANDS: [&str; 35] = [
     "watch examples/pagoda_over_the_years",
     "simulate examples/three_storey_pagoda --motion el-centro-1940-ns --keep-first 2",
     "simulate examples/piled_blocks --motion el-centro-1940-ns --keep-first 2 --law rigid",
+    "simulate examples/piled_blocks --motion el-centro-1940-ns --keep-first 2 --law sliding",
     "simulate examples/naju_flagpole --variant wedged --motion el-centro-1940-ns --keep-first 2",
     "simulate examples/heunginjimun_gate --variant soft_below --motion el-centro-1940-ns --keep-first 2",
+    "simulate examples/free_columns/rigid_stones.toml --motion el-centro-1940-ns --keep-first 2",
     "simulate examples/several_dampers --motion el-centro-1940-ns --keep-first 2",
     "tune examples/twisting_floor",
     "tune examples/several_dampers",

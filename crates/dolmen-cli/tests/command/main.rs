@@ -31,6 +31,7 @@ mod korean_inputs;
 mod layout;
 mod limits;
 mod names;
+mod one_stones;
 mod plan_stiffness;
 mod prints;
 mod safety;
@@ -39,6 +40,7 @@ mod sentences;
 #[cfg(unix)]
 mod signals;
 mod simulations;
+mod sliding_model;
 mod stacks;
 #[cfg(target_os = "linux")]
 mod store_disks;

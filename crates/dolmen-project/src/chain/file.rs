@@ -51,6 +51,21 @@ pub(crate) struct JointRaw {
     pub(super) static_friction_moment: Option<At<QuantityRaw>>,
 }
 
+/// The stone of the links.
+#[derive(Debug, serde::Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct StoneRaw {
+    /// Young's modulus: a stress.
+    #[schemars(required)]
+    pub(super) elastic_modulus: Option<At<QuantityRaw>>,
+    /// Poisson's ratio, 0 to 0.5.
+    #[schemars(required)]
+    pub(super) poisson_ratio: Option<At<QuantityRaw>>,
+    /// Density: with the weight of a link it gives its volume.
+    #[schemars(required)]
+    pub(super) density: Option<At<QuantityRaw>>,
+}
+
 /// Whether a joint opens.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]

@@ -7,11 +7,12 @@ mod lean;
 mod part;
 mod read;
 mod slips;
+mod stone;
 mod strength;
 
 pub(crate) use doubts::doubt_chain;
-pub(crate) use file::{CapRaw, JointRaw, LinkRaw};
+pub(crate) use file::{CapRaw, JointRaw, LinkRaw, StoneRaw};
 pub(crate) use lean::lean_chain;
-pub use part::{Cap, ChainLean, ChainPart, JointFrictionPart, JointPart, LinkPart};
+pub use part::{Cap, ChainLean, ChainPart, JointFrictionPart, JointPart, LinkPart, StonePart};
 pub(crate) use read::chain;
 pub(crate) use slips::judge_chain;

@@ -4,7 +4,7 @@ use crate::heaviness::Heaviness;
 use crate::quantity::{Pick, Quantity};
 use dolmen::dynamics::{ChainJoint, ChainModel, ChainRotations, DynamicsError, JointFriction, JointOpening};
 use dolmen::stability::BedEdge;
-use dolmen::structure::{Chain, Inertia, Link, StructureError};
+use dolmen::structure::{Chain, Inertia, Link, Stone, StructureError};
 
 /// One link as the file gives it.
 #[derive(Clone, Debug, PartialEq)]
@@ -51,6 +51,28 @@ pub struct JointFrictionPart {
     pub fixed: Option<Quantity>,
 }
 
+/// The stone of the links.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StonePart {
+    /// Young's modulus, Pa.
+    pub elastic_modulus: Quantity,
+    /// Poisson's ratio.
+    pub poisson_ratio: Quantity,
+    /// Density, kg/m³.
+    pub density: Quantity,
+}
+
+impl StonePart {
+    /// Its numbers, each with the value that `pick` chooses.
+    pub fn build(&self, pick: Pick<'_>) -> Stone {
+        Stone {
+            elastic_modulus_pa: pick(&self.elastic_modulus),
+            poisson_ratio: pick(&self.poisson_ratio),
+            density_kg_m3: pick(&self.density),
+        }
+    }
+}
+
 /// Whether the part at the very top (cap stone, finial) is among the links.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Cap {
@@ -71,6 +93,8 @@ pub struct ChainPart {
     pub cap: Cap,
     /// Damping ratio of the first mode, by dashpots in proportion to the springs.
     pub damping_ratio: Option<Quantity>,
+    /// The stone of the links; `None` if it is not given.
+    pub stone: Option<Box<StonePart>>,
     /// Acceleration of gravity, m/s², that turns weights into masses.
     pub gravity_m_s2: f64,
     /// How a survey found it to lean; `None` if none did, or the file leaves that out.
@@ -219,5 +243,8 @@ impl ChainPart {
             }
         }
         all.extend(&self.damping_ratio);
+        if let Some(stone) = &self.stone {
+            all.extend([&stone.elastic_modulus, &stone.poisson_ratio, &stone.density]);
+        }
     }
 }

@@ -1,6 +1,7 @@
 //! Probable slips in a chain.
 
 use super::part::{ChainPart, JointPart, LinkPart};
+use super::stone::judge_stone;
 use crate::measure::Measure;
 use crate::quantity::Quantity;
 use crate::reader::Reader;
@@ -55,6 +56,9 @@ pub(crate) fn judge_chain(reader: &mut Reader, chain: &ChainPart) {
         judge_link(reader, link, *mass_kg);
     }
     judge_joints(reader, chain, &masses);
+    if let Some(stone) = &chain.stone {
+        judge_stone(reader, stone);
+    }
 }
 
 /// Whether a length of a link is a probable slip.

@@ -130,5 +130,47 @@ messages! {
             en: "is it in Pa, kPa or MPa? Mortar has 1 to 10 MPa, granite 100 MPa and more",
             ko: "단위가 Pa, kPa, MPa 중 어느 것인가? 모르타르는 1~10 MPa, 화강암은 100 MPa 이상이다",
         },
+        StoneNeeds { path: String } => { en: "stone has no {path}", ko: "stone에 {path}이(가) 없다" },
+        StoneKeys => {
+            en: "stone = {{ elastic_modulus = \"40 GPa\", poisson_ratio = 0.2, density = \"2600 kg/m3\" }}; granite has 20 to 60 GPa, 0.15 to 0.3 and 2600 kg/m3",
+            ko: "stone = {{ elastic_modulus = \"40 GPa\", poisson_ratio = 0.2, density = \"2600 kg/m3\" }}를 쓴다. 화강암은 20~60 GPa, 0.15~0.3, 2600 kg/m3이다",
+        },
+        PoissonOfStone => { en: "granite has 0.15 to 0.3", ko: "화강암은 0.15~0.3이다" },
+        StoneOfTooMany { links: usize } => {
+            en: "stone is given for {links} links",
+            ko: "부재 {links}개에 stone이 주어졌다",
+        },
+        StoneOfAtMost { most: usize } => {
+            en: "the pole without joints is computed for at most {most} links",
+            ko: "접합면이 없는 기둥은 부재 {most}개까지 계산한다",
+        },
+        LeaveStoneOut => {
+            en: "leave stone out if no comparison with one stone is wanted",
+            ko: "한 돌로 된 기둥과 비교하지 않으려면 stone을 뺀다",
+        },
+        StoneHasNoSuchShaft { path: String, written: String, share: String } => {
+            en: "{path} = {written} is {share} of the link's length: stone makes each link a shaft that tapers evenly, and none has its centre of mass there",
+            ko: "{path} = {written}은(는) 부재 길이의 {share}이다. stone은 각 부재를 고르게 가늘어지는 돌기둥으로 보는데 무게 중심이 그곳인 돌기둥은 없다",
+        },
+        CentroidOfShaft => {
+            en: "must be 0.25 to 0.75 of the length, 0.75 left out",
+            ko: "길이의 0.25 이상 0.75 미만이어야 한다",
+        },
+        ModulusOfNoStone { path: String, written: String } => {
+            en: "{path} = {written}, but stone has 0.5 to 250 GPa",
+            ko: "{path} = {written}인데 석재는 0.5~250 GPa이다",
+        },
+        ModulusInPa => {
+            en: "is it in Pa, MPa or GPa? A bare number is in units.stress, Pa without it",
+            ko: "단위가 Pa, MPa, GPa 중 어느 것인가? 단위 없는 수는 units.stress, 그것도 없으면 Pa이다",
+        },
+        DensityOfNoStone { path: String, written: String } => {
+            en: "{path} = {written}, but it must be 300 to 9000 kg/m3",
+            ko: "{path} = {written}인데 300~9000 kg/m3이어야 한다",
+        },
+        DensityInKg => {
+            en: "is it in kg/m3 or t/m3? Granite has 2600 kg/m3",
+            ko: "단위가 kg/m3, t/m3 중 어느 것인가? 화강암은 2600 kg/m3이다",
+        },
     }
 }

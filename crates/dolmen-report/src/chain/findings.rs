@@ -79,6 +79,7 @@ pub(crate) fn findings(check: &ChainCheck) -> Vec<Finding> {
     all.push(buckling(&check.limits));
     all.extend(passes_published(check));
     all.push(lowest_mode(check));
+    all.extend(super::one_stone::finding(check));
     all.extend(centroids(check));
     all
 }

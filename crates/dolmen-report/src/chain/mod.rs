@@ -5,6 +5,7 @@ mod findings;
 mod limits;
 mod margins;
 mod modes;
+mod one_stone;
 mod simulation;
 mod simulation_ending;
 mod simulation_run;
@@ -45,12 +46,13 @@ messages! {
 }
 
 /// The sentences on chains as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 10] = [
+pub(crate) const TEMPLATES: [&[Template]; 11] = [
     findings::Found::TEMPLATES,
     Stability::TEMPLATES,
     limits::Limits::TEMPLATES,
     margins::Margins::TEMPLATES,
     modes::Modes::TEMPLATES,
+    one_stone::OneStone::TEMPLATES,
     centroids::Centroids::TEMPLATES,
     simulation::Shown::TEMPLATES,
     simulation_ending::Ending::TEMPLATES,
@@ -65,6 +67,7 @@ pub(crate) fn stiffness_sections<'a>(part: &ChainPart, check: &'a ChainCheck) ->
         margins::section(&mut document, stability);
     }
     modes::section(&mut document, part.build(&mut Input::nominal).ok(), check);
+    one_stone::section(&mut document, check);
     document
 }
 
@@ -95,6 +98,7 @@ pub(crate) fn sections<'a>(part: &ChainPart, check: &'a ChainCheck) -> Document<
         margins::section(&mut document, stability);
     }
     modes::section(&mut document, chain, check);
+    one_stone::section(&mut document, check);
     centroids::section(&mut document, check);
     document
 }

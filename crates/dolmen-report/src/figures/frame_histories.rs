@@ -11,7 +11,7 @@ use dolmen::dynamics::FrameEnergy;
 use dolmen::known::STANDARD_GRAVITY_M_S2;
 use dolmen::signal::{Component, GroundMotion};
 use dolmen_words::Language;
-use dolmen_work::frame::FrameSimulation;
+use dolmen_work::frame::{ColumnsInMotion, FrameSimulation};
 
 /// Width and height of a loop, px: nearly square.
 const LOOP_PX: [f64; 2] = [420.0, 340.0];
@@ -39,6 +39,8 @@ pub(crate) enum FramePlot {
     Loop(usize),
     Slips,
     Energy,
+    /// Rotation of the columns, the frame on them alone.
+    Columns,
 }
 
 impl FramePlot {
@@ -48,6 +50,7 @@ impl FramePlot {
         all.extend((0..simulation.storeys.len()).map(Self::Loop));
         all.extend((!simulation.history.slips.is_empty()).then_some(Self::Slips));
         all.push(Self::Energy);
+        all.extend(matches!(simulation.columns, ColumnsInMotion::Alone(_)).then_some(Self::Columns));
         all
     }
 
@@ -58,13 +61,16 @@ impl FramePlot {
             Self::Loop(storey) => format!("loop-{}", storey + 1),
             Self::Slips => "slips".to_owned(),
             Self::Energy => "energy".to_owned(),
+            Self::Columns => "columns".to_owned(),
         }
     }
 
     /// Its SVG; `None` without a sample.
     pub(crate) fn draw(self, simulation: &FrameSimulation, language: Language) -> Option<String> {
         match self {
-            Self::Ground | Self::Levels | Self::Energy => self.lines(simulation, language)?.draw(language),
+            Self::Ground | Self::Levels | Self::Energy | Self::Columns => {
+                self.lines(simulation, language)?.draw(language)
+            }
             Self::Loop(storey) => Some(hysteresis(simulation, storey, language)),
             Self::Slips => Some(bands(simulation, language)),
         }
@@ -73,7 +79,7 @@ impl FramePlot {
     /// Its numbers.
     pub(crate) fn series(self, simulation: &FrameSimulation) -> Vec<crate::document::Series> {
         match self {
-            Self::Ground | Self::Levels | Self::Energy => {
+            Self::Ground | Self::Levels | Self::Energy | Self::Columns => {
                 history_series(|language| self.lines(simulation, language))
             }
             Self::Loop(storey) => loop_series(LOOP, drift_and_force(simulation, storey)),
@@ -91,6 +97,7 @@ impl FramePlot {
             }),
             Self::Levels => Some(levels(simulation)),
             Self::Energy => Some(energy(simulation, language)),
+            Self::Columns => rotations(simulation),
             Self::Loop(_) | Self::Slips => None,
         }
     }
@@ -126,6 +133,21 @@ fn levels(simulation: &FrameSimulation) -> Lines {
         title: Titles::DisplacementAtTheTopOfEachStorey,
         lines: levels,
     }
+}
+
+fn rotations(simulation: &FrameSimulation) -> Option<Lines> {
+    let ColumnsInMotion::Alone(alone) = &simulation.columns else {
+        return None;
+    };
+    let pairs = alone.history.time_s.iter().zip(&alone.history.rotation_rad);
+    Some(Lines {
+        axis: Axes::LinkRotation,
+        title: Titles::RotationOfTheColumns,
+        lines: vec![Series {
+            name: simulation.storeys.first().cloned().unwrap_or_default(),
+            points: pairs.map(|(t, rotation)| [*t, 1e3 * rotation]).collect(),
+        }],
+    })
 }
 
 fn energy(simulation: &FrameSimulation, language: Language) -> Lines {

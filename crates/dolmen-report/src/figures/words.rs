@@ -94,6 +94,7 @@ messages! {
         MomentsOfTheJoints => { en: "Moments of the joints and what the beds pass", ko: "접합면 모멘트와 한계" },
         StiffnessLimitsOfEachJoint => { en: "Stiffness limits of each joint", ko: "접합면별 강성 한계" },
         EffectOfALowerCentreOfMass => { en: "Effect of a lower centre of mass", ko: "무게 중심을 낮춘 효과" },
+        RotationOfTheColumns => { en: "Rotation of the columns, the frame on them alone", ko: "기둥만으로 거동할 때의 기둥 회전각" },
         RotationOfTheLinksFromTheVertical => { en: "Rotation of the links from the vertical", ko: "각 부재의 연직 기준 회전각" },
         MomentAgainstRotation => { en: "Moment against rotation", ko: "모멘트-회전각 이력곡선" },
         WhereTheEnergyWent => { en: "Where the energy went", ko: "에너지 수지" },

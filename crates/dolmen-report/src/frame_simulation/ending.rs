@@ -3,12 +3,13 @@
 use crate::document::{Finding, Tone};
 use crate::limits;
 use crate::simulated::{
-    Simulated, capitalised, cut, left, milli, millimetres, seconds, undamped, under, version_name,
+    Simulated, capitalised, cut, left, milli, millimetres, milliradians, seconds, undamped, under,
+    version_name,
 };
-use dolmen::dynamics::{FrameOutcome, StoreyFriction};
+use dolmen::dynamics::{FrameOutcome, RockingOutcome, StoreyFriction};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::TiltLeftOut;
-use dolmen_work::frame::FrameSimulation;
+use dolmen_work::frame::{ColumnsAlone, ColumnsInMotion, FrameSimulation};
 
 messages! {
     /// How a frame ended.
@@ -35,6 +36,26 @@ messages! {
             en: "The restoring moment of the free-standing columns is not in this motion: the frame moves on its storey stiffness and friction alone, and does not soften where feet lift off. `dolmen check` says what the columns hold.",
             ko: "이 해석에는 자립 기둥의 복원모멘트를 반영하지 않았으며, 골조는 층강성과 마찰만으로 거동하여 주각이 들린 뒤의 강성 저하가 나타나지 않는다. 기둥의 복원력은 `dolmen check`에서 확인한다.",
         },
+        ColumnsNeedOneStorey => {
+            en: "The frame on its columns alone is moved only where it has one storey.",
+            ko: "기둥만으로 거동하는 해석은 단층 골조에 한한다.",
+        },
+        ColumnsNeedRigidBeds => {
+            en: "The frame on its columns alone is moved only on rigid stones, without bed_stiffness: on beds that give way it falls sooner.",
+            ko: "기둥만으로 거동하는 해석은 bed_stiffness가 없는 강체 초석에 한한다. 지압면이 변형하면 더 일찍 전도된다.",
+        },
+        AloneStood { of: Sentence, count: usize, peak: Quantity, uplift: Quantity } => {
+            en: "{of}, on its {count} columns alone, without joints and walls: no foot lifts off; the ground peaks at {peak}, they lift off at {uplift}.",
+            ko: "{of}, 접합부와 벽체 없이 기둥 {count}개만으로는 주각이 들리지 않는다. 지반가속도 최댓값은 {peak}, 들림 가속도는 {uplift}이다.",
+        },
+        AloneRocked { of: Sentence, count: usize, uplift: Quantity, at: Quantity, drift: Quantity, rotation: Quantity, share: Quantity } => {
+            en: "{of}, on its {count} columns alone, without joints and walls: they lift off at {uplift}, first at {at}, and rock without falling; heads drift by up to {drift}, columns lean by {rotation}, {share} of the lean at which they fall.",
+            ko: "{of}, 접합부와 벽체 없이 기둥 {count}개만으로는 {uplift}에서 주각이 들리고({at}에 처음) 전도되지 않고 흔들린다. 주두의 최대 변위는 {drift}, 기둥의 최대 회전각은 {rotation}으로 전도 회전각의 {share}이다.",
+        },
+        AloneFell { of: Sentence, count: usize, uplift: Quantity, lifted: Quantity, at: Quantity } => {
+            en: "{of}, on its {count} columns alone, without joints and walls: they lift off at {uplift}, first at {lifted}, and have fallen at {at}. Joints and walls must hold the frame.",
+            ko: "{of}, 접합부와 벽체 없이 기둥 {count}개만으로는 {uplift}에서 주각이 들리고({lifted}에 처음) {at}에 전도된다. 접합부와 벽체가 골조를 지지해야 한다.",
+        },
         TiltLeftOut { survey: String, tilt: String } => {
             en: "The frame starts plumb: the tilt of survey {survey} ({tilt}) is not in it, and what leans drifts further to that side.",
             ko: "골조는 연직 상태에서 시작하며 {survey} 조사의 실측 기울기({tilt})를 반영하지 않았다. 기울어진 골조는 그 방향으로 더 변위한다.",
@@ -59,7 +80,7 @@ pub(crate) fn findings(simulations: &[&FrameSimulation]) -> Vec<Finding> {
 pub(super) fn own(simulation: &FrameSimulation) -> Vec<Finding> {
     let mut all = vec![finding(simulation)];
     all.extend(undamped(simulation.undamped.as_ref()));
-    all.extend(columns_left_out(simulation));
+    all.extend(columns(simulation));
     all.extend(tilt_left_out(simulation));
     // what fell has said so
     if !simulation.falls() {
@@ -68,11 +89,69 @@ pub(super) fn own(simulation: &FrameSimulation) -> Vec<Finding> {
     all
 }
 
-/// That the columns are not in the motion; nothing where the file has none.
-pub(super) fn columns_left_out(simulation: &FrameSimulation) -> Option<Finding> {
-    simulation
-        .leaves_columns_out
-        .then(|| Finding::key(Tone::Warn, Ending::ColumnsLeftOut))
+/// How the frame moves on its columns alone, and that they are not in its own motion; nothing where the file has none.
+pub(super) fn columns(simulation: &FrameSimulation) -> Vec<Finding> {
+    let of_columns = match &simulation.columns {
+        ColumnsInMotion::Absent => return Vec::new(),
+        ColumnsInMotion::SeveralStoreys => Finding::new(Tone::Plain, Ending::ColumnsNeedOneStorey),
+        ColumnsInMotion::OnBeds => Finding::new(Tone::Plain, Ending::ColumnsNeedRigidBeds),
+        ColumnsInMotion::Alone(alone) => columns_alone(simulation, alone),
+    };
+    vec![of_columns, Finding::key(Tone::Warn, Ending::ColumnsLeftOut)]
+}
+
+fn columns_alone(simulation: &FrameSimulation, alone: &ColumnsAlone) -> Finding {
+    let history = &alone.history;
+    let in_g = |a_m_s2: f64| {
+        Quantity::new(
+            a_m_s2 / alone.rocks_like.gravity_m_s2,
+            Unit::si("g"),
+            Digits::Fixed(3),
+        )
+    };
+    let (of, count) = (title(simulation), alone.count);
+    let uplift = in_g(alone.uplift_m_s2());
+    let lifted = seconds(history.uplift_s.unwrap_or_default());
+    let peak_rad = history.peak_rotation_rad;
+    match history.outcome {
+        RockingOutcome::Fell { at_s } => {
+            let at = seconds(at_s);
+            Finding::key(
+                Tone::Warn,
+                Ending::AloneFell {
+                    of,
+                    count,
+                    uplift,
+                    lifted,
+                    at,
+                },
+            )
+        }
+        RockingOutcome::Rocked | RockingOutcome::LeftTheGround { .. } => Finding::key(
+            Tone::Plain,
+            Ending::AloneRocked {
+                of,
+                count,
+                uplift,
+                at: lifted,
+                drift: millimetres(alone.drift_m(peak_rad)),
+                rotation: milliradians(peak_rad),
+                share: Quantity::percent(peak_rad / alone.rocks_like.slenderness_rad, 2),
+            },
+        ),
+        RockingOutcome::Stood => {
+            let peak = in_g(simulation.peak_acceleration_m_s2());
+            Finding::key(
+                Tone::Plain,
+                Ending::AloneStood {
+                    of,
+                    count,
+                    peak,
+                    uplift,
+                },
+            )
+        }
+    }
 }
 
 /// That a surveyed tilt is not in the motion; nothing where none was surveyed.

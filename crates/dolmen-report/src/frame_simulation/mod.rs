@@ -20,6 +20,14 @@ messages! {
     pub(crate) enum Shown in "frame.simulation" {
         Levels => { en: "Displacement at the top of each storey.", ko: "각 층 상단의 변위." },
         LevelsMeaning => { en: "Against the ground.", ko: "지반에 대한 상대 변위." },
+        Columns => {
+            en: "Rotation of the columns, the frame on them alone.",
+            ko: "기둥만으로 거동할 때의 기둥 회전각.",
+        },
+        ColumnsMeaning => {
+            en: "Rigid columns that rock on rigid stones, without joints and walls; it falls beyond atan(b/h).",
+            ko: "접합부와 벽체 없이 강체 초석 위에서 흔들리는 강체 기둥이며, atan(b/h)를 넘으면 전도된다.",
+        },
         Slips => { en: "When the joints of each storey slipped.", ko: "층별 미끄러짐 시각." },
         SlipsMeaning => { en: "Between the bands they stick.", ko: "띠 사이에서는 고착 상태이다." },
         Loop { name: String } => {
@@ -77,7 +85,7 @@ fn ended(document: &mut Document<'_>, simulation: &FrameSimulation) {
     let without = undamped(simulation.undamped.as_ref());
     let without = without
         .into_iter()
-        .chain(ending::columns_left_out(simulation))
+        .chain(ending::columns(simulation))
         .chain(ending::tilt_left_out(simulation));
     document
         .blocks
@@ -105,6 +113,7 @@ fn caption(plot: FramePlot, simulation: &FrameSimulation) -> Vec<Sentence> {
     match plot {
         FramePlot::Ground => vec![Simulated::Ground.into(), Simulated::GroundMeaning.into()],
         FramePlot::Levels => vec![Shown::Levels.into(), Shown::LevelsMeaning.into()],
+        FramePlot::Columns => vec![Shown::Columns.into(), Shown::ColumnsMeaning.into()],
         FramePlot::Loop(storey) => {
             let name = simulation.storeys.get(storey).cloned().unwrap_or_default();
             vec![Shown::Loop { name }.into(), Shown::LoopMeaning.into()]

@@ -3,8 +3,8 @@
 use super::judgement::judgement;
 use super::simulation::motion_json;
 use crate::limits::parts_json;
-use dolmen::dynamics::{FrameOutcome, FrictionActsOn, StoreyFriction};
-use dolmen_work::frame::FrameSimulation;
+use dolmen::dynamics::{FrameOutcome, FrictionActsOn, RockingOutcome, StoreyFriction};
+use dolmen_work::frame::{ColumnsInMotion, FrameSimulation};
 use dolmen_work::judgement::judge_frame_run;
 use serde_json::{Value, json};
 
@@ -43,7 +43,8 @@ pub fn frame_simulation_json(simulation: &FrameSimulation) -> Value {
         },
         "output_step_s": options.output_step_s,
         "undamped": simulation.undamped.is_some(),
-        "leaves_columns_out": simulation.leaves_columns_out,
+        "leaves_columns_out": simulation.columns != ColumnsInMotion::Absent,
+        "columns_alone": columns_alone(&simulation.columns),
         "duration_s": history.time_s.last(),
         "outcome": outcome(simulation),
         "limits": parts_json(&simulation.parts(), simulation.drift_limit.as_ref()),
@@ -55,6 +56,34 @@ pub fn frame_simulation_json(simulation: &FrameSimulation) -> Value {
             "input_j": end.input_j, "kinetic_j": end.kinetic_j, "stored_j": end.stored_j, "friction_j": end.friction_j,
             "damping_j": end.damping_j, "left_over_ratio": history.energy_left_over_ratio(),
         },
+    })
+}
+
+fn columns_alone(columns: &ColumnsInMotion) -> Value {
+    let ColumnsInMotion::Alone(alone) = columns else {
+        return Value::Null;
+    };
+    let (block, history) = (&alone.rocks_like, &alone.history);
+    let (outcome, at_s) = match history.outcome {
+        RockingOutcome::Stood => ("stood", None),
+        RockingOutcome::Rocked => ("rocked", None),
+        RockingOutcome::Fell { at_s } => ("fell", Some(at_s)),
+        RockingOutcome::LeftTheGround { at_s } => ("left_the_ground", Some(at_s)),
+    };
+    json!({
+        "count": alone.count,
+        "width_m": alone.width_m,
+        "height_m": alone.height_m,
+        "slenderness_rad": block.slenderness_rad,
+        "frequency_parameter_rad_s": block.frequency_parameter_rad_s,
+        "velocity_ratio": block.velocity_ratio,
+        "uplift_m_s2": alone.uplift_m_s2(),
+        "outcome": outcome,
+        "fell_at_s": at_s,
+        "lifted_off_at_s": history.uplift_s,
+        "peak_rotation_rad": history.peak_rotation_rad,
+        "peak_drift_m": alone.drift_m(history.peak_rotation_rad),
+        "impacts": history.impacts.len(),
     })
 }
 

@@ -4,11 +4,11 @@ use super::judgement::judgement;
 use super::stack::lean;
 use super::with::with;
 use crate::stack_simulation::points_a_side;
-use dolmen::blocks::Outcome;
+use dolmen::blocks::{Outcome, SlidingOutcome};
 use dolmen::signal::Component;
 use dolmen_work::judgement::{judge_stack_run, judge_stack_runs};
 use dolmen_work::motion::MotionAnswer;
-use dolmen_work::stack::{LeftOut, Repeat, Repeats, StackRuns, StackSimulation};
+use dolmen_work::stack::{LeftOut, Repeat, Repeats, SlidingMode, SlidingRun, StackRuns, StackSimulation};
 use serde_json::{Value, json};
 
 /// The run that decides, as [`simulation_json`], with that of the other law of contact.
@@ -25,12 +25,50 @@ pub fn stack_runs_json(runs: &StackRuns) -> Value {
     value["other_law"] = runs.other.as_ref().map(simulation_json).into();
     value["law_left_out"] = left_out.into();
     value["repeats"] = runs.repeats.as_ref().map(repeats).into();
+    value["sliding_model"] = runs.sliding.as_ref().map(|run| sliding(run, runs)).into();
     value["laws_differ"] = runs
         .other
         .is_some()
         .then(|| runs.differing_states().is_some())
         .into();
     value
+}
+
+/// The sliding model, bed by bed.
+fn sliding(run: &SlidingRun, runs: &StackRuns) -> Value {
+    let history = &run.history;
+    let (outcome, at_s) = match history.outcome {
+        SlidingOutcome::Stuck => ("stuck", None),
+        SlidingOutcome::Slid => ("slid", None),
+        SlidingOutcome::Rocks { at_s, .. } => ("rocks", Some(at_s)),
+        SlidingOutcome::LeftTheGround { at_s } => ("left_the_ground", Some(at_s)),
+        SlidingOutcome::Stopped { at_s } => ("stopped", Some(at_s)),
+    };
+    let beds = history.joints.iter().enumerate().map(|(i, joint)| {
+        json!({
+            "above": runs.deciding.joint_names(i)[0],
+            "mode": match run.mode(i) {
+                SlidingMode::Stick => "stick",
+                SlidingMode::Slide => "slide",
+                SlidingMode::Twist => "twist",
+                SlidingMode::SlideTwist => "slide_twist",
+            },
+            "peak_slip_m": joint.peak_slip_m,
+            "residual_slip_m": joint.residual_slip_m(),
+            "peak_turn_rad": joint.peak_yaw_rad,
+            "residual_turn_rad": joint.residual_yaw_rad(),
+            "moving_s": run.moving_s(i),
+        })
+    });
+    json!({
+        "outcome": outcome,
+        "ended_at_s": at_s,
+        "beds": beds.collect::<Vec<_>>(),
+        "input_j": history.input_j,
+        "friction_j": history.friction_j,
+        "energy_error_j": history.energy_error_j,
+        "steps": history.steps,
+    })
 }
 
 /// The runs with small differences.

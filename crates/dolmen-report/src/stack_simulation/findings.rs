@@ -2,7 +2,7 @@
 
 use super::ending::Ending;
 use super::run::{Run, made_too_much};
-use super::{laws, repeats};
+use super::{laws, repeats, sliding};
 use crate::document::{Finding, Tone};
 use crate::stack::lean;
 use dolmen::blocks::{ContactLaw, Outcome};
@@ -23,6 +23,7 @@ pub(crate) fn findings(runs: &StackRuns) -> Vec<Finding> {
     };
     let mut all = vec![Finding::key(tone(simulation), said)];
     all.extend(laws::finding(runs));
+    all.extend(sliding::finding(runs));
     all.extend(runs.repeats.as_ref().map(repeats::finding));
     all.extend(simulation.lean.as_ref().map(lean));
     let made = runs.each().find_map(made_too_much);

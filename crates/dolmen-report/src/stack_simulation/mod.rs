@@ -5,6 +5,7 @@ mod findings;
 mod laws;
 mod repeats;
 mod run;
+mod sliding;
 mod tables;
 
 pub(crate) use findings::findings;
@@ -47,11 +48,12 @@ messages! {
 }
 
 /// The sentences on simulated stacks as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 6] = [
+pub(crate) const TEMPLATES: [&[Template]; 7] = [
     ending::Ending::TEMPLATES,
     laws::Laws::TEMPLATES,
     repeats::Repeated::TEMPLATES,
     Shown::TEMPLATES,
+    sliding::Slid::TEMPLATES,
     tables::Tables::TEMPLATES,
     run::Run::TEMPLATES,
 ];
@@ -94,6 +96,7 @@ fn ended(document: &mut Document<'_>, runs: &StackRuns) {
         document.put(Block::Paragraph(vec![finding.sentence]));
     }
     laws::section(document, runs);
+    sliding::section(document, runs);
     if let Some(repeats) = &runs.repeats {
         document.put(Block::Paragraph(vec![repeats::finding(repeats).sentence]));
     }

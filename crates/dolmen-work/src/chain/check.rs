@@ -1,14 +1,20 @@
 //! The check of a chain.
 
 use crate::error::WorkError;
-use dolmen::assess::{ChainCheck, check_chain};
+use dolmen::assess::{ChainCheck, check_chain, check_one_stone};
 use dolmen::stability::{chain_limits, chain_stability};
 use dolmen_project::{ChainPart, Pick};
 
 /// What is known of a chain, each input with the value that `pick` chooses.
 pub(crate) fn check(part: &ChainPart, pick: Pick<'_>) -> Result<ChainCheck, WorkError> {
     let stiffness = part.stiffness_n_m_rad(pick);
-    Ok(check_chain(&part.build(pick)?, stiffness.as_deref())?)
+    let chain = part.build(pick)?;
+    let mut check = check_chain(&chain, stiffness.as_deref())?;
+    if let Some(stone) = &part.stone {
+        let beside = check_one_stone(&chain, stone.build(pick), stiffness.as_deref(), &check.modes)?;
+        check.one_stone = Some(beside);
+    }
+    Ok(check)
 }
 
 /// The load factor; `None` unless every joint is known.

@@ -1,6 +1,7 @@
 //! A frame under a ground motion, in its directions of known stiffness.
 
 use super::FrameSimulation;
+use super::columns_alone::columns_in_motion;
 use crate::error::WorkError;
 use crate::motion::MotionAnswer;
 use crate::progress::{Progress, simulating};
@@ -87,7 +88,13 @@ pub(crate) fn simulate(
             undamped: (!is_damped(part, direction, &frame))
                 .then(|| Undamped::of(&version.project.surveys, Some(direction))),
             tilt_left_out: TiltLeftOut::of(&version.project.surveys),
-            leaves_columns_out: part.storeys.iter().any(|storey| storey.columns.is_some()),
+            columns: columns_in_motion(
+                part,
+                &load.ground_acceleration_m_s2,
+                run_s,
+                options.output_step_s,
+                &mut Quantity::nominal,
+            )?,
             frame,
             motion: motion.clone(),
             component,

@@ -1,5 +1,6 @@
 //! What `dolmen simulate` found of a frame, with what went in.
 
+use super::ColumnsInMotion;
 use crate::motion::MotionAnswer;
 use crate::tilt_left_out::TiltLeftOut;
 use crate::undamped::Undamped;
@@ -31,8 +32,8 @@ pub struct FrameSimulation {
     pub component: Component,
     /// That it ran without viscous damping and friction; `None` if it has some.
     pub undamped: Option<Undamped>,
-    /// Whether free-standing columns are in the file: their restoring moment is not in the motion.
-    pub leaves_columns_out: bool,
+    /// The free-standing columns of the file: their restoring moment is not in the motion, but may be moved alone.
+    pub columns: ColumnsInMotion,
     /// A surveyed tilt that the run does not start from.
     pub tilt_left_out: Option<TiltLeftOut>,
     /// Options of the run.

@@ -8,6 +8,7 @@ mod repeats;
 mod runs;
 pub(crate) mod simulate;
 mod simulation;
+mod sliding;
 pub(crate) mod study;
 
 pub use factors_answer::FactorsAnswer;
@@ -15,3 +16,4 @@ pub use repeats::{Repeat, Repeats, Spread};
 pub use runs::{LeftOut, StackRuns};
 pub use simulate::Law;
 pub use simulation::StackSimulation;
+pub use sliding::{SlidingMode, SlidingRun};

@@ -1,6 +1,6 @@
 //! A stack under a motion by one law of contact or by both.
 
-use super::{Repeats, StackSimulation};
+use super::{Repeats, SlidingRun, StackSimulation};
 use dolmen::assess::DamageState;
 
 /// Every run of a stack under one motion.
@@ -14,6 +14,8 @@ pub struct StackRuns {
     pub left_out: Option<LeftOut>,
     /// The run that decides again and again with small differences, if that was asked for.
     pub repeats: Option<Repeats>,
+    /// The sliding model beside it, if that was asked for. It decides nothing: its blocks cannot rock.
+    pub sliding: Option<SlidingRun>,
 }
 
 /// Why a law of contact was left out.
@@ -46,6 +48,7 @@ impl StackRuns {
             other: None,
             left_out: None,
             repeats: None,
+            sliding: None,
         }
     }
 

@@ -1,6 +1,7 @@
 //! A stack under a ground motion.
 
 use super::repeats::repeats;
+use super::sliding::sliding;
 use super::{LeftOut, StackRuns, StackSimulation};
 use crate::error::WorkError;
 use crate::judgement::is_worse_stack_run;
@@ -30,6 +31,8 @@ pub enum Law {
     Rigid,
     /// Both, however long the second takes.
     Both,
+    /// Springs, and the sliding model beside them.
+    Sliding,
 }
 
 /// How a stack is run.
@@ -77,7 +80,7 @@ pub(crate) fn simulate(
         progress,
     )?;
     let is_alone = match options.law {
-        Law::Springs | Law::Rigid => true,
+        Law::Springs | Law::Rigid | Law::Sliding => true,
         Law::AsKnown => part.has_measured_stiffness(),
         Law::Both => false,
     };
@@ -85,6 +88,15 @@ pub(crate) fn simulate(
         true => StackRuns::of(first),
         false => shaken.beside(first, options, progress)?,
     };
+    if options.law == Law::Sliding && !progress.is_cancelled() {
+        runs.sliding = Some(sliding(
+            &shaken.stack,
+            &shaken.motion.motion,
+            options.duration_s,
+            options.output_step_s,
+            progress,
+        )?);
+    }
     if options.repeats > 1 && !progress.is_cancelled() {
         runs.repeats = Some(repeats(&runs.deciding, options.repeats, progress)?);
     }
@@ -165,6 +177,7 @@ impl Shakable<'_> {
             other: Some(other),
             left_out: None,
             repeats: None,
+            sliding: None,
         })
     }
 }

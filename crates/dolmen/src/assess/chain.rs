@@ -1,6 +1,6 @@
 //! The whole check of a chain, and what lowering a centre of mass does.
 
-use super::{AssessError, CentroidEffect};
+use super::{AssessError, CentroidEffect, OneStoneCheck};
 use crate::stability::{ChainLimits, ChainStability, chain_limits, chain_stability};
 use crate::structure::{Chain, NaturalMode};
 
@@ -16,6 +16,8 @@ pub struct ChainCheck {
     pub modes: Vec<NaturalMode>,
     /// What lowering each centroid does.
     pub centroids: Vec<CentroidEffect>,
+    /// Beside the pole without joints; `None` if its stone is not known. [`check_one_stone`](super::check_one_stone) makes it.
+    pub one_stone: Option<OneStoneCheck>,
 }
 
 /// By how much each centre of mass is lowered to show what it does: 20 %, as in Table 3 of Choi (2021).
@@ -55,6 +57,7 @@ pub fn check_chain(chain: &Chain, stiffness_n_m_rad: Option<&[f64]>) -> Result<C
         centroids: each
             .map(|link| centroid_effect(chain, link, CENTROID_CHANGE, stiffness_n_m_rad))
             .collect::<Result<_, _>>()?,
+        one_stone: None,
     })
 }
 

@@ -9,6 +9,7 @@ mod error;
 mod fragility;
 mod frame;
 mod intensity;
+mod one_stone;
 mod portfolio;
 mod probability;
 mod risk;
@@ -37,6 +38,7 @@ pub use fragility::{
 };
 pub use frame::{FrameCheck, FrameNote, check_frame};
 pub use intensity::{RockingScale, rocking_scale};
+pub use one_stone::{OneStoneCheck, check_one_stone};
 pub use portfolio::{Candidate, Known, KnownCapacity, Place, Ranked, RankedBy, rank};
 pub use probability::{Distribution, Probability, probability, sampled};
 pub use risk::{AnnualRisk, Hazard, annual_risk};

@@ -1,5 +1,6 @@
 //! Buckling of chains and columns, closed forms.
 
+use super::bisection::sign_change;
 use std::f64::consts::FRAC_PI_2;
 
 /// Tip load at which a chain of n equal weightless rigid links on equal springs k buckles, in units of k/L.
@@ -60,6 +61,44 @@ pub fn pointed_cantilever(order: i32) -> [f64; 3] {
         low += STEP;
     }
     roots
+}
+
+/// ω H² √(ρA/EI) of a cantilever of square or round section whose sides shrink evenly to half, A and I at the foot, the first three:
+/// det of y = (J_2, Y_2, I_2, K_2)(2 k √x)/x under y = y' = 0 at x = 1, (x⁴ y'')= (x⁴ y'')' = 0 at x = ½, as k²/4, in 25 digits.
+///
+/// # Source
+/// Kirchhoff, G. R. (1879), his solution cut off at half of the cone; roots by mpmath 1.3.
+pub const HALVED_CANTILEVER: [f64; 3] = [4.625_150_252_43, 19.547_613_180_5, 48.578_899_333_9];
+
+/// ω H² √(ρA/EI) of a uniform Timoshenko cantilever, the first three: roots b of
+///
+/// ```text
+/// 2 + [b²(r² − s²)² + 2] cosh bα cos bβ − b (r² + s²)/√(1 − b²r²s²) sinh bα sin bβ = 0
+/// α, β = {∓(r² + s²) + [(r² − s²)² + 4/b²]^½}^½ / √2
+/// ```
+///
+/// `r` is the radius of gyration over H, `s` is √(EI/κGA)/H. While b r s < 1, which the first three of a beam with r below 0.1 are.
+///
+/// # Source
+/// Huang, T. C. (1961) J. Appl. Mech. 28:579-584, clamped and free.
+pub fn timoshenko_cantilever(r: f64, s: f64) -> [f64; 3] {
+    const STEP: f64 = 0.05;
+    let (r2, s2) = (r * r, s * s);
+    let f = |b: f64| {
+        let root = ((r2 - s2) * (r2 - s2) + 4.0 / (b * b)).sqrt();
+        let (alpha, beta) = ((0.5 * (root - r2 - s2)).sqrt(), (0.5 * (root + r2 + s2)).sqrt());
+        let (alpha, beta) = (b * alpha, b * beta);
+        2.0 + (b * b * (r2 - s2) * (r2 - s2) + 2.0) * alpha.cosh() * beta.cos()
+            - b * (r2 + s2) / (1.0 - b * b * r2 * s2).sqrt() * alpha.sinh() * beta.sin()
+    };
+    let mut low = STEP;
+    std::array::from_fn(|_| {
+        while f(low) * f(low + STEP) > 0.0 {
+            low += STEP;
+        }
+        low += STEP;
+        sign_change(f, low - STEP, low)
+    })
 }
 
 /// J_m (`sign` −1) or I_m (`sign` 1) by power series: 10 digits up to z = 13.

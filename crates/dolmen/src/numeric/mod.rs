@@ -9,6 +9,7 @@ mod elementary;
 mod error;
 mod fisher;
 mod highest;
+mod legendre;
 mod levenberg_marquardt;
 mod lyapunov;
 mod minimax;
@@ -27,6 +28,7 @@ pub(crate) use crossing::{COEFFICIENTS_MOST, first_descent, polynomial, polynomi
 pub use error::NumericError;
 pub use fisher::fisher_quantile;
 pub(crate) use highest::highest;
+pub(crate) use legendre::{gauss_legendre, integral, legendre, second_integral};
 pub(crate) use levenberg_marquardt::{LeastSquaresFit, Residuals, levenberg_marquardt};
 pub(crate) use lyapunov::lyapunov;
 pub(crate) use minimax::{Minimax, Piece, Worst, all_by_differences, by_differences, minimax};

@@ -9,10 +9,11 @@ mod identification;
 mod inverse;
 mod left_out;
 mod natural;
+mod one_stone;
+mod shaft;
 pub mod stack;
 mod stiffness_note;
 mod stiffness_words;
-mod tapered_cantilever;
 pub mod wind;
 
 pub use building::Building;
@@ -30,6 +31,7 @@ pub use identification::{
 pub use inverse::{FrequencyRoots, StiffnessSearch};
 pub use left_out::LeftOut;
 pub use natural::{NaturalMode, lowest_frequency_hz};
+pub use one_stone::{BeamFrequencies, BeamTheory, Jointing, Pole, SHAFTS_MOST};
+pub use shaft::{Section, Shaft, Stone};
 pub use stiffness_note::StiffnessNote;
 pub use stiffness_words::{Misfit, OfSpring, Proportion, Spring, Thoroughness};
-pub use tapered_cantilever::{Section, TaperedCantilever};

@@ -1,6 +1,7 @@
 //! Columns that stand free on foot stones.
 
 use super::{Case, ValidationError};
+use crate::dynamics::RockingBlock;
 use crate::stability::{FootSection, FreeColumns};
 
 const SQUARE: FootSection = FootSection::Rectangle {
@@ -54,5 +55,26 @@ pub(super) fn cases() -> Result<Vec<Case>, ValidationError> {
         corrected: None,
         note: "T = (4/p) acosh 1/(1 − θ/α) for small angles, with p² = g/d, d the diagonal of a column.",
     });
+    for (beam_to_columns, published) in [
+        (1.0, 0.866_03),
+        (5.0, 0.829_16),
+        (10.0, 0.823_05),
+        (f64::INFINITY, 0.816_50),
+    ] {
+        let column = RockingBlock::rectangle(0.5, height_m, gravity_m_s2)?;
+        let frame = RockingBlock::frame_on_columns(0.5, height_m, beam_to_columns, gravity_m_s2)?;
+        cases.push(Case {
+            source: "Makris, Vassiliou (2013)",
+            what: format!(
+                "p of a rocking frame over that of its column, beam {beam_to_columns} times its columns"
+            ),
+            unit: "",
+            published,
+            computed: frame.frequency_parameter_rad_s / column.frequency_parameter_rad_s,
+            tolerance: 0.5e-5,
+            corrected: None,
+            note: "√((1 + 2γ)/(1 + 3γ)), to five digits.",
+        });
+    }
     Ok(cases)
 }

@@ -32,6 +32,7 @@ mod liquid_columns;
 mod lost_samples;
 mod machines_in_records;
 mod made_records;
+mod one_stone;
 mod park_min_2010;
 mod plan_stiffness;
 mod pyoma2;

@@ -1,0 +1,70 @@
+//! A chain beside the one stone that it would be without joints (Choi 2021, Fig. 8).
+
+use super::AssessError;
+use crate::structure::{BeamTheory, Chain, Jointing, NaturalMode, Pole, Shaft, Stone, StructureError};
+
+/// Frequencies of the pole as one stone, and on its joints with stones that bend.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct OneStoneCheck {
+    /// The shafts that the links are, lowest first.
+    pub shafts: Vec<Shaft>,
+    /// Without joints, in bending alone, Hz, ascending; empty if it falls.
+    pub bernoulli_euler_hz: Vec<f64>,
+    /// Without joints, with shear and rotary inertia, Hz; empty if it falls.
+    pub timoshenko_hz: Vec<f64>,
+    /// On its joints, with stones that bend and shear, Hz; empty if the joints are unknown, or it falls.
+    pub jointed_hz: Vec<f64>,
+    /// Frequency of the chain, whose links are rigid, over that of one stone by Timoshenko, mode by mode; empty as above.
+    pub ratios: Vec<f64>,
+    /// Largest relative change of a frequency in the last refinement.
+    pub changed: f64,
+}
+
+/// Most modes that are compared. Chosen here: of links that are rigid the higher ones say nothing of a pole.
+const MODES_MOST: usize = 5;
+
+/// What a chain would be as one stone, clamped at its foot: how much the joints take of its frequencies, and what links that bend
+/// would change.
+///
+/// # Input
+/// * `modes` -- of the chain on these joints; empty if they are not known
+///
+/// # Errors
+/// [`AssessError::Structure`]: see [`Pole::of_chain`] and [`Pole::frequencies`].
+pub fn check_one_stone(
+    chain: &Chain,
+    stone: Stone,
+    stiffness_n_m_rad: Option<&[f64]>,
+    modes: &[NaturalMode],
+) -> Result<OneStoneCheck, AssessError> {
+    let pole = Pole::of_chain(chain, stone)?;
+    let count = chain.links().len().min(MODES_MOST);
+    let mut changed = 0.0_f64;
+    let mut frequencies = |theory, jointing| -> Result<Vec<f64>, StructureError> {
+        let found = pole.frequencies(theory, jointing, count)?;
+        Ok(found.map_or_else(Vec::new, |found| {
+            changed = changed.max(found.changed);
+            found.frequencies_hz
+        }))
+    };
+    let bernoulli_euler_hz = frequencies(BeamTheory::BernoulliEuler, Jointing::OneStone)?;
+    let timoshenko_hz = frequencies(BeamTheory::Timoshenko, Jointing::OneStone)?;
+    let jointed_hz = match stiffness_n_m_rad {
+        None => Vec::new(),
+        Some(springs) => frequencies(BeamTheory::Timoshenko, Jointing::Springs(springs))?,
+    };
+    let stands = modes.iter().all(|mode| mode.omega_squared > 0.0);
+    let pairs = modes.iter().zip(&timoshenko_hz);
+    Ok(OneStoneCheck {
+        shafts: pole.shafts().to_vec(),
+        ratios: match stands {
+            true => pairs.map(|(mode, whole)| mode.frequency_hz / whole).collect(),
+            false => Vec::new(),
+        },
+        bernoulli_euler_hz,
+        timoshenko_hz,
+        jointed_hz,
+        changed,
+    })
+}
