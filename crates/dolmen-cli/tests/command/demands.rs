@@ -90,7 +90,7 @@ fn published_the_korean_case_is_printed_with_every_number_on_the_way() {
 #[test]
 fn exact_local_mechanisms_of_a_code_stand_beside_the_verdict() {
     let scratch = Scratch::with_examples("local_mechanisms");
-    let alone = scratch.dolmen("check examples/p10 --full");
+    let alone = scratch.dolmen("check examples/p10");
     assert!(alone.words().contains("Local mechanisms by Circolare 7/2019"));
     let verdict = |text: &str| {
         text.lines()
@@ -98,7 +98,7 @@ fn exact_local_mechanisms_of_a_code_stand_beside_the_verdict() {
             .map(str::to_owned)
     };
     append(&scratch, "p10", KOREA);
-    let full = scratch.dolmen("check examples/p10 --full");
+    let full = scratch.dolmen("check examples/p10");
     // neither word nor status speaks of it
     assert!(!verdict(&full.stdout).unwrap().contains("Circolare"));
     // blocks 5 to 10: 5.884125 m³ whose centroid is 1.697433 m above the joint, 1.1 m wide
@@ -132,7 +132,7 @@ fn exact_local_mechanisms_of_a_code_stand_beside_the_verdict() {
     let asked = &value["state"]["demand"]["local_mechanisms"]["rows"][0];
     let by_force = asked["ratio_by_force"].as_f64().unwrap();
     assert!((by_force - 2.0 * activation / (0.2992 * 9.806_65)).abs() < 1e-4);
-    let korean = scratch.dolmen("check examples/p10 --full --language ko");
+    let korean = scratch.dolmen("check examples/p10 --language ko");
     assert!(
         korean
             .words()
@@ -144,7 +144,7 @@ fn exact_local_mechanisms_of_a_code_stand_beside_the_verdict() {
         .unwrap()
         .replace("friction = 0.6", "friction = 0.3");
     fs::write(&project, smooth).unwrap();
-    let sliding = scratch.dolmen("check examples/p10 --full");
+    let sliding = scratch.dolmen("check examples/p10");
     assert!(sliding.words().contains("Local mechanisms by Circolare 7/2019"));
     assert!(
         !sliding.words().contains("Beside that, local mechanisms"),
