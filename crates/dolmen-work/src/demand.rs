@@ -5,11 +5,11 @@ use crate::error::WorkError;
 use crate::judgement::first_sway;
 use crate::part_limit::Compared;
 use crate::stack::frequencies::all_modes;
-use crate::state::{Check, DemandAnswer, SpectralAt, TiltCheck};
+use crate::state::{Check, DemandAnswer, LocalMechanismAgainstSite, SpectralAt, StackAnswer, TiltCheck};
 use crate::told::told;
 use crate::{building, chain, frame};
 use dolmen::assess::StackCheckOptions;
-use dolmen::assess::demand::stack_against_site;
+use dolmen::assess::demand::{SiteDemand, circolare_demand, stack_against_site};
 use dolmen::stability::Verdict;
 use dolmen::structure::lowest_frequency_hz;
 use dolmen_project::{Project, Quantity, Structure};
@@ -26,6 +26,7 @@ pub(crate) fn of(
     let mut answer = DemandAnswer {
         site: part.demand()?,
         stack: None,
+        local_mechanisms: Vec::new(),
         compared: Compared::default(),
         drift_limit: project.drift_limit.clone(),
         spectral: Vec::new(),
@@ -60,6 +61,7 @@ pub(crate) fn of(
         } else {
             let options = StackCheckOptions::default();
             answer.stack = stack_against_site(&stack.stack, &options, &answer.site, modes.as_deref())?;
+            answer.local_mechanisms = local_mechanisms(stack, &answer.site);
             if answer.stack.is_none() {
                 let why = "the table gives no acceleration of the ground: begin it at T = 0, or write peak_ground_acceleration";
                 answer.refused = Some(why.to_owned());
@@ -67,6 +69,20 @@ pub(crate) fn of(
         }
     }
     Ok(Some(answer))
+}
+
+/// The local mechanisms of a stack that the site can be held against.
+fn local_mechanisms(stack: &StackAnswer, site: &SiteDemand) -> Vec<LocalMechanismAgainstSite> {
+    let known = stack
+        .local_mechanisms
+        .iter()
+        .filter_map(|row| row.capacity.clone());
+    known
+        .filter_map(|capacity| {
+            let demand = circolare_demand(&capacity, site)?;
+            Some(LocalMechanismAgainstSite { capacity, demand })
+        })
+        .collect()
 }
 
 /// A chain as it leans, before it is shaken.

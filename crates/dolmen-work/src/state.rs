@@ -4,7 +4,9 @@ use crate::building::BuildingAnswer;
 use crate::frame::StoreyColumns;
 use crate::loads::LoadsAnswer;
 use crate::part_limit::Compared;
-use dolmen::assess::demand::{DriftLimit, SiteDemand, StackDemandCheck};
+use dolmen::assess::demand::{
+    DriftLimit, LocalMechanismCapacity, LocalMechanismDemand, SiteDemand, StackDemandCheck,
+};
 use dolmen::assess::{ChainCheck, FrameCheck, Probability, StackCheck};
 use dolmen::blocks::{MatchedFrequency, StackMode};
 use dolmen::stability::Verdict;
@@ -50,6 +52,8 @@ pub struct DemandAnswer {
     pub site: SiteDemand,
     /// A stack against it; `None` for other structures, and where the site gives no acceleration of the ground.
     pub stack: Option<StackDemandCheck>,
+    /// Local mechanisms of a stack against it, as codes want them: beside that, and they decide nothing.
+    pub local_mechanisms: Vec<LocalMechanismAgainstSite>,
     /// Storeys, joints and dampers against what limits them.
     pub compared: Compared,
     /// Allowable drift of storeys; `None` where the file gives none.
@@ -148,6 +152,26 @@ pub struct StackAnswer {
     pub lean: Option<SurveyedLean>,
     /// Natural frequencies on the springs of its joints; `None` if it does not stand.
     pub frequencies: Option<StackFrequencies>,
+    /// Local mechanisms as codes want them, a direction each; none if it does not stand.
+    pub local_mechanisms: Vec<LocalMechanismRow>,
+}
+
+/// The local mechanism of a stack one way.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LocalMechanismRow {
+    /// Unit vector of the inertia forces in plan.
+    pub direction: [f64; 2],
+    /// What moves and what it bears; `None` where nothing moves, or the limit analysis found no solution.
+    pub capacity: Option<LocalMechanismCapacity>,
+}
+
+/// A local mechanism of a stack against its site.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LocalMechanismAgainstSite {
+    /// What it bears.
+    pub capacity: LocalMechanismCapacity,
+    /// What the site asks of it.
+    pub demand: LocalMechanismDemand,
 }
 
 /// Natural frequencies of a stack: those of the springs that the file gives or Dolmen assumes.

@@ -88,6 +88,72 @@ fn published_the_korean_case_is_printed_with_every_number_on_the_way() {
 }
 
 #[test]
+fn exact_local_mechanisms_of_a_code_stand_beside_the_verdict() {
+    let scratch = Scratch::with_examples("local_mechanisms");
+    let alone = scratch.dolmen("check examples/p10");
+    assert!(alone.words().contains("Local mechanisms by Circolare 7/2019"));
+    let verdict = |text: &str| {
+        text.lines()
+            .find(|line| line.starts_with("VERDICT"))
+            .map(str::to_owned)
+    };
+    append(&scratch, "p10", KOREA);
+    let full = scratch.dolmen("check examples/p10");
+    // neither word nor status speaks of it
+    assert!(!verdict(&full.stdout).unwrap().contains("Circolare"));
+    // blocks 5 to 10: 5.884125 m³ whose centroid is 1.697433 m above the joint, 1.1 m wide
+    let (half, height, volume): (f64, f64, f64) = (0.55, 1.697_433, 5.884_125);
+    let multiplier = half / height;
+    let activation = multiplier * 9.806_65 / 1.35;
+    let period_s = 1.68 * std::f64::consts::PI * (0.4 * half / (0.6 * activation)).sqrt();
+    let json = scratch.dolmen("check examples/p10 --json");
+    let value: serde_json::Value = serde_json::from_str(&json.stdout).unwrap();
+    let own = &value["state"]["check"]["stack"]["local_mechanisms"];
+    assert_eq!(own["verified"], false);
+    let rows = own["rows"].as_array().unwrap();
+    assert_eq!(rows.len(), 4);
+    for row in rows {
+        let near = |key: &str, exact: f64| {
+            let found = row[key].as_f64().unwrap();
+            assert!(
+                (found / exact - 1.0).abs() < 1e-5,
+                "{key}: {found} against {exact}"
+            );
+        };
+        near("multiplier", multiplier);
+        near("participating_mass_kg", 2600.0 * volume);
+        near("participating_ratio", 1.0);
+        near("activation_m_s2", activation);
+        near("ground_by_force_m_s2", 2.0 * activation);
+        near("overturning_m", half);
+        near("period_s", period_s);
+        assert_eq!(row["parts"][0]["blocks"].as_array().unwrap().len(), 6);
+    }
+    let asked = &value["state"]["demand"]["local_mechanisms"]["rows"][0];
+    let by_force = asked["ratio_by_force"].as_f64().unwrap();
+    assert!((by_force - 2.0 * activation / (0.2992 * 9.806_65)).abs() < 1e-4);
+    let korean = scratch.dolmen("check examples/p10 --language ko");
+    assert!(
+        korean
+            .words()
+            .contains("Circolare 7/2019의 국부 메커니즘은 부지 지진의 1.60배")
+    );
+    // what slides has no check, and no finding either
+    let project = scratch.path().join("examples/p10/project.toml");
+    let smooth = fs::read_to_string(&project)
+        .unwrap()
+        .replace("friction = 0.6", "friction = 0.3");
+    fs::write(&project, smooth).unwrap();
+    let sliding = scratch.dolmen("check examples/p10");
+    assert!(sliding.words().contains("Local mechanisms by Circolare 7/2019"));
+    assert!(
+        !sliding.words().contains("Beside that, local mechanisms"),
+        "{}",
+        sliding.stdout
+    );
+}
+
+#[test]
 fn holds_weak_shaking_is_above_or_near_demand_with_status_0() {
     let scratch = Scratch::with_examples("weak");
     let eurocode = "\n[site]\ncode = \"EN 1998-1\"\nspectrum_type = 2\nground = \"A\"\nground_acceleration = \"0.05 g\"\n";

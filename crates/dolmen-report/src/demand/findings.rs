@@ -1,6 +1,7 @@
 //! What the demand of a site says in plain words.
 
 use super::first::first;
+use super::local_mechanisms;
 use super::unverified::unverified;
 use super::words::{in_g, verdict_words};
 use crate::document::{Finding, Tone};
@@ -91,7 +92,8 @@ pub(crate) fn findings(answer: Option<&DemandAnswer>) -> Vec<Finding> {
     let without = without.map(|of| Finding::key(Tone::Unknown, not_compared(of)));
     let unverified = unverified(&answer.site).map(|said| Finding::new(Tone::Warn, said));
     let compared = compared.into_iter().chain(refused).chain(without).chain(parts);
-    compared.chain(unverified).collect()
+    let local = local_mechanisms::finding(&answer.local_mechanisms);
+    compared.chain(local).chain(unverified).collect()
 }
 
 /// Why a direction was not compared.

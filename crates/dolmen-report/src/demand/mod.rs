@@ -3,6 +3,7 @@
 mod comparison;
 mod findings;
 mod first;
+mod local_mechanisms;
 mod periods;
 mod site;
 mod unverified;
@@ -45,7 +46,7 @@ messages! {
 }
 
 /// The sentences on the demand of a site as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 8] = [
+pub(crate) const TEMPLATES: [&[Template]; 9] = [
     findings::Found::TEMPLATES,
     first::First::TEMPLATES,
     words::Words::TEMPLATES,
@@ -53,6 +54,7 @@ pub(crate) const TEMPLATES: [&[Template]; 8] = [
     Demand::TEMPLATES,
     site::Numbers::TEMPLATES,
     comparison::Compared::TEMPLATES,
+    local_mechanisms::Local::TEMPLATES,
     periods::Periods::TEMPLATES,
 ];
 
@@ -68,7 +70,10 @@ pub(crate) fn sections(answer: &DemandAnswer) -> Document<'_> {
         document.note(findings::Found::NotCompared { why: why.clone() });
     }
     match &answer.stack {
-        Some(stack) => comparison::section(&mut document, stack),
+        Some(stack) => {
+            comparison::section(&mut document, stack);
+            local_mechanisms::section(&mut document, answer);
+        }
         None => periods::section(&mut document, &answer.spectral),
     }
     for of in &answer.compared.not_compared {

@@ -1,5 +1,6 @@
 //! What an earthquake asks for, as JSON.
 
+use super::local_mechanisms::local_mechanisms_demand;
 use crate::demand::{ground_word, type_word};
 use crate::limits::parts_json;
 use dolmen::assess::demand::{ShakenDirection, SiteParameters, StackDemandCheck};
@@ -24,6 +25,7 @@ pub(super) fn demand(answer: &DemandAnswer) -> Value {
         "spectral": answer.spectral,
         "refused": answer.refused,
         "stack": answer.stack.as_ref().map(stack),
+        "local_mechanisms": local_mechanisms_demand(&answer.local_mechanisms),
         "near_below": DemandVerdict::NEAR_BELOW,
     })
 }

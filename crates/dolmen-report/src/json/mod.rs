@@ -10,6 +10,7 @@ mod frame_simulation;
 mod identify;
 mod judgement;
 mod loads;
+mod local_mechanisms;
 mod motion;
 mod rank;
 mod score;

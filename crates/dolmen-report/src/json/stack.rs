@@ -1,5 +1,6 @@
 //! The check of a stack, as JSON.
 
+use super::local_mechanisms::local_mechanisms;
 use dolmen::assess::SettleRun;
 use dolmen::stability::stack::{CutLimits, MovedStack, MovedSupports, MovementEnding};
 use dolmen::structure::stack::{Body, Solid, Stack};
@@ -30,6 +31,7 @@ pub(super) fn stack(answer: &StackAnswer) -> Value {
         "supports": check.supports.as_ref().map(|supports| self::supports(stack, supports)),
         "capacity": check.capacity,
         "frequencies": answer.frequencies.as_ref().map(frequencies),
+        "local_mechanisms": local_mechanisms(answer),
         "period_of_thumb_s": check.period_of_thumb.period_s,
         "notes": check.notes.iter().map(ToString::to_string).collect::<Vec<_>>(),
         "uplift": limits.uplift,

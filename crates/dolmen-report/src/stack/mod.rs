@@ -4,6 +4,7 @@ mod findings;
 mod frequencies;
 mod lean;
 mod limits;
+mod local_mechanisms;
 mod mechanism;
 mod notes;
 mod standing;
@@ -16,6 +17,7 @@ pub(crate) use findings::findings;
 pub(crate) use lean::lean;
 pub(crate) use variants::comparison;
 pub(crate) use verdict::{banner, thresholds};
+pub(crate) use words::direction;
 
 use crate::document::{Document, Figure};
 use crate::figures::{Shaking, stack_capacity, stack_directions, stack_governing, stack_view};
@@ -58,7 +60,7 @@ messages! {
 }
 
 /// The sentences on stacks as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 12] = [
+pub(crate) const TEMPLATES: [&[Template]; 13] = [
     verdict::Judged::TEMPLATES,
     findings::Found::TEMPLATES,
     lean::Leaning::TEMPLATES,
@@ -68,6 +70,7 @@ pub(crate) const TEMPLATES: [&[Template]; 12] = [
     Drawn::TEMPLATES,
     limits::Limits::TEMPLATES,
     mechanism::Moving::TEMPLATES,
+    local_mechanisms::Local::TEMPLATES,
     supports::Supports::TEMPLATES,
     frequencies::Frequencies::TEMPLATES,
     variants::Variants::TEMPLATES,
@@ -107,6 +110,7 @@ pub(crate) fn sections<'a>(answer: &'a StackAnswer, fits: &[SpringFit], shaking:
     directions(&mut document, answer, shaking);
     supports::section(&mut document, answer);
     frequencies::section(&mut document, answer, fits);
+    local_mechanisms::section(&mut document, answer);
     document
 }
 

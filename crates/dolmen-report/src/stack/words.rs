@@ -76,7 +76,7 @@ pub(super) fn place(above: &str) -> Sentence {
 }
 
 /// "+x", "-y", or degrees from +x towards +y.
-pub(super) fn direction(of: [f64; 2]) -> Sentence {
+pub(crate) fn direction(of: [f64; 2]) -> Sentence {
     let [x, y] = of;
     let axis = |along: f64, plus, minus| Sentence::of_symbol(if along > 0.0 { plus } else { minus });
     match (y.abs() < ON_AXIS, x.abs() < ON_AXIS) {

@@ -4,6 +4,7 @@ pub(crate) mod check;
 pub(crate) mod factors;
 mod factors_answer;
 pub(crate) mod frequencies;
+mod local_mechanisms;
 mod repeats;
 mod runs;
 pub(crate) mod simulate;

@@ -2,8 +2,9 @@
 
 use super::{
     Case, ValidationError, arches, building_motion, choi_2021, chopra_2017, columns, dampers, dry_friction,
-    fragility, free_columns, free_decay, hwang_min_hong, joined, kim_koo_hong_2018, owen_prieur_2017,
-    park_min_2010, pyoma2, rigid_blocks, second_methods, setups, survey_change, watch, wind,
+    fragility, free_columns, free_decay, hwang_min_hong, joined, kim_koo_hong_2018, local_mechanisms,
+    owen_prieur_2017, park_min_2010, pyoma2, rigid_blocks, second_methods, setups, survey_change, watch,
+    wind,
 };
 
 /// All cases, source by source.
@@ -27,6 +28,7 @@ pub fn cases() -> Result<Vec<Case>, ValidationError> {
         kim_koo_hong_2018::cases()?,
         rigid_blocks::cases(),
         arches::cases()?,
+        local_mechanisms::cases()?,
         dry_friction::cases()?,
         hwang_min_hong::cases()?,
         chopra_2017::cases()?,

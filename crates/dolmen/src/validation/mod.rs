@@ -18,6 +18,7 @@ mod free_decay;
 mod hwang_min_hong;
 mod joined;
 mod kim_koo_hong_2018;
+mod local_mechanisms;
 mod owen_prieur_2017;
 mod park_min_2010;
 mod pyoma2;

@@ -1,6 +1,7 @@
 //! What codes demand of a site: design spectra. One code a file, its tables as data; and what they ask of a stack, a frame, a chain; how far storeys may drift.
 
 mod by_modes;
+mod circolare;
 mod drift_limit;
 mod eurocode;
 mod korea;
@@ -11,6 +12,10 @@ mod site;
 mod spectrum;
 
 pub use by_modes::ModalRatio;
+pub use circolare::{
+    CircolareFactors, DisplacementCapacity, DisplacementDemand, LocalMechanismCapacity, LocalMechanismDemand,
+    circolare_capacity, circolare_demand,
+};
 pub use drift_limit::{DRIFT_RATIO_MOST, DriftLimit, ImportanceClass, NonStructural, SeismicGrade};
 pub use eurocode::{EurocodeGround, EurocodeType, eurocode_8};
 pub use korea::{

@@ -8,14 +8,14 @@
 //! | C | – | cohesion × area of the joint, shared alike by its corners | N |
 
 use super::Threshold;
+use super::limit_acts::acts;
 use super::limit_mechanism::{falling, swaying};
 use super::limit_options::{Holding, LimitAnalysis, LimitAnalysisResult, LimitAnalysisStatus, Shaking};
-use super::limit_pieces::{Act, Law, Piece, pieces};
+use super::limit_pieces::{Piece, pieces};
 use super::limit_programme::{ACCELERATION_MOST, Answer, Within};
 use super::limit_region::{Nearest, nearest};
 use crate::stability::StabilityError;
 use crate::structure::stack::Stack;
-use glam::DVec3;
 
 /// The least horizontal acceleration for which no forces in the joints balance every block.
 ///
@@ -128,7 +128,7 @@ pub fn limit_analysis(stack: &Stack, options: &LimitAnalysis) -> Result<LimitAna
 }
 
 /// One direction: how far it reaches, and that it stands at all (the way back must reach past rest too).
-fn along(piece: &Piece, way: [f64; 2]) -> Result<(Nearest, usize), StabilityError> {
+pub(super) fn along(piece: &Piece, way: [f64; 2]) -> Result<(Nearest, usize), StabilityError> {
     let mut programme = piece.programme(Within::Line(way))?;
     let mut found = Nearest {
         stands: false,
@@ -153,7 +153,7 @@ fn along(piece: &Piece, way: [f64; 2]) -> Result<(Nearest, usize), StabilityErro
     Ok((found, programme.unknowns()))
 }
 
-fn unit(direction: [f64; 2]) -> Result<[f64; 2], StabilityError> {
+pub(super) fn unit(direction: [f64; 2]) -> Result<[f64; 2], StabilityError> {
     let length = direction[0].hypot(direction[1]);
     if !(length > 0.0 && length.is_finite()) {
         return Err(StabilityError::Direction {
@@ -162,55 +162,6 @@ fn unit(direction: [f64; 2]) -> Result<[f64; 2], StabilityError> {
         });
     }
     Ok(direction.map(|part| part / length))
-}
-
-/// What every corner of every joint, and every tie, can do.
-fn acts(stack: &Stack, holding: Holding) -> Vec<Act> {
-    let mut acts = Vec::new();
-    for (link, joint) in stack.joints().iter().enumerate() {
-        let [first, second, normal] = joint.axes.map(DVec3::from);
-        let corners = &joint.patch.corners_m;
-        let cohesion = joint.material.cohesion_pa * joint.patch.moments().area_m2 / corners.len() as f64;
-        for corner in corners {
-            let mut act = Act {
-                link,
-                at: DVec3::from(joint.origin_m) + first * corner[0] + second * corner[1],
-                axes: [normal, first, second],
-                law: Law::Friction(joint.material.friction_static),
-            };
-            acts.push(act);
-            if holding != Holding::FrictionOnly && cohesion > 0.0 {
-                act.law = Law::Shear(cohesion);
-                acts.push(act);
-            }
-        }
-    }
-    if holding == Holding::CohesionAndTies {
-        for (index, tie) in stack.ties().iter().enumerate() {
-            let axis = DVec3::from(tie.axis).normalize();
-            let [first, second] = across(axis);
-            let mut act = Act {
-                link: stack.joints().len() + index,
-                at: DVec3::from(tie.position_m),
-                axes: [axis, first, second],
-                law: Law::Shear(tie.shear_strength_n),
-            };
-            if tie.shear_strength_n > 0.0 {
-                acts.push(act);
-            }
-            if tie.axial_stiffness_n_m > 0.0 && tie.tension_strength_n > 0.0 {
-                act.law = Law::Pull(tie.tension_strength_n);
-                acts.push(act);
-            }
-        }
-    }
-    acts
-}
-
-fn across(axis: DVec3) -> [DVec3; 2] {
-    let near = if axis.x.abs() < 0.9 { DVec3::X } else { DVec3::Y };
-    let first = (near - axis * near.dot(axis)).normalize();
-    [first, axis.cross(first)]
 }
 
 #[cfg(test)]

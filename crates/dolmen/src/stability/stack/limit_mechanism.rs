@@ -34,8 +34,18 @@ pub(super) fn swaying(
     piece: &Piece,
     way: [f64; 2],
 ) -> Result<Option<Mechanism>, StabilityError> {
+    let motions = swaying_motions(stack, piece, way)?;
+    Ok(motions.and_then(|motions| named(stack, &motions)))
+}
+
+/// The motions that each block takes part in there.
+pub(super) fn swaying_motions(
+    stack: &Stack,
+    piece: &Piece,
+    way: [f64; 2],
+) -> Result<Option<Vec<Vec<BodyMotion>>>, StabilityError> {
     let velocities = piece.programme(Within::Line(way))?.mechanism(way)?;
-    Ok(velocities.and_then(|velocities| named(stack, &piece.motions(&velocities, stack.blocks().len()))))
+    Ok(velocities.map(|velocities| piece.motions(&velocities, stack.blocks().len())))
 }
 
 /// Opening and slip at one corner of a joint.
@@ -45,7 +55,7 @@ struct Corner {
     slips: f64,
 }
 
-fn named(stack: &Stack, motions: &[Vec<BodyMotion>]) -> Option<Mechanism> {
+pub(super) fn named(stack: &Stack, motions: &[Vec<BodyMotion>]) -> Option<Mechanism> {
     let corners: Vec<Vec<Corner>> = stack
         .joints()
         .iter()

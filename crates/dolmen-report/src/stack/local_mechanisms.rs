@@ -1,0 +1,133 @@
+//! Local mechanisms of a stack by Circolare 7/2019: what moves as one, and what it bears.
+
+use super::words::{DIGITS, direction, in_g};
+use crate::document::{Block, Cell, Column, Document, Table};
+use dolmen::assess::demand::LocalMechanismCapacity;
+use dolmen::structure::stack::{Body, Stack};
+use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
+use dolmen_work::state::{LocalMechanismRow, StackAnswer};
+
+messages! {
+    /// Local mechanisms as a code wants them.
+    pub(crate) enum Local in "stack.local_mechanisms" {
+        Caption => {
+            en: "Local mechanisms by Circolare 7/2019 (C8.7.1.2.1, to NTC 2018).",
+            ko: "Circolare 7/2019(NTC 2018 해설, C8.7.1.2.1)에 따른 국부 메커니즘.",
+        },
+        CaptionMeaning => {
+            en: "What moves first each way, each rigid part as one weight, as an oscillator of mass M*.",
+            ko: "방향별로 가장 먼저 움직이는 부분. 강체로 함께 움직이는 부분을 하나의 무게로 보고 질량 M*의 진동계로 나타낸다.",
+        },
+        Towards => { en: "Towards", ko: "방향" },
+        Moves => { en: "moves", ko: "움직이는 부분" },
+        Name { name: String } => { en: "{name}", ko: "{name}" },
+        NameAndMore { name: String, more: usize } => { en: "{name} and {more} more", ko: "{name} 외 {more}개" },
+        Parts { parts: usize } => { en: "{parts} parts", ko: "강체 {parts}개" },
+        Motion => { en: "motion", ko: "거동" },
+        Turns => { en: "turns", ko: "회전" },
+        Slides => { en: "slides", ko: "미끄러짐" },
+        None => { en: "not found", ko: "없음" },
+        GroundByForce => { en: "ground", ko: "지반" },
+        Meaning => {
+            en: "α0 is the acceleration over gravity at which it moves, a0* = α0 g/(e* FC) with FC = 1.35, d0* the way of the oscillator until it overturns, d_SLV = 0.4 d0*, T_SLV the period for its check. Ground is the peak of the ground that the check by forces allows, 2 a0*: after a code's factor q = 2, not a first motion.",
+            ko: "α0은 움직이기 시작하는 가속도의 중력가속도비, a0* = α0 g/(e* FC)(FC = 1.35), d0*는 전도할 때까지의 진동계 변위, d_SLV = 0.4 d0*, T_SLV는 변위 검토용 주기이다. 지반은 힘에 의한 검토가 허용하는 최대지반가속도 2 a0*로, 기준의 계수 q = 2를 적용한 값이며 거동 시작 가속도가 아니다.",
+        },
+        LeftOut => {
+            en: "It stands beside the dynamic answer (`dolmen simulate`) and decides nothing. The formulas have not been held against the text of the code; the amplification that it asks for of parts at a height is left out. What slides has no check, and several parts that move against each other no d0*.",
+            ko: "동적 해석(`dolmen simulate`)과 나란히 제시하는 값이며 판정에 쓰지 않는다. 식은 기준 원문과 대조하지 않았고, 높은 곳에 있는 부분에 대한 기준의 증폭은 반영하지 않았다. 미끄러지는 부분은 검토하지 않으며, 여러 강체가 서로 다르게 움직이는 경우에는 d0*를 구하지 않는다.",
+        },
+    }
+}
+
+/// The mechanism each way, as the code wants it.
+pub(super) fn section(document: &mut Document<'_>, answer: &StackAnswer) {
+    if answer.local_mechanisms.is_empty() {
+        return;
+    }
+    let unit = |symbol: &str, factor: f64| Unit {
+        symbol: symbol.to_owned(),
+        factor,
+    };
+    let symbol = Sentence::of_symbol;
+    document.put(Block::Table(Table {
+        caption: vec![Local::Caption.into(), Local::CaptionMeaning.into()],
+        columns: vec![
+            Column::words(Local::Towards),
+            Column::words(Local::Moves),
+            Column::words(Local::Motion),
+            Column::numbers(symbol("α0"), Unit::ratio()),
+            Column::numbers(symbol("M*"), unit("t", 1e-3)),
+            Column::numbers(symbol("e*"), Unit::ratio()),
+            Column::numbers(symbol("a0*"), Unit::si("g")),
+            Column::numbers(symbol("d0*"), unit("mm", 1e3)),
+            Column::numbers(symbol("d_SLV"), unit("mm", 1e3)),
+            Column::numbers(symbol("T_SLV"), Unit::si("s")),
+            Column::numbers(Local::GroundByForce, Unit::si("g")),
+        ],
+        rows: answer
+            .local_mechanisms
+            .iter()
+            .map(|of| row(&answer.stack, of))
+            .collect(),
+    }));
+    document.note(Local::Meaning);
+    document.note(Local::LeftOut);
+}
+
+/// What moves: a part by its lowest stone, or how many parts.
+fn what_moves(stack: &Stack, capacity: &LocalMechanismCapacity) -> Sentence {
+    match &capacity.mechanism.parts[..] {
+        [part] => {
+            let name = part
+                .blocks
+                .first()
+                .map_or("", |block| stack.name(Body::Block(*block)));
+            let name = name.to_owned();
+            match part.blocks.len() {
+                0 | 1 => Local::Name { name },
+                count => Local::NameAndMore {
+                    name,
+                    more: count - 1,
+                },
+            }
+        }
+        parts => Local::Parts { parts: parts.len() },
+    }
+    .into()
+}
+
+fn row(stack: &Stack, of: &LocalMechanismRow) -> Vec<Cell> {
+    let mut cells = vec![Cell::words(direction(of.direction))];
+    let Some(capacity) = &of.capacity else {
+        cells.push(Cell::words(Local::None));
+        cells.push(Cell::words(Sentence::of_symbol("–")));
+        cells.extend((0..8).map(|_| Cell::Number(None)));
+        return cells;
+    };
+    let mechanism = &capacity.mechanism;
+    let gravity = stack.gravity_m_s2();
+    let scaled = |value: f64, symbol: &str, factor: f64| {
+        let unit = Unit {
+            symbol: symbol.to_owned(),
+            factor,
+        };
+        Quantity::new(value, unit, Digits::Significant(DIGITS))
+    };
+    let displacement = capacity.displacement;
+    cells.extend([
+        Cell::words(what_moves(stack, capacity)),
+        Cell::words(match mechanism.slides {
+            true => Local::Slides,
+            false => Local::Turns,
+        }),
+        Cell::number(Quantity::ratio(mechanism.multiplier, DIGITS)),
+        Cell::number(scaled(mechanism.mass_kg, "t", 1e-3)),
+        Cell::number(Quantity::ratio(mechanism.mass_ratio, DIGITS)),
+        Cell::number(in_g(capacity.activation_m_s2 / gravity)),
+        Cell::Number(displacement.map(|of| scaled(of.overturning_m, "mm", 1e3))),
+        Cell::Number(displacement.map(|of| scaled(of.limit_m, "mm", 1e3))),
+        Cell::Number(displacement.map(|of| scaled(of.period_s, "s", 1.0))),
+        Cell::Number(capacity.by_force_m_s2.map(|of| in_g(of / gravity))),
+    ]);
+    cells
+}

@@ -1,0 +1,38 @@
+//! Local mechanisms of a stack as codes want them, each way.
+
+use crate::state::LocalMechanismRow;
+use dolmen::assess::StackCheck;
+use dolmen::assess::demand::{CircolareFactors, circolare_capacity};
+use dolmen::stability::Verdict;
+use dolmen::stability::stack::local_mechanism;
+use dolmen::structure::stack::Stack;
+
+/// Stones up to which all directions are looked at; of more only that of the first motion. Chosen here: a wall of 200 takes a second.
+const STONES_MOST: usize = 400;
+/// Directions nearer to each other than this are one, as a sine. Chosen here.
+const SAME: f64 = 1e-3;
+
+/// The mechanism of the first motion, then those along both senses of x and y; none of a stack that does not stand.
+pub(crate) fn of(stack: &Stack, check: &StackCheck) -> Vec<LocalMechanismRow> {
+    if check.verdict == Verdict::Unstable {
+        return Vec::new();
+    }
+    let first = check.capacity.map(|capacity| capacity.direction);
+    let axes = [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]];
+    let is_small = stack.blocks().len() <= STONES_MOST;
+    let apart = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]) > SAME;
+    let first = first.filter(|first| !is_small || axes.iter().all(|axis| apart(*first, *axis)));
+    let axes = axes.into_iter().filter(|_| is_small);
+    let ways = first.into_iter().chain(axes);
+    ways.map(|direction| {
+        // a programme that is not solved leaves that direction unknown; the verdict does not rest on it
+        let found = local_mechanism(stack, direction).ok().flatten();
+        LocalMechanismRow {
+            direction,
+            capacity: found.map(|mechanism| {
+                circolare_capacity(mechanism, stack.gravity_m_s2(), &CircolareFactors::default())
+            }),
+        }
+    })
+    .collect()
+}

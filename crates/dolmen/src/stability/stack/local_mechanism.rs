@@ -1,0 +1,234 @@
+//! The rigid parts of the mechanism in which a stack begins to move one way, and the oscillator that codes make of them.
+//!
+//! | symbol | code | meaning | unit |
+//! |:--|:--|:--|:--|
+//! | α₀ | `multiplier` | horizontal acceleration over gravity at which the mechanism moves | – |
+//! | P | `weight_n` | weight of a rigid part: of all that moves as one body | N |
+//! | δ | `moves` | virtual displacement of the centroid of a part along the shaking, over the largest | – |
+//! | M* | `mass_kg` | participating mass | kg |
+//! | e* | `mass_ratio` | participating part of the mass that moves | – |
+//! | d₀* | `overturning_m` | displacement of the oscillator at which nothing holds it any more | m |
+
+use super::StackLoads;
+use super::limit_acts::acts;
+use super::limit_analysis::{along, unit};
+use super::limit_mechanism::{named, swaying_motions};
+use super::limit_options::Holding;
+use super::limit_pieces::pieces;
+use super::limit_programme::ACCELERATION_MOST;
+use super::mechanism::{BodyMotion, JointMotion};
+use crate::stability::StabilityError;
+use crate::structure::stack::{Block, Stack};
+use glam::DVec3;
+
+/// Velocities that differ by less than this part of the largest are the same. Chosen here: what the solver loses is 1e-8.
+const SAME: f64 = 1e-4;
+/// Sine of the largest angle at which an axis of rotation is taken as level, and the part of its motion that may run along it. Chosen here.
+const LEVEL: f64 = 1e-3;
+
+/// Blocks that move as one rigid body in a mechanism.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RigidPart {
+    /// Which blocks, ascending.
+    pub blocks: Vec<usize>,
+    /// P, N.
+    pub weight_n: f64,
+    /// Its centroid, m.
+    pub centroid_m: [f64; 3],
+    /// δ of its centroid along the shaking, over the largest of all parts.
+    pub moves: f64,
+    /// How far its centroid rises, to the same scale.
+    pub rises: f64,
+}
+
+/// The mechanism in which a stack begins to move one way, by its rigid parts.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LocalMechanism {
+    /// Unit vector of the inertia forces in plan.
+    pub direction: [f64; 2],
+    /// α₀.
+    pub multiplier: f64,
+    /// What moves, by its lowest block.
+    pub parts: Vec<RigidPart>,
+    /// M*, kg.
+    pub mass_kg: f64,
+    /// e*.
+    pub mass_ratio: f64,
+    /// Whether a joint slides in it.
+    pub slides: bool,
+    /// d₀*, m: `None` unless one part turns about a level axis and no joint slides.
+    pub overturning_m: Option<f64>,
+}
+
+/// The mechanism in which a stack begins to move when its inertia forces act one way; `None` if it does not stand, or nothing moves it.
+///
+/// ```text
+/// velocities of the blocks: those of the mechanism of the limit analysis
+/// part    all blocks whose velocities are those of one rigid body
+/// M* = (Σ P δ)² / (g Σ P δ²)          e* = (Σ P δ)² / (Σ P · Σ P δ²) = g M* / Σ P
+/// d₀*     one part that turns about a level axis: the way of its centroid until it stands above that axis
+/// ```
+///
+/// Weights are summed over rigid parts, each at its own centroid: course by course a wall that tips as one would have e* → 3/4.
+///
+/// # Errors
+/// [`StabilityError`] for a direction without length, and a programme that the solver could not solve.
+///
+/// # Limits
+/// Those of [`limit_analysis`](super::limit_analysis()): friction is associated, so that what slides also rises; stone is infinitely strong;
+/// cohesion holds against sliding, ties and side supports hold nothing. Where several mechanisms move at the same acceleration, the one
+/// found may be a mixture of them, with more parts than either. d₀* of several parts that move against each other is not computed.
+///
+/// # Example
+/// ```
+/// use dolmen::stability::stack::local_mechanism;
+/// use dolmen::structure::stack::{Block, JointMaterial, Solid, Stack};
+/// let wall = Block { name: "wall".into(), solid: Solid::cuboid(0.4, 2.0, 4.0)?, density_kg_m3: 2600.0 };
+/// let stack = Stack::new(vec![wall], JointMaterial::default(), 9.81)?;
+/// let found = local_mechanism(&stack, [1.0, 0.0])?.ok_or("nothing moves")?;
+/// assert!((found.multiplier - 0.1).abs() < 1e-7 && (found.mass_ratio - 1.0).abs() < 1e-12);
+/// assert!((found.overturning_m.ok_or("no axis")? - 0.2).abs() < 1e-6);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Source
+/// Circolare 7/2019 to NTC 2018, C8.7.1.2.1: definitions of α₀, M* and e*.
+pub fn local_mechanism(stack: &Stack, direction: [f64; 2]) -> Result<Option<LocalMechanism>, StabilityError> {
+    let way = unit(direction)?;
+    let loads = StackLoads::default().on_blocks(stack)?;
+    let acts = acts(stack, Holding::Cohesion);
+    let pieces = pieces(stack, &loads, &acts, None, false);
+    let (mut multiplier, mut moving) = (ACCELERATION_MOST * (1.0 - 1e-6), None);
+    for piece in &pieces {
+        let (found, _) = along(piece, way)?;
+        if !found.stands {
+            return Ok(None);
+        }
+        if found.bound < multiplier {
+            (multiplier, moving) = (found.bound, Some(piece));
+        }
+    }
+    let Some(piece) = moving else { return Ok(None) };
+    let Some(motions) = swaying_motions(stack, piece, way)? else {
+        return Ok(None);
+    };
+    let Some(mechanism) = named(stack, &motions) else {
+        return Ok(None);
+    };
+    let slides = mechanism
+        .joints
+        .iter()
+        .any(|joint| joint.motion != JointMotion::Opens);
+    Ok(of_parts(stack, &motions, way, multiplier, slides))
+}
+
+/// Velocity at a point of a block that takes part in several motions.
+fn velocity(motions: &[BodyMotion], point: DVec3) -> DVec3 {
+    motions.iter().map(|motion| motion.at(point)).sum()
+}
+
+fn of_parts(
+    stack: &Stack,
+    motions: &[Vec<BodyMotion>],
+    way: [f64; 2],
+    multiplier: f64,
+    slides: bool,
+) -> Option<LocalMechanism> {
+    let corners = |block: &Block| -> Vec<DVec3> {
+        let vertices = block.solid.vertices_m().iter();
+        vertices.map(|vertex| DVec3::from(*vertex)).collect()
+    };
+    let blocks = stack.blocks();
+    let speeds: Vec<f64> = blocks
+        .iter()
+        .zip(motions)
+        .map(|(block, motions)| {
+            let each = corners(block)
+                .into_iter()
+                .map(|corner| velocity(motions, corner).length());
+            each.fold(0.0, f64::max)
+        })
+        .collect();
+    let most = speeds.iter().copied().fold(0.0, f64::max);
+    let mut groups: Vec<Vec<usize>> = Vec::new();
+    for (index, block) in blocks
+        .iter()
+        .enumerate()
+        .filter(|(i, _)| speeds[*i] > SAME * most)
+    {
+        let is_one = |group: &Vec<usize>| {
+            let mut both = corners(block).into_iter().chain(corners(&blocks[group[0]]));
+            both.all(|corner| {
+                let apart = velocity(&motions[index], corner) - velocity(&motions[group[0]], corner);
+                apart.length() <= SAME * most
+            })
+        };
+        match groups.iter().position(is_one) {
+            Some(group) => groups[group].push(index),
+            None => groups.push(vec![index]),
+        }
+    }
+    let gravity = stack.gravity_m_s2();
+    let towards = DVec3::new(way[0], way[1], 0.0);
+    let mut parts: Vec<RigidPart> = groups
+        .into_iter()
+        .map(|group| {
+            let mass: f64 = group.iter().map(|&block| blocks[block].mass_kg()).sum();
+            let centroid = group
+                .iter()
+                .map(|&block| DVec3::from(blocks[block].solid.centroid_m()) * blocks[block].mass_kg())
+                .sum::<DVec3>()
+                / mass;
+            let moves = velocity(&motions[group[0]], centroid);
+            RigidPart {
+                blocks: group,
+                weight_n: mass * gravity,
+                centroid_m: centroid.into(),
+                moves: moves.dot(towards),
+                rises: moves.z,
+            }
+        })
+        .collect();
+    let largest = parts
+        .iter()
+        .fold(0.0_f64, |most, part| most.max(part.moves.abs()));
+    if largest <= 0.0 {
+        return None;
+    }
+    for part in &mut parts {
+        part.moves /= largest;
+        part.rises /= largest;
+    }
+    let sum = |of: &dyn Fn(&RigidPart) -> f64| parts.iter().map(of).sum::<f64>();
+    let first = sum(&|part| part.weight_n * part.moves);
+    let second = sum(&|part| part.weight_n * part.moves * part.moves);
+    let overturning_m = match &parts[..] {
+        [part] if !slides => overturning(&motions[part.blocks[0]], part.centroid_m.into(), towards),
+        _ => None,
+    };
+    Some(LocalMechanism {
+        direction: way,
+        multiplier,
+        mass_kg: first * first / (gravity * second),
+        mass_ratio: first * first / (sum(&|part| part.weight_n) * second),
+        slides,
+        overturning_m,
+        parts,
+    })
+}
+
+/// How far the centroid of a part that turns about a level axis moves along the shaking until it stands above the axis.
+fn overturning(motions: &[BodyMotion], centroid: DVec3, towards: DVec3) -> Option<f64> {
+    let spin: DVec3 = motions.iter().map(|motion| motion.spin).sum();
+    let axis = spin.try_normalize()?;
+    let moves = velocity(motions, centroid);
+    if axis.z.abs() > LEVEL || moves.dot(axis).abs() > LEVEL * moves.length() {
+        return None;
+    }
+    // v = ω × r, r from the axis
+    let arm = moves.cross(spin) / spin.length_squared();
+    let across = axis.cross(DVec3::Z);
+    let (level, moves_across) = (arm.dot(across), towards.dot(across));
+    let way = -level * moves_across;
+    (way > 0.0).then_some(way)
+}
