@@ -14,6 +14,7 @@ mod docs;
 mod documents;
 mod english;
 mod figure_files;
+mod first_day;
 mod followed;
 mod followed_alarms;
 mod frames;
