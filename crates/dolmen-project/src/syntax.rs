@@ -57,7 +57,7 @@ struct WithComma<'a> {
 /// A bare number with a comma behind an equals sign, "0,95" or "1,200.5": the last one that begins before what the reader stumbled on.
 fn number_with_comma(line: &str, stumbled_at: usize) -> Option<WithComma<'_>> {
     let signs = line.match_indices('=').map(|(at, _)| at + 1);
-    let numbers = signs.filter_map(|behind| {
+    let mut numbers = signs.filter_map(|behind| {
         let at = behind + line[behind..].find(|c: char| !c.is_whitespace())?;
         let value = &line[at..];
         let is_part = |c: char| c.is_ascii_digit() || matches!(c, ',' | '.' | '-' | '+');
@@ -67,7 +67,7 @@ fn number_with_comma(line: &str, stumbled_at: usize) -> Option<WithComma<'_>> {
         let is_number = groups.all(|group| !group.is_empty() && group.bytes().all(|b| b.is_ascii_digit()));
         (is_number && written.contains(',')).then_some(WithComma { at, written })
     });
-    numbers.filter(|number| number.at <= stumbled_at).last()
+    numbers.rfind(|number| number.at <= stumbled_at)
 }
 
 /// What is wrong with such a number, and how it is written: a comma before three digits may be a decimal sign or part of thousands.

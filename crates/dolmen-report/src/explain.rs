@@ -211,6 +211,15 @@ falls gives the probability, with its Clopper–Pearson interval. It is the prob
 it knows nothing of decay, of vandals, of a wrong drawing. The same seed gives the same bits.",
     },
     Explanation {
+        code: "sensor-slip",
+        title: "What the sensors say against each other",
+        text: "\
+Two sensors at one place in one direction must move alike; sensors on one rigid floor must move as it does. Where changing the
+sign of one, or exchanging two, explains the lowest modes much better, that is probably what happened: correct direction,
+position or column. A channel that moves by less than 0.3 % of the largest in every mode stands on the ground, is not connected,
+or is in another unit: give its channel a scale (980.665 takes g to gal).",
+    },
+    Explanation {
         code: "setups",
         title: "Several setups of one survey, put together",
         text: "\
