@@ -23,10 +23,14 @@ fn refuses_a_rate_that_the_times_of_a_korean_spreadsheet_contradict() {
         state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
         f64::from(state >> 8) / 1e6
     };
-    for i in 0..3000 {
+    // a mode of 5.07 Hz: the next swing follows from the two before
+    let mut swing = [0.0, 0.0];
+    for i in 0..6000 {
+        swing = [1.88 * swing[0] - 0.98 * swing[1] + noise() - noise(), swing[0]];
+        let [first, second] = [1.0, 0.5].map(|share| share * swing[0] + noise() - noise());
         log.extend(b"2026-04-02 \xbf\xc0\xc0\xfc 9:");
-        let clock = format!("{:02}:{:02}.{:02}0", 30 + i / 6000, i / 100 % 60, i % 100);
-        log.extend(format!("{clock},{:.4},{:.4}\r\n", noise() - noise(), noise() - noise()).as_bytes());
+        let clock = format!("30:{:02}.{:02}0", i / 100 % 60, i % 100);
+        log.extend(format!("{clock},{first:.4},{second:.4}\r\n").as_bytes());
     }
     fs::write(scratch.path().join("log.csv"), log).unwrap();
     let columns = "channels = [{ column = \"1층 가속도(gal)\" }, { column = \"2층 가속도(gal)\" }]\n";
