@@ -159,7 +159,7 @@ pub(crate) struct Check {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=10_000_000))]
     pub(crate) samples: Option<u32>,
     /// Seed of the samples: the same seed gives the same bits
-    #[arg(long, default_value_t = 1)]
+    #[arg(long, default_value_t = 1, requires = "samples")]
     pub(crate) seed: u64,
     /// Say what one per cent of each input does to the load factor
     #[arg(long)]
@@ -338,7 +338,7 @@ pub(crate) struct StudyWhere {
 pub(crate) struct GroundMotionVerb {
     /// Files of acceleration (AT2, COSMOS, CSMIP, K-NET, ESM, SAC, miniSEED, CSV), one a component: x, y, z in this order, or
     /// named as in y=FILE; --motion-file says the same
-    #[arg(conflicts_with = "motion_file")]
+    #[arg(conflicts_with_all = ["motion_file", "name"])]
     pub(crate) files: Vec<String>,
     #[command(flatten)]
     pub(crate) motion: Motion,
@@ -356,16 +356,21 @@ pub(crate) struct GroundMotionVerb {
     #[arg(long, default_value = "", requires = "matched")]
     pub(crate) site: String,
     /// Seismic zone of KDS 17 10 00: 1 or 2
-    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u8).range(1..=2), requires = "matched")]
+    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u8).range(1..=2), requires = "matched", conflicts_with = "ground_acceleration")]
     pub(crate) zone: u8,
     /// Return period of KDS 17 10 00, years
-    #[arg(long, default_value_t = 2400, requires = "matched")]
+    #[arg(
+        long,
+        default_value_t = 2400,
+        requires = "matched",
+        conflicts_with = "ground_acceleration"
+    )]
     pub(crate) years: u32,
     /// Design ground acceleration on rock of Eurocode 8, g
     #[arg(long, value_name = "G", requires = "matched")]
     pub(crate) ground_acceleration: Option<f64>,
     /// Type of the spectrum of Eurocode 8: 1 or 2
-    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u8).range(1..=2), requires = "matched")]
+    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u8).range(1..=2), requires = "ground_acceleration")]
     pub(crate) spectrum_type: u8,
     /// Make a motion instead of reading one; its peak is --peak, its step --sample-step (.01 s without)
     #[arg(long, value_enum, conflicts_with_all = ["files", "motion_file", "name"])]

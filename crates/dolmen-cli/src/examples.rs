@@ -3,7 +3,8 @@
 use crate::cli::{Kind, New};
 use crate::manner::Manner;
 use crate::outcome::Outcome;
-use crate::wrong::CommandError;
+use crate::say::say;
+use crate::wrong::{CommandError, Noted};
 use anyhow::Result;
 use dolmen_records::{FileError, Files};
 use include_dir::{Dir, File, include_dir};
@@ -70,25 +71,27 @@ pub(crate) fn run(options: &New, manner: &Manner) -> Result<Outcome> {
     copy_example(example_of(options.kind), directory)?;
     if !manner.quiet {
         let shown = directory.display();
-        println!(
-            "{shown}/project.toml is a copy of the example {}.",
-            example_of(options.kind)
-        );
-        println!("Next: put your own numbers in it (its README.md says what each means), then");
+        let said = [
+            Noted::CopyOfExample {
+                file: format!("{shown}/project.toml"),
+                example: example_of(options.kind).to_owned(),
+            },
+            Noted::NextNumbers,
+        ];
+        let mut lines: Vec<String> = said.into_iter().map(|one| one.text(manner)).collect();
         let verb = match options.kind {
             Kind::Flagpole | Kind::Pagoda | Kind::Arch | Kind::Wall | Kind::Building => "check",
             Kind::Gate | Kind::Survey => "identify",
         };
-        println!("    dolmen {verb} {shown}");
-        let motion = if matches!(
-            options.kind,
-            Kind::Pagoda | Kind::Arch | Kind::Wall | Kind::Building
-        ) {
-            " --motion el-centro-1940-ns"
-        } else {
-            ""
+        lines.push(format!("    dolmen {verb} {shown}"));
+        let motion = match options.kind {
+            Kind::Pagoda | Kind::Arch | Kind::Wall | Kind::Building => " --motion el-centro-1940-ns",
+            Kind::Flagpole | Kind::Gate | Kind::Survey => "",
         };
-        println!("    dolmen report {shown}{motion} -o {shown}/report.html");
+        lines.push(format!(
+            "    dolmen report {shown}{motion} -o {shown}/report.html"
+        ));
+        say(&(lines.join("\n") + "\n"))?;
     }
     Ok(Outcome::Done)
 }

@@ -7,6 +7,7 @@ use crate::outcome::Outcome;
 use crate::request;
 use crate::request::keeping_motion;
 use crate::say::{say, say_json};
+use crate::typed::Typed;
 use crate::wrong::{CommandError, Noted};
 use anyhow::Result;
 use dolmen_folder::Outputs;
@@ -62,7 +63,30 @@ fn named_files(options: &Options) -> &[String] {
     }
 }
 
-pub(crate) fn run(options: &Options, manner: &Manner) -> Result<Outcome> {
+/// Refuses a flag that was typed and has no effect beside the others.
+fn refuse_idle(options: &Options, typed: &Typed) -> Result<()> {
+    let is_noise = options.make == Some(Shape::Noise);
+    let is_pulse = options.make.is_some() && !is_noise;
+    let is_near_fault = options.make == Some(Shape::NearFault);
+    let table = [
+        ("period", is_pulse, Noted::ForPulses),
+        ("gamma", is_near_fault, Noted::ForNearFault),
+        ("phase", is_near_fault, Noted::ForNearFault),
+        ("duration", is_noise, Noted::ForNoise),
+        ("seed", is_noise, Noted::ForNoise),
+        ("damping", options.spectrum || options.matched, Noted::ForSpectra),
+    ];
+    for (flag, is_used, is_for) in table {
+        if !is_used && typed.has(flag) {
+            let is_for = is_for.into();
+            return Err(CommandError::NoEffect { flag, is_for }.into());
+        }
+    }
+    Ok(())
+}
+
+pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<Outcome> {
+    refuse_idle(options, typed)?;
     let outputs = keeping_motion(Outputs::new(manner.access()), named_files(options));
     if let Some(file) = &options.convert {
         outputs.refuse(file)?;

@@ -111,7 +111,7 @@ pub(crate) fn run(options: &Report, typed: &Typed, manner: &Manner) -> Result<Ou
     let projects: Vec<&Project> = known.map(|found| &*found.opened.project).collect();
     typed.refuse_foreign(FlagVerb::Report, &projects)?;
     let motion = request::motion(&options.motion, &options.motion.motion_file, manner)?;
-    if !motion.is_given() && motion.is_changed() {
+    if !motion.is_given() && (motion.is_changed() || motion.of_files().is_some()) {
         return Err(CommandError::NoMotionToChange.into());
     }
     let mut outputs = keeping_motion(Outputs::new(manner.access()), &options.motion.motion_file);
@@ -176,11 +176,11 @@ pub(crate) fn run(options: &Report, typed: &Typed, manner: &Manner) -> Result<Ou
         .map(|answer| judge(&answer.answers).exit_status(Verb::Report));
     let status = first_status(statuses.chain(faults.iter().map(tools::exit_status)));
     if !faults.is_empty() {
-        note!(
-            "{} of {} projects left out of the report",
-            faults.len(),
-            options.projects.len()
-        );
+        let left_out = Noted::LeftOutOfReport {
+            count: faults.len(),
+            all: options.projects.len(),
+        };
+        note!("{}", left_out.text(manner));
     }
     Ok(Outcome::Judged(status))
 }
@@ -192,10 +192,11 @@ fn printed(source: Typeset, manner: &Manner) -> Result<Vec<u8>> {
     let printed = pdf(Sheets { main, files })?;
     if !printed.without_glyph.is_empty() && !manner.quiet {
         let each: String = printed.without_glyph.iter().take(20).collect();
-        note!(
-            "the PDF shows {} characters as boxes, its fonts do not have them: {each}",
-            printed.without_glyph.len()
-        );
+        let boxes = Noted::Boxes {
+            count: printed.without_glyph.len(),
+            each,
+        };
+        note!("{}", boxes.text(manner));
     }
     Ok(printed.bytes)
 }
@@ -217,9 +218,10 @@ pub(crate) fn demo(options: &Demo, manner: &Manner) -> Result<Outcome> {
             manner,
         )?;
         if !manner.quiet {
+            let name = &answer.project.name;
             say(&format!(
                 "{}: {}\n",
-                answer.project.name.english(),
+                manner.language().pick(name.english(), name.korean()),
                 project_line(&answer)
             ))?;
         }
@@ -231,7 +233,8 @@ pub(crate) fn demo(options: &Demo, manner: &Manner) -> Result<Outcome> {
         html(&answers, &[], manner.language(), &imprint(None)).as_bytes(),
     )?;
     if !manner.quiet {
-        say("The report on all of them: ")?;
+        say(&Noted::ReportOnAll.text(manner))?;
+        say(" ")?;
     }
     say(&format!("{}\n", report.display()))?;
     Ok(Outcome::Done)

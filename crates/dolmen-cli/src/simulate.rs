@@ -9,6 +9,7 @@ use crate::request;
 use crate::request::keeping_motion;
 use crate::say::{say, say_json};
 use crate::typed::Typed;
+use crate::wrong::{CommandError, Noted};
 use anyhow::Result;
 use dolmen_folder::{Found, Outputs};
 use dolmen_report::files::{simulation_files, simulation_value};
@@ -26,6 +27,11 @@ pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<O
     let found = Found::open(&options.project, manner.access())?;
     typed.refuse_foreign(FlagVerb::Simulate, &[&found.opened.project])?;
     let how = request::simulation(options, manner)?;
+    // a push needs no motion, and then nothing is there to be changed
+    let motion = &how.motion;
+    if how.push.is_some() && !motion.is_given() && (motion.is_changed() || motion.of_files().is_some()) {
+        return Err(CommandError::NoMotionToChange.into());
+    }
     let prepared = prepare(&found.opened, &how, &found.files)?;
     if !manner.json {
         let variant = options.variant.as_deref();
@@ -52,9 +58,8 @@ pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<O
             say(&text_of(simulation, manner.style()))?;
         }
         if let Some(why) = &answer.does_not_stand {
-            say(&format!(
-                "\nDOES NOT STAND without any shaking, so that nothing was simulated: {why}\n"
-            ))?;
+            let why = why.to_string();
+            say(&format!("\n{}\n", Noted::DoesNotStand { why }.text(manner)))?;
         }
     }
     if let (Some(folder), true) = (&options.output, answer.does_not_stand.is_none()) {
@@ -64,11 +69,12 @@ pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<O
             outputs.folder(folder, &simulation_files(simulation, language)?)?;
         }
         if !manner.quiet {
-            let what = match answer.simulations.first() {
-                Some(Simulation::Stack(_)) => "histories, figures, film and exports",
-                _ => "histories and figures",
+            let folder = folder.display().to_string();
+            let written = match answer.simulations.first() {
+                Some(Simulation::Stack(_)) => Noted::HistoriesAndFilm { folder },
+                _ => Noted::Histories { folder },
             };
-            note!("{what} are in {}", folder.display());
+            note!("{}", written.text(manner));
         }
     }
     Ok(Outcome::Judged(

@@ -4,21 +4,20 @@ use crate::cli::Cli;
 use crate::manner::Manner;
 use crate::note::note;
 use crate::outcome::Outcome;
-use crate::say::say;
+use crate::say::{say, say_json};
 use crate::wrong::{CommandError, of_command};
 use anyhow::Result;
 use clap::{Command, CommandFactory as _};
 use clap_mangen::Man;
 use dolmen_folder::Outputs;
 use dolmen_project::json_schema;
-use dolmen_report::explain::{EXPLANATIONS, explain as look_up, nearest_code};
+use dolmen_report::explain::{EXPLANATIONS, explain as look_up, explanation_in, nearest_code};
 use dolmen_report::files::NamedFile;
 use dolmen_report::sentences::sentences_csv;
 use dolmen_words::Language;
 use dolmen_words::message::Both;
 use dolmen_work::{complaint, did_not_converge, told_by};
 use serde_json::json;
-use std::io::Write as _;
 use std::path::Path;
 
 /// Exit status of a computation that did not converge or come to its end; bad input is [`BAD_INPUT`].
@@ -50,7 +49,7 @@ pub(crate) fn exit_status(fault: &anyhow::Error) -> u8 {
     }
 }
 
-pub(crate) fn explain(code: Option<&str>, as_json: bool) -> Result<Outcome> {
+pub(crate) fn explain(code: Option<&str>, manner: &Manner) -> Result<Outcome> {
     let chosen: Vec<_> = match code {
         None => EXPLANATIONS.iter().collect(),
         Some(code) => match look_up(code) {
@@ -62,20 +61,20 @@ pub(crate) fn explain(code: Option<&str>, as_json: bool) -> Result<Outcome> {
             }
         },
     };
-    if as_json {
+    if manner.json {
         let list: Vec<_> = chosen
             .iter()
             .map(|e| json!({ "code": e.code, "title": e.title, "text": e.text }))
             .collect();
-        println!("{:#}", json!(list));
-    } else if code.is_none() {
-        for e in chosen {
-            println!("{:20} {}", e.code, e.title);
-        }
+        say_json(&json!(list))?;
     } else {
-        for e in chosen {
-            println!("{}: {}\n\n{}", e.code, e.title, e.text);
-        }
+        let language = manner.language();
+        let told = chosen.iter().filter_map(|e| explanation_in(e.code, language));
+        let lines = told.map(|e| match code {
+            None => format!("{:20} {}\n", e.code, e.title),
+            Some(_) => format!("{}: {}\n\n{}\n", e.code, e.title, e.text),
+        });
+        say(&lines.collect::<String>())?;
     }
     Ok(Outcome::Done)
 }
@@ -83,7 +82,7 @@ pub(crate) fn explain(code: Option<&str>, as_json: bool) -> Result<Outcome> {
 pub(crate) fn completions(shell: clap_complete::Shell) -> Result<Outcome> {
     let mut script = Vec::new();
     clap_complete::generate(shell, &mut Cli::command(), "dolmen", &mut script);
-    std::io::stdout().write_all(&script)?;
+    say(&String::from_utf8_lossy(&script))?;
     Ok(Outcome::Done)
 }
 
@@ -102,7 +101,11 @@ pub(crate) fn words(file: Option<&Path>, manner: &Manner) -> Result<Outcome> {
 
 pub(crate) fn man(directory: Option<&Path>, manner: &Manner) -> Result<Outcome> {
     match directory {
-        None => Man::new(Cli::command()).render(&mut std::io::stdout())?,
+        None => {
+            let mut page = Vec::new();
+            Man::new(Cli::command()).render(&mut page)?;
+            say(&String::from_utf8_lossy(&page))?;
+        }
         Some(directory) => {
             let mut pages = Vec::new();
             let mut command = Cli::command().disable_help_subcommand(true);

@@ -27,6 +27,11 @@ impl Typed {
         )
     }
 
+    /// Whether a flag of the verb was typed.
+    pub(crate) fn has(&self, flag: &str) -> bool {
+        self.0.iter().any(|typed| typed == flag)
+    }
+
     /// Refuses the first flag typed that none of the projects uses.
     pub(crate) fn refuse_foreign(&self, verb: FlagVerb, projects: &[&Project]) -> Result<()> {
         let kinds: Vec<Kind> = projects.iter().map(|of| Kind::of(&of.structure)).collect();

@@ -47,14 +47,14 @@ fn case_json(case: &Case) -> serde_json::Value {
 /// Checks of this installation, a line each; the first that fails ends it with an error.
 pub(crate) fn doctor() -> Result<Outcome> {
     let started = Instant::now();
-    println!(
-        "dolmen {} on {} {}",
+    say(&format!(
+        "dolmen {} on {} {}\n",
         env!("CARGO_PKG_VERSION"),
         std::env::consts::OS,
         std::env::consts::ARCH
-    );
+    ))?;
     let threads = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
-    println!("processors    {threads}");
+    say(&format!("processors    {threads}\n"))?;
 
     let cases = all_cases()?;
     let wrong: Vec<&Case> = cases.iter().filter(|case| !case.agrees()).collect();
@@ -66,13 +66,19 @@ pub(crate) fn doctor() -> Result<Outcome> {
         }
         .into());
     }
-    println!("numbers       {} published numbers reproduced", cases.len());
+    say(&format!(
+        "numbers       {} published numbers reproduced\n",
+        cases.len()
+    ))?;
 
     for example in examples::DEMO {
         let text = examples::example_text(example, "project.toml")?;
         parse_project(text, example)?;
     }
-    println!("examples      {} carried, all readable", examples::DEMO.len());
+    say(&format!(
+        "examples      {} carried, all readable\n",
+        examples::DEMO.len()
+    ))?;
 
     let folder = std::env::temp_dir().join(format!("dolmen-doctor-{}", std::process::id()));
     dolmen_folder::write(&folder.join("text"), "당간".as_bytes())?;
@@ -87,23 +93,28 @@ pub(crate) fn doctor() -> Result<Outcome> {
         }
         .into());
     }
-    println!(
-        "files         written and read back in {}",
+    say(&format!(
+        "files         written and read back in {}\n",
         std::env::temp_dir().display()
-    );
+    ))?;
 
     let locale = ["LC_ALL", "LC_CTYPE", "LANG"]
         .iter()
         .find_map(|name| std::env::var(name).ok());
     match locale {
         Some(locale) if locale.to_ascii_uppercase().replace('-', "").contains("UTF8") => {
-            println!("terminal      {locale}");
+            say(&format!("terminal      {locale}\n"))?;
         }
         Some(locale) => {
-            println!("terminal      {locale}: not UTF-8, so 한글 and λ may be garbled (reports are not)")
+            say(&format!(
+                "terminal      {locale}: not UTF-8, so 한글 and λ may be garbled (reports are not)\n"
+            ))?;
         }
-        None => println!("terminal      no locale set: if 한글 and λ are garbled here, set LANG=C.UTF-8"),
+        None => say("terminal      no locale set: if 한글 and λ are garbled here, set LANG=C.UTF-8\n")?,
     }
-    println!("all is well   ({:.0} ms)", 1e3 * started.elapsed().as_secs_f64());
+    say(&format!(
+        "all is well   ({:.0} ms)\n",
+        1e3 * started.elapsed().as_secs_f64()
+    ))?;
     Ok(Outcome::Done)
 }

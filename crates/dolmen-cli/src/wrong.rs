@@ -73,6 +73,10 @@ pub(crate) enum CommandError {
         why: std::io::Error,
     },
     NoMotionToChange,
+    NoEffect {
+        flag: &'static str,
+        is_for: Both,
+    },
     TooManyOfOneSecond {
         survey: String,
         most: usize,
@@ -190,8 +194,12 @@ sentences! {
             ko: "이 dolmen에는 PDF 기능이 없다. `--features pdf`로 빌드하거나 웹 페이지(.html)로 써서 브라우저에서 인쇄한다",
         },
         NoMotionToChange => {
-            en: "--scale, --peak and the like change a motion, but none is given: add --motion or --motion-file",
-            ko: "--scale, --peak 등은 지반운동을 바꾸는데 지반운동이 없다. --motion이나 --motion-file을 준다",
+            en: "--unit, --scale, --peak and the like say how a motion is read and changed, but none is given: add --motion or --motion-file",
+            ko: "--unit, --scale, --peak 등은 지반운동을 읽고 바꾸는 방법인데 지반운동이 없다. --motion이나 --motion-file을 준다",
+        },
+        NoEffect { flag, is_for } => {
+            en: "--{flag} would have no effect: it {is_for}. Leave it out, or add what it is for",
+            ko: "--{flag}이(가) 쓰이지 않는다. {is_for}. 빼거나 필요한 것을 함께 준다",
         },
         NothingReported { projects } => {
             en: "no report is written: none of the {projects} projects can be reported on",
@@ -206,6 +214,7 @@ sentences! {
 
 messages! {
     /// Notes beside an answer, on standard error.
+    #[cfg_attr(not(feature = "pdf"), allow(dead_code, reason = "only a build with PDF says what it cannot print"))]
     pub(crate) enum Noted in "command.note" {
         Ranking { folder: String } => {
             en: "ranking, figure and page are in {folder}",
@@ -260,6 +269,39 @@ messages! {
             en: "this is a fault of Dolmen, not of the file: please report it with the file",
             ko: "파일이 아니라 Dolmen의 결함이다. 이 파일과 함께 알려 주기 바란다",
         },
+        Histories { folder: String } => {
+            en: "histories and figures are in {folder}",
+            ko: "시간이력과 그림을 {folder}에 썼다",
+        },
+        HistoriesAndFilm { folder: String } => {
+            en: "histories, figures, film and exports are in {folder}",
+            ko: "시간이력, 그림, 동영상(glTF), 내보낸 파일을 {folder}에 썼다",
+        },
+        DoesNotStand { why: String } => {
+            en: "DOES NOT STAND without any shaking, so that nothing was simulated: {why}",
+            ko: "지반운동이 없어도 서 있지 못하므로 해석하지 않았다: {why}",
+        },
+        LeftOutOfReport { count: usize, all: usize } => {
+            en: "{count} of {all} projects left out of the report",
+            ko: "프로젝트 {all}개 중 {count}개를 보고서에서 뺐다",
+        },
+        Boxes { count: usize, each: String } => {
+            en: "the PDF shows {count} characters as boxes, its fonts do not have them: {each}",
+            ko: "PDF의 글꼴에 없어 네모로 나오는 글자가 {count}개 있다: {each}",
+        },
+        ReportOnAll => { en: "The report on all of them:", ko: "모두를 담은 보고서:" },
+        CopyOfExample { file: String, example: String } => {
+            en: "{file} is a copy of the example {example}.",
+            ko: "{file}은(는) 예제 {example}의 사본이다.",
+        },
+        NextNumbers => {
+            en: "Next: put your own numbers in it (its README.md says what each means), then",
+            ko: "다음: 자신의 값을 넣고(각 값의 뜻은 README.md 참조) 실행한다.",
+        },
+        ForPulses => { en: "gives the period of a pulse (--make, but for noise)", ko: "--make로 만드는 펄스의 주기이다" },
+        ForNearFault => { en: "shapes a near-fault pulse (--make near-fault)", ko: "근단층 펄스(--make near-fault)의 형상이다" },
+        ForNoise => { en: "is for noise (--make noise)", ko: "잡음(--make noise)에 쓴다" },
+        ForSpectra => { en: "is the damping ratio of spectra (--spectrum or --match)", ko: "응답스펙트럼(--spectrum이나 --match)의 감쇠비이다" },
         StudyLeftOut { study: String, why: Both } => {
             en: "study \"{study}\" is left out of the report: {why}",
             ko: "study \"{study}\"을(를) 보고서에서 뺐다: {why}",

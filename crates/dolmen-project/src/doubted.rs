@@ -86,6 +86,10 @@ messages! {
             en: "{path} is a tilt of {degrees}°: is it in degrees? A bare number is horizontal / vertical: \"1/177\", \"0.32 deg\", \"5.65 mm/m\"",
             ko: "{path}의 기울기가 {degrees}°이다. 도(°) 단위가 아닌가? 단위 없는 수는 수평/수직 비이다: \"1/177\", \"0.32 deg\", \"5.65 mm/m\"",
         },
+        LargeTiltWritten { path: String, written: String, degrees: Quantity } => {
+            en: "{path} = \"{written}\" is a tilt of {degrees}°, more than towers at their end lean (5.7°): check the number and its unit",
+            ko: "{path} = \"{written}\"은(는) 기울기 {degrees}°로, 무너지기 직전의 탑(5.7°)보다 크다. 수와 단위를 확인한다",
+        },
         SensorFar { path: String, away: Quantity } => {
             en: "{path}: the position of the sensor is {away} from the others: is it in mm, or one digit too long? Positions are in m",
             ko: "{path}: 센서 위치(position)가 다른 센서에서 {away} 떨어져 있다. mm 단위이거나 자릿수가 틀린 것이 아닌가? 위치는 m 단위이다",

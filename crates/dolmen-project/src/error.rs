@@ -1,5 +1,6 @@
 //! What is wrong with a project file: every problem found, each with its place.
 
+use super::written_at::written_at;
 use super::wrong::Framed;
 use dolmen_words::message::{Argument, Both, Run};
 use dolmen_words::{Language, nearest};
@@ -220,7 +221,10 @@ impl Fault {
     }
 
     /// Finds its line and column.
-    pub(super) fn locate(self, text: &str) -> Problem {
+    pub(super) fn locate(mut self, text: &str) -> Problem {
+        if self.span == (0..0) && !self.path.is_empty() {
+            self.span = written_at(text, &self.path).unwrap_or(0..0);
+        }
         let start = floor_char_boundary(text, self.span.start);
         let end = floor_char_boundary(text, self.span.end.max(start));
         let line_start = text[..start].rfind('\n').map_or(0, |at| at + 1);

@@ -48,6 +48,7 @@ mod usual_numbers;
 mod warned;
 mod way;
 mod written;
+mod written_at;
 mod wrong;
 
 pub use building::{

@@ -10,6 +10,7 @@ use super::quantity::{Evidence, Quantity};
 use super::units::{Dimension, Unit, UnitError, is_angle, parse_unit, split_number, tilt_ratio};
 use super::warned::Warned;
 use super::written::{short, with_unit};
+use super::written_at::written_at;
 use super::wrong::{Common, WrongNumber, WrongUnit};
 use dolmen_records::Files;
 use dolmen_words::Sentence;
@@ -199,6 +200,9 @@ impl<'f> Reader<'f> {
             all.push((path.span.clone(), warning));
         }
         for (span, warning) in &mut all {
+            if *span == (0..0) {
+                *span = written_at(text, &warning.path).unwrap_or(0..0);
+            }
             warning.line = Fault::new(span.clone(), "", "").locate(text).line;
         }
         all.sort_by_key(|(span, _)| span.start);

@@ -2,7 +2,7 @@
 
 use super::error::Fault;
 use super::schema::SCHEMA_VERSION;
-use super::wrong::{WrongToml, of_parser};
+use super::wrong::{WrongNumber, WrongToml, of_parser};
 use toml::de::DeTable;
 
 /// A fault of TOML itself.
@@ -36,10 +36,8 @@ pub(super) fn of_toml(error: &toml::de::Error, text: &str) -> Fault {
     let whole = format!("{before}{line}");
     if whole.contains(['“', '”', '‘', '’', '„', '「', '」']) {
         fault = fault.help(WrongToml::CurlyQuotesAreNo);
-    } else if let Some(written) = decimal_comma(&whole) {
-        fault = fault.help(WrongToml::DecimalCommaWrite {
-            number: written.replace(',', "."),
-        });
+    } else if let Some(number) = number_with_comma(&whole, before.len()) {
+        fault = of_comma(number, span.start - before.len());
     }
     if first.contains("duplicate key") {
         let line = text.get(span).unwrap_or_default();
@@ -50,16 +48,50 @@ pub(super) fn of_toml(error: &toml::de::Error, text: &str) -> Fault {
     fault
 }
 
-/// A number with a decimal comma behind an equals sign: "2,5".
-fn decimal_comma(line: &str) -> Option<&str> {
-    let (_, value) = line.split_once('=')?;
-    let value = value.trim();
-    let is_part = |c: char| c.is_ascii_digit() || c == ',' || c == '-';
-    let end = value.find(|c: char| !is_part(c)).unwrap_or(value.len());
-    let number = &value[..end];
-    let (whole, part) = number.split_once(',')?;
-    let digits = |text: &str| !text.is_empty() && text.chars().all(|c| c.is_ascii_digit());
-    (digits(whole.trim_start_matches('-')) && digits(part)).then_some(number)
+/// A number with a comma: the bytes of its line before it, and it.
+struct WithComma<'a> {
+    at: usize,
+    written: &'a str,
+}
+
+/// A bare number with a comma behind an equals sign, "0,95" or "1,200.5": the last one that begins before what the reader stumbled on.
+fn number_with_comma(line: &str, stumbled_at: usize) -> Option<WithComma<'_>> {
+    let signs = line.match_indices('=').map(|(at, _)| at + 1);
+    let mut numbers = signs.filter_map(|behind| {
+        let at = behind + line[behind..].find(|c: char| !c.is_whitespace())?;
+        let value = &line[at..];
+        let is_part = |c: char| c.is_ascii_digit() || matches!(c, ',' | '.' | '-' | '+');
+        let end = value.find(|c: char| !is_part(c)).unwrap_or(value.len());
+        let written = value[..end].trim_end_matches(',');
+        let mut groups = written.trim_start_matches(['-', '+']).split([',', '.']);
+        let is_number = groups.all(|group| !group.is_empty() && group.bytes().all(|b| b.is_ascii_digit()));
+        (is_number && written.contains(',')).then_some(WithComma { at, written })
+    });
+    numbers.rfind(|number| number.at <= stumbled_at)
+}
+
+/// What is wrong with such a number, and how it is written: a comma before three digits may be a decimal sign or part of thousands.
+fn of_comma(number: WithComma<'_>, line_at: usize) -> Fault {
+    let WithComma { at, written } = number;
+    let span = line_at + at..line_at + at + written.len();
+    let number = written.to_owned();
+    let fault =
+        Fault::new(span, "", WrongToml::NumberHoldsComma { number }).allowed(WrongNumber::UnclearNumber);
+    let (point, none) = (written.replace(',', "."), written.replace(',', ""));
+    let commas = written.matches(',').count();
+    let is_thousands = written.split(',').skip(1).all(|group| {
+        let whole = group.split('.').next().unwrap_or_default();
+        whole.len() == 3
+    });
+    let is_decimal = commas == 1 && !written.contains('.');
+    fault.help(match (is_decimal, is_thousands) {
+        (true, true) => WrongToml::CommaOfThousandsOrDecimals {
+            thousands: none,
+            decimal: point,
+        },
+        (true, false) => WrongToml::DecimalCommaWrite { number: point },
+        (false, _) => WrongToml::ThousandsWrite { number: none },
+    })
 }
 
 /// The version is looked at first: a newer file may differ in everything else.

@@ -14,6 +14,7 @@ mod score_form;
 mod seismic;
 mod sheet;
 mod start;
+mod text_code;
 mod unit;
 mod wrong;
 

@@ -1,7 +1,9 @@
 //! Readings of slow sensors over time: files of a Campbell logger (TOA5) and tables of text, a time and values a row.
 
 use crate::number::parse_number;
+use crate::records::{date_time, has_half_day};
 use crate::start::start_of_text;
+use crate::text_code::decoded;
 use dolmen_words::sentences;
 
 /// Lines of a TOA5 file before its readings: the station, names, units, how each was made.
@@ -64,8 +66,8 @@ pub enum LogError {
 sentences! {
     LogError in "records.log" {
         NotText => {
-            en: "the log is no text in UTF-8: save it as TOA5 or CSV",
-            ko: "기록 파일이 UTF-8 텍스트가 아니다. TOA5나 CSV로 저장한다",
+            en: "the log is no text in UTF-8 or CP949: save it as TOA5 or CSV",
+            ko: "기록 파일이 UTF-8이나 CP949 텍스트가 아니다. TOA5나 CSV로 저장한다",
         },
         NoRows => {
             en: "the log holds no readings: a row begins with its time (\"2026-11-25 10:00\") and has values behind it",
@@ -104,7 +106,8 @@ sentences! {
 /// # Ok::<(), dolmen_records::LogError>(())
 /// ```
 pub fn read_log(bytes: &[u8], column: Option<&str>) -> Result<Log, LogError> {
-    let text = std::str::from_utf8(bytes).map_err(|_| LogError::NotText)?;
+    let turned = decoded(bytes);
+    let text = std::str::from_utf8(&turned.bytes).map_err(|_| LogError::NotText)?;
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let lines: Vec<&str> = text.lines().collect();
     let is_toa5 = lines
@@ -226,8 +229,12 @@ fn cells(row: &str, sign: char) -> Vec<String> {
     all.iter().map(|cell| cell.trim().to_owned()).collect()
 }
 
-/// "2026-11-25 10:00:00", "2026/11/25T10:00", "2026-11-25": year, month, day first; s from 1970.
+/// "2026-11-25 10:00:00", "2026/11/25T10:00", "2026-11-25", "2026-11-25 오후 10:00": year, month, day first; s from 1970.
 fn time(cell: &str) -> Option<f64> {
+    if has_half_day(cell) {
+        let is_dated = cell.chars().take(4).all(|sign| sign.is_ascii_digit());
+        return date_time(cell).filter(|_| is_dated).map(|at| at.seconds);
+    }
     let (whole, part) = match cell.split_once('.') {
         Some((whole, part)) if whole.len() > "2026-11-25".len() => (whole, part),
         _ => (cell, ""),
@@ -331,6 +338,15 @@ mod tests {
         let days = "\u{feff}2026-11-25,3.5\n2026-11-26,4.5\n";
         let log = read_log(days.as_bytes(), None).unwrap();
         assert_eq!(log.times_s, [TEN_S - 36_000.0, TEN_S + 50_400.0]);
+    }
+
+    #[test]
+    fn exact_a_log_in_cp949_with_halves_of_the_day() {
+        // "시각,기온\n2026-11-25 오전 10:00,3.5\n2026-11-25 오후 12:00,4.5\n".encode("cp949") of Python 3.11
+        let bytes = b"\xbd\xc3\xb0\xa2,\xb1\xe2\xbf\xc2\n2026-11-25 \xbf\xc0\xc0\xfc 10:00,3.5\n2026-11-25 \xbf\xc0\xc8\xc4 12:00,4.5\n";
+        let log = read_log(bytes, Some("기온")).unwrap();
+        assert_eq!(log.times_s, [TEN_S, TEN_S + 7200.0]);
+        assert_eq!(log.values, [3.5, 4.5]);
     }
 
     #[test]

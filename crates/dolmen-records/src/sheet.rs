@@ -1,5 +1,6 @@
 //! Tables of stones and storeys as people keep them: XLSX, ODS and CSV to rows of cells that know their place.
 
+use crate::text_code::decoded;
 use calamine::{Data, Dimensions, Ods, Range, Reader, Xlsx};
 use std::io::{Cursor, Read as _};
 
@@ -218,9 +219,12 @@ fn cells(range: &Range<Data>) -> Result<Vec<Vec<SheetCell>>, SheetError> {
 
 /// CSV with commas, semicolons or tabs, by its first line.
 fn of_text(bytes: &[u8]) -> Result<Vec<Vec<SheetCell>>, SheetError> {
-    let text = std::str::from_utf8(bytes).map_err(|fault| {
+    let turned = decoded(bytes);
+    let text = std::str::from_utf8(&turned.bytes).map_err(|fault| {
         let at = fault.valid_up_to();
-        unreadable(format!("it is not UTF-8 text (byte {at}): save it as CSV UTF-8"))
+        unreadable(format!(
+            "it is not UTF-8 or CP949 text (byte {at}): save it as CSV UTF-8"
+        ))
     })?;
     let text = text.trim_start_matches('\u{feff}');
     let first = text.lines().next().unwrap_or_default();
@@ -282,7 +286,7 @@ mod tests {
         assert!(told(b"a,b\n", "a.csv", None).contains("no rows"));
         assert!(told(b"a,b\n1,=A1\n", "a.csv", None).contains("cell B2 holds a formula"));
         assert!(told(b"a\n1\n", "a.csv", Some("x")).contains("has no sheets"));
-        assert!(told(&[0xb0, 0xa1], "a.csv", None).contains("not UTF-8"));
+        assert!(told(&[0xb0, 0xff], "a.csv", None).contains("not UTF-8"));
         assert!(told(b"PK\x03\x04", "a.xlsx", None).contains("cannot be read"));
     }
 

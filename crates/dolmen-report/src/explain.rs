@@ -1,15 +1,8 @@
 //! What the codes in messages and reports mean: the long answer behind a short note.
 
-/// One code with its explanation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Explanation {
-    /// The code, as printed in brackets: "unsafe-criterion".
-    pub code: &'static str,
-    /// One line.
-    pub title: &'static str,
-    /// A few plain paragraphs: what it means, why, what to do.
-    pub text: &'static str,
-}
+use crate::explain_korean::EXPLANATIONS_KOREAN;
+pub use crate::explanation::Explanation;
+use dolmen_words::Language;
 
 /// Every code, in alphabetical order.
 pub const EXPLANATIONS: &[Explanation] = &[
@@ -52,6 +45,16 @@ unconservative. Add the cap as a link, or to the weight and centroid of the top 
 A dead channel (constant, or noise far below the others) adds a false row to every shape. A clipped one makes
 harmonics. A copied one makes the shapes look surer than they are. Mend the cable and repeat, or leave the channel out
 with `leave_out = true` on it in the project file.",
+    },
+    Explanation {
+        code: "damage-states",
+        title: "DS1, DS2 and DS3: how far a structure was damaged",
+        text: "\
+Of a stack: DS1, a joint opens by 0.1 mm or slips by 0.5 mm. DS2, an offset of 0.5 % of the joint's width, or 10 mm, is left.
+DS3, 2 % is left, a joint rocks to 0.35 of its slenderness angle, or a stone lies on the brink. Falls: a stone came down. Of a
+frame: DS1, a storey slips; falls, a storey leaned by more than 10 %. Of a chain: DS1, a joint opens or turns against its
+friction; falls, a link leaned by 60°. Of a building: the first, second and third limit of its storey drift. DS3 and worse is
+red, with exit status 1.",
     },
     Explanation {
         code: "damping-floor",
@@ -208,6 +211,15 @@ falls gives the probability, with its Clopper–Pearson interval. It is the prob
 it knows nothing of decay, of vandals, of a wrong drawing. The same seed gives the same bits.",
     },
     Explanation {
+        code: "sensor-slip",
+        title: "What the sensors say against each other",
+        text: "\
+Two sensors at one place in one direction must move alike; sensors on one rigid floor must move as it does. Where changing the
+sign of one, or exchanging two, explains the lowest modes much better, that is probably what happened: correct direction,
+position or column. A channel that moves by less than 0.3 % of the largest in every mode stands on the ground, is not connected,
+or is in another unit: give its channel a scale (980.665 takes g to gal).",
+    },
+    Explanation {
         code: "setups",
         title: "Several setups of one survey, put together",
         text: "\
@@ -269,7 +281,19 @@ definite. Dolmen prints the published values because reports quote them, and the
 
 /// The explanation of `code`, if there is one.
 pub fn explain(code: &str) -> Option<&'static Explanation> {
+    let code = match code.to_ascii_uppercase().as_str() {
+        "DS0" | "DS1" | "DS2" | "DS3" => "damage-states",
+        _ => code,
+    };
     EXPLANATIONS.iter().find(|e| e.code == code)
+}
+
+/// The explanation of a code in a language.
+pub fn explanation_in(code: &'static str, language: Language) -> Option<&'static Explanation> {
+    match language {
+        Language::English => explain(code),
+        Language::Korean => EXPLANATIONS_KOREAN.iter().find(|e| e.code == code),
+    }
 }
 
 /// The code most like `code`, to suggest when there is none of that name.
@@ -292,7 +316,32 @@ mod tests {
         assert!(EXPLANATIONS.is_sorted_by(|a, b| a.code < b.code));
         assert_eq!(explain("margin").map(|e| e.code), Some("margin"));
         assert_eq!(explain("marginn"), None);
+        assert_eq!(explain("DS2").map(|e| e.code), Some("damage-states"));
         assert_eq!(nearest_code("unsafe_criterion"), Some("unsafe-criterion"));
         assert_eq!(nearest_code("zzz"), None);
+    }
+
+    #[test]
+    fn holds_every_code_is_explained_in_korean_with_the_same_numbers() {
+        let codes = |all: &[Explanation]| all.iter().map(|e| e.code).collect::<Vec<_>>();
+        assert_eq!(codes(EXPLANATIONS), codes(EXPLANATIONS_KOREAN));
+        // numbers with decimals, which no translation changes
+        let numbers = |text: &str| {
+            let words = text.split(|c: char| !c.is_ascii_digit() && c != '.');
+            let mut all: Vec<String> = words
+                .map(|word| word.trim_matches('.').to_owned())
+                .filter(|word| word.contains('.'))
+                .collect();
+            all.sort();
+            all
+        };
+        for (english, korean) in EXPLANATIONS.iter().zip(EXPLANATIONS_KOREAN) {
+            assert_eq!(numbers(english.text), numbers(korean.text), "{}", english.code);
+            assert!(
+                korean.text.chars().any(|c| ('가'..='힣').contains(&c)),
+                "{}",
+                korean.code
+            );
+        }
     }
 }

@@ -13,6 +13,8 @@ mod document;
 pub mod docx;
 mod engineer;
 pub mod explain;
+mod explain_korean;
+mod explanation;
 pub mod figures;
 pub mod files;
 pub mod film;

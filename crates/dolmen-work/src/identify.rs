@@ -301,6 +301,7 @@ pub(crate) fn of_opened(
         sampling_rate_hz: opened.sampling_rate_hz,
         unit: opened.unit,
         remarks: opened.remarks,
+        unread_stamps: opened.unread_stamps,
         faults: opened.faults,
         doubts: doubt_sensors(&opened.record, &analysis.modes.modes),
         analysis,

@@ -10,6 +10,7 @@ use dolmen_records::records::{
     self, Delimiter, Pick, Reading, RecordOptions, Station, TimeColumn, Unit, join_stations, read_record,
 };
 use dolmen_records::{Files, RECORD_BYTES_MOST};
+use dolmen_words::message::Both;
 
 /// A record as it is to be used, and what it was when read.
 pub(crate) struct OpenedRecord {
@@ -20,7 +21,8 @@ pub(crate) struct OpenedRecord {
     pub(crate) unit: String,
     /// The first sample, s from 1 January 1970 in the clock of the file.
     pub(crate) begins_s: Option<f64>,
-    pub(crate) remarks: Vec<String>,
+    pub(crate) remarks: Vec<Both>,
+    pub(crate) unread_stamps: Vec<String>,
     pub(crate) faults: Vec<ChannelFault>,
 }
 
@@ -58,7 +60,7 @@ fn reading(bytes: &[u8], source: &RecordSource) -> Result<Reading, WorkError> {
 }
 
 fn opened(reading: Reading, source: &RecordSource) -> Result<OpenedRecord, WorkError> {
-    let remarks = reading.remarks();
+    let (remarks, unread_stamps) = (reading.remarks(), reading.unread_stamps());
     let begins_s = reading.begins_s;
     let record = reading.record;
     let left_out: usize = std::iter::once(source)
@@ -85,6 +87,7 @@ fn opened(reading: Reading, source: &RecordSource) -> Result<OpenedRecord, WorkE
         unit,
         begins_s,
         remarks,
+        unread_stamps,
         faults,
     })
 }

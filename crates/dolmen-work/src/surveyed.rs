@@ -8,6 +8,7 @@ use dolmen::modal::{JointSetups, MergedMode, MergedSetups, ModalAnalysis, Modes,
 use dolmen::signal::ChannelFault;
 use dolmen::structure::building::PlanStiffnessError;
 use dolmen::structure::{Convention, StiffnessSolutions};
+use dolmen_words::message::Both;
 
 /// Why no stiffness is sought.
 #[derive(Clone, Debug, PartialEq)]
@@ -219,7 +220,9 @@ pub struct RecordAnswer {
     /// Unit of the numbers; "" if not known.
     pub unit: String,
     /// What its files say beside the samples, sentences.
-    pub remarks: Vec<String>,
+    pub remarks: Vec<Both>,
+    /// Columns that look like times and cannot be read, so that nothing confirms the sampling rate given.
+    pub unread_stamps: Vec<String>,
     /// What looked wrong with channels.
     pub faults: Vec<ChannelFault>,
     /// What its sensors say against each other.

@@ -32,6 +32,7 @@ pub(super) enum ZoneRaw {
 
 /// Site class of Korea.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize, JsonSchema)]
+#[schemars(extend("x-must-be" = "\"S1\" (rock) to \"S5\" (deep and soft)"))]
 pub(super) enum SoilRaw {
     /// Rock.
     S1,

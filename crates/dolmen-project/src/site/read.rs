@@ -146,7 +146,15 @@ pub(crate) fn site(reader: &mut Reader, raw: Option<&At<SiteRaw>>) -> Option<Sit
         let key = key_of(&why, code);
         let path = format!("site.{key}");
         let span = span_of(&raw.value, key).unwrap_or_else(|| raw.span.clone());
-        reader.fault(Fault::new(span, &path, format!("{path}: {why}")));
+        let why = said(&why);
+        reader.fault(Fault::new(
+            span,
+            &path,
+            WrongSite::Demand {
+                key: path.clone(),
+                why,
+            },
+        ));
         return None;
     }
     Some(part)

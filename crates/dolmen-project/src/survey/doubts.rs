@@ -29,13 +29,19 @@ pub(crate) fn doubt_surveys(reader: &mut Reader, surveys: &[Survey]) {
             if tilt.ratio.abs() > TILT_MOST {
                 let path = format!("survey.{}.tilt.{direction}", survey.name);
                 let degrees = ratio(tilt.ratio.atan().to_degrees());
-                reader.doubt(
-                    &path,
-                    Doubted::LargeTilt {
+                let is_bare = tilt.written.parse::<f64>().is_ok();
+                let doubted = match is_bare {
+                    true => Doubted::LargeTilt {
                         path: path.clone(),
                         degrees,
                     },
-                );
+                    false => Doubted::LargeTiltWritten {
+                        path: path.clone(),
+                        written: tilt.written.clone(),
+                        degrees,
+                    },
+                };
+                reader.doubt(&path, doubted);
             }
         }
         modes(reader, survey, surveys);

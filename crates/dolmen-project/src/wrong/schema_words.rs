@@ -169,6 +169,10 @@ messages! {
             en: "\"x\", \"-x\", \"y\", \"-y\", \"z\", \"-z\" or three numbers",
             ko: "\"x\", \"-x\", \"y\", \"-y\", \"z\", \"-z\" 또는 세 수",
         },
+        KoreanSoil => {
+            en: "\"S1\" (rock) to \"S5\" (deep and soft)",
+            ko: "\"S1\"(암반)~\"S5\"(깊고 연약한 지반)",
+        },
         NumbersOrRange => {
             en: "a list of numbers, or {{ from = …, to = …, steps = … }}",
             ko: "수의 목록 또는 {{ from = …, to = …, steps = … }}",

@@ -57,6 +57,7 @@ messages! {
             ko: "삭제한다. 최대가속도가 둘 이상이면 기울기가 정해진다",
         },
         PeaksRiseAndSo => { en: "peaks rise, and so do their return periods", ko: "최대가속도와 재현주기는 함께 커져야 한다" },
+        Demand { key: String, why: Both } => { en: "{key}: {why}", ko: "{key}: {why}" },
         SiteHasNoBut { key: String, code: String } => {
             en: "site has no \"{key}\", but code = \"{code}\" needs it",
             ko: "code = \"{code}\"에 필요한 \"{key}\"이(가) site에 없다",

@@ -15,6 +15,18 @@ messages! {
             en: "curly quotes are no quotes of TOML: write plain ones, \"…\"",
             ko: "둥근 따옴표는 TOML의 따옴표가 아니다. 곧은 따옴표 \"…\"를 쓴다",
         },
+        NumberHoldsComma { number: String } => {
+            en: "the number {number} holds a comma",
+            ko: "수 {number}에 쉼표가 있다",
+        },
+        CommaOfThousandsOrDecimals { thousands: String, decimal: String } => {
+            en: "a number has no comma: write {thousands} if it separates thousands, {decimal} if it is a decimal sign",
+            ko: "수에는 쉼표를 쓰지 않는다. 천 단위 구분이면 {thousands}, 소수점이면 {decimal}(으)로 쓴다",
+        },
+        ThousandsWrite { number: String } => {
+            en: "a number has no thousands separator: write {number}",
+            ko: "수에는 천 단위 구분 기호를 쓰지 않는다. {number}(으)로 쓴다",
+        },
         DecimalCommaWrite { number: String } => {
             en: "a decimal comma? Write {number}",
             ko: "소수점으로 쉼표를 쓴 것인가? {number}(으)로 쓴다",

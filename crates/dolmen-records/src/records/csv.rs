@@ -3,6 +3,7 @@
 //! Two ways through a line: numbers are scanned where they stand, and whatever is not plain (quotes, blanks, more digits than
 //! a double holds) has its cell cut out and read by the standard library, which also gives the errors.
 
+use super::column_units::{NamedColumn, refuse_other_units};
 use super::csv_start::{Start, TimeName, time_name};
 use super::dates::{Dates, held_against};
 use super::dialect::{holds_cells, line_at, unquoted};
@@ -13,6 +14,7 @@ use super::{
 };
 use crate::number::{Number, parse_cell, scan};
 use crate::quoted::shown;
+use crate::text_code::decoded;
 use dolmen::signal::{Channel, Processing, Record, SignalError, fill_lost};
 use std::ops::Range;
 
@@ -36,7 +38,8 @@ const COUNT_TOLERANCE: f64 = 1e-3;
 /// # Limits
 /// Time stamps are numbers, not dates; where both the rate and the columns are told, the first and the last date of a column of dates are held
 /// against the rate, and those between are passed over. In a file without a line end after its last line, the last number may have been cut
-/// short: see [`CsvLayout::last_line_ended`].
+/// short: see [`CsvLayout::last_line_ended`]. Text is UTF-8, or CP949 (EUC-KR) where all of it is; of any other code, columns whose names are
+/// not ASCII are called by their number.
 ///
 /// # Example
 /// ```
@@ -50,6 +53,8 @@ pub fn read_csv(bytes: &[u8], options: &RecordOptions) -> Result<Reading, Record
         return Err(RecordError::Utf16);
     }
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes); // byte order mark of UTF-8
+    let text = decoded(bytes);
+    let bytes = &*text.bytes;
     let start = Start::find(bytes, options)?;
     let time = find_time(&start.columns, &options.time)?;
     // dates: everything that stamps could tell is told
@@ -134,6 +139,7 @@ pub fn read_csv(bytes: &[u8], options: &RecordOptions) -> Result<Reading, Record
             rate_source,
             unread_stamps,
             passed_over: start.passed_over,
+            is_cp949: text.is_cp949,
             names_unread: start.names_unread,
             time_unit_s: time
                 .map(|t| t.unit_s)
@@ -259,6 +265,18 @@ impl Plan {
         for channel in &mut channels {
             channel.quantity = options.unit.quantity();
         }
+        let named = |(column, wanted): (usize, &Use)| match wanted {
+            Use::Channel(channel) => Some(NamedColumn {
+                name: &start.columns[column],
+                is_scaled: options
+                    .picks
+                    .get(*channel)
+                    .is_some_and(|pick| pick.scale.is_some()),
+            }),
+            _ => None,
+        };
+        let read: Vec<NamedColumn<'_>> = uses.iter().enumerate().filter_map(named).collect();
+        refuse_other_units(&read, options.unit, options.scale.is_some())?;
         Ok(Plan { uses, channels, time })
     }
 }

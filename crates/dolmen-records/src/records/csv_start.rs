@@ -18,7 +18,7 @@ pub(super) struct Start {
     pub(super) columns: Vec<String>,
     /// First and last line of text above the names.
     pub(super) passed_over: Option<[usize; 2]>,
-    /// Whether names are not UTF-8.
+    /// Whether names are neither UTF-8 nor CP949.
     pub(super) names_unread: bool,
     /// Whether each line of samples ends with a delimiter that begins no cell.
     pub(super) trailing_delimiter: bool,
@@ -100,7 +100,7 @@ impl Start {
                 Ok(name) => shown(name.trim_matches(char::is_control)),
                 Err(_) => {
                     names_unread = true;
-                    of_euc_kr(unquoted(names[n - 1])).map_or_else(|| format!("ch{n}"), str::to_owned)
+                    format!("ch{n}")
                 }
             },
             _ => format!("ch{n}"),
@@ -158,12 +158,6 @@ fn above_names(lines: &[Line<'_>], delimiter: Delimiter, decimal: Decimal) -> us
         }
         _ => 0,
     }
-}
-
-/// Names of time columns as Korean programs save them, EUC-KR or CP949.
-fn of_euc_kr(name: &[u8]) -> Option<&'static str> {
-    let is = |text: &[u8]| name.starts_with(text);
-    (is(b"\xbd\xc3\xb0\xa3") || is(b"\xbd\xc3\xb0\xa2")).then_some("시간")
 }
 
 /// Delimiter and decimal sign under which the first lines make most sense; among equals, the first of `;`, tab, `,`, white

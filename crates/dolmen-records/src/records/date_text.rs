@@ -9,9 +9,9 @@ pub(super) const SERIAL_DAYS: std::ops::Range<f64> = 20_000.0..80_000.0;
 
 /// A time and what its last digit is worth, s.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct At {
-    pub(super) seconds: f64,
-    pub(super) resolution_s: f64,
+pub(crate) struct At {
+    pub(crate) seconds: f64,
+    pub(crate) resolution_s: f64,
 }
 
 /// Days since 30 December 1899, as tables keep dates.
@@ -25,22 +25,24 @@ pub(super) fn serial(text: &str) -> Option<At> {
     })
 }
 
-/// "2024-06-05 10:00:00.010", "2024-06-05T10:00:00Z", "05.06.2024 10:00:00", "6/5/2024 10:00:00 AM", "10:00:00,5".
-pub(super) fn date_time(text: &str) -> Option<At> {
-    let text = text.trim();
-    let (date, time) = match text.split_once(['T', ' ']) {
-        Some((date, time)) if !date.contains(':') => (Some(date.trim()), time.trim()),
-        _ => (None, text), // a time of the day, "06:30:00 PM" too
-    };
+/// Words for the halves of a day and their hours, as loggers and spreadsheets write them; the longer before those that they hold.
+const HALF_DAYS: [(&str, f64); 6] = [
+    ("오전", 0.0),
+    ("오후", 12.0),
+    ("a.m.", 0.0),
+    ("p.m.", 12.0),
+    ("am", 0.0),
+    ("pm", 12.0),
+];
+
+/// "2024-06-05 10:00:00.010", "2024-06-05T10:00:00Z", "05.06.2024 10:00:00", "6/5/2024 10:00:00 AM", "10:00:00,5",
+/// "2024-06-05 오전 10:00:00", "2024. 6. 5. PM 10:00", "2024년 6월 5일 오후 10:00".
+pub(crate) fn date_time(text: &str) -> Option<At> {
+    let (text, half_day_h) = without_half_day(text);
+    let (date, clock) = date_and_clock(&text)?;
     let day = match date {
-        Some(date) => time_of(calendar(date)?)?,
-        None => 0.0,
-    };
-    let lower = time.to_lowercase();
-    let (clock, half_day_h) = match (lower.strip_suffix("am"), lower.strip_suffix("pm")) {
-        (Some(clock), _) => (clock.trim(), Some(0.0)),
-        (_, Some(clock)) => (clock.trim(), Some(12.0)),
-        _ => (lower.as_str(), None),
+        "" => 0.0,
+        date => time_of(calendar(date)?)?,
     };
     // a zone shifts all alike
     let clock = clock.split(['z', '+', '-']).next()?.trim().replace(',', ".");
@@ -49,10 +51,7 @@ pub(super) fn date_time(text: &str) -> Option<At> {
         return None;
     };
     let second = parts.get(2).copied();
-    let mut hour: f64 = hour.parse().ok()?;
-    if let Some(half_day_h) = half_day_h {
-        hour = hour % 12.0 + half_day_h;
-    }
+    let hour = hour_of_day(hour.parse().ok()?, half_day_h)?;
     let minute: f64 = minute.parse().ok()?;
     let of_minute: f64 = second.map_or(Ok(0.0), str::parse).ok()?;
     let resolution_s = match second.map(|s| s.split_once('.').map_or(0, |(_, decimals)| decimals.len())) {
@@ -67,14 +66,59 @@ pub(super) fn date_time(text: &str) -> Option<At> {
     })
 }
 
+/// Whether a text says which half of the day it is of.
+pub(crate) fn has_half_day(text: &str) -> bool {
+    without_half_day(text).1.is_some()
+}
+
+/// A text in lower case without its word for the half of the day, and the hour at which that begins.
+fn without_half_day(text: &str) -> (String, Option<f64>) {
+    let lower = text.trim().to_lowercase();
+    let found = HALF_DAYS
+        .iter()
+        .find_map(|(word, begins_h)| Some((lower.find(word)?, word.len(), *begins_h)));
+    match found {
+        Some((at, length, begins_h)) => (
+            format!("{} {}", &lower[..at], &lower[at + length..])
+                .trim()
+                .to_owned(),
+            Some(begins_h),
+        ),
+        None => (lower, None),
+    }
+}
+
+/// What stands before the hour, and the time of the day from its hour on.
+fn date_and_clock(text: &str) -> Option<(&str, &str)> {
+    let colon = text.find(':')?;
+    let is_before = |c: char| !c.is_ascii_digit();
+    let hour = text[..colon]
+        .char_indices()
+        .rev()
+        .find(|(_, c)| is_before(*c))
+        .map_or(0, |(at, c)| at + c.len_utf8());
+    let (date, clock) = text.split_at(hour);
+    Some((date.trim_end_matches(['t', ' ']).trim(), clock))
+}
+
+/// The hour from midnight on of one from midnight or noon on: 12 is the first of each half; some write 13 to 23 in the afternoon.
+fn hour_of_day(hour: f64, half_day_h: Option<f64>) -> Option<f64> {
+    match half_day_h {
+        None => Some(hour),
+        Some(begins_h) if hour <= 12.0 => Some(hour % 12.0 + begins_h),
+        Some(begins_h) => (begins_h > 0.0).then_some(hour),
+    }
+}
+
 /// Whether a cell is a date, a time of the day, or both.
 pub(super) fn is_date(text: &str) -> bool {
     date_time(text).is_some() || calendar(text.trim()).and_then(time_of).is_some()
 }
 
-/// Year, month, day and midnight of "2024-06-05", "2024/6/5", "05.06.2024", "6/5/2024".
+/// Year, month, day and midnight of "2024-06-05", "2024/6/5", "2024. 6. 5.", "2024년 6월 5일", "05.06.2024", "6/5/2024".
 fn calendar(date: &str) -> Option<[f64; 6]> {
-    let parts: Vec<&str> = date.split(['-', '/', '.']).collect();
+    let date = date.trim().trim_end_matches(['.', '일']);
+    let parts: Vec<&str> = date.split(['-', '/', '.', '년', '월']).map(str::trim).collect();
     let [a, b, c] = parts[..] else { return None };
     let number = |text: &str| text.parse::<u32>().ok().map(f64::from);
     let (year, month, day) = match (a.len(), c.len()) {
@@ -101,6 +145,12 @@ mod tests {
             ("6/5/2024 10:00:00 AM", 1.0),
             ("2024/06/05 10:00", 60.0),
             ("2024-06-05 10:00:00,0", 0.1),
+            ("2024-06-05 오전 10:00:00.000", 1e-3),
+            ("2024-06-05 AM 10:00:00", 1.0),
+            ("2024-06-05 10:00:00.0 오전", 0.1),
+            ("2024. 6. 5. 오전 10:00", 60.0),
+            ("2024년 6월 5일 오전 10:00:00", 1.0),
+            ("6/5/2024 10:00:00 a.m.", 1.0),
         ] {
             let at = date_time(text).unwrap();
             assert_eq!(
@@ -111,6 +161,19 @@ mod tests {
         }
         assert_eq!(date_time("13/6/2024 10:00:00"), date_time("2024-06-13 10:00:00"));
         assert_eq!(date_time("06:30:00 PM").map(|at| at.seconds), Some(66_600.0));
+        for (text, hour) in [
+            ("오전 12:30:00", 0.5),
+            ("오후 12:30:00", 12.5),
+            ("PM 1:30:00", 13.5),
+            ("오후 13:30:00", 13.5),
+            ("11:30:00 p.m.", 23.5),
+        ] {
+            assert_eq!(
+                date_time(text).map(|at| at.seconds),
+                Some(3600.0 * hour),
+                "{text}"
+            );
+        }
         assert_eq!(serial("45448.5").map(|at| at.seconds), Some(45448.5 * DAY_S));
         for text in [
             "noon",
@@ -118,6 +181,9 @@ mod tests {
             "2024-13-05 10:00:00",
             "1.25",
             "25:00:00",
+            "오전 13:00:00",
+            "오후 25:00:00",
+            "am 3: 5",
             "sensor 3",
         ] {
             assert_eq!(date_time(text), None, "{text}");

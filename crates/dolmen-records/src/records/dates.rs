@@ -47,9 +47,11 @@ pub(super) fn held_against(
     for column in (0..start.columns.len()).filter(|c| free[*c]) {
         let name = &start.columns[column];
         let lower = name.to_lowercase();
-        let named = ["date", "time", "zeit", "datum", "stamp", "날짜", "시각", "시간"]
-            .iter()
-            .any(|word| lower.contains(word));
+        let named = [
+            "date", "time", "zeit", "datum", "stamp", "clock", "날짜", "시각", "시간", "일시",
+        ]
+        .iter()
+        .any(|word| lower.contains(word));
         let at = |cells: &[String]| -> Option<At> {
             let text = cells.get(column)?;
             match (start.numeric[column], named) {

@@ -243,6 +243,30 @@ pub enum RecordError {
         /// Channels of the file.
         columns: usize,
     },
+    /// The name of a column says another unit than the one given.
+    ColumnUnitDisagrees {
+        /// The column.
+        column: String,
+        /// The unit in its name.
+        found: &'static str,
+        /// The unit given.
+        given: &'static str,
+        /// What takes numbers of the one to the other; `None` where they measure different things.
+        scale: Option<f64>,
+    },
+    /// The names of two columns say different units.
+    ColumnUnitsDiffer {
+        /// The column.
+        column: String,
+        /// The unit in its name.
+        found: &'static str,
+        /// A column before it.
+        other: String,
+        /// The unit in the name of that.
+        unit: &'static str,
+        /// What takes numbers of the column to the unit of the other; `None` where they measure different things.
+        scale: Option<f64>,
+    },
     /// A binary file ends before its header says.
     CutShort {
         /// Its format.

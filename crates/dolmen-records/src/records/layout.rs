@@ -34,7 +34,9 @@ pub struct CsvLayout {
     pub unread_stamps: Option<String>,
     /// First and last line of text above the names of the columns that was passed over.
     pub passed_over: Option<[usize; 2]>,
-    /// Whether the names of some columns are not UTF-8, so that they are called by their number.
+    /// Whether the text is in CP949 (EUC-KR), as Korean programs save it, and was read as that.
+    pub is_cp949: bool,
+    /// Whether the names of some columns are neither UTF-8 nor CP949, so that they are called by their number.
     pub names_unread: bool,
     /// Seconds in one unit of the stamps, where the column does not say it and it was found out from their steps.
     pub time_unit_s: Option<f64>,

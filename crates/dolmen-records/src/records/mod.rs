@@ -1,6 +1,7 @@
 //! Vibration records: bytes of files to [`Record`](dolmen::signal::Record)s.
 
 mod assembled;
+mod column_units;
 mod csv;
 mod csv_start;
 mod cursor;
@@ -40,6 +41,7 @@ pub use crate::number::parse_number;
 pub use crate::seismic::SeismicError;
 pub use crate::unit::Unit;
 pub use csv::read_csv;
+pub(crate) use date_text::{date_time, has_half_day};
 pub use dialect::{Decimal, Delimiter};
 pub use error::RecordError;
 pub use format::RecordFormat;

@@ -1,9 +1,11 @@
 //! A record as read, and what its file says beside the samples.
 
-use super::Layout;
+use super::column_units::unit_in_name;
+use super::{CsvLayout, FileUnit, Layout};
 use crate::start::time_text;
-use crate::unit::Unit;
+use crate::wrong::Remark;
 use dolmen::signal::{Quantity, Record};
+use dolmen_words::message::Both;
 
 /// A record, with what was found out about its file.
 #[derive(Clone, Debug, PartialEq)]
@@ -17,31 +19,27 @@ pub struct Reading {
 }
 
 impl Reading {
-    /// What the file says beside its samples, in sentences: when it begins, and what was passed over.
-    pub fn remarks(&self) -> Vec<String> {
-        let mut remarks: Vec<String> = Vec::new();
+    /// What the file says beside its samples, in sentences: when it begins, and what was passed over. What other programs wrote into files of
+    /// channels is the same in both languages.
+    pub fn remarks(&self) -> Vec<Both> {
+        let mut remarks: Vec<Both> = Vec::new();
         if let Some(at) = self.begins_s {
             // small numbers are seconds of a clock of the project's own, not dates
             const YEAR_S: f64 = 3.2e7;
-            remarks.push(if at.abs() < YEAR_S {
-                format!("begins at {at:.3} s of the clock given")
-            } else {
-                match zones(&self.layout) {
-                    [true, false] => format!("begins {} UTC", time_text(at)),
-                    [true, true] => format!(
-                        "begins {}: some of its files say times in UTC, others without a time zone, and they are taken for one clock: if theirs is \
-                         another, the files do not belong together as they are joined",
-                        time_text(at)
-                    ),
-                    _ => format!("begins {} by its clock (time zone not said)", time_text(at)),
-                }
-            });
+            let time = time_text(at);
+            let begins = match zones(&self.layout) {
+                _ if at.abs() < YEAR_S => Remark::BeginsOfClock {
+                    seconds: format!("{at:.3}"),
+                },
+                [true, false] => Remark::BeginsUtc { time },
+                [true, true] => Remark::BeginsOfTwoZones { time },
+                _ => Remark::Begins { time },
+            };
+            remarks.push(begins.into());
         }
         if let Layout::Stations(stations) = &self.layout {
-            remarks.push(format!(
-                "{} files joined, their clocks taken as right: a clock that is late or drifts turns shapes across files, and their signs",
-                stations.len()
-            ));
+            let files = stations.len();
+            remarks.push(Remark::Joined { files }.into());
         }
         let unit_unknown = !self
             .record
@@ -50,6 +48,20 @@ impl Reading {
             .any(|channel| channel.quantity != Quantity::Unknown);
         noted(&self.layout, unit_unknown, &mut remarks);
         remarks
+    }
+
+    /// Columns that look like times and cannot be read as such, so that nothing in their files confirms the sampling rate that was given.
+    pub fn unread_stamps(&self) -> Vec<String> {
+        let mut found = Vec::new();
+        let mut left = vec![&self.layout];
+        while let Some(layout) = left.pop() {
+            match layout {
+                Layout::Csv(csv) => found.extend(csv.unread_stamps.clone()),
+                Layout::Stations(layouts) => left.extend(layouts),
+                Layout::Npy(_) | Layout::Channels(_) => {}
+            }
+        }
+        found
     }
 }
 
@@ -68,57 +80,45 @@ fn zones(layout: &Layout) -> [bool; 2] {
     }
 }
 
-/// The unit in brackets behind the name of a column: "ax [mg]", "x (m/s2)".
-fn named_unit(name: &str) -> Option<String> {
-    let inside = name.trim_end().strip_suffix([']', ')'])?;
-    let (_, unit) = inside.rsplit_once(['[', '('])?;
-    let unit = unit.trim();
-    let motion = Unit::parse(unit).is_ok_and(|known| known.quantity() != Quantity::Unknown);
-    motion.then(|| unit.to_owned())
-}
-
-fn noted(layout: &Layout, unit_unknown: bool, remarks: &mut Vec<String>) {
+fn noted(layout: &Layout, unit_unknown: bool, remarks: &mut Vec<Both>) {
     match layout {
-        Layout::Channels(channels) => remarks.extend(channels.notes.iter().cloned()),
+        Layout::Channels(channels) => {
+            remarks.extend(channels.notes.iter().map(|note| Both::from(note.as_str())))
+        }
         Layout::Stations(layouts) => layouts
             .iter()
             .for_each(|layout| noted(layout, unit_unknown, remarks)),
-        Layout::Csv(csv) => {
-            if csv.names_unread {
-                remarks.push(
-                    "names of columns are not UTF-8 (EUC-KR or CP949?): those columns are called ch1, ch2, … by their number; save the file as UTF-8 \
-                     to have their names"
-                        .to_owned(),
-                );
-            }
-            if let Some([first, last]) = csv.passed_over {
-                remarks.push(format!(
-                    "lines {first} to {last} stand above the names of the columns and are passed over"
-                ));
-            }
-            if let (Some(name), true) = (
-                csv.columns.iter().find(|name| named_unit(name).is_some()),
-                unit_unknown,
-            ) {
-                let unit = named_unit(name).unwrap_or_default();
-                remarks.push(format!(
-                    "column \"{name}\" says {unit}, and no unit is given: numbers are kept as they are; unit = \"{unit}\" takes them as that"
-                ));
-            }
-            remarks.extend(csv.unread_stamps.iter().map(|column| {
-                format!("column \"{column}\" is not read as times: nothing in the file confirms the sampling rate given")
-            }));
-            if let (Some(column), Some(unit_s)) = (&csv.time_column, csv.time_unit_s) {
-                let unit = match unit_s {
-                    1e-3 => "milliseconds",
-                    1e-6 => "microseconds",
-                    _ => "days, as tables keep dates",
-                };
-                remarks.push(format!(
-                    "the time stamps of column \"{column}\" are read as {unit}: their steps say so"
-                ));
-            }
-        }
+        Layout::Csv(csv) => of_columns(csv, unit_unknown, remarks),
         Layout::Npy(_) => {}
+    }
+}
+
+fn of_columns(csv: &CsvLayout, unit_unknown: bool, remarks: &mut Vec<Both>) {
+    if csv.is_cp949 {
+        remarks.push(Remark::Cp949.into());
+    }
+    if csv.names_unread {
+        remarks.push(Remark::NamesUnread.into());
+    }
+    if let Some([first, last]) = csv.passed_over {
+        remarks.push(Remark::PassedOver { first, last }.into());
+    }
+    let unit_of = |name: &String| match unit_in_name(name) {
+        FileUnit::Known(unit) => Some((name.clone(), unit.symbol().to_owned())),
+        _ => None,
+    };
+    if let (Some((column, unit)), true) = (csv.columns.iter().find_map(unit_of), unit_unknown) {
+        remarks.push(Remark::NoUnitGiven { column, unit }.into());
+    }
+    if let Some(column) = csv.unread_stamps.clone() {
+        remarks.push(Remark::UnreadStamps { column }.into());
+    }
+    if let (Some(column), Some(unit_s)) = (csv.time_column.clone(), csv.time_unit_s) {
+        let stamps = match unit_s {
+            1e-3 => Remark::Milliseconds { column },
+            1e-6 => Remark::Microseconds { column },
+            _ => Remark::Days { column },
+        };
+        remarks.push(stamps.into());
     }
 }

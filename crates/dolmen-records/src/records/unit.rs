@@ -41,13 +41,23 @@ pub(super) fn unit_of_label(label: &str) -> FileUnit {
     let label = label.trim().trim_matches(['\0', ' ']);
     let plain: String = label
         .chars()
-        .filter(|c| !c.is_whitespace() && !"[]()".contains(*c))
+        .filter(|c| !c.is_whitespace() && !"[]()（）".contains(*c))
         .collect();
     let plain = plain.replace("**", "^").replace("sec", "s").replace("µ", "u");
+    let plain = plain
+        .replace('㎨', "m/s2")
+        .replace('㎝', "cm")
+        .replace('㎜', "mm");
+    let plain = match plain.as_str() {
+        "G" => "g",
+        "mG" => "mg",
+        "GAL" => "gal",
+        plain => plain,
+    };
     if plain.is_empty() || plain.eq_ignore_ascii_case("none") || plain.eq_ignore_ascii_case("unknown") {
         return FileUnit::Silent;
     }
-    match Unit::parse(&plain) {
+    match Unit::parse(plain) {
         Ok(unit) if unit != Unit::Unknown => FileUnit::Known(unit),
         _ => FileUnit::Other(shown(label)),
     }

@@ -4,6 +4,7 @@ use super::damage::Damage;
 use super::mesh_place::OfMesh;
 use super::more::More;
 use super::pieces::{DiffersFromATable, Piece};
+use super::remark::Remark;
 use super::station::{OfStation, Turned};
 use super::unread::{Expected, Unread};
 use crate::meshes::{MeshError, PoseError};
@@ -15,8 +16,9 @@ use dolmen_words::{Template, sayable};
 use std::error::Error;
 
 /// All sentences of the errors of this crate.
-pub const ERRORS: [&[Template]; 20] = [
+pub const ERRORS: [&[Template]; 21] = [
     Piece::TEMPLATES,
+    Remark::TEMPLATES,
     More::TEMPLATES,
     DiffersFromATable::TEMPLATES,
     RecordError::TEMPLATES,

@@ -30,8 +30,8 @@ sentences! {
             ko: "unit은 \"{given}\"인데 파일에는 \"{found}\"(으)로 되어 있다. 고치거나 삭제한다",
         },
         Peak { peak_g, least_g, most_g, unit, suggested } as { peak_g: format!("{peak_g:.3e}"), least_g, most_g, hint: unit_meant(unit, suggested) } => {
-            en: "the peak is {peak_g} g, but must be {least_g} to {most_g} g: {hint}; if the motion is truly so, widen plausible_peak_m_s2",
-            ko: "최대값이 {peak_g} g인데 {least_g}~{most_g} g이어야 한다. {hint}. 실제로 그런 지반운동이면 plausible_peak_m_s2의 범위를 넓힌다",
+            en: "the peak is {peak_g} g, but must be {least_g} to {most_g} g: {hint}; if the motion is truly so, bring it into that range with --factor and back with --scale",
+            ko: "최대값이 {peak_g} g인데 {least_g}~{most_g} g이어야 한다. {hint}. 실제로 그런 지반운동이면 --factor로 그 범위에 넣고 --scale로 되돌린다",
         },
         StepDisagrees { given, found } => {
             en: "time_step_s is {given}, but the file says {found}: correct it, or leave it out",

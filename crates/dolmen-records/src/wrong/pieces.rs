@@ -19,6 +19,14 @@ messages! {
         },
         Either { first: String, second: Both } => { en: "{first} or {second}", ko: "{first} 또는 {second}" },
         NoChannel { name: String } => { en: "there is no channel \"{name}\": ", ko: "채널 \"{name}\"이(가) 없다. " },
+        GiveScale { scale: f64 } => {
+            en: "give its channel scale = {scale}",
+            ko: "그 채널에 scale = {scale}을(를) 입력한다",
+        },
+        LeaveOut => {
+            en: "leave it out: it measures something else",
+            ko: "다른 물리량이므로 뺀다",
+        },
         AtLine { line: usize } => { en: "line {line}: ", ko: "{line}행: " },
     }
 }
@@ -66,6 +74,20 @@ pub(super) fn unit_meant(unit: &str, suggested: &[&str]) -> Both {
 /// That a channel that is asked for is not there.
 pub(super) fn no_channel(given: Option<&str>) -> Both {
     given.map_or_else(nothing, |name| Piece::NoChannel { name: shown(name) }.into())
+}
+
+/// What to do about a column in another unit: the scale that takes it to the unit of the record, to the ten digits that floating point keeps.
+pub(super) fn scale_or_leave_out(scale: Option<f64>) -> Both {
+    let rounded = |scale: f64| format!("{scale:.9e}").parse().unwrap_or(scale);
+    scale.map_or_else(
+        || Piece::LeaveOut.into(),
+        |scale| {
+            Piece::GiveScale {
+                scale: rounded(scale),
+            }
+            .into()
+        },
+    )
 }
 
 /// The line, where the file has lines.

@@ -1,6 +1,6 @@
 //! What is wrong with the file of a record, in both languages.
 
-use super::pieces::{did_you_mean, last_line};
+use super::pieces::{did_you_mean, last_line, scale_or_leave_out};
 use crate::limits::LimitError;
 use crate::quoted::{listed, shown};
 use crate::records::{NotATable, RecordError, SeismicError};
@@ -196,6 +196,14 @@ sentences! {
         UnitDisagrees { channel, given, found } as { channel: shown(channel), given, found } => {
             en: "channel \"{channel}\": unit is \"{given}\", but the file says \"{found}\": correct it, or leave it out",
             ko: "채널 \"{channel}\": unit은 \"{given}\"인데 파일에는 \"{found}\"(으)로 되어 있다. 고치거나 삭제한다",
+        },
+        ColumnUnitDisagrees { column, found, given, scale } as { column: shown(column), found, given, remedy: scale_or_leave_out(*scale) } => {
+            en: "column \"{column}\" says {found}, but unit is \"{given}\": correct unit; or, if only this column is in {found}, {remedy}; or, if its name is wrong, give its channel scale = 1",
+            ko: "\"{column}\" 열의 이름에는 단위가 {found}인데 unit은 \"{given}\"이다. unit을 고친다. 이 열만 {found}이면 {remedy}. 열 이름이 틀렸으면 그 채널에 scale = 1을 입력한다",
+        },
+        ColumnUnitsDiffer { column, found, other, unit, scale } as { column: shown(column), found, other: shown(other), unit, remedy: scale_or_leave_out(*scale) } => {
+            en: "column \"{other}\" says {unit}, but column \"{column}\" says {found}: one record has one unit; take unit = \"{unit}\" and, for \"{column}\", {remedy}; or, if the name is wrong, give its channel scale = 1",
+            ko: "\"{other}\" 열의 이름에는 단위가 {unit}인데 \"{column}\" 열에는 {found}이다. 한 기록의 단위는 하나이다. unit = \"{unit}\"(으)로 하고 \"{column}\" 열은 {remedy}. 열 이름이 틀렸으면 그 채널에 scale = 1을 입력한다",
         },
         FileRateDisagrees { given, found } => {
             en: "sampling_rate is {given}, but the file says {found}: correct it, or leave it out",

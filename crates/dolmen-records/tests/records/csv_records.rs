@@ -1,5 +1,6 @@
 //! Records from CSV: every dialect, every refusal with its message.
 
+use super::korean_logs::said_of;
 use dolmen::signal::{Channel, Processing, Quantity};
 use dolmen_records::records::{
     Column, CsvLayout, Decimal, Delimiter, Header, Layout, Pick, RateSource, Reading, RecordOptions,
@@ -154,6 +155,7 @@ fn exact_units_history_and_what_was_found_out() {
             rate_source: RateSource::Stamps,
             unread_stamps: None,
             passed_over: None,
+            is_cp949: false,
             names_unread: false,
             time_unit_s: None,
             last_line_ended: false,
@@ -312,7 +314,7 @@ fn refuses_a_rate_that_dates_contradict() {
     // what cannot be read confirms nothing, and that is said
     let reading = read_csv(written(&|i| format!("tick {i}"), 200).as_bytes(), &at(200.0)).unwrap();
     assert_eq!(
-        reading.remarks(),
+        said_of(&reading),
         ["column \"Date/Time\" is not read as times: nothing in the file confirms the sampling rate given"]
     );
 }
@@ -481,7 +483,7 @@ fn exact_columns_below_the_lines_of_a_recorder_and_of_names_in_another_code() {
     let reading = read(text);
     assert_eq!(reading.record.samples(0), [1.0, 5.0, 3.0]);
     assert_eq!(layout(&reading).header_line, Some(4));
-    let said = reading.remarks();
+    let said = said_of(&reading);
     assert!(
         said.iter()
             .any(|r| r.starts_with("lines 1 to 2 stand above the names")),
@@ -493,11 +495,19 @@ fn exact_columns_below_the_lines_of_a_recorder_and_of_names_in_another_code() {
     text.extend_from_slice(b"0.00,1\n0.01,3\n0.02,2\n");
     let reading = read_csv(&text, &RecordOptions::default()).unwrap();
     assert_eq!(reading.record.sampling_rate_hz(), 100.0);
+    assert_eq!(reading.record.channels()[0].name, "가속도");
+    assert!(said_of(&reading)[0].contains("CP949"), "{:?}", said_of(&reading));
+    // "Höhe" of Windows-1252 is neither
+    let reading = read_csv(
+        b"time,H\xf6he\n0.00,1\n0.01,3\n0.02,2\n",
+        &RecordOptions::default(),
+    )
+    .unwrap();
     assert_eq!(reading.record.channels()[0].name, "ch2");
     assert!(
-        reading.remarks()[0].contains("not UTF-8"),
+        said_of(&reading)[0].contains("neither UTF-8 nor CP949"),
         "{:?}",
-        reading.remarks()
+        said_of(&reading)
     );
     // a sample that is text stays a fault of its line
     let fault = refusal("time,x\n0.00,abc\n0.01,3\n0.02,2\n");

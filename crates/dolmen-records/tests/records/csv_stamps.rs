@@ -1,6 +1,7 @@
 //! Time stamps of records from CSV: the rate behind them, samples lost, clocks that are uneven.
 
 use super::csv_records::{at_100_hz, layout, read, refusal, refusal_with};
+use super::korean_logs::said_of;
 use dolmen_records::records::{LostSamples, RateSource, RecordOptions, read_csv};
 
 /// `steps` stamps at that rate, printed with that many decimals.
@@ -217,9 +218,9 @@ fn exact_rates_of_stamps_in_days_and_in_milliseconds() {
     assert!((reading.record.sampling_rate_hz() / 200.0 - 1.0).abs() < 1e-4);
     assert_eq!(layout(&reading).time_unit_s, Some(86_400.0));
     assert!(
-        reading.remarks()[0].contains("are read as days"),
+        said_of(&reading)[0].contains("are read as days"),
         "{:?}",
-        reading.remarks()
+        said_of(&reading)
     );
 
     let milliseconds = |name: &str| {

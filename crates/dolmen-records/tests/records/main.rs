@@ -3,6 +3,7 @@
 
 mod csv_records;
 mod csv_stamps;
+mod korean_logs;
 mod motion_formats;
 mod motion_networks;
 mod motions;

@@ -127,7 +127,7 @@ fn refuses_a_peak_that_no_earthquake_has() {
     assert_eq!(
         refused,
         "the peak is 3.380e1 g, but must be 0.001 to 5 g: is the unit cm/s2 or mg instead of g?; if the motion is truly \
-         so, widen plausible_peak_m_s2"
+         so, bring it into that range with --factor and back with --scale"
     );
     // the dangerous way round: a strong motion that would shake nothing
     let g = "0.00 0\n0.02 0.32\n0.04 -0.1\n";

@@ -3,6 +3,7 @@
 // GOAL       Every format gives those numbers, with names, rates, units and starts; what is cut or changed is refused.
 // TOLERANCE  none where the file holds whole numbers or doubles; what the file prints or rounds otherwise, said beside each.
 
+use super::korean_logs::said_of;
 use dolmen::signal::{Channel, Quantity};
 use dolmen_records::records::{
     Column, Layout, LostSamples, Pick, Reading, RecordFormat, RecordOptions, Unit, read_record,
@@ -79,7 +80,7 @@ fn agrees_uff_of_pyuff() {
         assert_eq!(channels[1].position_m, Some([1.5, 0.0, 6.0]));
         assert_eq!(channels[1].direction, Some([0.0, -1.0, 0.0]));
         assert_eq!(channels[1].quantity, Quantity::Acceleration);
-        assert_eq!(reading.remarks(), ["title \"gate\""]);
+        assert_eq!(said_of(&reading), ["title \"gate\""]);
     }
 }
 
@@ -118,7 +119,7 @@ fn agrees_mat_of_scipy() {
         holds(name, &reading, 1e-3, 1e-15);
         assert_eq!(reading.record.channels()[1].name, "acc(:,2)");
         assert_eq!(reading.record.sampling_rate_hz(), 200.0);
-        assert_eq!(reading.remarks(), ["passed over: note (text), other"], "{name}");
+        assert_eq!(said_of(&reading), ["passed over: note (text), other"], "{name}");
     }
     let reading = read("vectors.mat", &RecordOptions::default());
     holds("vectors.mat", &reading, 1.0, 0.0);
@@ -153,7 +154,7 @@ fn agrees_mat_7_3_of_h5py() {
         assert_eq!(reading.record.channels()[1].name, "acc(:,2)");
         assert_eq!(reading.record.sampling_rate_hz(), 200.0);
         assert_eq!(
-            reading.remarks(),
+            said_of(&reading),
             [
                 "passed over: gate (struct or object), none (empty), note (text or cell), wave (complex or struct), \
                  other"
@@ -228,7 +229,7 @@ fn agrees_gcf_of_obspy() {
         (fast.record.sampling_rate_hz(), fast.begins_s),
         (1000.0, Some(1_717_581_600.25))
     );
-    assert_eq!(fast.remarks(), ["begins 2024-06-05 10:00:00.250 UTC"]);
+    assert_eq!(said_of(&fast), ["begins 2024-06-05 10:00:00.250 UTC"]);
     let unit = RecordOptions {
         unit: Unit::MetrePerSecond,
         ..Default::default()
@@ -390,7 +391,7 @@ fn agrees_saf_with_hvsrpy() {
         (200.0, Some(1_717_581_600.25))
     );
     assert_eq!(
-        reading.remarks(),
+        said_of(&reading),
         [
             "begins 2024-06-05 10:00:00.250 by its clock (time zone not said)",
             "station GATE"

@@ -2,7 +2,7 @@
 
 use super::variants::title;
 use crate::document::{Finding, Tone};
-use crate::html::words::path_words;
+use crate::html::words::input_words;
 use dolmen_project::{Cap, Project, Quantity, Structure};
 use dolmen_words::message::Both;
 use dolmen_words::{Sentence, messages};
@@ -90,7 +90,12 @@ pub(super) fn findings(answer: &CheckAnswer) -> Vec<Finding> {
         all.push(Finding::new(Tone::Warn, said));
     }
     all.extend(of_project(project));
-    all.extend(answer.variants.iter().filter_map(of_variant));
+    all.extend(
+        answer
+            .variants
+            .iter()
+            .filter_map(|variant| of_variant(variant, &answer.project.structure)),
+    );
     all
 }
 
@@ -144,11 +149,11 @@ fn damping_words(structure: &Structure, count: usize) -> Assumed {
 }
 
 /// What a variant adds: every result of it rests on them.
-fn of_variant(variant: &VariantAnswer) -> Option<Finding> {
+fn of_variant(variant: &VariantAnswer, structure: &Structure) -> Option<Finding> {
     let assumed = variant.own_inputs.iter().filter(|input| input.is_assumed());
     let said = |input: &Quantity| {
         Sentence::from(Assumed::Input {
-            input: Both::of(|language| path_words(&input.path, language)),
+            input: Both::of(|language| input_words(structure, &input.path, language)),
             written: input.written.clone(),
         })
     };

@@ -2,7 +2,7 @@
 
 use crate::document::{Block, Cell, Column, Document, Figure, Finding, Series, Table, Tone};
 use crate::figures::load_factor_distribution;
-use crate::html::words::path_words;
+use crate::html::words::{input_words, path_words};
 use dolmen::assess::Probability;
 use dolmen_words::message::Both;
 use dolmen_words::{Digits, Quantity, Unit, messages};
@@ -179,7 +179,7 @@ fn table(answer: &CheckAnswer) -> Table {
             let scatter = of.cov.map(|cov| share(cov * of.elasticity.abs()));
             vec![
                 Cell::words(Scatter::InputName {
-                    input: Both::of(|language| path_words(&of.input, language)),
+                    input: Both::of(|language| input_words(&answer.project.structure, &of.input, language)),
                 }),
                 Cell::number(Quantity::new(of.value, Unit::ratio(), Digits::Trimmed(7))),
                 Cell::words(signed),

@@ -1,11 +1,11 @@
 //! What was given: every input with its unit, scatter and source, and what rests on assumptions.
 
 use super::table::{Cell, table};
-use super::words::{evidence_word, path_words, unit_text};
+use super::words::{evidence_word, input_words, unit_text};
 use crate::check::title;
 use crate::document::{Block, Numbers, block_html, numbered, table_label};
 use crate::surveys_given::{Given, inputs_listed, surveys_table};
-use dolmen_project::{Project, Quantity, Survey};
+use dolmen_project::{Project, Quantity, Structure, Survey};
 use dolmen_words::number;
 use dolmen_words::{Language, Sentence};
 use dolmen_work::answer::ProjectReport;
@@ -29,7 +29,7 @@ pub(super) fn section(answer: &ProjectReport, language: Language, numbers: &mut 
                 format!("Inputs. Values marked as assumed are tinted; {gravity}."),
                 format!("입력값. 가정한 값은 바탕색으로 표시하였다; {gravity}."),
             );
-            (inputs_table(&caption, &inputs, language, numbers))
+            (inputs_table(&caption, (&project.structure, &inputs), language, numbers))
         }
         @for variant in answer.variants() {
             @if !variant.own_inputs.is_empty() {
@@ -38,7 +38,7 @@ pub(super) fn section(answer: &ProjectReport, language: Language, numbers: &mut 
                 (inputs_table(&language.pick(
                     format!("Inputs of the variant “{}”. Where they differ from those above; values marked as assumed are tinted.", title.text(language)),
                     format!("대안 ‘{}’의 입력값. 위와 다른 값만 제시하며, 가정한 값은 바탕색으로 표시하였다.", title.text(language)),
-                ), &inputs, language, numbers))
+                ), (&project.structure, &inputs), language, numbers))
             }
         }
         (surveys(project, language, numbers))
@@ -51,7 +51,12 @@ pub(super) fn section(answer: &ProjectReport, language: Language, numbers: &mut 
     }
 }
 
-fn inputs_table(caption: &str, inputs: &[&Quantity], language: Language, numbers: &mut Numbers) -> Markup {
+fn inputs_table(
+    caption: &str,
+    (structure, inputs): (&Structure, &[&Quantity]),
+    language: Language,
+    numbers: &mut Numbers,
+) -> Markup {
     let with_cov = inputs.iter().any(|q| q.cov.is_some());
     let with_note = inputs.iter().any(|q| q.note.is_some());
     let mut head = vec![language.pick("Input", "입력"), language.pick("Source", "출처")];
@@ -72,7 +77,7 @@ fn inputs_table(caption: &str, inputs: &[&Quantity], language: Language, numbers
         .map(|q| {
             let source = evidence_word(q.source, language);
             let mut row: Vec<Cell> = vec![
-                path_words(&q.path, language).into(),
+                input_words(structure, &q.path, language).into(),
                 if q.is_assumed() {
                     Cell::assumed(source)
                 } else {

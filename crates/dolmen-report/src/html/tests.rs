@@ -333,6 +333,7 @@ pub(crate) fn survey() -> ProjectReport {
             sampling_rate_hz: record.sampling_rate_hz(),
             unit: String::new(),
             remarks: vec![],
+            unread_stamps: vec![],
             faults: vec![],
             doubts: vec![],
             analysis,

@@ -2,7 +2,7 @@
 
 use dolmen::stability::Verdict;
 use dolmen::structure::Convention;
-use dolmen_project::Evidence;
+use dolmen_project::{Evidence, Structure};
 use dolmen_words::Language;
 use dolmen_words::number;
 use dolmen_work::judgement::{Colour, Judgement, Weight};
@@ -100,6 +100,27 @@ pub(crate) fn path_words(path: &str, language: Language) -> String {
     match (part_words(part, language), quantity_word(quantity, language)) {
         (Some(part), Some(quantity)) => format!("{part} {quantity}"),
         _ => stack_words(path, language).unwrap_or_else(|| path.to_string()),
+    }
+}
+
+/// The same with the stones of a stack called by their names: `blocks[4].width` is "1층탑신 폭".
+pub(crate) fn input_words(structure: &Structure, path: &str, language: Language) -> String {
+    let words = path_words(path, language);
+    let number = path.strip_prefix("blocks[").and_then(|rest| rest.split_once(']'));
+    let (Structure::Stack(stack), Some((number, _))) = (structure, number) else {
+        return words;
+    };
+    let at = number
+        .parse::<usize>()
+        .ok()
+        .and_then(|number| number.checked_sub(1));
+    match at.and_then(|at| stack.blocks.get(at)) {
+        Some(block) => words.replacen(
+            &format!("{} {number}", language.pick("block", "블록")),
+            &block.name,
+            1,
+        ),
+        None => words,
     }
 }
 
@@ -322,6 +343,21 @@ fn quantity_word(quantity: &str, language: Language) -> Option<&'static str> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn exact_stones_are_called_by_their_names() {
+        let text = "schema = 1\nkind = \"stack\"\nname = \"T\"\ndensity = 2600\njoint = { friction = 0.7 }\n\
+                    blocks = [{ name = \"기단\", width = 1, height = 1 }, { name = \"1층탑신\", width = 0.8, height = 1.2 }]\n";
+        let structure = dolmen_project::parse_project(text, "p.toml").unwrap().structure;
+        let of = |path| input_words(&structure, path, Language::Korean);
+        assert_eq!(of("blocks[2].width"), "1층탑신 폭");
+        assert_eq!(of("blocks[9].width"), "블록 9 폭");
+        assert_eq!(of("density"), "석재 밀도");
+        assert_eq!(
+            input_words(&structure, "blocks[1].tilt.x", Language::English),
+            "기단 tilt x"
+        );
+    }
 
     #[test]
     fn exact_paths_of_stacks_have_words() {

@@ -91,7 +91,7 @@ fn record(record: &RecordAnswer) -> Value {
         "samples": record.samples,
         "sampling_rate_hz": record.sampling_rate_hz,
         "unit": record.unit,
-        "remarks": record.remarks,
+        "remarks": record.remarks.iter().map(|remark| &remark.english).collect::<Vec<_>>(),
         "faults": record.faults.iter().map(Advice::advised).collect::<Vec<_>>(),
         "history": analysis.modes.history.iter().map(ToString::to_string).collect::<Vec<_>>(),
         "settings": settings(&analysis.settings, &analysis.fdd_modes),

@@ -8,6 +8,10 @@ use dolmen::signal::Processing;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, Values, messages};
 use dolmen_work::surveyed::{RecordAnswer, SetupsAnswer, SurveyAnswer};
 
+/// Largest share in all modes below which a channel is probably in another unit: that of g among gal, 1/981, up to three times as large. Chosen here:
+/// sensors on the ground, which some surveys have, move by more than the noise of those above.
+const OTHER_UNIT: f64 = 0.003;
+
 messages! {
     /// Findings on modes.
     pub(crate) enum Found in "modal.findings" {
@@ -49,6 +53,14 @@ messages! {
         Faults { count: usize } => {
             en: "{count} faults were seen in its channels; they are named with the record.",
             ko: "채널에서 이상 {count}건이 발견되었다(기록 항목 참조).",
+        },
+        Unconfirmed { file: String, column: String } => {
+            en: "Record {file}: column \"{column}\" could not be read as times, so nothing in the file confirms the sampling rate given. If that is wrong, every frequency is wrong by the same factor.",
+            ko: "기록 {file}: \"{column}\" 열을 시각으로 읽지 못해, 입력한 샘플링 주파수를 확인할 자료가 파일에 없다. 그 값이 틀리면 모든 진동수가 같은 비율로 틀린다.",
+        },
+        Still { channel: String, share: Quantity } => {
+            en: "PROBABLY A SLIP: {channel} moves by less than {share} % of the largest in every mode. If it does not stand on firm ground, is it connected, and in the same unit as the others (g read as gal is 981 times too small, m/s² as mm/s² 1000 times)?",
+            ko: "입력 오류 의심: {channel}은(는) 모든 모드에서 최대 성분의 {share} % 미만으로 움직인다. 단단한 지반 위의 센서가 아니라면, 연결되어 있고 단위가 다른 채널과 같은가(g를 gal로 읽으면 981배, m/s²를 mm/s²로 읽으면 1000배 작다)?",
         },
         Lost { file: String, said: Sentence } => { en: "Record {file}: {said}.", ko: "기록 {file}: {said}." },
         Setups { setups: usize, modes: usize, sensors: usize, values: Values, differing: usize } => {
@@ -156,6 +168,20 @@ fn sensor(doubt: &SensorDoubt) -> Found {
     }
 }
 
+/// A channel whose numbers are so small beside the others that the unit is probably another one.
+fn still(note: &Note) -> Option<Finding> {
+    match note {
+        Note::StandsStill { channel, share } if *share < OTHER_UNIT => {
+            let found = Found::Still {
+                channel: channel.clone(),
+                share: Quantity::ratio(100.0 * share.max(0.001), 1),
+            };
+            Some(Finding::key(Tone::Warn, found).with_code("sensor-slip"))
+        }
+        _ => None,
+    }
+}
+
 /// Lost samples and faults of channels.
 fn doubts(record: &RecordAnswer) -> Vec<Finding> {
     let lost = |step: &Processing| matches!(step, Processing::LongestSpan { .. });
@@ -169,6 +195,13 @@ fn doubts(record: &RecordAnswer) -> Vec<Finding> {
             Finding::key(Tone::Warn, found).with_code("lost-samples")
         })
         .collect();
+    all.extend(record.unread_stamps.iter().map(|column| {
+        let found = Found::Unconfirmed {
+            file: record.file.clone(),
+            column: column.clone(),
+        };
+        Finding::key(Tone::Warn, found)
+    }));
     let faults = match record.faults.len() {
         0 => None,
         1 => Some(Found::OneFault),
@@ -181,6 +214,7 @@ fn doubts(record: &RecordAnswer) -> Vec<Finding> {
             .iter()
             .map(|doubt| Finding::key(Tone::Warn, sensor(doubt)).with_code("sensor-slip")),
     );
+    all.extend(record.analysis.notes.iter().filter_map(still));
     all
 }
 

@@ -107,8 +107,8 @@ messages! {
         Velocity => { en: "velocity", ko: "속도" },
         Displacement => { en: "displacement", ko: "변위" },
         StandsStill { channel: String, share: Quantity } => {
-            en: "\"{channel}\" moves by less than {share} of the largest in every mode: it stands on firm ground, or is not connected.",
-            ko: "채널 \"{channel}\"은(는) 모든 모드에서 최대 성분의 {share} 미만으로 움직인다. 단단한 지반 위에 있거나 연결되지 않았다.",
+            en: "\"{channel}\" moves by less than {share} of the largest in every mode: it stands on firm ground, is not connected, or is in another unit than the others (g read as gal is 981 times too small, m/s² as mm/s² 1000 times, g as m/s² 9.81 times).",
+            ko: "채널 \"{channel}\"은(는) 모든 모드에서 최대 성분의 {share} 미만으로 움직인다. 단단한 지반 위에 있거나 연결되지 않았거나, 다른 채널과 단위가 다르다(g를 gal로 읽으면 981배, m/s²를 mm/s²로 읽으면 1000배, g를 m/s²로 읽으면 9.81배 작다).",
         },
         PhaseOff { channel: String, by: Vec<Sentence> } => {
             en: "The phase of \"{channel}\" is off a shape's 0 or 180° by {by}: its clock or filter differs from the others', and its sign is not known in any mode; or modes lie close together.",

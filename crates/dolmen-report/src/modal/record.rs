@@ -11,6 +11,7 @@ use super::values::seconds;
 use crate::document::{Block, Document};
 use crate::figures::{singular_values, stabilization};
 use dolmen::modal::{Method, ModalAnalysis};
+use dolmen_words::message::Both;
 use dolmen_words::number::fixed;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::surveyed::RecordAnswer;
@@ -37,7 +38,7 @@ messages! {
             en: "unit unknown: amplitudes mean nothing, frequencies and shapes do",
             ko: "단위 미상: 진폭은 의미가 없으나 진동수와 모드형상은 유효",
         },
-        Remark { remark: String } => { en: "The file says: {remark}", ko: "파일의 내용: {remark}" },
+        Remark { remark: Both } => { en: "The file says: {remark}", ko: "파일의 내용: {remark}" },
         Done => {
             en: "What was done to the record, in this order:",
             ko: "기록의 처리 이력(순서대로):",

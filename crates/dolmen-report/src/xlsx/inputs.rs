@@ -4,9 +4,10 @@ use super::headed::{Headed, verbatim};
 use super::words::Workbook;
 use crate::check::title;
 use crate::document::{Cell, Column, Table};
-use crate::html::words::{evidence_word, path_words, unit_text};
+use crate::html::words::{evidence_word, input_words, unit_text};
 use crate::surveys_given::{Given, surveys_table};
 use dolmen_project::Quantity as Input;
+use dolmen_project::Structure;
 use dolmen_words::message::Both;
 use dolmen_words::{Digits, Quantity, Sentence, Unit};
 use dolmen_work::answer::ProjectReport;
@@ -19,7 +20,7 @@ pub(crate) fn inputs_tables(answer: &ProjectReport, own: &[&Input]) -> Vec<Heade
     let headed = |caption: Sentence, inputs: &[&Input]| Headed {
         head: Workbook::Inputs {}.into(),
         warnings: Vec::new(),
-        table: inputs_table(caption, inputs),
+        table: inputs_table(caption, &answer.project.structure, inputs),
     };
     let mut all = vec![headed(Workbook::InputsCaption {}.into(), own)];
     for variant in answer.variants() {
@@ -36,7 +37,7 @@ pub(crate) fn inputs_tables(answer: &ProjectReport, own: &[&Input]) -> Vec<Heade
     all
 }
 
-fn inputs_table(caption: Sentence, inputs: &[&Input]) -> Table {
+fn inputs_table(caption: Sentence, structure: &Structure, inputs: &[&Input]) -> Table {
     Table {
         caption: vec![caption],
         columns: vec![
@@ -48,14 +49,14 @@ fn inputs_table(caption: Sentence, inputs: &[&Input]) -> Table {
             Column::numbers(Workbook::Scatter {}, Unit::percent()),
             Column::words(Workbook::Note {}),
         ],
-        rows: inputs.iter().map(|input| row(input)).collect(),
+        rows: inputs.iter().map(|input| row(structure, input)).collect(),
     }
 }
 
-fn row(input: &Input) -> Vec<Cell> {
+fn row(structure: &Structure, input: &Input) -> Vec<Cell> {
     let both = |text: Both| Cell::words(Workbook::Verbatim { text });
     vec![
-        both(Both::of(|language| path_words(&input.path, language))),
+        both(Both::of(|language| input_words(structure, &input.path, language))),
         both(Both::of(|language| evidence_word(input.source, language))),
         verbatim(&input.written),
         verbatim(&unit_text(input.unit)),

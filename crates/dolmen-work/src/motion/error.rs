@@ -24,6 +24,18 @@ pub enum MotionRequestError {
         /// Those there are.
         known: String,
     },
+    /// A flag that says how files are read, and there are none: the motion is carried along.
+    OfFilesNotCarried {
+        /// The flag, without the dashes.
+        flag: &'static str,
+        /// The motion.
+        name: String,
+    },
+    /// A flag that says how files are read, and there are none: the motion is made.
+    OfFilesNotMade {
+        /// The flag, without the dashes.
+        flag: &'static str,
+    },
     /// What is left after all changes is no ground motion.
     Acts {
         /// Its peak, g.

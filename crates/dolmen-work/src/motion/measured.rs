@@ -106,6 +106,14 @@ pub fn motion(options: &MotionOptions) -> Result<MotionReport, WorkError> {
     };
     let mut motions: Vec<Named> = Vec::new();
     if let Some(wanted) = &options.made {
+        // its step is given as that of samples
+        let rest = MotionRequest {
+            sample_step_s: None,
+            ..options.request.clone()
+        };
+        if let Some(flag) = rest.of_files() {
+            return Err(MotionRequestError::OfFilesNotMade { flag }.into());
+        }
         let told = MotionRequest {
             peak: None, // it is made with its peak
             ..options.request.clone()

@@ -89,7 +89,13 @@ pub(crate) fn changed_alone(
 fn ready(request: &MotionRequest, project: Option<Of<'_>>) -> Result<MotionAnswer, WorkError> {
     let wanted = wanted(request, project)?;
     let mut answer = match &wanted.from {
-        From::Carried(name) => carried(name)?,
+        From::Carried(name) => match request.of_files() {
+            Some(flag) => {
+                let name = name.clone();
+                return Err(MotionRequestError::OfFilesNotCarried { flag, name }.into());
+            }
+            None => carried(name)?,
+        },
         From::Files(named) => from_files(named, &wanted, project)?,
     };
     answer.motion = changed(answer.motion, &wanted)?;

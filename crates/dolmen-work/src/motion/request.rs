@@ -88,6 +88,21 @@ impl MotionRequest {
         self.name.is_some() || !self.files.is_empty()
     }
 
+    /// The first flag given that says how files are read, without its dashes: of no effect on a motion that is not in a file.
+    pub fn of_files(&self) -> Option<&'static str> {
+        [
+            (self.unit.is_some(), "unit"),
+            (self.sample_step_s.is_some(), "sample-step"),
+            (self.channel.is_some(), "channel"),
+            (self.factor != 1.0, "factor"),
+            (self.shortest, "shortest"),
+            (self.ignore_stated_peak, "ignore-stated-peak"),
+            (self.x_azimuth_deg.is_some(), "x-azimuth"),
+        ]
+        .into_iter()
+        .find_map(|(is_given, flag)| is_given.then_some(flag))
+    }
+
     /// Whether something is to be done to it.
     pub fn is_changed(&self) -> bool {
         let numbers = [self.keep_first_s, self.taper_s, self.turn_deg, self.scale];

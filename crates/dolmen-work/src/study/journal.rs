@@ -8,6 +8,7 @@ use super::run::{Run, RunOutcome};
 use crate::error::WorkError;
 use crate::fingerprint::fingerprint;
 use crate::wrong::JournalDiffers;
+use dolmen_words::Language;
 use dolmen_words::message::Both;
 
 /// First word of a journal, with the version of its layout.
@@ -54,16 +55,28 @@ impl JournalHeader {
             .filter(|input| !other.inputs.contains(input))
             .map(|(name, _)| name.as_str())
             .collect();
+        let said = Both::of(|language| {
+            let each: Vec<String> = changed.iter().map(|name| input_word(name, language)).collect();
+            each.join(", ")
+        });
         if !changed.is_empty() || self.inputs.len() != other.inputs.len() || self.jobs != other.jobs {
-            return Some(
-                JournalDiffers::Changed {
-                    inputs: changed.join(", "),
-                }
-                .into(),
-            );
+            return Some(JournalDiffers::Changed { inputs: said }.into());
         }
         None
     }
+}
+
+/// An input of a study, as journals name it, in a language.
+fn input_word(name: &str, language: Language) -> String {
+    let korean = match (name, name.strip_prefix("motion ")) {
+        (_, Some(motion)) => format!("지반운동 {motion}"),
+        ("the project file", _) => "프로젝트 파일".to_owned(),
+        ("inputs of the cases", _) => "조합의 입력값".to_owned(),
+        ("parts in a table", _) => "표의 부재".to_owned(),
+        ("stones", _) => "석재".to_owned(),
+        (other, _) => other.to_owned(),
+    };
+    language.pick(name.to_owned(), korean)
 }
 
 /// Where the runs of a study are kept as they end, from any thread.
@@ -355,7 +368,10 @@ mod tests {
         assert_eq!(
             header().difference(&other).unwrap(),
             JournalDiffers::Changed {
-                inputs: "motion a=b".to_owned()
+                inputs: Both {
+                    english: "motion a=b".to_owned(),
+                    korean: "지반운동 a=b".to_owned(),
+                }
             }
             .into()
         );

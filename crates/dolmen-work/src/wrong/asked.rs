@@ -22,6 +22,14 @@ sentences! {
             en: "no motion is given: name files (`dolmen simulate`: with --motion-file), or take --motion {known}",
             ko: "지반운동이 없다. 파일을 주거나(`dolmen simulate`에서는 --motion-file) --motion {known}을(를) 쓴다",
         },
+        OfFilesNotCarried { flag, name } => {
+            en: "--{flag} says how the file of a motion is read, and \"{name}\" is no file: Dolmen carries it along x in m/s2, every 0.02 s. Leave --{flag} out, or give your file with --motion-file",
+            ko: "--{flag}은(는) 지반운동 파일을 읽는 방법인데 \"{name}\"은(는) 파일이 아니라 Dolmen에 내장된 x 방향 지반운동(m/s2, 0.02 s 간격)이다. --{flag}을(를) 빼거나 --motion-file로 파일을 준다",
+        },
+        OfFilesNotMade { flag } => {
+            en: "--{flag} says how the file of a motion is read, and --make makes one without a file: leave --{flag} out, or give a file instead of --make",
+            ko: "--{flag}은(는) 지반운동 파일을 읽는 방법인데 --make는 파일 없이 지반운동을 만든다. --{flag}을(를) 빼거나 --make 대신 파일을 준다",
+        },
         Acts { peak_g, most_g } as { peak_g: format!("{peak_g:.3}"), most_g } => {
             en: "the motion that would act has a peak of {peak_g} g, but must have more than 0 and at most {most_g} g, twice what was ever recorded: correct --scale, --peak, the unit or the factor",
             ko: "작용할 지반운동의 최대값이 {peak_g} g인데 0보다 크고 {most_g} g(지금까지 기록된 최대의 두 배) 이하이어야 한다. --scale, --peak, 단위 또는 factor를 고친다",

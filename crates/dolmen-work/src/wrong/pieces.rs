@@ -88,7 +88,7 @@ messages! {
             en: "it was made by Dolmen {other}, this is {own}",
             ko: "Dolmen {other}에서 만들었는데 지금은 {own}이다",
         },
-        Changed { inputs: String } => { en: "changed since then: {inputs}", ko: "그 뒤에 바뀐 입력: {inputs}" },
+        Changed { inputs: Both } => { en: "changed since then: {inputs}", ko: "그 뒤에 바뀐 입력: {inputs}" },
     }
 }
 
@@ -116,7 +116,7 @@ messages! {
         Number => { en: "a number, 0 or more, in the unit of the column", ko: "열의 단위로 0 이상인 수" },
         WholeNumber => { en: "a whole number", ko: "정수" },
         Taper => { en: "below 40, in degrees", ko: "40보다 작은 각도(도)" },
-        Soil => { en: "S1 to S6 of KDS 17 10 00", ko: "KDS 17 10 00의 S1~S6" },
+        Soil => { en: "S1 to S5 of KDS 17 10 00", ko: "KDS 17 10 00의 S1~S5" },
     }
 }
 

@@ -394,7 +394,8 @@ impl std::fmt::Display for Note {
             ),
             Note::StandsStill { channel, share } => write!(
                 f,
-                "\"{channel}\" moves by less than {:.1} % of the largest in every mode: it stands on firm ground, or is not connected",
+                "\"{channel}\" moves by less than {:.1} % of the largest in every mode: it stands on firm ground, is not connected, or is in another \
+                 unit than the others (g read as gal is 981 times too small, m/s² as mm/s² 1000 times, g as m/s² 9.81 times)",
                 (100.0 * share).max(0.1)
             ),
             Note::PhaseOff {

@@ -1,4 +1,4 @@
-// SOURCE     What engineers met on their first days with the command.
+// SOURCE     What looked safe to engineers on their first days with the command, and was not known.
 // GOAL       What looked safe and was not known is said, or refused.
 // TOLERANCE  none: words and exit statuses.
 

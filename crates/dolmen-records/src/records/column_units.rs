@@ -1,0 +1,110 @@
+//! Units that the names of columns say, held against each other and against the unit that is given.
+
+use super::unit::unit_of_label;
+use super::{FileUnit, RecordError};
+use crate::unit::Unit;
+use dolmen::signal::Quantity;
+
+/// A column that is read.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct NamedColumn<'a> {
+    pub(super) name: &'a str,
+    /// Whether it has a scale of its own, which takes its numbers to the unit of the record whatever its name says.
+    pub(super) is_scaled: bool,
+}
+
+/// What the name of a column says in brackets at its end: "ax [mg]", "x (m/s2)", "3층 가속도(gal)".
+pub(super) fn unit_in_name(name: &str) -> FileUnit {
+    let inside = name.trim_end().strip_suffix([']', ')', '）']);
+    let Some((_, unit)) = inside.and_then(|inside| inside.rsplit_once(['[', '(', '（'])) else {
+        return FileUnit::Silent;
+    };
+    unit_of_label(unit)
+}
+
+/// Refuses columns whose names say another unit than the one given or, where none is given, than another column that is read.
+///
+/// # Errors
+/// [`RecordError::ColumnUnitDisagrees`], [`RecordError::ColumnUnitsDiffer`]; [`RecordError::NoScale`] where a name says "V", "mV" or "counts"
+/// and a unit is given without a scale.
+pub(super) fn refuse_other_units(
+    columns: &[NamedColumn<'_>],
+    given: Unit,
+    scales_all: bool,
+) -> Result<(), RecordError> {
+    let mut first: Option<(&str, Unit)> = None;
+    for column in columns.iter().filter(|column| !column.is_scaled) {
+        let found = match unit_in_name(column.name) {
+            FileUnit::Known(found) => found,
+            FileUnit::Other(found) if is_raw(&found) && given != Unit::Unknown && !scales_all => {
+                return Err(RecordError::NoScale {
+                    format: "csv",
+                    channel: column.name.to_owned(),
+                    found,
+                    given: given.symbol(),
+                });
+            }
+            _ => continue,
+        };
+        if let (false, Some(scale)) = (scales_all, contradiction(found, given)) {
+            return Err(RecordError::ColumnUnitDisagrees {
+                column: column.name.to_owned(),
+                found: found.symbol(),
+                given: given.symbol(),
+                scale,
+            });
+        }
+        match first {
+            None => first = Some((column.name, found)),
+            Some((other, unit)) => {
+                if let Some(scale) = contradiction(found, unit) {
+                    return Err(RecordError::ColumnUnitsDiffer {
+                        column: column.name.to_owned(),
+                        found: found.symbol(),
+                        other: other.to_owned(),
+                        unit: unit.symbol(),
+                        scale,
+                    });
+                }
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Whether it is what a recorder counts, not a motion; brackets also hold places and axes.
+fn is_raw(label: &str) -> bool {
+    ["V", "mV", "counts", "count"].contains(&label)
+}
+
+/// What numbers in one unit are multiplied by to be in the other, where the units differ; `Some(None)` where they measure different things.
+fn contradiction(found: Unit, other: Unit) -> Option<Option<f64>> {
+    if other == Unit::Unknown || (found.si() == other.si() && found.quantity() == other.quantity()) {
+        return None;
+    }
+    let is_one_quantity = found.quantity() == other.quantity() && found.quantity() != Quantity::Unknown;
+    Some(is_one_quantity.then(|| found.si() / other.si()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn exact_units_at_the_end_of_names() {
+        for (name, unit) in [
+            ("3층 가속도(gal)", Unit::Gal),
+            ("ax [mg]", Unit::MilliGravity),
+            ("x (m/s²) ", Unit::MetrePerSecondSquared),
+            ("가속도（g）", Unit::Gravity),
+            ("a (G)", Unit::Gravity),
+            ("a (GAL)", Unit::Gal),
+            ("a(㎨)", Unit::MetrePerSecondSquared),
+            ("v [cm/sec]", Unit::CentimetrePerSecond),
+        ] {
+            assert_eq!(unit_in_name(name), FileUnit::Known(unit), "{name}");
+        }
+        assert_eq!(unit_in_name("g"), FileUnit::Silent);
+        assert_eq!(unit_in_name("roof (north)"), FileUnit::Other("north".into()));
+    }
+}

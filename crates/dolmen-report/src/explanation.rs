@@ -1,0 +1,12 @@
+//! One code with its explanation.
+
+/// One code with its explanation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Explanation {
+    /// The code, as printed in brackets: "unsafe-criterion".
+    pub code: &'static str,
+    /// One line.
+    pub title: &'static str,
+    /// A few plain paragraphs: what it means, why, what to do.
+    pub text: &'static str,
+}
