@@ -4,7 +4,6 @@
 
 use super::verbs::Scratch;
 use std::fs;
-use std::process::Command;
 
 #[test]
 fn exact_p10_rocks_at_its_known_threshold_and_slides_first_where_it_is_smooth() {
@@ -49,42 +48,6 @@ fn exact_p10_rocks_at_its_known_threshold_and_slides_first_where_it_is_smooth() 
     assert!((at_g - 0.55 * volume / moment).abs() < 1e-12, "{at_g}");
     let (kind, at_g) = of(&value["variants"][0]["state"]);
     assert_eq!((kind.as_str(), (at_g * 1e9).round()), (Some("sliding"), 0.3e9));
-}
-
-/// Processor time of the children of a shell, s, from the second line of its `times`: "0m0.020s 0m0.010s".
-fn children_s(times: &str) -> f64 {
-    let line = times.lines().nth(1).unwrap();
-    let seconds = |word: &str| {
-        let (minutes, seconds) = word.trim_end_matches('s').split_once('m').unwrap();
-        60.0 * minutes.parse::<f64>().unwrap() + seconds.parse::<f64>().unwrap()
-    };
-    line.split_whitespace().map(seconds).sum()
-}
-
-#[test]
-fn holds_a_pagoda_is_checked_within_30_ms_of_processor_time() {
-    let scratch = Scratch::with_examples("fast");
-    for example in ["three_storey_pagoda", "p10", "piled_blocks"] {
-        let project = scratch.path().join(format!("examples/{example}/project.toml"));
-        let text = fs::read_to_string(&project).unwrap();
-        let one_version = text.split("[variant.").next().unwrap();
-        fs::write(&project, one_version).unwrap();
-        let script = format!(
-            "for i in 1 2 3 4 5 6 7 8 9 10; do dolmen check examples/{example} > out.txt || exit 1; done; times"
-        );
-        let ten_s = || {
-            let output = Command::new("sh")
-                .args(["-c", &script])
-                .current_dir(scratch.path())
-                .env("PATH", scratch.path_with_dolmen())
-                .output()
-                .unwrap();
-            assert!(output.status.success());
-            children_s(&String::from_utf8_lossy(&output.stdout))
-        };
-        let best_s = (0..3).map(|_| ten_s()).fold(f64::INFINITY, f64::min);
-        assert!(best_s / 10.0 < 0.030, "{example}: {best_s} s for ten");
-    }
 }
 
 #[test]
@@ -138,8 +101,11 @@ fn holds_a_new_pagoda_can_be_checked_at_once_and_its_variants_stand_side_by_side
         .split("Sensitivity of acceleration of first motion")
         .nth(1)
         .unwrap();
-    let first = table.lines().find(|line| line.contains("  block ")).unwrap();
-    assert!(first.contains("block 5 width"), "{table}");
+    let first = table
+        .lines()
+        .find(|line| line.contains("width") || line.contains("height"))
+        .unwrap();
+    assert!(first.contains("body 1 width"), "{table}");
 }
 
 #[test]

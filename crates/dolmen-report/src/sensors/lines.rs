@@ -54,12 +54,8 @@ mod tests {
     /// The lines, put into a project, are read as sensors at the planned places.
     #[test]
     fn holds_the_lines_are_read_as_the_sensors_that_were_planned() {
-        let path = concat!(
-            env!("CARGO_MANIFEST_DIR"),
-            "/../../examples/three_storey_pagoda/project.toml"
-        );
-        let text = std::fs::read_to_string(path).unwrap();
-        let opened = Opened::read(text.clone(), "p".to_owned(), &NoFiles).unwrap();
+        let text = include_str!("../../../../examples/three_storey_pagoda/project.toml");
+        let opened = Opened::read(text.to_owned(), "p".to_owned(), &NoFiles).unwrap();
         for setups in [1, 2] {
             let how = SensorsOptions {
                 count: 3,

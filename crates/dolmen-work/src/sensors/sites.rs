@@ -146,14 +146,15 @@ fn planes(solid: &Solid) -> impl Iterator<Item = ([f64; 3], [f64; 3])> + '_ {
     solid.faces().iter().map(move |face| {
         let corner = |at: usize| solid.vertices_m()[face[at % face.len()]];
         // Newell's normal: right for any flat polygon
-        let mut normal = [0.0; 3];
-        for at in 0..face.len() {
-            let (a, b) = (corner(at), corner(at + 1));
-            for i in 0..3 {
-                let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-                normal[i] += (a[j] - b[j]) * (a[k] + b[k]);
-            }
-        }
+        let along = |i: usize| {
+            let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+            let edge = |at: usize| {
+                let (a, b) = (corner(at), corner(at + 1));
+                (a[j] - b[j]) * (a[k] + b[k])
+            };
+            (0..face.len()).map(edge).sum::<f64>()
+        };
+        let normal: [f64; 3] = std::array::from_fn(along);
         let point = corner(0);
         let outward: f64 = (0..3).map(|i| normal[i] * (point[i] - centre[i])).sum();
         (point, normal.map(|part| if outward < 0.0 { -part } else { part }))

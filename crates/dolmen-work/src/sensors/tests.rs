@@ -2,12 +2,13 @@ use super::*;
 use dolmen_records::NoFiles;
 
 fn example(name: &str) -> Opened {
-    let path = format!(
-        "{}/../../examples/{name}/project.toml",
-        env!("CARGO_MANIFEST_DIR")
-    );
-    let text = std::fs::read_to_string(path).unwrap();
-    Opened::read(text, name.to_owned(), &NoFiles).unwrap()
+    let text = match name {
+        "twisting_floor" => include_str!("../../../../examples/twisting_floor/project.toml"),
+        "wall" => include_str!("../../../../examples/wall/project.toml"),
+        "three_storey_pagoda" => include_str!("../../../../examples/three_storey_pagoda/project.toml"),
+        _ => include_str!("../../../../examples/naju_flagpole/project.toml"),
+    };
+    of(text)
 }
 
 fn of(text: &str) -> Opened {
