@@ -25,8 +25,8 @@ messages! {
             ko: "한계해석에서 모든 방향으로 {at_least}까지는 평형이 확인되었고 한 방향에서 {analysis}에는 평형이 없다. 낮은 값을 사용해야 한다.",
         },
         Falls => {
-            en: "Joint by joint it seems to stand, but no forces in the joints balance its weight and static loads.",
-            ko: "접합면별로는 서 있는 것으로 보이나, 자중과 정하중에 평형을 이루는 접합력이 존재하지 않는다.",
+            en: "Joint by joint it seems to stand, but no forces in the joints balance its weight.",
+            ko: "접합면별로는 서 있는 것으로 보이나, 자중에 평형을 이루는 접합력이 존재하지 않는다.",
         },
         FrictionCarries => {
             en: "Friction carries it: forces that balance the weight exist, which is necessary but does not prove that it stands, since joints that slip may choose other forces. No run under its own weight was made, so the verdict is no better than marginal.",

@@ -7,7 +7,7 @@ use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 messages! {
     /// Whether a stack stands; no full stop.
     pub(crate) enum Reason in "stack.standing" {
-        Stands => { en: "it stands under its own weight and static loads", ko: "자중과 정하중에 대하여 서 있다" },
+        Stands => { en: "it stands under its own weight", ko: "자중에 대하여 서 있다" },
         Leaves { above: Sentence, distance: Quantity } => {
             en: "above {above} the resultant leaves the joint by {distance}",
             ko: "{above} 위에서 합력이 접합면을 {distance} 벗어난다",
