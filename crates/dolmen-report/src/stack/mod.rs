@@ -24,6 +24,7 @@ use crate::figures::{Shaking, stack_capacity, stack_directions, stack_governing,
 use dolmen_words::{Sentence, Template, messages};
 use dolmen_work::answer::ProjectReport;
 use dolmen_work::state::{SpringFit, StackAnswer};
+use std::collections::BTreeSet;
 
 messages! {
     /// The head and figures of a stack.
@@ -97,6 +98,26 @@ pub(crate) fn sections<'a>(answer: &'a StackAnswer, fits: &[SpringFit], shaking:
     });
     limits::section(&mut document, check);
     mechanism::section(&mut document, answer);
+    if is_cut_through(answer) {
+        by_joints(&mut document, answer, shaking);
+    }
+    directions(&mut document, answer, shaking);
+    supports::section(&mut document, answer);
+    frequencies::section(&mut document, answer, fits);
+    local_mechanisms::section(&mut document, answer);
+    document
+}
+
+/// Whether at least half of the joints lie in cuts through the whole: of an arch hardly any does, and the cuts there are say nothing of how it moves.
+fn is_cut_through(answer: &StackAnswer) -> bool {
+    let cuts = answer.check.limits.cuts.iter();
+    let joints: BTreeSet<usize> = cuts.flat_map(|of| of.cut.joints.iter().copied()).collect();
+    2 * joints.len() >= answer.stack.joints().len()
+}
+
+/// What each joint resists.
+fn by_joints<'a>(document: &mut Document<'a>, answer: &'a StackAnswer, shaking: Shaking) {
+    let check = &answer.check;
     let caption = vec![Drawn::Governing.into(), Drawn::GoverningMeaning.into()];
     let governing = Figure::new(caption, move |language| {
         stack_governing(&check.limits, &shaking, language)
@@ -107,11 +128,6 @@ pub(crate) fn sections<'a>(answer: &'a StackAnswer, fits: &[SpringFit], shaking:
         stack_capacity(&check.limits, &shaking, language)
     });
     document.charted(capacity.with_series(|| limits::series(check)));
-    directions(&mut document, answer, shaking);
-    supports::section(&mut document, answer);
-    frequencies::section(&mut document, answer, fits);
-    local_mechanisms::section(&mut document, answer);
-    document
 }
 
 fn parts(answer: &StackAnswer) -> Drawn {

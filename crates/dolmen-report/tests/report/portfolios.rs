@@ -131,7 +131,7 @@ fn refuses_tables_of_structures_with_line_and_what_to_do() {
         ("a,5,6,,9,2,,\n", "body_slenderness or slenderness_angle or both"),
         (",5,6,3,9,2,,\n", "the structure has no name"),
         ("a,5,6,3,9,2,0.11,\n", "zone_factor_g and soil belong together"),
-        ("a,5,6,3,9,2,0.11,S9\n", "soil is \"S9\", but must be S1 to S6"),
+        ("a,5,6,3,9,2,0.11,S9\n", "soil is \"S9\", but must be S1 to S5"),
         (
             "a,5,6,3,9,2,0.11,S6\n",
             "line 2 (a): site class S6 is site-specific",
