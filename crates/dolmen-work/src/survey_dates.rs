@@ -1,6 +1,6 @@
 //! When a survey was, as its name says.
 
-/// The date that a survey's name begins with: "2019", "2019-04" or "2019-04-02", what is missing 0.
+/// The date that a survey's name begins with: "2019", "2019-04", "2019-04-02", "2019.04.02", "20190402", what is missing 0.
 pub use dolmen_project::date_of as date;
 
 /// Days from 1970-01-01 to a date; a missing month or day is taken in the middle of what is known.
@@ -29,7 +29,7 @@ const DATE: usize = 10;
 /// The day that a survey's name is nothing but, with a time or a number behind it or none: "2019-04-02", "2019-04-02T10:30", "2019-04-02 10:30:15",
 /// "2019-04-02 (2)". A name with words behind its date stands for something of its own.
 pub fn day_of_a_record(name: &str) -> Option<&str> {
-    date(name).filter(|[_, _, day]| *day > 0)?;
+    date(name).filter(|[_, _, day]| *day > 0 && name.as_bytes().get(4) == Some(&b'-'))?;
     let (day, rest) = name.split_at_checked(DATE)?;
     let rest = rest.trim_start_matches(['T', ' ']);
     let is_when = |sign: char| sign.is_ascii_digit() || matches!(sign, ':' | '(' | ')' | ' ');
@@ -54,6 +54,7 @@ mod tests {
             "2019-04",
             "2019",
             "2019-04-02 before",
+            "20190402 10:30",
             "2019-04-02-a",
             "2019-04-02조",
             "first",
