@@ -1,5 +1,5 @@
 // SOURCE     What looked safe to engineers on their first days with the command, and was not known.
-// GOAL       What looked safe and was not known is said, or refused.
+// GOAL       The command says or refuses what looked safe and was not known.
 // TOLERANCE  none: words and exit statuses.
 
 use super::verbs::Scratch;

@@ -66,17 +66,18 @@ messages! {
 
 /// How often it falls.
 pub(super) fn findings(sampled: &Sampled) -> Vec<Finding> {
-    let mut all = vec![falling(&sampled.unstable)];
-    all.extend(sampled.under_loads.as_ref().map(overloaded));
+    let mut all = vec![happens(&sampled.unstable, falls)];
+    all.extend(sampled.under_loads.iter().map(|of| happens(of, overloaded)));
     all
 }
 
-fn overloaded(of: &Probability) -> Finding {
+/// How often something happens, as `said` puts it.
+fn happens(of: &Probability, said: fn(Share) -> Scatter) -> Finding {
     let tone = match of.count {
         0 => Tone::Plain,
         _ => Tone::Warn,
     };
-    let said = Scatter::Overloaded {
+    let share = Share {
         count: of.count,
         samples: of.samples,
         estimate: Quantity::percent(of.estimate, 2),
@@ -84,23 +85,55 @@ fn overloaded(of: &Probability) -> Finding {
         lower: Quantity::percent(of.lower, 2),
         upper: Quantity::percent(of.upper, 2),
     };
-    Finding::key(tone, said).with_code("probability")
+    Finding::key(tone, said(share)).with_code("probability")
 }
 
-fn falling(falls: &Probability) -> Finding {
-    let tone = match falls.count {
-        0 => Tone::Plain,
-        _ => Tone::Warn,
-    };
-    let said = Scatter::Falls {
-        count: falls.count,
-        samples: falls.samples,
-        estimate: Quantity::percent(falls.estimate, 2),
-        confidence: Quantity::new(falls.confidence, Unit::percent(), Digits::Trimmed(3)),
-        lower: Quantity::percent(falls.lower, 2),
-        upper: Quantity::percent(falls.upper, 2),
-    };
-    Finding::key(tone, said).with_code("probability")
+/// A share of the samples with its interval.
+struct Share {
+    count: usize,
+    samples: usize,
+    estimate: Quantity,
+    confidence: Quantity,
+    lower: Quantity,
+    upper: Quantity,
+}
+
+fn falls(of: Share) -> Scatter {
+    let Share {
+        count,
+        samples,
+        estimate,
+        confidence,
+        lower,
+        upper,
+    } = of;
+    Scatter::Falls {
+        count,
+        samples,
+        estimate,
+        confidence,
+        lower,
+        upper,
+    }
+}
+
+fn overloaded(of: Share) -> Scatter {
+    let Share {
+        count,
+        samples,
+        estimate,
+        confidence,
+        lower,
+        upper,
+    } = of;
+    Scatter::Overloaded {
+        count,
+        samples,
+        estimate,
+        confidence,
+        lower,
+        upper,
+    }
 }
 
 /// Samples and sensitivities.

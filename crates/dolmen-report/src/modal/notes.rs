@@ -8,7 +8,7 @@ use super::values::{all_hertz, fixed, hertz, percent};
 use dolmen::modal::Note;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, Values, messages};
 
-/// Lines that footsteps left that are named; one walk leaves twenty.
+/// So many lines of footsteps an answer lists; one walk leaves twenty.
 const SPELLS_SHOWN: usize = 5;
 
 messages! {

@@ -1,4 +1,4 @@
-//! What is said of a plan for sensors.
+//! Answers on a plan for sensors.
 
 mod lines;
 mod words;

@@ -6,6 +6,7 @@ use crate::document::{Finding, Tone};
 use dolmen::monitoring::{
     ChangeForm, NotJudged, StructureAlarm, TiltTrend, WatchedChange, WatchedMode, WeatherKnown,
 };
+use dolmen::numeric::quantile;
 use dolmen_project::WorkKind;
 use dolmen_words::{Quantity, Sentence, messages};
 use dolmen_work::watched::{LeanNow, WatchAnswer};
@@ -261,11 +262,11 @@ fn last_apart(answer: &WatchAnswer) -> Vec<Finding> {
         let Some((now_hz, now_sd_hz)) = read(last).filter(|_| before.len() >= 2) else {
             continue;
         };
-        let usual_hz = middle(before.iter().map(|(hz, _)| *hz).collect());
-        let off = before.iter().map(|(hz, _)| (hz - usual_hz).abs()).collect();
-        let stated = middle(before.iter().map(|(_, sd)| *sd).collect());
+        let usual_hz = middle(&before.iter().map(|(hz, _)| *hz).collect::<Vec<_>>());
+        let off: Vec<f64> = before.iter().map(|(hz, _)| (hz - usual_hz).abs()).collect();
+        let stated = middle(&before.iter().map(|(_, sd)| *sd).collect::<Vec<_>>());
         // the normal deviation of a median of absolute deviations, and no less than what the surveys state
-        let usual_sd_hz = stated.max(1.4826 * middle(off));
+        let usual_sd_hz = stated.max(1.4826 * middle(&off));
         let times = (now_hz - usual_hz).abs() / now_sd_hz.hypot(usual_sd_hz);
         if times.is_finite() && times >= APART_FROM {
             let found = Found::LastApart {
@@ -285,14 +286,9 @@ fn last_apart(answer: &WatchAnswer) -> Vec<Finding> {
         .collect()
 }
 
-fn middle(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    let half = values.len() / 2;
-    match values.len() {
-        0 => f64::NAN,
-        even if even % 2 == 0 => 0.5 * (values[half - 1] + values[half]),
-        _ => values[half],
-    }
+/// The median; not a number of none.
+fn middle(values: &[f64]) -> f64 {
+    quantile(values, 0.5).unwrap_or(f64::NAN)
 }
 
 fn changes(answer: &WatchAnswer) -> Vec<Finding> {

@@ -1,5 +1,5 @@
 // SOURCE     as made_records.rs, with sines added: what a machine does to a record is known exactly.
-// GOAL       Machines are named and are no modes; modes beside and under them are found; a peak that is no mode has its reason.
+// GOAL       Notes name machines, which are no modes; modes beside and under them are found; a peak that is no mode has its reason.
 // TOLERANCE  that of made_records.rs.
 
 use super::made_records::{deviation, matched};
