@@ -175,14 +175,14 @@ fn sampled(project: &Project, sampling: Sampling) -> Result<Option<Sampled>, Wor
     if scatters.is_empty() || kinds::load_factor(project, &mut Quantity::nominal)?.is_none() {
         return Ok(None);
     }
-    let has_loads = |pick: Pick<'_>| -> Result<Option<bool>, WorkError> {
+    let is_overloaded = |pick: Pick<'_>| -> Result<Option<bool>, WorkError> {
         let Some(check) = kinds::check(project, pick)? else {
             return Ok(None);
         };
         let loads = kinds::loads(project, &check, &tilts(project, &check), pick)?;
         Ok(loads.and_then(|loads| loads.factor()).map(|factor| factor <= 1.0))
     };
-    let is_loaded = has_loads(&mut Quantity::nominal)?.is_some();
+    let is_loaded = is_overloaded(&mut Quantity::nominal)?.is_some();
     let mut overloaded = Vec::new();
     let mut load_factors = Vec::with_capacity(sampling.samples);
     let unstable = probability(
@@ -202,7 +202,7 @@ fn sampled(project: &Project, sampling: Sampling) -> Result<Option<Sampled>, Wor
             load_factors.push(factor);
             if is_loaded {
                 overloaded.push(
-                    has_loads(&mut pick)
+                    is_overloaded(&mut pick)
                         .within(|| Place::SampleImpossible)?
                         .unwrap_or(true),
                 );

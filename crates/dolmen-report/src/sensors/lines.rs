@@ -1,11 +1,37 @@
 //! The planned sensors as lines of a project file.
 
-use dolmen_work::sensors::SensorsAnswer;
+use dolmen_project::Structure;
+use dolmen_work::sensors::{Axis, SensorsAnswer};
 use std::fmt::Write as _;
+
+const WAYS: [&str; 3] = ["x", "y", "z"];
+
+/// The direction of a channel: of a frame whose directions have other names the first is x, the second y.
+fn way(axis: &Axis, named: &[&str]) -> &'static str {
+    let key = axis.key().unwrap_or("x");
+    let own = WAYS.into_iter().find(|way| *way == key);
+    let place = named.iter().position(|name| *name == key);
+    own.or_else(|| WAYS.get(place?).copied()).unwrap_or("x")
+}
 
 /// `channels = [ … ]`, setup by setup, for the table of a survey's records; the columns are counted on, and to be changed to those of the record.
 pub(crate) fn channel_lines(answer: &SensorsAnswer) -> String {
+    let named: Vec<&str> = match &answer.project.structure {
+        Structure::Frame(part) => part
+            .directions
+            .iter()
+            .map(|direction| direction.name.as_str())
+            .collect(),
+        Structure::Chain(_) | Structure::Stack(_) | Structure::Building(_) | Structure::Survey => Vec::new(),
+    };
     let mut text = String::new();
+    for name in named.iter().filter(|name| !WAYS.contains(name)) {
+        let _ = writeln!(
+            text,
+            "# {} is \"{name}\"",
+            way(&Axis::Named((*name).to_owned()), &named)
+        );
+    }
     for setup in 0..answer.setups {
         if answer.setups > 1 {
             let _ = writeln!(
@@ -27,10 +53,7 @@ pub(crate) fn channel_lines(answer: &SensorsAnswer) -> String {
                 .map(|length| format!("{:.3}", length + 0.0));
             for axis in &sensor.site.axes {
                 column += 1;
-                let key = axis
-                    .key()
-                    .filter(|key| ["x", "y", "z"].contains(key))
-                    .unwrap_or("x");
+                let key = way(axis, &named);
                 let _ = writeln!(
                     text,
                     "  {{ column = {column}, name = \"s{}{key}\", position = [{x}, {y}, {z}], direction = \"{key}\" }},",
@@ -91,5 +114,27 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn holds_named_directions_of_a_frame_stay_apart() {
+        let text = include_str!("../../../../examples/heunginjimun_gate/project.toml");
+        let opened = Opened::read(text.to_owned(), "p".to_owned(), &NoFiles).unwrap();
+        let how = SensorsOptions {
+            count: 1,
+            axes: 2,
+            ..SensorsOptions::default()
+        };
+        let answer = sensors(&opened, &how).unwrap();
+        let axes = &answer.sensors[0].site.axes;
+        let named = ["weak", "strong"];
+        let ways: Vec<&str> = axes.iter().map(|axis| way(axis, &named)).collect();
+        assert!(ways.iter().collect::<std::collections::BTreeSet<_>>().len() == axes.len());
+        assert_eq!(
+            ["weak", "strong"].map(|name| way(&Axis::Named(name.to_owned()), &named)),
+            ["x", "y"]
+        );
+        assert_eq!(way(&Axis::Named("y".to_owned()), &["x", "y"]), "y");
+        assert_eq!(way(&Axis::InPlane, &[]), "x");
     }
 }
