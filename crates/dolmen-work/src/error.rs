@@ -118,6 +118,13 @@ pub enum WorkError {
         /// Those there are.
         known: String,
     },
+    /// An input channel has a name that no channel has.
+    NoSuchInput {
+        /// The name.
+        name: String,
+        /// The channels.
+        known: String,
+    },
     /// A reference channel has a name that no channel has.
     NoSuchReference {
         /// The name.

@@ -315,6 +315,7 @@ fn options(source: &RecordSource, channels: &[Channel]) -> Result<Identify, Work
     Ok(Identify {
         method: source.modal.method.unwrap_or(defaults.method),
         references: references(&source.modal.references, channels).within(|| source.file.clone())?,
+        inputs: inputs(&source.modal.inputs, channels).within(|| source.file.clone())?,
         pick_hz: source.modal.pick_hz.clone(),
         harmonics: source.modal.harmonics.unwrap_or(defaults.harmonics),
         frequency_low_hz: source.modal.frequency_low_hz,
@@ -334,16 +335,33 @@ fn options(source: &RecordSource, channels: &[Channel]) -> Result<Identify, Work
     })
 }
 
-/// Indices of the channels of these names.
+/// Indices of the reference channels.
 fn references(names: &[String], channels: &[Channel]) -> Result<Vec<usize>, WorkError> {
+    places(names, channels, |name, known| WorkError::NoSuchReference {
+        name,
+        known,
+    })
+}
+
+/// Indices of the channels that drive the others.
+fn inputs(names: &[String], channels: &[Channel]) -> Result<Vec<usize>, WorkError> {
+    places(names, channels, |name, known| WorkError::NoSuchInput {
+        name,
+        known,
+    })
+}
+
+/// Indices of the channels of these names; `missing` is what to say of a name and of those there are.
+fn places(
+    names: &[String],
+    channels: &[Channel],
+    missing: fn(String, String) -> WorkError,
+) -> Result<Vec<usize>, WorkError> {
     let place = |name: &String| {
         let at = channels.iter().position(|channel| channel.name == *name);
         at.ok_or_else(|| {
             let known: Vec<&str> = channels.iter().map(|channel| channel.name.as_str()).collect();
-            WorkError::NoSuchReference {
-                name: name.clone(),
-                known: known.join(", "),
-            }
+            missing(name.clone(), known.join(", "))
         })
     };
     names.iter().map(place).collect()

@@ -7,7 +7,7 @@ use serde_json::Value;
 use std::collections::BTreeSet;
 use std::fs;
 
-const COMMANDS: [&str; 38] = [
+const COMMANDS: [&str; 39] = [
     "check examples/naju_flagpole --samples 20 --sensitivity",
     "check examples/naju_flagpole/wind.toml",
     "check examples/naju_flagpole/one_stone.toml",
@@ -22,6 +22,7 @@ const COMMANDS: [&str; 38] = [
     "identify examples/naju_flagpole",
     "identify examples/heunginjimun_gate",
     "identify examples/struck_column",
+    "identify examples/frame_on_soft_ground",
     "identify examples/gate_in_plan",
     "identify examples/five_storey_pagoda",
     "compare examples/gate_through_the_seasons",

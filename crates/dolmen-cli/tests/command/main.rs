@@ -12,6 +12,7 @@ mod decisions;
 mod demands;
 mod docs;
 mod documents;
+mod driven_records;
 mod english;
 mod figure_files;
 mod first_day;

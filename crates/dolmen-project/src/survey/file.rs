@@ -263,6 +263,8 @@ pub(super) enum MethodRaw {
     Plscf,
     /// Free decay: the record begins when the last force has ended.
     Era,
+    /// Observer/Kalman filter identification with the channels of `inputs` as what drives the others: the modes on a base that is held.
+    Okid,
 }
 
 /// What becomes of a mode that looks like a machine.
@@ -297,6 +299,8 @@ pub(super) struct ModalRaw {
     pub(super) method: Option<MethodRaw>,
     /// Reference channels of the subspace methods, by name; all if not given.
     pub(super) references: Option<Vec<At<String>>>,
+    /// Channels that drive the others, by name: the ground, a shaker. The method is then "okid".
+    pub(super) inputs: Option<Vec<At<String>>>,
     /// Frequencies at which modes are picked by hand, Hz; all modes if not given.
     pub(super) pick_hz: Option<Vec<At<f64>>>,
     /// Modes that look like machines: "flag" if not given.

@@ -139,6 +139,39 @@ fn damping_range(reader: &mut Reader, raw: &ModalRaw, path: &str) -> [Option<f64
     range
 }
 
+/// The method that is written; that of a measured input where inputs are.
+fn method_of(raw: &ModalRaw) -> Option<Method> {
+    let has_inputs = raw.inputs.as_ref().is_some_and(|inputs| !inputs.is_empty());
+    let written = raw.method.map(|method| match method {
+        MethodRaw::Fdd => Method::Fdd,
+        MethodRaw::Efdd => Method::Efdd,
+        MethodRaw::Fsdd => Method::Fsdd,
+        MethodRaw::SsiCov => Method::SsiCov,
+        MethodRaw::SsiData => Method::SsiData,
+        MethodRaw::Bayoma => Method::Bayoma,
+        MethodRaw::Plscf => Method::Plscf,
+        MethodRaw::Era => Method::Era,
+        MethodRaw::Okid => Method::Okid,
+    });
+    written.or(has_inputs.then_some(Method::Okid))
+}
+
+/// Refuses inputs of another method than the one that takes them.
+fn inputs_and_method(reader: &mut Reader, raw: &ModalRaw, path: &str) {
+    let first = raw.inputs.as_ref().and_then(|inputs| inputs.first());
+    if let (Some(method), Some(first)) = (raw.method, first)
+        && method != MethodRaw::Okid
+    {
+        let path = format!("{path}.inputs");
+        let message = WrongRecords::InputsOfAnotherMethod { path: path.clone() };
+        reader.fault(Fault::new(first.span.clone(), &path, message).allowed(WrongRecords::LeaveOutTheMethod));
+    }
+}
+
+fn names(given: &Option<Vec<At<String>>>) -> Vec<String> {
+    given.iter().flatten().map(|name| name.value.clone()).collect()
+}
+
 pub(super) fn modal(reader: &mut Reader, raw: &ModalRaw, path: &str) -> ModalChoice {
     let low = raw.frequency_low_hz.as_ref();
     let high = raw.frequency_high_hz.as_ref();
@@ -154,6 +187,7 @@ pub(super) fn modal(reader: &mut Reader, raw: &ModalRaw, path: &str) -> ModalCho
         );
     }
     let [damping_least, damping_most] = damping_range(reader, raw, path);
+    inputs_and_method(reader, raw, path);
     let picks = raw.pick_hz.iter().flatten().enumerate();
     let pick_hz = picks
         .filter_map(|(i, pick)| reader.within(Some(pick), &format!("{path}.pick_hz[{i}]"), 0.0, RATE_MOST_HZ))
@@ -162,22 +196,9 @@ pub(super) fn modal(reader: &mut Reader, raw: &ModalRaw, path: &str) -> ModalCho
         reader.count(raw.as_ref(), &format!("{path}.{key}"), least, COUNT_MOST)
     };
     ModalChoice {
-        method: raw.method.map(|method| match method {
-            MethodRaw::Fdd => Method::Fdd,
-            MethodRaw::Efdd => Method::Efdd,
-            MethodRaw::Fsdd => Method::Fsdd,
-            MethodRaw::SsiCov => Method::SsiCov,
-            MethodRaw::SsiData => Method::SsiData,
-            MethodRaw::Bayoma => Method::Bayoma,
-            MethodRaw::Plscf => Method::Plscf,
-            MethodRaw::Era => Method::Era,
-        }),
-        references: raw
-            .references
-            .iter()
-            .flatten()
-            .map(|name| name.value.clone())
-            .collect(),
+        method: method_of(raw),
+        references: names(&raw.references),
+        inputs: names(&raw.inputs),
         pick_hz,
         harmonics: raw.harmonics.map(|harmonics| match harmonics {
             HarmonicsRaw::Flag => Harmonics::Flag,

@@ -96,6 +96,8 @@ pub struct ModalChoice {
     pub method: Option<Method>,
     /// Reference channels, by name; empty: all.
     pub references: Vec<String>,
+    /// Names of the channels that drive the others.
+    pub inputs: Vec<String>,
     /// Frequencies at which modes are picked by hand, Hz; empty: all modes.
     pub pick_hz: Vec<f64>,
     /// What becomes of modes that look like machines.

@@ -23,6 +23,14 @@ messages! {
             en: "{path}: damping_least and damping_most are not used by this method",
             ko: "{path}: 이 방법에서는 damping_least와 damping_most를 쓰지 않는다",
         },
+        InputsOfAnotherMethod { path: String } => {
+            en: "{path}: this method does not take measured inputs",
+            ko: "{path}: 이 방법에서는 입력 채널을 쓰지 않는다",
+        },
+        LeaveOutTheMethod => {
+            en: "leave out method, or write method = \"okid\"",
+            ko: "method를 삭제하거나 method = \"okid\"로 한다",
+        },
         LeaveThemOutOr => {
             en: "leave them out, or choose ssi-cov, ssi-data, plscf or bayoma",
             ko: "삭제하거나 ssi-cov, ssi-data, plscf, bayoma 중 하나를 고른다",

@@ -4,7 +4,9 @@ use super::check::project;
 use super::with::with;
 use crate::modal::{decay_remarks, setup_remarks};
 use dolmen::blocks::JointFactor;
-use dolmen::modal::{Agreement, AtAmplitude, Decay, MergedMode, Method, Mode, ModeDecay, Modes, Settings};
+use dolmen::modal::{
+    Agreement, AtAmplitude, Decay, Driven, DrivenMode, MergedMode, Method, Mode, ModeDecay, Modes, Settings,
+};
 use dolmen::signal::Channel;
 use dolmen::structure::building::{PlanMode, PlanSolution};
 use dolmen_words::advice::Advice;
@@ -98,6 +100,7 @@ fn record(record: &RecordAnswer) -> Value {
         "modes": identified(&analysis.modes),
         "fdd_modes": identified(&analysis.fdd_modes),
         "decay": analysis.decay.as_ref().map(decay),
+        "driven": analysis.driven.as_ref().map(driven),
         "notes": analysis.notes.iter().map(Advice::advised).collect::<Vec<_>>(),
     })
 }
@@ -121,6 +124,17 @@ fn settings(settings: &Settings, modes: &Modes) -> Value {
     })
 }
 
+/// What a measured input shows beside the modes.
+fn driven(driven: &Driven) -> Value {
+    let mode = |m: &DrivenMode| json!({ "frequency_hz": m.frequency_hz, "explained": m.explained, "with_base_hz": m.with_base_hz.map(|of| of.0), "with_base_sd_hz": m.with_base_hz.and_then(|of| of.1) });
+    json!({
+        "inputs": driven.inputs,
+        "lags": driven.lags,
+        "noise": driven.noise,
+        "modes": driven.modes.iter().map(mode).collect::<Vec<_>>(),
+    })
+}
+
 fn decay(decay: &Decay) -> Value {
     let at = |of: &AtAmplitude| with(of, json!({ "half_width_95": of.half_width_95().ok() }));
     let mode = |m: &ModeDecay| json!({ "frequency_hz": m.frequency_hz, "poles_hz": m.poles_hz, "sd_over_white": m.over_white, "damping_follows": m.damping_follows, "swings": m.swings.iter().map(at).collect::<Vec<_>>() });
@@ -135,6 +149,8 @@ fn decay(decay: &Decay) -> Value {
 /// Identified modes; shapes as [re, im] a channel.
 fn identified(modes: &Modes) -> Value {
     let finite = |x: f64| x.is_finite().then_some(x);
+    // the floor is that of ambient vibration
+    let has_floor = !matches!(modes.method, Method::Era | Method::Okid);
     let mode = |mode: &Mode| {
         json!({
             "frequency_hz": mode.frequency_hz,
@@ -145,8 +161,8 @@ fn identified(modes: &Modes) -> Value {
             "shape_sd": mode.shape_sd,
             "phase_collinearity": mode.phase_collinearity,
             "cycles": mode.cycles,
-            "frequency_floor_hz": finite(mode.frequency_floor_hz()).filter(|_| modes.method != Method::Era),
-            "damping_ratio_floor": finite(mode.damping_ratio.unwrap_or(f64::NAN) * mode.damping_floor()).filter(|_| modes.method != Method::Era),
+            "frequency_floor_hz": finite(mode.frequency_floor_hz()).filter(|_| has_floor),
+            "damping_ratio_floor": finite(mode.damping_ratio.unwrap_or(f64::NAN) * mode.damping_floor()).filter(|_| has_floor),
             "orders": mode.orders,
             "kurtosis": mode.kurtosis.map(|k| k.kurtosis),
             "kurtosis_sd": mode.kurtosis.map(|k| k.deviation),

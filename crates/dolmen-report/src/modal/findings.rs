@@ -46,6 +46,10 @@ messages! {
             ko: "기록의 모드 중 직접 선택하여",
         },
         ByItself => { en: "no peak picked by hand", ko: "수작업 없이" },
+        OnHeldBase { inputs: Vec<String> } => {
+            en: "on a base that is held where {inputs} measures its motion",
+            ko: "{inputs}이(가) 잰 기초가 고정된 것으로 보고",
+        },
         OneFault => {
             en: "1 fault was seen in its channels; it is named with the record.",
             ko: "채널에서 이상 1건이 발견되었다(기록 항목 참조).",
@@ -97,9 +101,12 @@ fn of_record(record: &RecordAnswer) -> Vec<Finding> {
     }
     .into();
     let by_hand = |note: &Note| matches!(note, Note::NotPicked { .. });
-    let how = match record.analysis.notes.iter().any(by_hand) {
-        true => Found::ByHand,
-        false => Found::ByItself,
+    let how = match (record.analysis.notes.iter().any(by_hand), &record.analysis.driven) {
+        (_, Some(driven)) => Found::OnHeldBase {
+            inputs: driven.inputs.clone(),
+        },
+        (true, None) => Found::ByHand,
+        (false, None) => Found::ByItself,
     }
     .into();
     let values = frequencies(&modes.modes);

@@ -3,6 +3,7 @@
 mod clocks;
 mod decay;
 mod decay_remarks;
+mod driven;
 mod faults;
 mod findings;
 mod joint;
@@ -39,7 +40,7 @@ messages! {
 }
 
 /// The sentences on records as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 17] = [
+pub(crate) const TEMPLATES: [&[Template]; 18] = [
     findings::Found::TEMPLATES,
     Of::TEMPLATES,
     record::Record::TEMPLATES,
@@ -54,6 +55,7 @@ pub(crate) const TEMPLATES: [&[Template]; 17] = [
     clocks::Clocks::TEMPLATES,
     decay::Decays::TEMPLATES,
     decay_remarks::Remarks::TEMPLATES,
+    driven::Drivens::TEMPLATES,
     setups::Setups::TEMPLATES,
     joint::Joint::TEMPLATES,
     setup_remarks::Remarks::TEMPLATES,

@@ -1,6 +1,7 @@
 //! The section of one record: what was read and done, figures, modes, what to doubt.
 
 use super::decay;
+use super::driven;
 use super::faults::fault_words;
 use super::notes::note_words;
 use super::settings::settings;
@@ -26,6 +27,10 @@ messages! {
         Decay { survey: Sentence } => {
             en: "Modes from a free decay: {survey}",
             ko: "자유감쇠 기록의 모드 분석: {survey}",
+        },
+        Driven { survey: Sentence } => {
+            en: "Modes above a measured ground: {survey}",
+            ko: "지반운동을 입력으로 한 모드 분석: {survey}",
         },
         Read { file: String, channels: Sentence, samples: String, rate: Quantity, time: Quantity, unit: Sentence, used: Vec<String> } => {
             en: "Record {file}: {channels} of {samples} samples at {rate} ({time}), {unit}. Channels used: {used}.",
@@ -65,9 +70,10 @@ messages! {
 pub(super) fn section<'a>(document: &mut Document<'a>, survey: Sentence, record: &'a RecordAnswer) {
     let analysis = &record.analysis;
     let is_decay = analysis.modes.method == Method::Era;
-    document.heading(match is_decay {
-        true => Record::Decay { survey },
-        false => Record::Ambient { survey },
+    document.heading(match (is_decay, &analysis.driven) {
+        (true, _) => Record::Decay { survey },
+        (false, Some(_)) => Record::Driven { survey },
+        (false, None) => Record::Ambient { survey },
     });
     read(document, record);
     figures(document, analysis);
@@ -79,12 +85,16 @@ pub(super) fn section<'a>(document: &mut Document<'a>, survey: Sentence, record:
     if let Some(of) = &analysis.decay {
         decay::section(document, of);
     }
+    if let Some(of) = &analysis.driven {
+        driven::section(document, of);
+    }
     for note in &analysis.notes {
         document.note(note_words(note));
     }
-    let codes: &[&str] = match is_decay {
-        true => &["free-decay"],
-        false => &["damping-floor", "harmonics", "block-rows"],
+    let codes: &[&str] = match (is_decay, &analysis.driven) {
+        (true, _) => &["free-decay"],
+        (false, Some(_)) => &["block-rows"],
+        (false, None) => &["damping-floor", "harmonics", "block-rows"],
     };
     document.note(Record::Explain {
         codes: codes.iter().map(ToString::to_string).collect(),

@@ -50,6 +50,10 @@ messages! {
             en: "eigensystem realization of a free decay (ERA)",
             ko: "자유감쇠의 고유계 실현법(ERA)",
         },
+        Okid => {
+            en: "observer/Kalman filter identification with measured inputs (OKID)",
+            ko: "입력을 계측한 관측기/칼만필터 동정법(OKID)",
+        },
         Mode => { en: "Mode", ko: "모드" },
         Nth { number: usize } => { en: "{number}", ko: "{number}" },
         Frequency => { en: "frequency", ko: "고유진동수" },
@@ -79,7 +83,9 @@ messages! {
 pub(super) fn of_peaks(method: Method) -> bool {
     match method {
         Method::Fdd | Method::Efdd | Method::Fsdd => true,
-        Method::SsiCov | Method::SsiData | Method::Bayoma | Method::Plscf | Method::Era => false,
+        Method::SsiCov | Method::SsiData | Method::Bayoma | Method::Plscf | Method::Era | Method::Okid => {
+            false
+        }
     }
 }
 
@@ -94,6 +100,7 @@ fn method_words(method: Method) -> Sentence {
         Method::Bayoma => Tables::Bayoma,
         Method::Plscf => Tables::Plscf,
         Method::Era => Tables::Era,
+        Method::Okid => Tables::Okid,
     }
     .into()
 }
@@ -125,7 +132,7 @@ pub(super) fn modes_table(modes: &Modes, caption: Vec<Sentence>) -> Table {
     let mut rows: Vec<Vec<Cell>> = modes.modes.iter().enumerate().map(first_cells).collect();
     for (head, unit, cell) in own_columns(modes.method) {
         let cells: Vec<Cell> = modes.modes.iter().map(cell).collect();
-        // a free decay has neither floor nor kurtosis
+        // a free decay and a measured input have neither floor nor kurtosis
         if cells.iter().all(|cell| matches!(cell, Cell::Number(None))) {
             continue;
         }
@@ -152,7 +159,7 @@ type Own = (Tables, Unit, fn(&Mode) -> Cell);
 fn own_columns(method: Method) -> Vec<Own> {
     let floor: fn(&Mode) -> Cell = match method {
         // the floor is that of ambient vibration
-        Method::Era => |_| Cell::Number(None),
+        Method::Era | Method::Okid => |_| Cell::Number(None),
         Method::Fdd
         | Method::Efdd
         | Method::Fsdd
@@ -197,7 +204,7 @@ pub(super) fn caption(method: Method) -> Vec<Sentence> {
         method: method_words(method),
     };
     let meaning = match method {
-        Method::Era => Tables::DecayMeaning,
+        Method::Era | Method::Okid => Tables::DecayMeaning,
         Method::Fdd
         | Method::Efdd
         | Method::Fsdd

@@ -28,6 +28,9 @@ korean_of! {
         ModalError::NoReference { setup } => "측정 배치 {setup}에 앞의 배치와 공통인 센서가 없다. 하나 이상(되도록 셋)은 같은 자리에 있어야 한다(이름이 같거나 위치와 방향이 같은 센서)";
         ModalError::NoCommonReference { setups } => "측정 배치 {setups}개 모두에 있는 센서가 없다. 하나로 분석하려면 처음부터 끝까지 그대로인 센서가 하나(되도록 셋) 필요하다";
         ModalError::SetupRate { setup, given_hz, first_hz } => "측정 배치 {setup}의 자료는 초당 {given_hz}개, 첫 배치는 {first_hz}개이다. 하나로 분석하려면 주파수가 같아야 한다";
+        ModalError::Inputs { method, inputs, channels } => "방법이 {method}이고 채널 {channels}개 중 입력이 {inputs}개이다. 입력은 okid에만 쓰며, okid에는 입력 채널과 입력이 아닌 채널이 하나 이상씩 필요하다";
+        ModalError::InputsAlike { share } => "입력 채널이 하나처럼 움직인다. 함께하지 않는 운동이 {share}뿐이어서 각각의 영향을 구별할 수 없다. 입력을 하나만 남긴다", share = format!("{share:.3}");
+        ModalError::NoObserver => "채널이 입력을 따르는 방식이 구조물이 지반을 따르는 방식이 아니다. 구조물이 움직여서만 입력이 움직이거나, 입력을 그대로 옮긴 채널이 있을 수 있다";
     }
     handed on ModalError::Numeric(why) => why;
     handed on ModalError::Record(why) => why;

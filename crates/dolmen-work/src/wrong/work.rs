@@ -61,6 +61,10 @@ sentences! {
             en: "modal.references names {name}, but the channels used are {known}",
             ko: "modal.references에 {name}이(가) 있는데 쓰는 채널은 {known}이다",
         },
+        NoSuchInput { name, known } as { name: format!("{name:?}"), known } => {
+            en: "modal.inputs names {name}, but the channels used are {known}",
+            ko: "modal.inputs에 {name}이(가) 있는데 쓰는 채널은 {known}이다",
+        },
         NoneToFollow => {
             en: "no survey of the project has its vibration record in one file: records that come by themselves take sensors, units and channels from the latest such survey; add one to the project and store it with `dolmen survey add`",
             ko: "진동 기록을 파일 하나로 읽는 조사가 프로젝트에 없다. 들어오는 기록의 센서, 단위, 채널은 그런 최근 조사에서 가져온다. 조사를 프로젝트에 넣고 `dolmen survey add`로 저장한다",

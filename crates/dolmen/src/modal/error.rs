@@ -259,6 +259,33 @@ pub enum ModalError {
         /// That of the first, Hz.
         first_hz: f64,
     },
+    /// The method and the inputs do not go together.
+    #[error(
+        "method is {method} and {inputs} of {channels} channels are inputs, but okid, and no other method, needs one input or more and one channel \
+         that is none"
+    )]
+    Inputs {
+        /// Name of the method.
+        method: &'static str,
+        /// Channels that are inputs.
+        inputs: usize,
+        /// Channels.
+        channels: usize,
+    },
+    /// The inputs are so alike that nobody can tell what each does.
+    #[error(
+        "the inputs move as one: only {share:.3} of their motion is not shared, and what each of them does cannot be told apart: keep one of them"
+    )]
+    InputsAlike {
+        /// Smallest eigenvalue of their coherence matrix over the mean one, the median over the lines.
+        share: f64,
+    },
+    /// No structure explains how the channels follow the inputs.
+    #[error(
+        "how the channels follow the inputs is not how a structure follows its ground: the inputs may move only as the structure moves them, or a \
+         channel may copy an input"
+    )]
+    NoObserver,
     /// A number is refused.
     #[error(transparent)]
     Numeric(#[from] NumericError),
@@ -298,6 +325,9 @@ impl ModalError {
             | Self::NoReference { .. }
             | Self::NoCommonReference { .. }
             | Self::SetupRate { .. }
+            | Self::Inputs { .. }
+            | Self::InputsAlike { .. }
+            | Self::NoObserver
             | Self::Numeric(_)
             | Self::Record(_) => false,
         }

@@ -1,7 +1,7 @@
 //! From a record to its modes: spectrum, machines told from modes, subspace method, clusters, and every choice told.
 
-use super::decay::{SHORT, of_decay, short_spectrum};
-use super::error::refused;
+use super::decay::of_decay;
+use super::driven::of_driven;
 use super::likelihood::refined;
 use super::modal_analysis::{ModalAnalysis, of_peaks};
 use super::options::Identify;
@@ -13,19 +13,18 @@ use super::quality::{doubt_channels, to_one_quantity};
 use super::quality::{note_tones_on_modes, split_tones, test_for_machines};
 use super::quality::{refusal, remark};
 use super::quality::{unequal, widen};
-use super::settings::{choose, passed_hz};
+use super::settings::choose;
+use super::shared_steps::{check, judge_channels, judged, modes_of, note_blends, note_filter};
+use super::shared_steps::{pick, spectrum, wanted};
+use super::spectrum::FddResult;
 use super::spectrum::FractionScatter;
 use super::spectrum::Plscf;
 use super::spectrum::keeping_most;
 use super::spectrum::plscf;
-use super::spectrum::{Efdd, efdd};
-use super::spectrum::{Fdd, FddResult, fdd};
-use super::subspace::Deviations;
-use super::subspace::{AllOrders, Criteria, Stabilization, judge_poles};
-use super::subspace::{Cluster, Clustering, Fate, group_poles};
+use super::subspace::AllOrders;
 use super::subspace::{ssi_cov, ssi_data};
-use super::{Method, ModalError, Mode, Modes, Note, PoleDeviation, Propagation};
-use crate::signal::{ChannelFault, Record, inspect, leave_out};
+use super::{Method, ModalError, Modes, Note, Propagation};
+use crate::signal::{Record, leave_out};
 
 /// Modes of an ambient record, found without a hand on it: spectrum, a subspace method at all orders, clusters; or the peaks
 /// of the spectrum alone, as `method` says.
@@ -52,12 +51,15 @@ pub fn identify(record: &Record, options: &Identify) -> Result<ModalAnalysis, Mo
     check(record, options)?;
     let mut notes = judge_channels(record)?;
     note_filter(record, options, &mut notes);
+    if options.method == Method::Okid {
+        return of_driven((record, options), notes, &identify);
+    }
     let mut peaks = spectrum(record, options)?;
     let tones_hz = split_tones(record, &mut peaks, options, &mut notes)?;
     let mut analysis = match options.method {
         Method::Fdd | Method::Efdd | Method::Fsdd => of_peaks(peaks, record, options),
         Method::Era => of_decay(record, options, peaks)?,
-        Method::SsiCov | Method::SsiData | Method::Bayoma | Method::Plscf => {
+        Method::SsiCov | Method::SsiData | Method::Bayoma | Method::Plscf | Method::Okid => {
             of_poles(record, options, (peaks, &tones_hz), &mut notes)?
         }
     };
@@ -111,41 +113,6 @@ fn of_one_clock(record: &Record, options: &Identify, modes: &Modes, notes: &[Not
     let of_clocks = |note: &&Note| matches!(note, Note::ClockDrift { .. } | Note::LateClocks { .. });
     alone.notes.extend(notes.iter().filter(of_clocks).cloned());
     Some(alone)
-}
-
-/// Says where a frequency that was asked for lies beyond what the record's own anti-alias filter lets pass.
-pub(super) fn note_filter(record: &Record, options: &Identify, notes: &mut Vec<Note>) {
-    if let (Some(asked_hz), Some(passed_hz)) = (options.frequency_high_hz, passed_hz(record))
-        && asked_hz > passed_hz
-    {
-        notes.push(Note::FilteredAbove { asked_hz, passed_hz });
-    }
-}
-
-pub(super) fn spectrum(record: &Record, options: &Identify) -> Result<FddResult, ModalError> {
-    let fdd_options = Fdd {
-        frequency_low_hz: options.frequency_low_hz.unwrap_or(options.fdd.frequency_low_hz),
-        frequency_high_hz: [
-            options.frequency_high_hz.or(options.fdd.frequency_high_hz),
-            passed_hz(record),
-        ]
-        .into_iter()
-        .flatten()
-        .reduce(f64::min),
-        ..options.fdd.clone()
-    };
-    match options.method {
-        method @ (Method::Efdd | Method::Fsdd) => efdd(
-            record,
-            &Efdd {
-                fdd: fdd_options,
-                method,
-                ..Default::default()
-            },
-        ),
-        Method::Era if record.length() < SHORT => short_spectrum(record, &fdd_options),
-        _ => fdd(record, &fdd_options),
-    }
 }
 
 /// Poles of all orders, judged and grouped.
@@ -231,140 +198,7 @@ fn of_poles(
         hankel_singular_values,
         settings,
         decay: None,
+        driven: None,
         notes: Vec::new(),
     })
-}
-
-pub(super) fn note_blends(clusters: &[Cluster], notes: &mut Vec<Note>) {
-    let is_blend = clusters.iter().filter(|c| c.fate == Fate::Blend);
-    let blends: Vec<[f64; 2]> = is_blend
-        .map(|c| [c.medoid.frequency_hz, c.medoid.damping_ratio])
-        .collect();
-    if !blends.is_empty() {
-        notes.push(Note::Blends { blends });
-    }
-}
-
-/// The diagram, and the groups of its poles.
-pub(super) fn judged(
-    all: &AllOrders<'_>,
-    deviations: &mut dyn Deviations,
-    criteria: &Criteria,
-    clustering: &Clustering,
-) -> Result<(Stabilization, Vec<Cluster>), ModalError> {
-    let stabilization = judge_poles(all, deviations, criteria)?;
-    let clusters = group_poles(all, deviations, &stabilization, clustering)?;
-    Ok((stabilization, clusters))
-}
-
-pub(super) fn check(record: &Record, options: &Identify) -> Result<(), ModalError> {
-    let nyquist_hz = 0.5 * record.sampling_rate_hz();
-    let low_hz = options.frequency_low_hz.unwrap_or(0.0);
-    let high_hz = options.frequency_high_hz.unwrap_or(nyquist_hz);
-    if !(low_hz >= 0.0 && low_hz < nyquist_hz) {
-        return refused("frequency_low_hz", low_hz, "between 0 and half the sampling rate");
-    }
-    if !(high_hz > low_hz && high_hz <= nyquist_hz) {
-        let allowed = "above frequency_low_hz and at most half the sampling rate";
-        return refused("frequency_high_hz", high_hz, allowed);
-    }
-    if options.decimation == Some(0) {
-        return refused("decimation", 0.0, "at least 1");
-    }
-    if let Some(picked) = options.pick_hz.iter().find(|f| !(**f > 0.0 && **f < nyquist_hz)) {
-        return refused("pick_hz", *picked, "above 0 and below half the sampling rate");
-    }
-    if !(options.pick_within > 0.0 && options.pick_within < 0.5) {
-        return refused("pick_within", options.pick_within, "above 0 and below 0.5");
-    }
-    Ok(())
-}
-
-/// Share of the record that a channel may stand still. Chosen here.
-const STUCK_MOST: f64 = 0.02;
-
-/// Refuses dead and duplicated channels, and those that stand still for more than a fiftieth of the record; notes all else.
-pub(super) fn judge_channels(record: &Record) -> Result<Vec<Note>, ModalError> {
-    let mut notes = Vec::new();
-    for fault in inspect(record) {
-        match fault {
-            ChannelFault::Constant { .. } | ChannelFault::Duplicated { .. } => {
-                return Err(ModalError::Channel(fault));
-            }
-            ChannelFault::Stuck { from_s, to_s, .. } if to_s - from_s > STUCK_MOST * record.duration_s() => {
-                return Err(ModalError::Channel(fault));
-            }
-            _ => notes.push(Note::Channel(fault)),
-        }
-    }
-    Ok(notes)
-}
-
-/// Keeps the modes picked by hand, each of which must be there once; returns the frequencies of the others, Hz.
-pub(super) fn pick(options: &Identify, modes: &mut Modes) -> Result<Vec<f64>, ModalError> {
-    if options.pick_hz.is_empty() {
-        return Ok(Vec::new());
-    }
-    let mut picked: Vec<Mode> = Vec::new();
-    for frequency_hz in &options.pick_hz {
-        let mode = modes.nearest(*frequency_hz, options.pick_within * frequency_hz)?;
-        if picked.contains(mode) {
-            return Err(ModalError::PickedTwice {
-                given_hz: *frequency_hz,
-                found_hz: mode.frequency_hz,
-            });
-        }
-        picked.push(mode.clone());
-    }
-    let is_left = |mode: &&Mode| !picked.contains(mode);
-    let left = modes.modes.iter().filter(is_left).map(|mode| mode.frequency_hz);
-    let left_hz = left.collect();
-    picked.sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
-    modes.modes = picked;
-    Ok(left_hz)
-}
-
-pub(super) fn modes_of(clusters: &[Cluster], duration_s: f64) -> Vec<Mode> {
-    clusters
-        .iter()
-        .filter(|c| c.fate == Fate::Mode)
-        .map(|c| Mode {
-            frequency_hz: c.medoid.frequency_hz,
-            frequency_sd_hz: sd(c, |d| d.frequency_sd_hz, c.frequency_spread_hz),
-            frequency_changes_hz: c
-                .deviation
-                .as_ref()
-                .map_or_else(Vec::new, |d| d.frequency_changes_hz.clone()),
-            damping_ratio: Some(c.medoid.damping_ratio),
-            damping_ratio_sd: sd(c, |d| d.damping_ratio_sd, c.damping_ratio_spread),
-            shape: c.medoid.shape.clone(),
-            shape_sd: c
-                .deviation
-                .as_ref()
-                .map(|d| d.shape_sd.clone())
-                .filter(|sd| !sd.is_empty()),
-            phase_collinearity: c.medoid.phase_collinearity,
-            cycles: c.medoid.frequency_hz * duration_s,
-            orders: c.orders.clone(),
-            kurtosis: None,
-            window_bias: None,
-        })
-        .collect()
-}
-
-/// Scatter between blocks of time and scatter between orders, together: which order is looked at is as much chance as
-/// which ten minutes were recorded.
-fn sd(cluster: &Cluster, of_time: fn(&PoleDeviation) -> f64, of_order: f64) -> Option<f64> {
-    cluster.deviation.as_ref().map(|d| of_time(d).hypot(of_order))
-}
-
-pub(super) fn wanted(options: &Identify, modes: &Modes) -> Result<(), ModalError> {
-    match options.modes_wanted {
-        Some(given) if given > modes.modes.len() => Err(ModalError::ModesMissing {
-            given,
-            found: modes.modes.len(),
-            found_hz: modes.modes.iter().map(|m| m.frequency_hz).collect(),
-        }),
-        _ => Ok(()),
-    }
 }

@@ -2,6 +2,7 @@
 
 mod correlations;
 mod decay;
+mod driven;
 mod error;
 mod identify;
 mod indicators;
@@ -18,12 +19,14 @@ mod sensor_placement;
 mod sensors;
 mod settings;
 mod setups;
+mod shared_steps;
 mod spectrum;
 mod subspace;
 mod synthetic;
 mod unkind;
 
 pub use decay::{AtAmplitude, Decay, Decrement, Era, FreeDecay, ModeDecay, decrement, era};
+pub use driven::{Driven, DrivenMode, MadeOnGround};
 pub use error::ModalError;
 pub use identify::identify;
 pub use indicators::{assurance, phase_collinearity, phase_deviation};

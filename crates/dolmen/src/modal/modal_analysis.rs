@@ -1,6 +1,7 @@
 //! The modes of a record, and what they came from.
 
 use super::decay::Decay;
+use super::driven::Driven;
 use super::notes::Note;
 use super::options::Identify;
 use super::settings::{Settings, passed_hz};
@@ -29,6 +30,8 @@ pub struct ModalAnalysis {
     pub settings: Settings,
     /// Of a free decay: how well it is one, and what follows its amplitude.
     pub decay: Option<Decay>,
+    /// Of a record with measured inputs: what they explain, and what the structure does together with its ground.
+    pub driven: Option<Driven>,
     /// What must be known beside the modes.
     pub notes: Vec<Note>,
 }
@@ -73,6 +76,7 @@ pub(super) fn of_peaks(peaks: FddResult, record: &Record, options: &Identify) ->
         hankel_singular_values: Vec::new(),
         settings,
         decay: None,
+        driven: None,
         notes: Vec::new(),
     }
 }

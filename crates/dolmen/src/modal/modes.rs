@@ -26,11 +26,13 @@ pub enum Method {
     Plscf,
     /// Eigensystem realization of a free decay.
     Era,
+    /// Observer of a structure with measured inputs, realized: observer/Kalman filter identification.
+    Okid,
 }
 
 impl Method {
     /// All methods.
-    pub const ALL: [Method; 8] = [
+    pub const ALL: [Method; 9] = [
         Method::Fdd,
         Method::Efdd,
         Method::Fsdd,
@@ -39,6 +41,7 @@ impl Method {
         Method::Bayoma,
         Method::Plscf,
         Method::Era,
+        Method::Okid,
     ];
 
     /// As it is written in a project file: "ssi-cov".
@@ -52,6 +55,7 @@ impl Method {
             Method::Bayoma => "bayoma",
             Method::Plscf => "plscf",
             Method::Era => "era",
+            Method::Okid => "okid",
         }
     }
 

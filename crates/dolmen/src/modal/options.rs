@@ -22,6 +22,8 @@ pub struct Identify {
     pub method: Method,
     /// Reference channels of the subspace methods, by index; empty (default): all.
     pub references: Vec<usize>,
+    /// Channels whose motion or force drives the others, by index: the ground beside or below, a shaker. For `Okid` alone, which needs one at least.
+    pub inputs: Vec<usize>,
     /// Lowest frequency of interest, Hz; `None` (default): the lowest peak of the spectrum decides.
     pub frequency_low_hz: Option<f64>,
     /// Highest frequency of interest, Hz; `None` (default): the highest peak of the spectrum decides.
@@ -57,6 +59,7 @@ impl Default for Identify {
         Identify {
             method: Method::SsiCov,
             references: Vec::new(),
+            inputs: Vec::new(),
             frequency_low_hz: None,
             frequency_high_hz: None,
             block_rows: None,

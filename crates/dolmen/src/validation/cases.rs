@@ -1,10 +1,10 @@
 //! All cases, source by source.
 
 use super::{
-    Case, ValidationError, arches, building_motion, choi_2021, chopra_2017, columns, dampers, dry_friction,
-    fragility, free_columns, free_decay, hwang_min_hong, joined, kim_koo_hong_2018, local_mechanisms,
-    owen_prieur_2017, park_min_2010, pyoma2, rigid_blocks, second_methods, setups, survey_change, watch,
-    wind,
+    Case, ValidationError, arches, building_motion, choi_2021, chopra_2017, columns, dampers, driven_modes,
+    dry_friction, fragility, free_columns, free_decay, hwang_min_hong, joined, kim_koo_hong_2018,
+    local_mechanisms, owen_prieur_2017, park_min_2010, pyoma2, rigid_blocks, second_methods, setups,
+    survey_change, watch, wind,
 };
 
 /// All cases, source by source.
@@ -37,6 +37,7 @@ pub fn cases() -> Result<Vec<Case>, ValidationError> {
         fragility::cases()?,
         owen_prieur_2017::cases()?,
         free_decay::cases()?,
+        driven_modes::cases()?,
         joined::cases()?,
         pyoma2::cases()?,
         setups::cases()?,

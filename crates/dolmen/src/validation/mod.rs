@@ -10,6 +10,7 @@ mod choi_2021;
 mod chopra_2017;
 mod columns;
 mod dampers;
+mod driven_modes;
 mod dry_friction;
 mod error;
 mod fragility;

@@ -4,13 +4,13 @@ use super::merge_setups::{MergeSetups, MergedSetups};
 use super::one_shaking::{Setup, stacked};
 use super::pairing::{ObservedMode, pair_modes};
 use super::places::{Places, Seat};
-use crate::modal::identify::{
-    check, judge_channels, judged, modes_of, note_blends, note_filter, pick, spectrum, wanted,
-};
 use crate::modal::quality::doubt_channels;
 use crate::modal::quality::remark;
 use crate::modal::quality::{split_tones, test_for_machines};
 use crate::modal::settings::{Settings, choose};
+use crate::modal::shared_steps::{
+    check, judge_channels, judged, modes_of, note_blends, note_filter, pick, spectrum, wanted,
+};
 use crate::modal::subspace::check_ssi;
 use crate::modal::subspace::{AllOrders, Stabilization};
 use crate::modal::subspace::{Cluster, Clustering};

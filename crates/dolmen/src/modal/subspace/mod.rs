@@ -13,9 +13,11 @@ pub use clusters::{Cluster, Clustering, Fate, clusters};
 pub(super) use decomposed::of_matrix;
 pub(super) use hankel::{HANKEL_ROWS_MOST, future_past, side_by_side};
 pub use ssi::{Pole, Subspace, ssi_cov, ssi_data};
-pub(super) use ssi::{RANK_LEAST, check_ssi, subspace};
+pub(super) use ssi::{RANK_LEAST, check_ssi, poles_of, state, subspace};
 pub use ssi_options::Ssi;
 pub(super) use stabilization::{AllOrders, HALF_WIDTH_LEAST, judge_poles};
 pub use stabilization::{Criteria, JudgedPole, Stability, Stabilization, stabilize};
-pub(super) use uncertainty::{Deviations, correction, frequency_and_damping};
+pub(super) use uncertainty::{
+    Deviations, Order, correction, forward_substitute, frequency_and_damping, nearest,
+};
 pub use uncertainty::{PoleDeviation, Propagation};

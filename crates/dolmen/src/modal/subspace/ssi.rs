@@ -230,7 +230,7 @@ pub(crate) fn subspace(
 }
 
 /// A_n = R_n⁻¹ (Qᵀ O↓)_n by back substitution.
-pub(super) fn state(r: &Matrix, shifted: &Matrix, n: usize) -> Matrix {
+pub(crate) fn state(r: &Matrix, shifted: &Matrix, n: usize) -> Matrix {
     let mut a = shifted.block(0, 0, n, n);
     for j in 0..n {
         back_substitute(r, &mut a.column_mut(j)[..n]);
@@ -249,7 +249,13 @@ pub(super) fn back_substitute(r: &Matrix, x: &mut [f64]) {
     }
 }
 
-fn poles_of(a: &Matrix, u: &Matrix, channels: usize, step_s: f64) -> Result<Vec<Pole>, ModalError> {
+/// Oscillating poles of one state matrix, with their shapes.
+pub(crate) fn poles_of(
+    a: &Matrix,
+    u: &Matrix,
+    channels: usize,
+    step_s: f64,
+) -> Result<Vec<Pole>, ModalError> {
     let n = a.rows();
     let e = eigen(a)?;
     let mut poles = Vec::with_capacity(n / 2);

@@ -143,7 +143,10 @@ impl<'a> Propagation<'a> {
         let slot = &mut self.orders[pole.order];
         let order = match slot {
             Some(order) => order,
-            None => slot.insert(Order::new(self.subspace, pole.order)?),
+            None => {
+                let a = state(&self.subspace.upper.r, &self.subspace.shifted, pole.order);
+                slot.insert(Order::of(&a)?)
+            }
         };
         Ok((order, &self.blocks, self.subspace))
     }
@@ -216,18 +219,18 @@ fn changes(s: &Subspace, lags: &[f64]) -> Matrix {
 }
 
 /// Eigenvalues and vectors of the state matrix of one order.
-struct Order {
+pub(crate) struct Order {
     n: usize,
-    values: Vec<Complex64>,
-    right: ComplexMatrix,
+    pub(crate) values: Vec<Complex64>,
+    pub(crate) right: ComplexMatrix,
     /// Left eigenvector k in column k, scaled so that χ_kᵀ φ_k = 1.
-    left: ComplexMatrix,
+    pub(crate) left: ComplexMatrix,
 }
 
 impl Order {
-    fn new(subspace: &Subspace, n: usize) -> Result<Self, ModalError> {
-        let a = state(&subspace.upper.r, &subspace.shifted, n);
-        let (e, mut mirrored) = (eigen(&a)?, eigen(&a.transpose())?);
+    pub(crate) fn of(a: &Matrix) -> Result<Self, ModalError> {
+        let n = a.rows();
+        let (e, mut mirrored) = (eigen(a)?, eigen(&a.transpose())?);
         let mut left = ComplexMatrix::zeros(n, n);
         for k in 0..n {
             let from = nearest(&mirrored.values, e.values[k]);
@@ -288,7 +291,8 @@ impl Order {
     }
 }
 
-fn nearest(values: &[Complex64], to: Complex64) -> usize {
+/// Which of the eigenvalues is nearest.
+pub(crate) fn nearest(values: &[Complex64], to: Complex64) -> usize {
     let apart = |k: usize| (values[k] - to).norm_sqr();
     (0..values.len())
         .reduce(|best, k| if apart(k) < apart(best) { k } else { best })
@@ -316,7 +320,7 @@ fn back_substitute_complex(r: &Matrix, x: &mut [Complex64]) {
 }
 
 /// x ← R_n⁻ᵀ x.
-fn forward_substitute(r: &Matrix, x: &mut [Complex64]) {
+pub(crate) fn forward_substitute(r: &Matrix, x: &mut [Complex64]) {
     for i in 0..x.len() {
         let sum: Complex64 = r.column(i)[..i].iter().zip(&x[..i]).map(|(r, x)| x * r).sum();
         x[i] = (x[i] - sum) / r[(i, i)];

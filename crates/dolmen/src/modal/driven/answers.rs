@@ -1,0 +1,124 @@
+//! Answers of a structure to a unit of each input and of each innovation, sample by sample (its Markov parameters).
+//!
+//! | symbol | code | meaning | shape |
+//! |:--|:--|:--|:--|
+//! | A_i, C_k | `recursion`, `direct` | y_t = Σ A_i y_{t-i} + Σ C_k [u; e]_{t-k}: the observer's coefficients | l × l, l × q |
+//! | h_k | `Answers` | answer k samples after a unit of an input or an innovation | l × q, q = m + l |
+
+use super::observer::Observer;
+use dolmen_linalg::Matrix;
+
+/// h_0, h_1 … one after the other, each row by row.
+pub(super) struct Answers {
+    pub(super) rows: usize,
+    pub(super) columns: usize,
+    values: Vec<f64>,
+}
+
+impl Answers {
+    pub(super) fn at(&self, step: usize) -> &[f64] {
+        let size = self.rows * self.columns;
+        &self.values[step * size..(step + 1) * size]
+    }
+
+    pub(super) fn largest(&self, step: usize) -> f64 {
+        self.at(step).iter().fold(0.0, |most, h| h.abs().max(most))
+    }
+
+    /// Each h times a square matrix from the right.
+    pub(super) fn weighted(mut self, weights: &Matrix) -> Answers {
+        let mut row = vec![0.0; self.columns];
+        for of in self.values.chunks_exact_mut(self.columns) {
+            for (j, sum) in row.iter_mut().enumerate() {
+                *sum = of.iter().zip(weights.column(j)).map(|(h, w)| h * w).sum();
+            }
+            of.copy_from_slice(&row);
+        }
+        self
+    }
+}
+
+impl Observer {
+    /// Inputs and innovations.
+    fn sources(&self) -> usize {
+        self.inputs + self.outputs
+    }
+
+    /// A_i of these coefficients at row r, column c.
+    fn recursion(&self, of: &Matrix, lag: usize, r: usize, c: usize) -> f64 {
+        of[((lag - 1) * self.outputs + c, r)]
+    }
+
+    /// C_k of these coefficients; `unit` is what an innovation adds at once.
+    fn direct(&self, of: &Matrix, step: usize, unit: f64) -> Vec<f64> {
+        let (l, m, q) = (self.outputs, self.inputs, self.sources());
+        let mut direct = vec![0.0; l * q];
+        for r in 0..l {
+            if step <= self.lags {
+                for c in 0..m {
+                    direct[r * q + c] = of[(self.lags * l + step * m + c, r)];
+                }
+            }
+            if step == 0 {
+                direct[r * q + m + r] = unit;
+            }
+        }
+        direct
+    }
+
+    /// sum += A_i h, of these coefficients.
+    fn add_past(&self, of: &Matrix, lag: usize, h: &[f64], sum: &mut [f64]) {
+        let q = self.sources();
+        for (r, sum) in sum.chunks_exact_mut(q).enumerate() {
+            for (c, h) in h.chunks_exact(q).enumerate() {
+                let a = self.recursion(of, lag, r, c);
+                for (sum, h) in sum.iter_mut().zip(h) {
+                    *sum += a * h;
+                }
+            }
+        }
+    }
+
+    /// ```text
+    /// h_k = C_k + Σ_{i ≤ min(k, p)} A_i h_{k-i}
+    /// ```
+    pub(super) fn answers(&self, steps: usize) -> Answers {
+        let (l, q) = (self.outputs, self.sources());
+        let mut answers = Answers {
+            rows: l,
+            columns: q,
+            values: Vec::with_capacity(steps * l * q),
+        };
+        for k in 0..steps {
+            let mut h = self.direct(&self.coefficients, k, 1.0);
+            for lag in 1..=k.min(self.lags) {
+                self.add_past(&self.coefficients, lag, answers.at(k - lag), &mut h);
+            }
+            answers.values.extend(h);
+        }
+        answers
+    }
+
+    /// First-order change of the answers with the coefficients:
+    ///
+    /// ```text
+    /// dh_k = dC_k + Σ (dA_i h_{k-i} + A_i dh_{k-i})
+    /// ```
+    pub(super) fn change(&self, answers: &Answers, steps: usize, moved: &Matrix) -> Answers {
+        let (l, q) = (self.outputs, self.sources());
+        let mut change = Answers {
+            rows: l,
+            columns: q,
+            values: Vec::with_capacity(steps * l * q),
+        };
+        for k in 0..steps {
+            let mut dh = self.direct(moved, k, 0.0);
+            for lag in 1..=k.min(self.lags) {
+                self.add_past(moved, lag, answers.at(k - lag), &mut dh);
+                self.add_past(&self.coefficients, lag, change.at(k - lag), &mut dh);
+            }
+            change.values.extend(dh);
+        }
+        change
+    }
+}

@@ -1,0 +1,27 @@
+//! What a measured input shows beside the modes.
+
+/// What a measured input shows beside the modes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Driven {
+    /// Names of the input channels.
+    pub inputs: Vec<String>,
+    /// Samples that the observer looks back, at the rate of the settings.
+    pub lags: usize,
+    /// Noise taken for granted in every channel, over its standard deviation.
+    pub noise: f64,
+    /// Each mode, by frequency.
+    pub modes: Vec<DrivenMode>,
+}
+
+/// One mode of a structure on a base that is measured.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DrivenMode {
+    /// Its frequency with that base held, Hz.
+    pub frequency_hz: f64,
+    /// Share of the motion at that frequency that follows the inputs, 0 to 1: multiple coherence of the channel that moves most. `None` where the
+    /// record has too few segments to tell.
+    pub explained: Option<f64>,
+    /// Frequency, Hz, and its standard deviation of the mode of like shape that the record has without regard to the inputs: structure and ground
+    /// together. `None` where none is alike.
+    pub with_base_hz: Option<(f64, Option<f64>)>,
+}

@@ -1,0 +1,12 @@
+//! Modes from a measured input: what the structure adds to the motion of its ground.
+
+mod answers;
+mod driven_modes;
+mod identify_driven;
+mod made;
+mod observer;
+mod realization;
+
+pub use driven_modes::{Driven, DrivenMode};
+pub(super) use identify_driven::of_driven;
+pub use made::MadeOnGround;
