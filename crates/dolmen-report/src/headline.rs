@@ -61,6 +61,14 @@ messages! {
             en: "{word} (the stiffness of direction {direction} is not known)",
             ko: "{word}({direction} 방향 강성 미상)",
         },
+        WordIfRight { word: Both, ratio: Quantity } => {
+            en: "{word} ({ratio} if this model were right)",
+            ko: "{word}(이 모델이 옳다면 {ratio})",
+        },
+        WordContradicted { word: Both } => {
+            en: "{word} (a survey contradicts the model)",
+            ko: "{word}(모델이 계측과 불일치)",
+        },
         WordDoesNotStand { word: Both } => {
             en: "{word} (it does not stand without shaking)",
             ko: "{word}(지진 없이도 서 있지 못함)",
@@ -235,6 +243,11 @@ fn word(of: &EarthquakeFinding) -> Headline {
                 direction: direction.clone(),
             },
         },
+        (DecidedBy::Contradicted, Some(known)) if known.is_finite() => Headline::WordIfRight {
+            word,
+            ratio: ratio(known),
+        },
+        (DecidedBy::Contradicted, _) => Headline::WordContradicted { word },
         (DecidedBy::DoesNotStand, _) => Headline::WordDoesNotStand { word },
         (DecidedBy::Unfinished, _) => Headline::WordOpen { word },
         (DecidedBy::Room, Some(of_room)) => Headline::WordRoom {

@@ -46,6 +46,8 @@ pub enum DecidedBy {
     BedUnknown,
     /// Nothing: the stiffness is not known, at least in one direction.
     StiffnessUnknown,
+    /// Nothing: a survey contradicts the stiffness that the comparison rests on; the ratio is that of the model if it were right.
+    Contradicted,
     /// Nothing: it does not stand without shaking.
     DoesNotStand,
     /// Nothing: the run was stopped, or ended before it could tell.
@@ -76,6 +78,20 @@ impl EarthquakeFinding {
             motion: motion.map(str::to_owned),
             part: None,
             ratio: None,
+        }
+    }
+}
+
+impl EarthquakeFinding {
+    /// The same where a survey contradicts the stiffness that it rests on: what would be enough is not known to be. What is too little even so stays.
+    pub(super) fn if_model_were_right(self) -> Self {
+        match self.word {
+            Earthquake::Above | Earthquake::Near => EarthquakeFinding {
+                word: Earthquake::NotDecided,
+                decided_by: DecidedBy::Contradicted,
+                ..self
+            },
+            Earthquake::NotAsked | Earthquake::NotDecided | Earthquake::BelowDemand => self,
         }
     }
 }
@@ -146,6 +162,7 @@ impl DecidedBy {
             DecidedBy::NoLimit => "no_limit",
             DecidedBy::BedUnknown => "bed_unknown",
             DecidedBy::StiffnessUnknown => "stiffness_unknown",
+            DecidedBy::Contradicted => "contradicted",
             DecidedBy::DoesNotStand => "does_not_stand",
             DecidedBy::Unfinished => "unfinished",
         }

@@ -11,9 +11,9 @@ use crate::building::{BuildingSimulation, TogetherAnswer, TogetherChoice, TuneAn
 use crate::chain::ChainSimulation;
 use crate::frame::FrameSimulation;
 use crate::loads::Governing;
-use crate::simulation::SimulateAnswer;
+use crate::simulation::{SimulateAnswer, Simulation};
 use crate::stack::{StackRuns, StackSimulation};
-use crate::state::State;
+use crate::state::{Check, State};
 use dolmen::damper::Choice;
 use dolmen_project::Project;
 use dolmen_words::Language;
@@ -132,8 +132,16 @@ impl Judgement {
 
     /// Runs of one version each; a structure that does not stand without any shaking is unstable.
     fn add_runs(&mut self, simulated: &SimulateAnswer) {
+        let is_contradicted = simulated.evidence.is_contradicted();
         for run in &simulated.simulations {
-            let (found, is_done) = of_simulation(run);
+            let (mut found, is_done) = of_simulation(run);
+            // a stack rests on shapes and friction, and a variant has no survey of its own
+            if is_contradicted && run.variant().is_none() && !matches!(run, Simulation::Stack(_)) {
+                found = found
+                    .into_iter()
+                    .map(EarthquakeFinding::if_model_were_right)
+                    .collect();
+            }
             self.add(run.variant(), found);
             self.is_done &= is_done;
         }
@@ -304,9 +312,15 @@ fn version(
     state: &State,
     evidence: Evidence,
 ) -> VersionJudgement {
-    let weight = Weight::of(state, evidence.is_contradicted());
+    let is_contradicted = evidence.is_contradicted();
+    let weight = Weight::of(state, is_contradicted);
     let mut version = VersionJudgement::new(variant, Some(weight), evidence);
     version.earthquake = of_site(state);
+    // a stack rests on shapes and friction
+    if is_contradicted && !matches!(state.check, Check::Stack(_)) {
+        let found = version.earthquake.into_iter();
+        version.earthquake = found.map(EarthquakeFinding::if_model_were_right).collect();
+    }
     version.governed_by = state.governing_loads().map(Governing::of);
     version.demand_source = state.demand.as_ref().map(|demand| {
         let site = &demand.site;
