@@ -237,11 +237,18 @@ fn sensitivities(project: &Project, of: SensitivityOf) -> Result<Vec<Sensitivity
     let mut all = Vec::new();
     // a corner moved by itself leaves the bed that it shares with the next stone
     let is_corner = |input: &&Quantity| input.path.contains(".points[");
-    for input in project.structure_inputs().into_iter().filter(|input| !is_corner(input)) {
+    for input in project
+        .structure_inputs()
+        .into_iter()
+        .filter(|input| !is_corner(input))
+    {
         let elasticity = elasticity(input.value, |changed| -> Result<f64, WorkError> {
             let mut pick = |q: &Quantity| if q.path == input.path { changed } else { q.value };
             // a structure that cannot be built with this one number changed says nothing of it
-            Ok(kinds::sensitive(project, of, &mut pick).ok().flatten().unwrap_or(f64::NAN))
+            Ok(kinds::sensitive(project, of, &mut pick)
+                .ok()
+                .flatten()
+                .unwrap_or(f64::NAN))
         })?;
         all.push(Sensitivity {
             input: input.path.clone(),

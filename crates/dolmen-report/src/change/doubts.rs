@@ -1,8 +1,9 @@
 //! What was not compared at all, and how else modes may be paired.
 
+use super::notes::note;
 use super::quantities::{hertz, percent};
 use crate::document::{Finding, Tone};
-use dolmen::assess::{NotCompared, SurveyChange};
+use dolmen::assess::{ChangeNote, NotCompared, SurveyChange};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 
 messages! {
@@ -54,18 +55,32 @@ pub(super) fn doubts(change: &SurveyChange) -> Vec<Finding> {
     };
     let pairs: Vec<Sentence> = change.other_pairing_hz.iter().map(pair).collect();
     let other = (!pairs.is_empty()).then_some(Doubted::OtherPairing { pairs });
-    let lost = change.not_compared.iter().map(lost);
-    let all = other.into_iter().chain(lost);
-    all.map(|doubt| Finding::key(Tone::Warn, doubt)).collect()
+    // a sensor turned or exchanged explains what looks like lost modes: it comes first, and no other mode is offered in their place
+    let sensors: Vec<Finding> = change
+        .notes
+        .iter()
+        .filter(|of| is_of_sensors(of))
+        .map(|of| Finding::key(Tone::Warn, note(of)))
+        .collect();
+    let lost = change.not_compared.iter().map(|of| lost(of, sensors.is_empty()));
+    let all: Vec<Doubted> = other.into_iter().chain(lost).collect();
+    let all = all.into_iter().map(|doubt| Finding::key(Tone::Warn, doubt));
+    sensors.into_iter().chain(all).collect()
 }
 
-fn lost(lost: &NotCompared) -> Doubted {
+/// Whether a note says that a sensor is not as it was.
+pub(super) fn is_of_sensors(note: &ChangeNote) -> bool {
+    matches!(note, ChangeNote::Turned(_) | ChangeNote::Swapped(_))
+}
+
+fn lost(lost: &NotCompared, offers_another: bool) -> Doubted {
     let before = hertz(lost.from.frequency_hz);
     let which = match lost.is_lowest {
         true => Doubted::Lowest { before }.into(),
         false => Doubted::Mode { before }.into(),
     };
-    let (Some(may_be), Some([by, stiffness])) = (&lost.may_be, lost.change()) else {
+    let may_be = lost.may_be.as_ref().filter(|_| offers_another);
+    let (Some(may_be), Some([by, stiffness])) = (may_be, lost.change()) else {
         return Doubted::Lost { which };
     };
     let after = hertz(may_be.frequency_hz);

@@ -70,7 +70,7 @@ pub(crate) fn sections<'a>(project: &Project, change: &'a SurveyChange) -> Docum
     for remark in remarks::remarks(change) {
         document.note(remark);
     }
-    for note in &change.notes {
+    for note in change.notes.iter().filter(|of| !doubts::is_of_sensors(of)) {
         document.note(notes::note(note));
     }
     document.paragraph(Compared::NoProof);

@@ -142,7 +142,9 @@ pub(super) fn judge(
         alarms: Vec::new(),
     };
     let mut model: Option<Model> = None;
-    let (mut average, mut last_zero): (f64, usize) = (0.0, 0);
+    let mut average: f64 = 0.0;
+    // scores since the average was last 0
+    let mut one_sided: Vec<(usize, f64)> = Vec::new();
     let mut recent: Vec<(usize, bool)> = Vec::new();
     for i in 0..n {
         let temperature_c = series.temperatures_c[i];
@@ -186,8 +188,9 @@ pub(super) fn judge(
             average =
                 (1.0 - options.weight) * average + options.weight * score.clamp(-SCORE_MOST, SCORE_MOST);
             if before == 0.0 || before.signum() != average.signum() {
-                last_zero = i;
+                one_sided.clear();
             }
+            one_sided.push((i, score));
             recent.push((i, is_outside));
             let from = recent.len().saturating_sub(AMONG);
             let outside: Vec<usize> = recent[from..]
@@ -196,7 +199,7 @@ pub(super) fn judge(
                 .map(|(i, _)| *i)
                 .collect();
             if average.abs() > h {
-                confirmed = Some((AlarmKind::Average, average, h, last_zero));
+                confirmed = Some((AlarmKind::Average, average, h, likeliest_start(&one_sided)));
             } else if outside.len() >= OUTSIDE_LEAST {
                 confirmed = Some((AlarmKind::ThreeOfFive, score, OUTSIDE, outside[0]));
             }
@@ -234,13 +237,30 @@ pub(super) fn judge(
             levels.push(if levels.contains(&since) { i } else { since });
             levels.dedup();
             pool.take_back(since);
-            (average, last_zero) = (0.0, i);
+            average = 0.0;
+            one_sided.clear();
             recent.clear();
             let active: Vec<usize> = levels.iter().copied().filter(|level| *level <= i).collect();
             model = Model::train(series, &pool, &active, at);
         }
     }
     Ok(out)
+}
+
+/// The survey with which scores of one sign likeliest began to be off: the start of those whose sum is largest over its own deviation.
+///
+/// # Source
+/// Pignatiello & Samuel (2001) J. Qual. Technol. 33(3):357-365: the step of largest likelihood. Where the average was last 0 may lie years before.
+fn likeliest_start(scores: &[(usize, f64)]) -> usize {
+    let (mut sum, mut best, mut start) = (0.0, 0.0, scores.last().map_or(0, |(i, _)| *i));
+    for (count, (i, score)) in scores.iter().rev().enumerate() {
+        sum += score;
+        let of = sum * sum / (count + 1) as f64;
+        if of > best {
+            (best, start) = (of, *i);
+        }
+    }
+    start
 }
 
 /// Surveys that are learned from.

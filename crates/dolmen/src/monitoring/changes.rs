@@ -48,6 +48,8 @@ pub(super) struct Found {
 #[derive(Clone, Debug)]
 pub(super) struct Changes {
     pub(super) found: Vec<Found>,
+    /// A step that the last one or two surveys alone show: no lasting change yet.
+    pub(super) late: Option<Candidate>,
     /// Disturbance with all changes in the regression.
     pub(super) disturbance: Disturbance,
     /// Least step halfway through the series that would have been seen with 80 % probability.
@@ -102,15 +104,17 @@ pub(super) fn changes(series: &Series, weather: &[Vec<f64>], how: &Seeking) -> O
     let alone = 1.0 - (1.0 - how.significance).powf(1.0 / how.modes as f64);
     let n = series.len();
     let mut found: Vec<(Candidate, f64)> = Vec::new();
-    let with = |found: &[(Candidate, f64)], but: Option<usize>| {
+    let mut late: Option<Candidate> = None;
+    let with = |(found, late): (&[(Candidate, f64)], Option<Candidate>), but: Option<usize>| {
         let mut columns = weather.to_vec();
         let kept = found.iter().enumerate().filter(|(i, _)| Some(*i) != but);
-        columns.extend(kept.map(|(_, (change, _))| column(&series.at, change.form, change.from)));
+        let kept = kept.map(|(_, (change, _))| *change).chain(late);
+        columns.extend(kept.map(|change| column(&series.at, change.form, change.from)));
         columns
     };
     let mut disturbance = super::regression::restricted_likelihood(series, weather, None)?;
     while found.len() < CHANGES_MOST {
-        let columns = with(&found, None);
+        let columns = with((&found, late), None);
         if n < columns.len() + 6 {
             break;
         }
@@ -121,6 +125,15 @@ pub(super) fn changes(series: &Series, weather: &[Vec<f64>], how: &Seeking) -> O
         // without a change the series is as if none were in it: with it the disturbance would be taken too small
         let correlation = effective_correlation(series, best.without);
         let limit = limit_of(alone, n, correlation);
+        // what the last surveys alone show would else be a drift with a wrong beginning and size
+        let later = best
+            .late
+            .filter(|of| late.is_none() && of.statistic.abs() > statistic.max(limit));
+        if later.is_some() {
+            late = later;
+            disturbance = best.without;
+            continue;
+        }
         let mut p = probability_of(statistic, n, correlation);
         if (statistic / limit - 1.0).abs() <= NEAR_LIMIT && n <= SIMULATED_MOST && how.replicates > 0 {
             let seed = (how.replicates, how.seed);
@@ -133,20 +146,26 @@ pub(super) fn changes(series: &Series, weather: &[Vec<f64>], how: &Seeking) -> O
         disturbance = best.disturbance;
         // each date anew beside the others
         for i in 0..found.len() {
-            let columns = with(&found, Some(i));
+            let columns = with((&found, late), Some(i));
             let fit = Fit::new(series, &columns, disturbance)?;
             if let Some(again) = scan(series, &columns, &fit).strongest() {
                 found[i].0 = again;
             }
         }
     }
-    let columns = with(&found, None);
+    let columns = with((&found, late), None);
     disturbance = super::regression::restricted_likelihood(series, &columns, Some(disturbance))?;
     let fit = Fit::new(series, &columns, disturbance)?;
+    // sized with everything else in the regression
+    let beside = with((&found, None), None);
+    let late = late.and_then(|of| {
+        let scanned = scan(series, &beside, &Fit::new(series, &beside, disturbance)?);
+        scanned.late.into_iter().find(|other| other.from == of.from)
+    });
     let dated = found.iter().enumerate().filter_map(|(i, (change, p))| {
         dated(
             series,
-            &with(&found, Some(i)),
+            &with((&found, late), Some(i)),
             disturbance,
             (*change, family(*p, how.modes)),
         )
@@ -164,6 +183,7 @@ pub(super) fn changes(series: &Series, weather: &[Vec<f64>], how: &Seeking) -> O
     const OF_POWER: f64 = 0.8416212335729143; // z of 80 %
     Some(Changes {
         found,
+        late,
         disturbance,
         seen_from: sds
             .get(sds.len() / 2)

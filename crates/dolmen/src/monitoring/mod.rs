@@ -35,7 +35,8 @@ pub use t_squared::SurveyTSquared;
 pub use tilt::{TiltReach, TiltSeries, TiltSlope, TiltTrend};
 pub use tracking::{Jumped, Track, Tracked, Tracking, track};
 pub use watch::{
-    StructureAlarm, WatchOptions, Watched, WatchedChange, WatchedMode, WeatherEffect, WorkEffect, watch,
+    LastOff, StructureAlarm, WatchOptions, Watched, WatchedChange, WatchedMode, WeatherEffect, WorkEffect,
+    watch,
 };
 pub use weather::WeatherKnown;
 pub use whitening::Disturbance;

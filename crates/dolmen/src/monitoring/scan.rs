@@ -40,16 +40,26 @@ pub(super) struct Candidate {
 /// Every change that may be.
 pub(super) struct Scan {
     pub(super) all: Vec<Candidate>,
+    /// Steps that too few surveys show: they explain what is no lasting change yet, and would else be taken for a drift.
+    pub(super) late: Vec<Candidate>,
 }
 
 impl Scan {
     pub(super) fn strongest(&self) -> Option<Candidate> {
-        let all = self.all.iter().copied();
-        all.reduce(|best, other| match other.statistic.abs() > best.statistic.abs() {
-            true => other,
-            false => best,
-        })
+        strongest_of(&self.all)
     }
+
+    pub(super) fn strongest_late(&self) -> Option<Candidate> {
+        strongest_of(&self.late)
+    }
+}
+
+fn strongest_of(all: &[Candidate]) -> Option<Candidate> {
+    let all = all.iter().copied();
+    all.reduce(|best, other| match other.statistic.abs() > best.statistic.abs() {
+        true => other,
+        false => best,
+    })
 }
 
 /// The column of a change.
@@ -70,7 +80,7 @@ pub(super) fn scan(series: &Series, columns: &[Vec<f64>], fit: &Fit) -> Scan {
     let of_residuals = inverse(&fit.residuals(series, columns));
     let of_columns: Vec<Vec<f64>> = columns.iter().map(|column| inverse(column)).collect();
     let (steps, slopes) = fit.whitening.energies(at);
-    let mut all = Vec::with_capacity(2 * n);
+    let (mut all, mut late) = (Vec::with_capacity(2 * n), Vec::new());
     // sums over the surveys from i on of what is inverted, and of t times it; the residuals last
     let (mut sums, mut moments) = (vec![0.0; k + 1], vec![0.0; k + 1]);
     for i in (0..n).rev() {
@@ -78,37 +88,38 @@ pub(super) fn scan(series: &Series, columns: &[Vec<f64>], fit: &Fit) -> Scan {
             sums[c] += inverted[i];
             moments[c] += at[i] * inverted[i];
         }
-        let mut put = |form, energy: f64, products: Vec<f64>| {
+        let candidate = |form, energy: f64, products: Vec<f64>| {
             let (with_residuals, with_columns) = (products[k], products[..k].to_vec());
             let own = energy - fit.form(with_columns);
-            if own > OWN_LEAST * energy && own > 0.0 {
-                all.push(Candidate {
-                    form,
-                    from: i,
-                    statistic: with_residuals / own.sqrt(),
-                    size: with_residuals / own,
-                    sd: 1.0 / own.sqrt(),
-                });
-            }
+            (own > OWN_LEAST * energy && own > 0.0).then(|| Candidate {
+                form,
+                from: i,
+                statistic: with_residuals / own.sqrt(),
+                size: with_residuals / own,
+                sd: 1.0 / own.sqrt(),
+            })
         };
-        if i >= STEP_SURVEYS_LEAST && i + STEP_SURVEYS_LEAST <= n {
-            put(ChangeForm::Step, steps[i], sums.clone());
+        if i >= STEP_SURVEYS_LEAST {
+            let step = candidate(ChangeForm::Step, steps[i], sums.clone());
+            match i + STEP_SURVEYS_LEAST <= n {
+                true => all.extend(step),
+                false => late.extend(step),
+            }
         }
         if i + SLOPE_SURVEYS_LEAST <= n {
             let products = sums.iter().zip(&moments);
-            put(
-                ChangeForm::Slope,
-                slopes[i],
-                products.map(|(sum, moment)| moment - at[i] * sum).collect(),
-            );
+            let products = products.map(|(sum, moment)| moment - at[i] * sum).collect();
+            all.extend(candidate(ChangeForm::Slope, slopes[i], products));
         }
     }
-    Scan { all }
+    Scan { all, late }
 }
 
 /// The strongest change beside `columns`, and the disturbance estimated with it in the regression.
 pub(super) struct Strongest {
     pub(super) change: Candidate,
+    /// The strongest step that too few surveys show, by the same disturbance.
+    pub(super) late: Option<Candidate>,
     pub(super) disturbance: Disturbance,
     /// As it is estimated without the change.
     pub(super) without: Disturbance,
@@ -129,13 +140,15 @@ pub(super) fn strongest(
         let mut with = columns.to_vec();
         with.push(column(&series.at, change.form, change.from));
         disturbance = restricted_likelihood(series, &with, Some(disturbance))?;
-        let found = scan(series, columns, &Fit::new(series, columns, disturbance)?).strongest()?;
+        let scanned = scan(series, columns, &Fit::new(series, columns, disturbance)?);
+        let found = scanned.strongest()?;
         round += 1;
         let is_same = (found.form, found.from) == (change.form, change.from);
         change = found;
         if is_same || round == ROUNDS {
             return Some(Strongest {
                 change,
+                late: scanned.strongest_late(),
                 disturbance,
                 without,
             });

@@ -95,6 +95,19 @@ pub struct WatchedChange {
     pub p_value: f64,
 }
 
+/// How far the last one or two surveys lie off what those before them, weather, works and changes explain.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LastOff {
+    /// The first of them.
+    pub from: usize,
+    /// How many of them show the mode.
+    pub surveys: usize,
+    /// Relative change of the frequency.
+    pub ratio: f64,
+    /// Its standard deviation.
+    pub sd: f64,
+}
+
 /// What a work did to a mode.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WorkEffect {
@@ -117,6 +130,8 @@ pub struct WatchedMode {
     pub explained_hz: Vec<Option<f64>>,
     /// What changed.
     pub changes: Vec<WatchedChange>,
+    /// What the last one or two surveys alone show: no lasting change yet, and no weather.
+    pub last_off: Option<LastOff>,
     /// What works did.
     pub works: Vec<WorkEffect>,
     /// Least lasting step halfway through the years that would have been seen with 80 % probability.
@@ -334,6 +349,7 @@ fn watched_mode(
         changes: Vec::new(),
         works: Vec::new(),
         seen_from_ratio: None,
+        last_off: None,
         outliers: Vec::new(),
         strange: Vec::new(),
         judged: judge(&series, &levels, alarm)?,
@@ -441,6 +457,15 @@ fn explain(
     });
     mode.works = of_works.collect();
     mode.seen_from_ratio = Some(found.seen_from).filter(|least| least.is_finite());
+    mode.last_off = found.late.map(|of| {
+        let before = level_before(of.from, usize::MAX);
+        LastOff {
+            from: kept.surveys[of.from],
+            surveys: kept.len() - of.from,
+            ratio: of.size / before,
+            sd: of.sd / before,
+        }
+    });
     let last = kept.series.at[kept.len() - 1];
     for change in &found.found {
         let from = change.change.from;
