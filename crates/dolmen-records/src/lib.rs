@@ -28,4 +28,5 @@ pub use photo::{PHOTO_BYTES_MOST, PHOTO_PIXELS_MOST, Photo, PhotoError, PhotoFor
 pub use score_form::{ScoreForm, ScoreFormError, read_score_form};
 pub use sheet::{SHEET_BYTES_MOST, SheetCell, SheetError, SheetValue, read_sheet};
 pub use start::{start_of_text, time_text};
+pub use text_code::utf8;
 pub use wrong::{ERRORS, of_records};

@@ -35,6 +35,11 @@ pub(crate) fn decoded(bytes: &[u8]) -> Decoded<'_> {
     }
 }
 
+/// The bytes of a text file as UTF-8, where they are Korean text in CP949 (EUC-KR) throughout; else as they are.
+pub fn utf8(bytes: &[u8]) -> Cow<'_, [u8]> {
+    decoded(bytes).bytes
+}
+
 /// Whether more than half of the characters of two bytes are syllables of KS X 1001; the text is in CP949 throughout.
 fn is_korean(bytes: &[u8]) -> bool {
     let (mut syllables, mut others) = (0_usize, 0_usize);

@@ -323,6 +323,9 @@ fn one_file(reader: &mut Reader, raw: &FileKeys<'_>, path: &str) -> Option<Recor
     })
 }
 
+/// Endings of workbooks, whose sheets are tables of stones and scores, but no records.
+const WORKBOOKS: [&str; 5] = ["xlsx", "xlsm", "xlsb", "xls", "ods"];
+
 /// The format that is written, or that the ending means: texts are looked into, as many formats end in .txt.
 fn format(
     reader: &mut Reader,
@@ -347,8 +350,12 @@ fn format(
                 .map(|format| format!("\"{}\"", format.name()))
                 .collect();
             let fault = Fault::new(file.span.clone(), &path, message);
-            reader.fault(fault.help(WrongRecords::WriteFormatOneOf {
-                names: names.join(", "),
+            let is_workbook = WORKBOOKS.iter().any(|of| ending.eq_ignore_ascii_case(of));
+            reader.fault(fault.help(match is_workbook {
+                true => WrongRecords::SaveTheSheetAsCsv,
+                false => WrongRecords::WriteFormatOneOf {
+                    names: names.join(", "),
+                },
             }));
             None
         }

@@ -4,6 +4,7 @@ use crate::wrong::{RowLacks, RowNeeds};
 use dolmen::assess::demand::KoreanSite;
 use dolmen::assess::{AssessError, Hazard, SixFactors};
 use dolmen::structure::stack::{PagodaFactors, PagodaSlenderness};
+use dolmen_records::utf8;
 use dolmen_words::message::Both;
 
 /// Every column; all but `name` may be missing.
@@ -131,17 +132,17 @@ pub struct PortfolioTable {
     pub refused: Vec<(String, PortfolioError)>,
 }
 
-/// Reads a table of structures. Lines that begin with # are comments.
+/// Reads a table of structures, in UTF-8 or as Korean spreadsheets save it (CP949). Lines that begin with # are comments.
 ///
 /// # Errors
 /// [`PortfolioError`] of the table as a whole: no CSV, unknown columns, two rows of one name; and of its first row if none can be taken.
 pub fn read_portfolio(bytes: &[u8]) -> Result<PortfolioTable, PortfolioError> {
     let table = |why: csv::Error| PortfolioError::Table { why: why.to_string() };
-    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    let bytes = utf8(bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes));
     let mut reader = csv::ReaderBuilder::new()
         .comment(Some(b'#'))
         .trim(csv::Trim::All)
-        .from_reader(bytes);
+        .from_reader(&*bytes);
     let head = reader.headers().map_err(table)?.clone();
     if let Some(column) = head.iter().find(|column| !COLUMNS.contains(column)) {
         return Err(PortfolioError::Column {
