@@ -20,6 +20,7 @@ use dolmen_report::kept::{followed_json, followed_text, metrics_text, quarantine
 use dolmen_store::{Act, Arrived, Arriving, Incoming, Keeper, Kept, Search, Store, StoredFiles};
 use dolmen_words::message::Both;
 use dolmen_work::follow::{OpenAlarm, Pattern, Taken, Verdict, moment_of, open_alarms, verdict};
+use dolmen_work::logs::Logs;
 use dolmen_work::sensor_alarms::{SensorFault, SensorFaults};
 use dolmen_work::watch::{SURVEYS_LEAST, watch_observed};
 use dolmen_work::watched::WatchAnswer;
@@ -44,6 +45,7 @@ struct State {
     history: Opened,
     observed: BTreeMap<String, Vec<ObservedMode>>,
     faults: SensorFaults,
+    logs: Logs,
 }
 
 struct Following<'a> {
@@ -305,7 +307,12 @@ impl<'a> Following<'a> {
 
     /// What the history says now.
     fn judge(&mut self) -> Result<()> {
-        self.answer = match watch_observed(&self.state.history, &self.state.observed, &self.state.faults) {
+        self.answer = match watch_observed(
+            &self.state.history,
+            &self.state.observed,
+            &self.state.faults,
+            &self.state.logs,
+        ) {
             Ok(answer) => Some(answer),
             Err(WorkError::Change(why)) if matches!(*why, ChangeFault::TooFewToWatch { .. }) => None,
             Err(why) => return Err(why.into()),
@@ -376,9 +383,7 @@ impl<'a> Following<'a> {
             return Ok(());
         };
         let alarms = open_alarms(answer);
-        let leans = answer.leans();
-        let beyond = leans.iter().filter(|lean| lean.is_beyond()).map(|lean| lean.size);
-        let tilt_beyond = beyond.max_by(f64::total_cmp);
+        let tilt_beyond = answer.lean_beyond();
         let who = self.at.who();
         for alarm in &alarms {
             let is_called = self.store.is_called(&self.structure, &alarm.key);
@@ -435,6 +440,7 @@ impl State {
         let pattern = Pattern::of(read(exported.text.get(..exported.own_bytes).unwrap_or_default())?)?;
         let history = read(&exported.text)?;
         Ok(State {
+            logs: Logs::read(&history.project, &files)?,
             project,
             pattern,
             history,

@@ -7,7 +7,7 @@ use serde_json::Value;
 use std::collections::BTreeSet;
 use std::fs;
 
-const COMMANDS: [&str; 38] = [
+const COMMANDS: [&str; 39] = [
     "check examples/naju_flagpole --samples 20 --sensitivity",
     "check examples/naju_flagpole/wind.toml",
     "check examples/naju_flagpole/one_stone.toml",
@@ -26,6 +26,7 @@ const COMMANDS: [&str; 38] = [
     "identify examples/five_storey_pagoda",
     "compare examples/gate_through_the_seasons",
     "watch examples/pagoda_over_the_years",
+    "watch examples/pagoda_with_a_logger",
     "simulate examples/three_storey_pagoda --motion el-centro-1940-ns --keep-first 2",
     "simulate examples/piled_blocks --motion el-centro-1940-ns --keep-first 2 --law rigid",
     "simulate examples/piled_blocks --motion el-centro-1940-ns --keep-first 2 --law sliding",
