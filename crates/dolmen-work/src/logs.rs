@@ -174,7 +174,9 @@ mod tests {
         let text = format!("{head}[watch.log.air]\nfile = \"air.csv\"\nkind = \"temperature\"\n");
         let rows =
             "2026-11-25 10:00,3.0\n2026-11-25 11:00,5.0\n2026-11-25 12:00,85.0\n2026-11-26 10:00,9.0\n";
-        let files = MemoryFiles::from([("air.csv".to_owned(), format!("Time,Air\n{rows}").into_bytes())]);
+        let files = MemoryFiles {
+            files: [("air.csv".to_owned(), format!("Time,Air\n{rows}").into_bytes())].into(),
+        };
         let opened = Opened::read(text, "p".to_owned(), &files).unwrap();
         let logs = Logs::read(&opened.project, &files).unwrap();
         assert_eq!(logs.temperature_c("2026-11-25"), Some(4.0)); // 85 is what a sensor says that has just begun
