@@ -402,6 +402,10 @@ mod tests {
         let log = read_log(text.as_bytes(), None).unwrap();
         assert_eq!(log.values, [1.0, 4.0, 5.0, 6.0]);
         assert_eq!((log.misdated, log.set_back, log.repeated), (0, 1, 2));
+        // beside a clock that was wrong it stays
+        let log = read_log(format!("{text}1990-01-01 00:00,99\n").as_bytes(), None).unwrap();
+        assert_eq!(log.values, [1.0, 4.0, 5.0, 6.0]);
+        assert_eq!((log.misdated, log.repeated), (1, 2));
     }
 
     #[test]
