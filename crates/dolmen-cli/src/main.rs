@@ -17,7 +17,6 @@ mod compare;
 mod draw;
 mod examples;
 mod follow;
-mod follow_read;
 mod identify;
 mod manner;
 mod motion;

@@ -8,6 +8,7 @@ use crate::say::{say, say_json};
 use crate::wrong::CommandError;
 use anyhow::{Context as _, Result};
 use dolmen_folder::{Found, fresh_folder, write};
+use dolmen_follow::now_us;
 use dolmen_records::{Files as _, RECORD_BYTES_MOST};
 use dolmen_report::kept::{
     ListFormat, Listing, StructureList, SurveyList, added_text, exported_text, imported_text, marked_text,
@@ -19,7 +20,7 @@ use dolmen_work::survey_modes;
 use serde_json::json;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
-use std::time::{Duration, SystemTime, UNIX_EPOCH};
+use std::time::Duration;
 
 /// Exit status where a store is not what it was.
 const UNSOUND: u8 = 1;
@@ -50,12 +51,6 @@ fn variable(name: &str) -> Option<String> {
     std::env::var(name).ok().filter(|value| !value.is_empty())
 }
 
-/// Microseconds since 1970 (UTC).
-pub(crate) fn now_us() -> i64 {
-    let since = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
-    i64::try_from(since.as_micros()).unwrap_or(i64::MAX)
-}
-
 impl Where<'_> {
     /// A fault of a store in the language of the user.
     pub(crate) fn told(&self, fault: StoreError) -> anyhow::Error {
@@ -71,11 +66,11 @@ impl Where<'_> {
         named.unwrap_or_default()
     }
 
-    fn place(&self) -> Result<Place> {
+    pub(crate) fn place(&self) -> Result<Place> {
         Place::of(&self.file()).map_err(|fault| self.told(fault))
     }
 
-    fn wait(&self) -> Duration {
+    pub(crate) fn wait(&self) -> Duration {
         Duration::from_secs_f64(self.options.wait.min(1e6))
     }
 

@@ -9,17 +9,19 @@ use crate::outcome::Outcome;
 use crate::progress::Terminal;
 use crate::say::{say, say_json};
 use crate::survey::Where;
-use crate::watch_call::{Call, judged};
+use crate::watch_call::judged;
 use crate::wrong::Noted;
 use anyhow::Result;
 use dolmen::modal::ObservedMode;
 use dolmen_folder::{Found, Outputs};
+use dolmen_follow::Call;
 use dolmen_report::files::watch_files;
 use dolmen_report::json::watch_json;
 use dolmen_report::kept::{inventory_csv, inventory_json, inventory_text, store_fault};
 use dolmen_report::text::watch_text;
 use dolmen_store::{Search, Store, StoreError, StoredFiles};
 use dolmen_work::inventory::{InventoryLine, worst_first};
+use dolmen_work::logs::Logs;
 use dolmen_work::sensor_alarms::SensorFaults;
 use dolmen_work::watch::{watch, watch_observed};
 use dolmen_work::{Opened, told};
@@ -144,8 +146,10 @@ fn read(store: &mut Store, structure: &str) -> Result<Stored, StoreError> {
 
 fn watched(stored: Stored) -> InventoryLine {
     let text = String::from_utf8_lossy(&stored.text).into_owned();
-    let found = Opened::read(text, stored.structure.clone(), &stored.files)
-        .and_then(|opened| watch_observed(&opened, &stored.observed, &stored.faults));
+    let found = Opened::read(text, stored.structure.clone(), &stored.files).and_then(|opened| {
+        let logs = Logs::read(&opened.project, &stored.files)?;
+        watch_observed(&opened, &stored.observed, &stored.faults, &logs)
+    });
     match found {
         Ok(answer) => InventoryLine::watched(stored.structure, &answer),
         Err(why) => InventoryLine::not_watched(stored.structure, told(&why)),

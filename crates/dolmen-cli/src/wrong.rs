@@ -63,27 +63,10 @@ pub(crate) enum CommandError {
         allow(dead_code, reason = "only a build without PDF says it")
     )]
     NoPdf,
-    ProgramFailed {
-        program: String,
-        structure: String,
-        status: String,
-    },
-    NoProgram {
-        program: String,
-        why: std::io::Error,
-    },
     NoMotionToChange,
     NoEffect {
         flag: &'static str,
         is_for: Both,
-    },
-    TooManyOfOneSecond {
-        survey: String,
-        most: usize,
-    },
-    WhichStructure {
-        count: usize,
-        first: Vec<String>,
     },
     NothingReported {
         projects: usize,
@@ -123,22 +106,6 @@ sentences! {
         NoProjects { path } => {
             en: "{path} holds no folder with a project.toml: give a folder of project folders, or a table (CSV)",
             ko: "{path}에 project.toml이 든 폴더가 없다. 프로젝트 폴더들이 든 폴더나 표(CSV)를 준다",
-        },
-        ProgramFailed { program, structure, status } => {
-            en: "--on-alarm {program} ended with {status} for {structure}",
-            ko: "--on-alarm {program}이(가) {structure}에 대해 실패하였다({status})",
-        },
-        NoProgram { program } => {
-            en: "--on-alarm {program} could not be run; it is a program, not a line of a shell",
-            ko: "--on-alarm {program}을(를) 실행할 수 없다. 셸 명령줄이 아니라 프로그램 하나를 준다",
-        },
-        TooManyOfOneSecond { survey, most } => {
-            en: "more than {most} different records began at {survey}: the clock of the logger stands still, or files of other loggers come into the folder",
-            ko: "{survey}에 시작한 서로 다른 기록이 {most}개를 넘는다. 기록계의 시계가 멈추었거나 다른 기록계의 파일이 폴더에 들어온다",
-        },
-        WhichStructure { count, first } as { count, first: first.join(", ") } => {
-            en: "--follow takes the records of one structure, and the store has {count} ({first}): name one with --structure, or store its project first with `dolmen survey add`",
-            ko: "--follow는 구조물 하나의 기록을 받는데 저장소에 구조물이 {count}기 있다({first}). --structure로 하나를 지정하거나 `dolmen survey add`로 프로젝트를 먼저 저장한다",
         },
         NoMotion => { en: "no motion is given to write", ko: "쓸 지반운동이 없다" },
         NoPlaneMotion => {
@@ -209,7 +176,7 @@ sentences! {
         CannotRead { path } => { en: "{path}", ko: "{path}" },
         CannotRemove { path } => { en: "cannot remove {path}", ko: "{path}을(를) 지울 수 없다" },
     }
-    caused by { CannotPrint: why, CannotRead: why, CannotRemove: why, NoProgram: why }
+    caused by { CannotPrint: why, CannotRead: why, CannotRemove: why }
 }
 
 messages! {
@@ -264,10 +231,6 @@ messages! {
         StillWritten { files: usize } => {
             en: "files that were still being written or too new: {files}; what rests by now was taken, the others are left for the next time",
             ko: "아직 쓰는 중이거나 너무 새로운 파일이 {files}개 있었다. 그사이 완료된 것은 처리하였고 나머지는 다음에 처리한다",
-        },
-        OwnFault => {
-            en: "this is a fault of Dolmen, not of the file: please report it with the file",
-            ko: "파일이 아니라 Dolmen의 결함이다. 이 파일과 함께 알려 주기 바란다",
         },
         Histories { folder: String } => {
             en: "histories and figures are in {folder}",
@@ -331,5 +294,5 @@ fn meant(near: Option<&str>) -> Both {
 
 /// An error of the command or of folders as what can be said in both languages; `None` for any other.
 pub(crate) fn of_command<'e>(error: &'e (dyn Error + 'static)) -> Option<&'e dyn Argument> {
-    sayable!(error, CommandError).or_else(|| dolmen_folder::of_folders(error))
+    sayable!(error, CommandError).or_else(|| dolmen_follow::of_following(error))
 }

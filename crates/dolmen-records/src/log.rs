@@ -26,6 +26,10 @@ pub struct Log {
     pub repeated: usize,
     /// Rows whose time lies before that of the row above: the clock was set back, or the logger started anew.
     pub set_back: usize,
+    /// Rows more than a day out of the order of the file, left out: the clock was wrong.
+    pub misdated: usize,
+    /// The unit of the column as the file states it: TOA5 does.
+    pub unit: Option<String>,
 }
 
 /// Why a log cannot be read.
@@ -121,6 +125,10 @@ pub fn read_log(bytes: &[u8], column: Option<&str>) -> Result<Log, LogError> {
         ),
         false => headed(&lines).ok_or(LogError::NoRows)?,
     };
+    let units = match is_toa5 {
+        true => cells(lines.get(2).copied().unwrap_or_default(), ','),
+        false => Vec::new(),
+    };
     let at = place(&names, column, is_toa5)?;
     let mut rows = Vec::new();
     let mut log = Log {
@@ -129,6 +137,8 @@ pub fn read_log(bytes: &[u8], column: Option<&str>) -> Result<Log, LogError> {
         gaps: 0,
         repeated: 0,
         set_back: 0,
+        misdated: 0,
+        unit: units.get(at).filter(|unit| !unit.is_empty()).cloned(),
     };
     let mut before = f64::NEG_INFINITY;
     for (line, row) in lines.iter().enumerate().skip(first) {
@@ -155,6 +165,9 @@ pub fn read_log(bytes: &[u8], column: Option<&str>) -> Result<Log, LogError> {
             }
         }
     }
+    let read = rows.len();
+    let mut rows = in_order(rows);
+    log.misdated = read - rows.len();
     rows.sort_by(|a, b| a.0.total_cmp(&b.0)); // in the order of the file where times are one
     for (at_s, value) in rows {
         match log.times_s.last() == Some(&at_s) {
@@ -170,6 +183,43 @@ pub fn read_log(bytes: &[u8], column: Option<&str>) -> Result<Log, LogError> {
         true => Err(LogError::NoRows),
         false => Ok(log),
     }
+}
+
+/// Rows without those of a wrong clock: the most rows whose times ascend stay, and those that are within a day of the one that stays before them.
+fn in_order(rows: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
+    const DAY_S: f64 = 86_400.0;
+    let mut latest_s = f64::NEG_INFINITY;
+    let is_in_order = |(at_s, _): &(f64, f64)| {
+        latest_s = latest_s.max(*at_s);
+        *at_s >= latest_s - DAY_S
+    };
+    if rows.iter().all(is_in_order) {
+        return rows;
+    }
+    // the longest run that does not descend (Schensted 1961): the row in which a run of each length may end earliest, and the row before each
+    let (mut ends, mut before): (Vec<usize>, Vec<Option<usize>>) = (Vec::new(), Vec::new());
+    for (row, (at_s, _)) in rows.iter().enumerate() {
+        let length = ends.partition_point(|end| rows[*end].0 <= *at_s);
+        before.push(length.checked_sub(1).map(|shorter| ends[shorter]));
+        match ends.get_mut(length) {
+            Some(end) => *end = row,
+            None => ends.push(row),
+        }
+    }
+    let mut stays = vec![false; rows.len()];
+    let mut next = ends.last().copied();
+    while let Some(row) = next {
+        stays[row] = true;
+        next = before[row];
+    }
+    let mut last_s = f64::NAN;
+    let kept = rows.into_iter().zip(stays).filter(|((at_s, _), stays)| {
+        if *stays {
+            last_s = *at_s;
+        }
+        *stays || (at_s - last_s).abs() <= DAY_S
+    });
+    kept.map(|(row, _)| row).collect()
 }
 
 /// What separates columns, their names, and the first line of readings.
@@ -326,9 +376,36 @@ mod tests {
         assert_eq!(log.times_s, [TEN_S - 600.0, TEN_S, TEN_S + 1200.0]);
         assert_eq!(log.values, [2.5, 3.5, 5.5]);
         assert_eq!((log.gaps, log.repeated, log.set_back), (2, 1, 1));
+        assert_eq!((log.misdated, log.unit.as_deref()), (0, Some("Deg C")));
         assert_eq!(log.around(TEN_S, TEN_S + 1200.0, 0.0), Some(4.5));
         assert_eq!(log.around(TEN_S + 1300.0, TEN_S + 1400.0, 600.0), Some(5.5));
         assert_eq!(log.around(TEN_S + 1300.0, TEN_S + 1400.0, 60.0), None);
+    }
+
+    #[test]
+    fn exact_a_logger_that_started_anew_and_one_time_far_ahead() {
+        let row = |day: usize, value: usize| format!("2026-11-{day:02} 10:00,{value}\n");
+        let mut text = "Time,Tilt\n".to_owned();
+        text += &(1..=4).map(|day| row(day, day)).collect::<String>();
+        text += "2096-11-05 10:00,99\n"; // a bit of its clock fell over
+        text += &(5..=6).map(|day| row(day, day)).collect::<String>();
+        text += "1990-01-01 00:00,99\n1990-01-01 00:10,99\n1990-01-03 00:10,99\n"; // its battery was dead
+        text += &(9..=12).map(|day| row(day, day)).collect::<String>();
+        let log = read_log(text.as_bytes(), None).unwrap();
+        assert_eq!(log.values, [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 9.0, 10.0, 11.0, 12.0]);
+        assert_eq!((log.misdated, log.set_back), (4, 2));
+    }
+
+    #[test]
+    fn exact_the_hour_that_is_there_twice_when_summer_time_ends() {
+        let text = "Time,Tilt\n2026-10-25 01:30,1\n2026-10-25 02:00,2\n2026-10-25 02:30,3\n2026-10-25 02:00,4\n2026-10-25 02:30,5\n2026-10-25 03:00,6\n";
+        let log = read_log(text.as_bytes(), None).unwrap();
+        assert_eq!(log.values, [1.0, 4.0, 5.0, 6.0]);
+        assert_eq!((log.misdated, log.set_back, log.repeated), (0, 1, 2));
+        // beside a clock that was wrong it stays
+        let log = read_log(format!("{text}1990-01-01 00:00,99\n").as_bytes(), None).unwrap();
+        assert_eq!(log.values, [1.0, 4.0, 5.0, 6.0]);
+        assert_eq!((log.misdated, log.repeated), (1, 2));
     }
 
     #[test]

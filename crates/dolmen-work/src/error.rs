@@ -21,7 +21,7 @@ use dolmen::validation::ValidationError;
 use dolmen_project::{AngleError, DamperFault, ProjectError, StackFault};
 use dolmen_records::motions::MotionError;
 use dolmen_records::records::RecordError;
-use dolmen_records::{FileError, PhotoError};
+use dolmen_records::{FileError, LogError, PhotoError};
 use dolmen_words::message::Both;
 use std::error::Error;
 
@@ -45,6 +45,15 @@ pub enum WorkError {
     Motion(Box<MotionError>),
     /// A photograph is refused.
     Photo(Box<PhotoError>),
+    /// A file of a logger is refused.
+    Log(Box<LogError>),
+    /// The file of a logger states another unit than the project.
+    LogUnit {
+        /// What the file states.
+        stated: String,
+        /// What the project says.
+        unit: String,
+    },
     /// The photographs of a report are too large together.
     TooManyPhotos {
         /// The limit, MiB.
@@ -278,6 +287,7 @@ handed_on! {
     Record: RecordError,
     Motion: MotionError,
     Photo: PhotoError,
+    Log: LogError,
     Angle: AngleError,
     StackPart: StackFault,
     DamperPart: DamperFault,
@@ -312,6 +322,7 @@ impl WorkError {
             WorkError::Record(why) => why.as_ref(),
             WorkError::Motion(why) => why.as_ref(),
             WorkError::Photo(why) => why.as_ref(),
+            WorkError::Log(why) => why.as_ref(),
             WorkError::Angle(why) => why.as_ref(),
             WorkError::StackPart(why) => why.as_ref(),
             WorkError::DamperPart(why) => why.as_ref(),

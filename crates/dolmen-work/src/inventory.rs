@@ -2,6 +2,7 @@
 
 use crate::watched::WatchAnswer;
 use dolmen::monitoring::TiltSlope;
+use dolmen_project::LogKind;
 use serde::Serialize;
 use std::cmp::Reverse;
 
@@ -46,6 +47,8 @@ pub struct History {
     pub open_alarms: usize,
     /// Whether a tilt is beyond its limit.
     pub is_tilt_beyond: bool,
+    /// Logged cracks that are wider than they may be.
+    pub cracks_beyond: usize,
     /// Sensors that fail in the newest record.
     pub open_sensor_alarms: usize,
     /// How much it leans in all directions together, horizontal over vertical, where that is beyond its limit.
@@ -86,10 +89,12 @@ impl InventoryLine {
         }
     }
 
-    /// Whether somebody must go there: an open alarm, or a tilt beyond its limit.
+    /// Whether somebody must go there: an open alarm, or a tilt or crack beyond its limit.
     pub fn is_alarming(&self) -> bool {
         let history = self.history.as_ref();
-        history.is_some_and(|history| history.open_alarms > 0 || history.is_tilt_beyond)
+        history.is_some_and(|history| {
+            history.open_alarms > 0 || history.is_tilt_beyond || history.cracks_beyond > 0
+        })
     }
 
     /// Open alarms and tilts beyond their limit first, then changes, then what was not watched, then the rest.
@@ -116,25 +121,28 @@ impl History {
             .flat_map(|mode| mode.changes.iter().map(move |change| (mode, change)));
         let strongest =
             changes.max_by(|a, b| (a.1.ratio / a.1.sd).abs().total_cmp(&(b.1.ratio / b.1.sd).abs()));
-        let tilts = watched
-            .tilts
-            .iter()
-            .filter_map(|trend| Some((trend, trend.slope.as_ref()?)));
+        let surveyed = watched.tilts.iter().filter_map(|trend| {
+            let of = &trend.series.direction;
+            Some((of, trend.slope?, trend.is_beyond_chance()))
+        });
+        let logged = answer.logs.iter().filter_map(|log| match &log.part.kind {
+            LogKind::Tilt { direction } if log.trend.limit.is_some() => {
+                Some((direction, log.trend.slope.ok()?, log.trend.is_beyond_chance()))
+            }
+            _ => None,
+        });
         let share = |slope: &TiltSlope| slope.share_of_limit().unwrap_or(slope.now.abs());
-        let nearest = tilts.max_by(|a, b| share(a.1).total_cmp(&share(b.1)));
+        let tilts = surveyed.chain(logged);
+        let nearest = tilts.max_by(|a, b| share(&a.1).total_cmp(&share(&b.1)));
         History {
             surveys: answer.surveys.len(),
             last_survey: name(answer.surveys.len().saturating_sub(1)),
             modes: watched.modes.len(),
             open_alarms: answer.open_alarms(),
             is_tilt_beyond: answer.is_tilt_beyond(),
+            cracks_beyond: answer.cracks_beyond(),
             open_sensor_alarms: answer.open_sensor_alarms(),
-            lean_beyond: answer
-                .leans()
-                .iter()
-                .filter(|lean| lean.is_beyond())
-                .map(|lean| lean.size)
-                .max_by(f64::total_cmp),
+            lean_beyond: answer.lean_beyond(),
             change: strongest.map(|(mode, change)| StrongestChange {
                 frequency_hz: mode.track.frequency_hz,
                 ratio: change.ratio,
@@ -142,13 +150,13 @@ impl History {
                 after: name(change.after),
                 before: name(change.before),
             }),
-            tilt: nearest.map(|(trend, slope)| NearestTilt {
-                direction: trend.series.direction.clone(),
+            tilt: nearest.map(|(direction, slope, is_beyond_chance)| NearestTilt {
+                direction: direction.clone(),
                 now: slope.now,
                 limit: slope.reach.map(|reach| reach.limit),
                 years_to_limit: slope
                     .reach
-                    .filter(|_| trend.is_beyond_chance())
+                    .filter(|_| is_beyond_chance)
                     .and_then(|reach| reach.years),
             }),
         }

@@ -7,6 +7,7 @@
 //! What a project names comes through [`Files`](dolmen_records::Files), how far a verb has come goes through [`Progress`], the
 //! runs of a study go to a [`Journal`](study::Journal).
 
+mod air;
 pub mod answer;
 pub mod building;
 pub mod chain;
@@ -26,7 +27,9 @@ pub mod judgement;
 pub mod kept;
 mod kinds;
 mod known;
+mod left_out;
 pub mod loads;
+pub mod logs;
 pub mod motion;
 mod opened;
 pub mod part_limit;
@@ -53,6 +56,7 @@ mod validate;
 mod version;
 pub mod watch;
 pub mod watched;
+pub mod watched_log;
 mod wrong;
 
 pub use change_fault::ChangeFault;
@@ -65,7 +69,7 @@ pub use photos::Photos;
 pub use progress::{Progress, Silent, Stage};
 pub use report::{ReportOptions, report};
 pub use simulate::{PreparedSimulation, SimulateOptions, prepare};
-pub use survey_dates::{date as survey_date, day_of_a_record};
+pub use survey_dates::{date as survey_date, date_text, day_of_a_record};
 pub use tilt_left_out::TiltLeftOut;
 pub use told::{Sayable, complaint, did_not_converge, told, told_both, told_by, told_in};
 pub use undamped::{IdentifiedDamping, Undamped};

@@ -64,7 +64,7 @@ pub fn report(
         })));
     }
     if is_watched {
-        let watched = watch_of(opened, &identified.surveys)?;
+        let watched = watch_of(opened, &identified.surveys, files)?;
         answers.push(Answer::Watch(Box::new(watched)));
     }
     if is_shaken {

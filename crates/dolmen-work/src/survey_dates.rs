@@ -2,6 +2,7 @@
 
 /// The date that a survey's name begins with: "2019", "2019-04", "2019-04-02", "2019.04.02", "20190402", what is missing 0.
 pub use dolmen_project::date_of as date;
+use dolmen_records::time_text;
 
 /// Days from 1970-01-01 to a date; a missing month or day is taken in the middle of what is known.
 ///
@@ -21,6 +22,24 @@ pub(crate) fn day_of([year, month, day]: [u32; 3]) -> f64 {
     let of_year = (153 * m + 2) / 5 + i64::from(day) - 1;
     let of_cycle = of_era * 365 + of_era / 4 - of_era / 100 + of_year;
     (era * 146_097 + of_cycle - 719_468) as f64
+}
+
+/// The first and the last day of what a date says: of a year all of it.
+pub(crate) fn days_of([year, month, day]: [u32; 3]) -> [f64; 2] {
+    match (month, day) {
+        (0, _) => [day_of([year, 1, 1]), day_of([year, 12, 31])],
+        (12, 0) => [day_of([year, 12, 1]), day_of([year, 12, 31])],
+        (month, 0) => [day_of([year, month, 1]), day_of([year, month + 1, 1]) - 1.0],
+        known => {
+            let day = day_of([year, known.0, known.1]);
+            [day, day]
+        }
+    }
+}
+
+/// The date of a day from 1970-01-01: "2019-04-02".
+pub fn date_text(day: f64) -> String {
+    time_text(day.floor() * 86_400.0).chars().take(DATE).collect()
 }
 
 /// Characters of a date with its day: "2019-04-02".
@@ -70,5 +89,12 @@ mod tests {
         assert_eq!(day_of([2000, 3, 1]), 11_017.0);
         assert_eq!(day_of([2024, 2, 29]), 19_782.0);
         assert_eq!(day_of([2024, 0, 0]), day_of([2024, 7, 1]));
+        assert_eq!(days_of([2024, 2, 0]).map(date_text), ["2024-02-01", "2024-02-29"]);
+        assert_eq!(
+            days_of([2024, 12, 0]).map(date_text),
+            ["2024-12-01", "2024-12-31"]
+        );
+        assert_eq!(days_of([2024, 0, 0]).map(date_text), ["2024-01-01", "2024-12-31"]);
+        assert_eq!(days_of([2024, 2, 29]).map(date_text), ["2024-02-29"; 2]);
     }
 }

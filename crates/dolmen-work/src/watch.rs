@@ -4,7 +4,8 @@ use crate::change_fault::ChangeFault;
 use crate::compare::surveyed;
 use crate::days::{Days, days};
 use crate::error::WorkError;
-use crate::identify;
+use crate::left_out::found_without;
+use crate::logs::Logs;
 use crate::opened::Opened;
 use crate::progress::Progress;
 use crate::sensor_alarms::{SensorFaults, sensor_alarms};
@@ -14,9 +15,9 @@ use crate::watched::{WatchAnswer, WatchedSurvey};
 use dolmen::assess::Surveyed;
 use dolmen::modal::{ObservedMode, Pairing};
 use dolmen::monitoring::{
-    History, HistorySurvey, TiltReading, Tracking, WatchOptions, Work, watch as watched,
+    History, HistorySurvey, TiltReading, Tracking, WatchOptions, Watched, Work, watch as watched,
 };
-use dolmen_project::{Project, Survey, WorkKind, WorkPart};
+use dolmen_project::{LogKind, Project, Survey, WorkKind, WorkPart};
 use dolmen_records::Files;
 use std::collections::BTreeMap;
 
@@ -26,13 +27,18 @@ pub const SURVEYS_LEAST: usize = 3;
 /// Surveys from which on a report has a section on the years: with fewer no change is sought, and two are compared.
 const REPORTED_LEAST: usize = 8;
 
-/// Whether a project has surveys enough for a section of its report.
+/// Whether a project has surveys enough for a section of its report, or a log of a tilt or crack.
 pub fn can_watch(project: &Project) -> bool {
     let usable = project
         .surveys
         .iter()
         .filter(|survey| date(&survey.name).is_some() && has_modes(survey));
-    usable.count() >= REPORTED_LEAST
+    let has_logs = project
+        .watch
+        .logs
+        .iter()
+        .any(|log| log.kind != LogKind::Temperature);
+    has_logs || usable.count() >= REPORTED_LEAST
 }
 
 fn has_modes(survey: &Survey) -> bool {
@@ -44,27 +50,37 @@ fn has_modes(survey: &Survey) -> bool {
 /// What the surveys of a project say of its structure over the years.
 ///
 /// # Errors
-/// Fewer than three surveys with a date and modes, and with tilts; records that cannot be read.
+/// Fewer than three surveys with a date and modes, and with tilts, and no log; records and logs that cannot be read. A sensor that failed is left out.
 pub fn watch(opened: &Opened, files: &dyn Files, progress: &dyn Progress) -> Result<WatchAnswer, WorkError> {
-    let answers: Vec<SurveyAnswer> = opened
-        .project
-        .surveys
-        .iter()
-        .filter(|survey| survey.records.is_some() || !survey.setups.is_empty())
-        .map(|survey| identify::found_in(survey, files, progress))
-        .collect::<Result<_, _>>()?;
-    watch_of(opened, &answers)
+    let (mut answers, mut failed) = (Vec::new(), Vec::new());
+    for survey in &opened.project.surveys {
+        if survey.records.is_some() || !survey.setups.is_empty() {
+            let (answer, channels) = found_without(survey, files, progress)?;
+            if !channels.is_empty() {
+                failed.push((answer.name.clone(), channels));
+            }
+            answers.push(answer);
+        }
+    }
+    let mut answer = watch_of(opened, &answers, files)?;
+    answer.sensors_left_out = failed;
+    Ok(answer)
 }
 
 /// The same; `answers` hold what records gave.
 ///
 /// # Errors
-/// [`ChangeFault`].
-pub fn watch_of(opened: &Opened, answers: &[SurveyAnswer]) -> Result<WatchAnswer, WorkError> {
+/// [`ChangeFault`]; logs that cannot be read.
+pub fn watch_of(
+    opened: &Opened,
+    answers: &[SurveyAnswer],
+    files: &dyn Files,
+) -> Result<WatchAnswer, WorkError> {
     let faults = answers
         .iter()
         .map(|answer| (answer.name.clone(), answer.faults()));
-    watch_surveys(opened, &faults.collect(), |survey| {
+    let logs = Logs::read(&opened.project, files)?;
+    watch_surveys(opened, &faults.collect(), &logs, |survey| {
         surveyed(survey, answers.iter().find(|answer| answer.name == survey.name))
     })
 }
@@ -77,8 +93,9 @@ pub fn watch_observed(
     opened: &Opened,
     observed: &BTreeMap<String, Vec<ObservedMode>>,
     faults: &SensorFaults,
+    logs: &Logs,
 ) -> Result<WatchAnswer, WorkError> {
-    watch_surveys(opened, faults, |survey| {
+    watch_surveys(opened, faults, logs, |survey| {
         let mut of = surveyed(survey, None);
         if let Some(modes) = observed.get(&survey.name) {
             of.modes.clone_from(modes);
@@ -90,17 +107,24 @@ pub fn watch_observed(
 fn watch_surveys(
     opened: &Opened,
     faults: &SensorFaults,
+    logs: &Logs,
     of: impl Fn(&Survey) -> Surveyed,
 ) -> Result<WatchAnswer, WorkError> {
     let project = &opened.project;
     let mut left_out = Vec::new();
     let mut surveys: Vec<HistorySurvey> = Vec::new();
+    let mut temperatures_of_log = 0;
     for survey in &project.surveys {
         let Some(when) = date(&survey.name).filter(|_| has_modes(survey) || !survey.tilt.is_empty()) else {
             left_out.push(survey.name.clone());
             continue;
         };
-        surveys.push(history_survey(survey, day_of(when), of(survey)));
+        let mut own = history_survey(survey, day_of(when), of(survey));
+        if own.temperature_c.is_none() {
+            own.temperature_c = logs.temperature_c(&survey.name);
+            temperatures_of_log += usize::from(own.temperature_c.is_some());
+        }
+        surveys.push(own);
     }
     let tracking = Tracking {
         frequency_within: project
@@ -117,7 +141,8 @@ fn watch_surveys(
     left_out.extend(of_one_day);
     let with_modes = kept.iter().filter(|survey| !survey.modes.is_empty()).count();
     let with_tilts = kept.iter().filter(|survey| !survey.tilts.is_empty()).count();
-    if with_modes.max(with_tilts) < SURVEYS_LEAST {
+    let are_too_few = with_modes.max(with_tilts) < SURVEYS_LEAST;
+    if are_too_few && !logs.are_watched() {
         return Err(ChangeFault::TooFewToWatch {
             given: with_modes.max(with_tilts),
             least: SURVEYS_LEAST,
@@ -152,7 +177,11 @@ fn watch_surveys(
         tilt_limit: project.watch.tilt_limit,
         ..usual
     };
-    let watched = watched(&history, &options).map_err(ChangeFault::from)?;
+    let watched = match are_too_few {
+        true => Watched::nothing(options.significance),
+        false => watched(&history, &options).map_err(ChangeFault::from)?,
+    };
+    let logs = logs.watched(&works, project.watch.tilt_limit)?;
     Ok(WatchAnswer {
         file: opened.file.clone(),
         project: opened.project.clone(),
@@ -171,6 +200,9 @@ fn watch_surveys(
         several,
         works,
         sensor_alarms: sensor_alarms(project, faults),
+        sensors_left_out: Vec::new(),
+        temperatures_of_log,
+        logs,
         watched,
     })
 }

@@ -1,8 +1,9 @@
 //! What a history of surveys says.
 
 use crate::sensor_alarms::SensorAlarm;
+use crate::watched_log::WatchedLog;
 use dolmen::monitoring::Watched;
-use dolmen_project::{Project, WorkPart};
+use dolmen_project::{LogKind, Project, WorkPart};
 use std::sync::Arc;
 
 /// What a history of surveys says.
@@ -22,6 +23,12 @@ pub struct WatchAnswer {
     pub works: Vec<(f64, WorkPart)>,
     /// Sensors that failed: nothing of the structure.
     pub sensor_alarms: Vec<SensorAlarm>,
+    /// Surveys that were identified without sensors that failed, and these.
+    pub sensors_left_out: Vec<(String, Vec<String>)>,
+    /// Surveys whose temperature is that of the project's log.
+    pub temperatures_of_log: usize,
+    /// What tilts and cracks that are logged say.
+    pub logs: Vec<WatchedLog>,
     /// What the surveys say.
     pub watched: Watched,
 }
@@ -56,9 +63,46 @@ impl WatchAnswer {
         self.sensor_alarms.iter().filter(|alarm| alarm.is_open).count()
     }
 
-    /// Whether it leans beyond its limit on the day of the last reading.
+    /// Whether it leans beyond its limit on the day of the last reading, as surveys or logs say.
     pub fn is_tilt_beyond(&self) -> bool {
-        self.leans().iter().any(LeanNow::is_beyond)
+        self.lean_beyond().is_some()
+    }
+
+    /// The largest lean beyond its limit, of surveys and logs, in all directions together where they can be put together.
+    pub fn lean_beyond(&self) -> Option<f64> {
+        let leans = self.leans().into_iter().chain(self.logged_lean());
+        let beyond = leans.filter(LeanNow::is_beyond).map(|lean| lean.size);
+        let logs = self.logs.iter().filter(|log| log.is_tilt() && log.is_beyond());
+        beyond
+            .chain(logs.map(|log| log.trend.now.abs()))
+            .max_by(f64::total_cmp)
+    }
+
+    /// Cracks that are wider than they may be.
+    pub fn cracks_beyond(&self) -> usize {
+        let cracks = self.logs.iter().filter(|log| !log.is_tilt());
+        cracks.filter(|log| log.is_beyond()).count()
+    }
+
+    /// How it leans in x and y together, where one log of each says so and their zeros are known.
+    pub fn logged_lean(&self) -> Option<LeanNow> {
+        let of = |direction: &str| {
+            let mut all = self.logs.iter().filter(|log| {
+                log.part.zero.is_some()
+                    && matches!(&log.part.kind, LogKind::Tilt { direction: own } if own == direction)
+            });
+            let first = all.next()?;
+            all.next()
+                .is_none()
+                .then_some(first.trend.now)
+                .filter(|now| now.is_finite())
+        };
+        Some(LeanNow {
+            datum: None,
+            directions: vec!["x".to_owned(), "y".to_owned()],
+            size: of("x")?.hypot(of("y")?),
+            limit: self.project.watch.tilt_limit,
+        })
     }
 
     /// How it leans on the day of the last readings: x and y of one datum together, other directions each by itself.

@@ -163,3 +163,32 @@ fn holds_a_project_says_which_of_its_sensors_fail() {
         assert!(text.words().contains(said), "{}", text.stdout);
     }
 }
+
+#[test]
+fn holds_a_project_with_a_dead_sensor_is_watched_without_it() {
+    let scratch = Scratch::new("watch-dead");
+    let mut text = HEAD.to_owned();
+    for day in 1..=4 {
+        let record = made_record(2.0, 6000, day);
+        let dead = |line: &str| match line.split_once(',') {
+            Some((low, high)) if low != "low" && day == 3 => format!("0,{high}\n"),
+            _ => format!("{line}\n"),
+        };
+        let record: String = record.lines().map(dead).collect();
+        fs::write(scratch.path().join(format!("{day}.csv")), record).unwrap();
+        text += &format!(
+            "[survey.2026-01-0{day}]\ntemperature_c = 5\nrecords = {{ file = \"{day}.csv\", sampling_rate = \"100 Hz\" }}\n"
+        );
+    }
+    fs::write(scratch.path().join("gate.toml"), text).unwrap();
+    let found = json(&scratch, "watch gate.toml");
+    let left_out = serde_json::json!([{ "survey": "2026-01-03", "channels": ["low"] }]);
+    assert_eq!(found["sensors_left_out"], left_out);
+    assert_eq!(found["modes"][0]["found"], 4, "{}", found["modes"]);
+    assert_eq!(found["alarms"][0]["channel"], "low", "{}", found["alarms"]);
+    let said = good(scratch.dolmen("watch gate.toml")).words();
+    assert!(
+        said.contains("Survey 2026-01-03 was identified without sensors that failed: low."),
+        "{said}"
+    );
+}

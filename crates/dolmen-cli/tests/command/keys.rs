@@ -27,6 +27,7 @@ const COMMANDS: [&str; 39] = [
     "identify examples/five_storey_pagoda",
     "compare examples/gate_through_the_seasons",
     "watch examples/pagoda_over_the_years",
+    "watch examples/pagoda_with_a_logger",
     "simulate examples/three_storey_pagoda --motion el-centro-1940-ns --keep-first 2",
     "simulate examples/piled_blocks --motion el-centro-1940-ns --keep-first 2 --law rigid",
     "simulate examples/piled_blocks --motion el-centro-1940-ns --keep-first 2 --law sliding",

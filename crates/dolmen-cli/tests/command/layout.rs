@@ -21,7 +21,7 @@ const CHAPTERS: [&str; 12] = [
     "validation",
 ];
 /// Crates, lowest first, with the crates each may name.
-const CRATES: [(&str, &[&str]); 12] = [
+const CRATES: [(&str, &[&str]); 13] = [
     ("dolmen-picture", &[]),
     ("dolmen-print", &["dolmen-picture"]),
     ("dolmen-linalg", &[]),
@@ -65,10 +65,23 @@ const CRATES: [(&str, &[&str]); 12] = [
         ],
     ),
     (
+        "dolmen-follow",
+        &[
+            "dolmen",
+            "dolmen-words",
+            "dolmen-records",
+            "dolmen-work",
+            "dolmen-report",
+            "dolmen-folder",
+            "dolmen-store",
+        ],
+    ),
+    (
         "dolmen-cli",
         &[
             "dolmen",
             "dolmen-folder",
+            "dolmen-follow",
             "dolmen-words",
             "dolmen-records",
             "dolmen-picture",

@@ -31,6 +31,7 @@ mod korean_errors;
 mod korean_inputs;
 mod layout;
 mod limits;
+mod logs;
 mod looked_safe;
 mod names;
 mod one_stones;

@@ -8,6 +8,7 @@ mod part;
 mod read;
 mod read_conditioning;
 mod read_inspections;
+mod read_logs;
 mod read_records;
 mod read_watch;
 mod records;
@@ -24,5 +25,5 @@ pub(crate) use read_watch::watch;
 pub use records::{
     BandPass, ChannelSource, Column, Conditioning, Cut, LowPass, ModalChoice, RecordFormat, RecordSource,
 };
-pub use watch::{WatchPart, WorkKind, WorkPart, date_of};
+pub use watch::{LogKind, LogPart, WatchPart, WorkKind, WorkPart, date_of};
 pub(crate) use watch_file::WatchRaw;

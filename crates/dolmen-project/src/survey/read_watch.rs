@@ -1,5 +1,6 @@
 //! Reads `[watch]`.
 
+use super::read_logs::logs;
 use super::watch::{WatchPart, WorkKind, WorkPart};
 use super::watch_file::{WatchRaw, WorkKindRaw, WorkRaw};
 use crate::error::Fault;
@@ -34,6 +35,7 @@ pub(crate) fn watch(reader: &mut Reader, raw: Option<&At<WatchRaw>>) -> WatchPar
         works: listed
             .filter_map(|(i, given)| work(reader, given, &format!("watch.works[{}]", i + 1)))
             .collect(),
+        logs: logs(reader, raw.log.as_ref()),
     }
 }
 

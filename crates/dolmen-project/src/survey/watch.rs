@@ -1,4 +1,7 @@
-//! The record of a structure over the years: what was done to it, and how its surveys are watched.
+//! The record of a structure over the years: what was done to it, what loggers read, and how its surveys are watched.
+
+use crate::names::Names;
+use crate::units::parse_unit;
 
 /// How many surveys are watched: `[watch]`.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -9,6 +12,74 @@ pub struct WatchPart {
     pub tilt_limit: Option<f64>,
     /// What was done, in the order of the file.
     pub works: Vec<WorkPart>,
+    /// What loggers read, by name.
+    pub logs: Vec<LogPart>,
+}
+
+/// A column of a logger's file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LogPart {
+    /// Its name in the project.
+    pub name: String,
+    /// What it is called in tables and figures; its name where nothing else is given.
+    pub label: Option<Names>,
+    /// Path of the file, relative to the project.
+    pub file: String,
+    /// The column; `None` where the file has one.
+    pub column: Option<String>,
+    /// What it reads.
+    pub kind: LogKind,
+    /// Unit of the readings as written.
+    pub unit: String,
+    /// SI units a reading: rad of an angle, the ratio of another tilt, m, °C.
+    pub factor: f64,
+    /// Whether readings are angles, whose tangent is the tilt.
+    pub is_angle: bool,
+    /// What the structure has when the sensor reads 0, SI; `None` where that is not known.
+    pub zero: Option<f64>,
+    /// What must not be reached, SI.
+    pub limit: Option<f64>,
+}
+
+impl LogPart {
+    /// A reading in SI units, as the sensor counts it.
+    pub fn si(&self, reading: f64) -> f64 {
+        match self.is_angle {
+            true => (reading * self.factor).tan(),
+            false => reading * self.factor,
+        }
+    }
+
+    /// Whether the unit that a file states is known and another one than that of the project.
+    pub fn contradicts(&self, stated: &str) -> bool {
+        const OTHER_SCALES: [&str; 6] = ["f", "degf", "deg f", "°f", "k", "kelvin"];
+        let stated = stated.trim().to_lowercase();
+        if self.kind == LogKind::Temperature {
+            return OTHER_SCALES.contains(&stated.as_str());
+        }
+        let stated = match stated.as_str() {
+            "degree" | "degrees" => "deg",
+            other => other,
+        };
+        let (Ok(stated), Ok(own)) = (parse_unit(stated), parse_unit(&self.unit)) else {
+            return false; // "V", "counts": no unit that we know
+        };
+        stated.dimension != own.dimension || (stated.factor / own.factor - 1.0).abs() > 1e-6
+    }
+}
+
+/// What a logger reads.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum LogKind {
+    /// A tilt, horizontal over vertical, in a direction.
+    Tilt {
+        /// The direction.
+        direction: String,
+    },
+    /// The width of a crack or joint, m, growing as it opens.
+    Crack,
+    /// Temperature of the air or the stone, °C.
+    Temperature,
 }
 
 /// Something that was done to the structure, or befell it.
@@ -77,6 +148,38 @@ pub fn date_of(text: &str) -> Option<[u32; 3]> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn holds_units_of_a_file_are_held_against_those_of_the_project() {
+        let log = |kind: LogKind, unit: &str| LogPart {
+            name: "a".to_owned(),
+            label: None,
+            file: "a.dat".to_owned(),
+            column: None,
+            kind,
+            unit: unit.to_owned(),
+            factor: 1.0,
+            is_angle: false,
+            zero: None,
+            limit: None,
+        };
+        let tilt = LogKind::Tilt {
+            direction: "x".to_owned(),
+        };
+        for (kind, own, stated, contradicts) in [
+            (tilt.clone(), "deg", "Deg", false),
+            (tilt.clone(), "deg", "degrees", false),
+            (tilt.clone(), "deg", "mrad", true),
+            (tilt.clone(), "mm/m", "Volts", false),
+            (tilt, "mm/m", "mm", true),
+            (LogKind::Crack, "mm", "MM", false),
+            (LogKind::Crack, "mm", "cm", true),
+            (LogKind::Temperature, "°C", "Deg C", false),
+            (LogKind::Temperature, "°C", "Deg F", true),
+        ] {
+            assert_eq!(log(kind, own).contradicts(stated), contradicts, "{own} {stated}");
+        }
+    }
 
     #[test]
     fn holds_dates_as_people_write_them() {

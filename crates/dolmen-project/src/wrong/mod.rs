@@ -10,6 +10,7 @@ mod framed;
 mod keys;
 mod limits;
 mod loads;
+mod log;
 mod numbers;
 mod parser;
 mod records;
@@ -37,6 +38,7 @@ pub(crate) use framed::Framed;
 pub(crate) use keys::WrongKey;
 pub(crate) use limits::WrongLimits;
 pub(crate) use loads::WrongLoads;
+pub(crate) use log::WrongLog;
 pub(crate) use numbers::WrongNumber;
 pub(crate) use parser::{AtItsPlace, Expected, OfParser, of_parser};
 pub(crate) use records::WrongRecords;
@@ -70,7 +72,7 @@ pub(crate) fn either<T: AsRef<str>>(words: &[T]) -> Both {
 }
 
 /// All sentences of errors of project files.
-pub const ERRORS: [&[Template]; 31] = [
+pub const ERRORS: [&[Template]; 32] = [
     Framed::TEMPLATES,
     Common::TEMPLATES,
     WrongToml::TEMPLATES,
@@ -91,6 +93,7 @@ pub const ERRORS: [&[Template]; 31] = [
     WrongBuilding::TEMPLATES,
     WrongDamper::TEMPLATES,
     WrongLoads::TEMPLATES,
+    WrongLog::TEMPLATES,
     WrongLimits::TEMPLATES,
     WrongStudy::TEMPLATES,
     WrongSurvey::TEMPLATES,

@@ -1,12 +1,15 @@
 //! A structure over the years on one axis of time: frequencies with what explains them, each survey against those before it, T², tilt.
 
 use super::axis::{Axis, Scale, Tick};
-use super::ink::{Anchor, GREY, Label, Line, SERIES, Shape, VERMILLION};
+use super::ink::{Anchor, BLACK, GREY, Label, Line, SERIES, Shape, VERMILLION};
 use super::plot::{Key, Plot};
 use super::words::{Titles, say};
+use crate::watch::label;
 use dolmen::monitoring::{TiltTrend, WatchedMode};
+use dolmen_words::message::Both;
 use dolmen_words::{Language, Quantity, messages};
 use dolmen_work::watched::WatchAnswer;
+use dolmen_work::watched_log::WatchedLog;
 
 /// Days of a year, for the axis of time.
 const YEAR_DAYS: f64 = 365.2425;
@@ -23,6 +26,8 @@ messages! {
         Average => { en: "Moving average over its limit (–)", ko: "이동평균/한계 (–)" },
         TSquared => { en: "T² over its limit (–)", ko: "T²/한계 (–)" },
         Tilt => { en: "Tilt (mm/m)", ko: "기울기 (mm/m)" },
+        Logged { label: Both, unit: String } => { en: "{label} ({unit})", ko: "{label} ({unit})" },
+        Trend => { en: "trend of a log", ko: "연속 기록의 추세" },
         Mode { frequency: Quantity } => { en: "{frequency}", ko: "{frequency}" },
         Explained => { en: "explained", ko: "모형" },
         Alarm => { en: "confirmed alarm", ko: "확정된 경보" },
@@ -69,14 +74,17 @@ pub fn years(answer: &WatchAnswer, language: Language) -> String {
         .iter()
         .map(|survey| 1970.0 + survey.day / YEAR_DAYS)
         .collect();
-    let mut panels = vec![
-        frequencies(answer, &when, language),
-        averages(answer, &when, language),
-    ];
+    let mut panels = Vec::new();
+    if !answer.watched.modes.is_empty() {
+        panels.push(frequencies(answer, &when, language));
+        panels.push(averages(answer, &when, language));
+    }
     panels.extend(t_squared(answer, &when, language));
     panels.extend(tilts(answer, &when, language));
+    let logs = answer.logs.iter().enumerate();
+    panels.extend(logs.filter_map(|(i, log)| logged(log, colour(i), language)));
     let count = panels.len() as f64;
-    let x = time_axis(&when);
+    let x = time_axis(&all_times(answer, &when));
     let (mut ticks, mut drawn) = (Vec::new(), Vec::new());
     for (i, panel) in panels.iter().enumerate() {
         let own = Axis::around("", &panel.values(), 4);
@@ -134,7 +142,12 @@ fn keys(plot: &mut Plot, answer: &WatchAnswer, language: Language) {
             say(Panels::Mode { frequency }, language),
         );
     }
-    plot.key(Key::Line(Line::new(GREY, 1.5)), say(Panels::Explained, language));
+    if !answer.watched.modes.is_empty() {
+        plot.key(Key::Line(Line::new(GREY, 1.5)), say(Panels::Explained, language));
+    }
+    if answer.logs.iter().any(|log| !log.trend.line.is_empty()) {
+        plot.key(Key::Line(Line::new(BLACK, 1.4)), say(Panels::Trend, language));
+    }
     if !answer.watched.alarms.is_empty() {
         plot.key(Key::Dot(Shape::Diamond, VERMILLION), say(Panels::Alarm, language));
     }
@@ -296,6 +309,72 @@ fn t_squared(answer: &WatchAnswer, when: &[f64], language: Language) -> Option<P
         )
     });
     panel.dots = dots.collect();
+    Some(panel)
+}
+
+/// The first and the last moment of surveys and logs.
+fn all_times(answer: &WatchAnswer, when: &[f64]) -> Vec<f64> {
+    let spans = answer.logs.iter().filter_map(|log| log.span()).flatten();
+    let mut all: Vec<f64> = spans.map(|day| 1970.0 + day / YEAR_DAYS).collect();
+    all.extend(when);
+    all.sort_by(f64::total_cmp);
+    all
+}
+
+/// Most points of a log that are drawn, and the gap at which its line breaks, days.
+const LOGGED_MOST: usize = 1500;
+const GAP_DAYS: f64 = 15.0;
+
+/// Daily readings, the trend through them, and the limit where it is near.
+fn logged(log: &WatchedLog, colour: &'static str, language: Language) -> Option<Panel> {
+    let [first, last] = log.span()?;
+    let daily = &log.trend.daily;
+    let at = |day: f64| 1970.0 + day / YEAR_DAYS;
+    let (days, values) = (&daily.days, &daily.values);
+    let together = days.len().div_ceil(LOGGED_MOST);
+    let mut panel = Panel::new(
+        Panels::Logged {
+            label: label(log),
+            unit: if log.is_tilt() { "mm/m" } else { "mm" }.to_owned(),
+        },
+        language,
+    );
+    let mut runs: Vec<Vec<[f64; 2]>> = vec![Vec::new()];
+    let mut before = first;
+    for (some, read) in days.chunks(together).zip(values.chunks(together)) {
+        let mean = |of: &[f64]| of.iter().sum::<f64>() / of.len() as f64;
+        if some[0] - before > GAP_DAYS * together as f64 {
+            runs.push(Vec::new());
+        }
+        before = some[some.len() - 1];
+        if let Some(run) = runs.last_mut() {
+            run.push([at(mean(some)), 1000.0 * mean(read)]);
+        }
+    }
+    let drawn = runs.into_iter().filter(|run| run.len() > 1);
+    panel.lines = drawn
+        .map(|run| (run, Line::new(colour, 0.8).faint(0.7)))
+        .collect();
+    let trend = days
+        .iter()
+        .zip(&log.trend.line)
+        .map(|(day, value)| [at(*day), 1000.0 * value]);
+    let trend: Vec<[f64; 2]> = trend.step_by(together).collect();
+    if trend.len() > 1 {
+        panel.lines.push((trend, Line::new(BLACK, 1.4)));
+    }
+    let farthest = values.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+    let limit = log.trend.limit.filter(|limit| limit.size < 3.0 * farthest);
+    if let Some(limit) = limit {
+        let side = if log.trend.now < 0.0 && !limit.is_one_sided {
+            -1.0
+        } else {
+            1.0
+        };
+        let size = 1000.0 * side * limit.size;
+        let ends = vec![[at(first), size], [at(last), size]];
+        panel.lines.push((ends, Line::new(VERMILLION, 1.0).dashed()));
+    }
     Some(panel)
 }
 

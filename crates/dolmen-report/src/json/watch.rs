@@ -1,9 +1,11 @@
 //! `dolmen watch` as JSON.
 
 use super::check::project;
-use dolmen::monitoring::{AlarmKind, ChangeForm, NotJudged, TiltTrend, WatchedMode, WeatherKnown};
-use dolmen_project::WorkKind;
+use dolmen::monitoring::{AlarmKind, ChangeForm, NoSlope, NotJudged, TiltTrend, WatchedMode, WeatherKnown};
+use dolmen_project::{LogKind, WorkKind};
+use dolmen_work::date_text;
 use dolmen_work::watched::WatchAnswer;
+use dolmen_work::watched_log::WatchedLog;
 use serde_json::{Value, json};
 
 /// What a history says.
@@ -97,6 +99,7 @@ pub fn watch_json(answer: &WatchAnswer) -> Value {
             "temperature_c": survey.temperature_c,
         })).collect::<Vec<_>>(),
         "left_out": answer.left_out,
+        "sensors_left_out": answer.sensors_left_out.iter().map(|(survey, channels)| json!({ "survey": survey, "channels": channels })).collect::<Vec<_>>(),
         "several_of_one_day": answer.several.iter().map(|(day, surveys)| json!({ "day": day, "surveys": surveys })).collect::<Vec<_>>(),
         "works": answer.works.iter().map(|(_, work)| json!({
             "date": work.date,
@@ -120,6 +123,8 @@ pub fn watch_json(answer: &WatchAnswer) -> Value {
         "leans": answer.leans().iter().map(|lean| json!({
             "datum": lean.datum, "directions": lean.directions, "now": lean.size, "limit": lean.limit, "is_beyond": lean.is_beyond(),
         })).collect::<Vec<_>>(),
+        "temperatures_of_log": answer.temperatures_of_log,
+        "logs": answer.logs.iter().map(|found| log(found, answer)).collect::<Vec<_>>(),
         "tilts": watched.tilts.iter().map(tilt).collect::<Vec<_>>(),
         "sensors": watched.tracked.sensors.iter().map(|change| json!({
             "date": name(change.survey),
@@ -198,5 +203,68 @@ fn tilt(trend: &TiltTrend) -> Value {
         "years_to_limit": reach.and_then(|reach| reach.years),
         "years_to_limit_earliest": reach.and_then(|reach| reach.years_earliest),
         "years_to_limit_latest": reach.and_then(|reach| reach.years_latest),
+    })
+}
+
+/// A log; tilts are ratios, widths m.
+fn log(log: &WatchedLog, answer: &WatchAnswer) -> Value {
+    let (trend, rows) = (&log.trend, &log.rows);
+    let slope = trend.slope.as_ref().ok();
+    let reach = slope.and_then(|slope| slope.reach);
+    let span = log.span();
+    let direction = match &log.part.kind {
+        LogKind::Tilt { direction } => Some(direction),
+        LogKind::Crack | LogKind::Temperature => None,
+    };
+    json!({
+        "name": log.part.name,
+        "kind": if log.is_tilt() { "tilt" } else { "crack" },
+        "direction": direction,
+        "file": log.part.file,
+        "column": log.part.column,
+        "unit": if log.is_tilt() { "" } else { "m" },
+        "zero": log.part.zero,
+        "from": span.map(|span| date_text(span[0])),
+        "to": span.map(|span| date_text(span[1])),
+        "readings": trend.daily.readings,
+        "days": trend.daily.days.len(),
+        "median_days": slope.map(|_| trend.block_days),
+        "per_year": slope.map(|slope| slope.per_year),
+        "sd_per_year": slope.map(|slope| slope.sd_per_year),
+        "p_value": slope.map(|slope| slope.p_value),
+        "beyond_chance": trend.is_beyond_chance(),
+        "seen_from_per_year": slope.map(|slope| slope.seen_from_per_year),
+        "no_slope": trend.slope.as_ref().err().map(|why| match why {
+            NoSlope::TooShort { .. } => "too_short",
+            NoSlope::TooFew { .. } => "too_few",
+            NoSlope::Wanders => "wanders",
+        }),
+        "season": trend.season,
+        "per_c": trend.per_c.map(|known| known.0),
+        "per_c_sd": trend.per_c.map(|known| known.1),
+        "now": trend.now,
+        "limit": trend.limit.map(|limit| limit.size),
+        "beyond_limit": trend.is_beyond_limit(),
+        "years_to_limit": reach.and_then(|reach| reach.years),
+        "years_to_limit_earliest": reach.and_then(|reach| reach.years_earliest),
+        "years_to_limit_latest": reach.and_then(|reach| reach.years_latest),
+        "shifts": trend.levels.iter().map(|level| json!({
+            "work": level.work + 1,
+            "date": answer.works.get(level.work).map(|(_, work)| work.date.clone()),
+            "shift": level.shift,
+            "sd": level.sd,
+            "p_value": level.p_value,
+        })).collect::<Vec<_>>(),
+        "stuck_since": trend.stuck_since.map(date_text),
+        "jump": trend.jump.map(|jump| json!({
+            "after": date_text(jump.after), "before": date_text(jump.before), "by": jump.by,
+        })),
+        "days_of_spikes": trend.spikes.iter().map(|day| date_text(*day)).collect::<Vec<_>>(),
+        "days_of_works": trend.of_works,
+        "days_without_temperature": trend.without_temperature,
+        "rows_without_reading": rows.gaps,
+        "rows_repeated": rows.repeated,
+        "rows_set_back": rows.set_back,
+        "readings_of_wrong_clock": rows.misdated + trend.daily.stray,
     })
 }

@@ -13,8 +13,8 @@ messages! {
     /// The list of structures that are watched.
     pub(crate) enum Watched in "store.watched" {
         Caption { alarming: usize, structures: usize } => {
-            en: "Structures with an open alarm or a tilt beyond its limit: {alarming} of {structures}, the worst first. A change is the strongest lasting one of any mode.",
-            ko: "조치되지 않은 경보가 있거나 기울기 한계를 넘은 구조물: {structures}기 중 {alarming}기, 나쁜 것부터. 변화는 모든 모드 중 가장 뚜렷한 지속적 변화이다.",
+            en: "Structures with an open alarm or a tilt or crack beyond its limit: {alarming} of {structures}, the worst first. A change is the strongest lasting one of any mode.",
+            ko: "조치되지 않은 경보가 있거나 기울기 또는 균열 폭이 한계를 넘은 구조물: {structures}기 중 {alarming}기, 나쁜 것부터. 변화는 모든 모드 중 가장 뚜렷한 지속적 변화이다.",
         },
         Structure => { en: "structure", ko: "구조물" },
         Text { text: String } => { en: "{text}", ko: "{text}" },
@@ -153,7 +153,7 @@ pub fn inventory_json(lines: &[InventoryLine]) -> Value {
 /// The structures as a table (CSV), with the mark by which Excel knows UTF-8.
 pub fn inventory_csv(lines: &[InventoryLine]) -> String {
     let head = "\u{feff}structure,open_alarms,is_tilt_beyond,change_ratio,change_sd,frequency_hz,change_after,change_before,\
-                tilt_direction,tilt,tilt_limit,years_to_limit,surveys,last_survey,not_watched,open_sensor_alarms\r\n";
+                tilt_direction,tilt,tilt_limit,years_to_limit,surveys,last_survey,not_watched,open_sensor_alarms,cracks_beyond\r\n";
     let each = lines.iter().map(|of| {
         let history = of.history.as_ref();
         let change = history.and_then(|history| history.change.as_ref());
@@ -176,6 +176,7 @@ pub fn inventory_csv(lines: &[InventoryLine]) -> String {
             text_cell(history.map(|history| history.last_survey.as_str())),
             text_cell(of.not_watched.as_deref()),
             whole(history.map(|history| history.open_sensor_alarms)),
+            whole(history.map(|history| history.cracks_beyond)),
         ])
     });
     head.to_owned() + &each.collect::<String>()

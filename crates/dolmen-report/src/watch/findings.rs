@@ -1,6 +1,7 @@
 //! What a history says in plain words.
 
 use super::failing::failing;
+use super::logs::logs;
 use super::numbers::{HALF_95, bare_percent, hertz, percent, plain, slope};
 use crate::document::{Finding, Tone};
 use dolmen::monitoring::{
@@ -146,15 +147,18 @@ pub(crate) fn findings(answer: &WatchAnswer) -> Vec<Finding> {
     all.extend(weather(answer));
     all.extend(leans(answer));
     all.extend(answer.watched.tilts.iter().filter_map(tilt));
+    all.extend(logs(answer));
     all.extend(works(answer));
     all.extend(failing(answer));
     all.extend(sensors(answer));
-    all.push(Finding::new(
-        Tone::Plain,
-        Found::Rate {
-            share: percent(answer.watched.false_alarm_probability, 0),
-        },
-    ));
+    if answer.watched.false_alarm_probability > 0.0 {
+        all.push(Finding::new(
+            Tone::Plain,
+            Found::Rate {
+                share: percent(answer.watched.false_alarm_probability, 0),
+            },
+        ));
+    }
     all
 }
 

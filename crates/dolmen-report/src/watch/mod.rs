@@ -2,10 +2,13 @@
 
 mod failing;
 mod findings;
+mod log_table;
+mod logs;
 mod numbers;
 mod tables;
 
 pub(crate) use findings::findings;
+pub(crate) use logs::label;
 
 use crate::document::{Block, Document};
 use crate::figures::years;
@@ -22,8 +25,8 @@ messages! {
             ko: "고유진동수와 그 설명 모형, 이전 조사로부터의 예측에 대한 각 조사의 위치.",
         },
         Panels => {
-            en: "From above: relative frequency of each mode (dots) with weather, works and changes (lines); the moving average of each mode over its limit, beyond ±1 an alarm; T² of all modes over its limit; tilt. Upright lines are works and events, numbered as in the list.",
-            ko: "위에서부터 모드별 상대 고유진동수(점)와 기온·보수·변화로 설명되는 값(선), 모드별 이동평균의 한계 대비 값(±1을 벗어나면 경보), 전체 모드의 T²의 한계 대비 값, 기울기. 세로선은 보수와 사건이며 번호는 목록과 같다.",
+            en: "From above: relative frequency of each mode (dots) with weather, works and changes (lines); the moving average of each mode over its limit, beyond ±1 an alarm; T² of all modes over its limit; tilt; what is logged, with the trend (line) and its limit. Panels without values are left out. Upright lines are works and events, numbered as in the list.",
+            ko: "위에서부터 모드별 상대 고유진동수(점)와 기온·보수·변화로 설명되는 값(선), 모드별 이동평균의 한계 대비 값(±1을 벗어나면 경보), 전체 모드의 T²의 한계 대비 값, 기울기, 연속 기록과 그 추세(선) 및 한계. 값이 없는 그림은 뺐다. 세로선은 보수와 사건이며 번호는 목록과 같다.",
         },
         Work { number: usize, date: String, what: String } => {
             en: "{number}. {date}: {what}",
@@ -37,6 +40,10 @@ messages! {
             en: "Surveys of one day count as one, the medians of what they read: {surveys} surveys on {days} days.",
             ko: "같은 날의 조사는 중앙값을 취하여 하나로 보았다: {days}일의 조사 {surveys}건.",
         },
+        Without { survey: String, channels: String } => {
+            en: "Survey {survey} was identified without sensors that failed: {channels}.",
+            ko: "{survey} 조사는 고장 난 센서를 빼고 해석하였다: {channels}.",
+        },
         NoProof { share: Quantity } => {
             en: "The search for changes finds one where there is none with {share} probability, all modes together; alarms are counted apart. Frequencies also follow moisture, added mass and the strength of the motion. No change shown is no proof that nothing changed.",
             ko: "실제로는 변화가 없는데 변화로 판정할 확률은 모든 모드를 합하여 {share}이며, 경보는 따로 센다. 고유진동수는 습도, 부가 질량, 진동의 세기에 따라서도 변한다. 변화가 확인되지 않았다는 것은 변화가 없다는 증명이 아니다.",
@@ -45,7 +52,9 @@ messages! {
 }
 
 /// The sentences on a history as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 5] = [
+pub(crate) const TEMPLATES: [&[Template]; 7] = [
+    logs::Logged::TEMPLATES,
+    log_table::LogTable::TEMPLATES,
     Years::TEMPLATES,
     findings::Found::TEMPLATES,
     findings::Cause::TEMPLATES,
@@ -79,10 +88,17 @@ pub(crate) fn sections(answer: &WatchAnswer) -> Document<'_> {
         document.put(Block::List(works));
     }
     tables::put(&mut document, answer);
+    log_table::put(&mut document, answer);
     if !answer.several.is_empty() {
         document.note(Years::Several {
             days: answer.several.len(),
             surveys: answer.several.iter().map(|(_, surveys)| surveys).sum(),
+        });
+    }
+    for (survey, channels) in &answer.sensors_left_out {
+        document.note(Years::Without {
+            survey: survey.clone(),
+            channels: channels.join(", "),
         });
     }
     if !answer.left_out.is_empty() {
@@ -90,8 +106,10 @@ pub(crate) fn sections(answer: &WatchAnswer) -> Document<'_> {
             names: answer.left_out.join(", "),
         });
     }
-    document.paragraph(Years::NoProof {
-        share: percent(answer.watched.significance, 0),
-    });
+    if !answer.watched.modes.is_empty() {
+        document.paragraph(Years::NoProof {
+            share: percent(answer.watched.significance, 0),
+        });
+    }
     document
 }

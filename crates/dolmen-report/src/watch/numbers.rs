@@ -28,3 +28,19 @@ pub(super) fn slope(ratio: f64, decimals: usize) -> Quantity {
 
 /// Half of a 95 % interval, of a standard deviation.
 pub(super) const HALF_95: f64 = 1.959963984540054;
+
+/// A tilt in mm/m, or a width in mm.
+pub(super) fn logged(value: f64, is_tilt: bool, decimals: usize) -> Quantity {
+    Quantity::new(1000.0 * value, logged_unit(is_tilt), Digits::Fixed(decimals))
+}
+
+/// The same without its unit, for "1.52 ± 0.12 mm".
+pub(super) fn bare_logged(value: f64, is_tilt: bool, decimals: usize) -> Quantity {
+    let mut bare = logged(value, is_tilt, decimals);
+    bare.unit.symbol.clear();
+    bare
+}
+
+pub(super) fn logged_unit(is_tilt: bool) -> Unit {
+    Unit::si(if is_tilt { "mm/m" } else { "mm" })
+}

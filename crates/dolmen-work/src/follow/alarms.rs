@@ -12,16 +12,19 @@ pub enum AlarmSort {
     Structure,
     /// It leans beyond its limit.
     Tilt,
+    /// A logged crack is wider than it may be.
+    Crack,
     /// A sensor failed.
     Sensor,
 }
 
 impl AlarmSort {
-    /// "structure", "tilt", "sensor".
+    /// "structure", "tilt", "crack", "sensor".
     pub fn word(self) -> &'static str {
         match self {
             AlarmSort::Structure => "structure",
             AlarmSort::Tilt => "tilt",
+            AlarmSort::Crack => "crack",
             AlarmSort::Sensor => "sensor",
         }
     }
@@ -32,7 +35,7 @@ impl AlarmSort {
 pub struct OpenAlarm {
     /// Of what sort.
     pub sort: AlarmSort,
-    /// The day that confirmed it; the last survey, of a tilt.
+    /// The day that confirmed it; the last survey, of a tilt or crack.
     pub date: String,
     /// What tells it from every other alarm of the structure.
     pub key: String,
@@ -45,7 +48,7 @@ impl OpenAlarm {
     }
 }
 
-/// The alarms that nobody has answered: one for each day on which frequencies confirmed any, and one for a tilt beyond its limit, until a work or
+/// The alarms that nobody has answered: one for each day on which frequencies confirmed any, and one each for a tilt and a crack beyond its limit, until a work or
 /// an inspection is entered; one for each sensor that fails.
 pub fn open_alarms(answer: &WatchAnswer) -> Vec<OpenAlarm> {
     let name = |survey: usize| answer.surveys.get(survey).map(|survey| survey.name.as_str());
@@ -65,17 +68,25 @@ pub fn open_alarms(answer: &WatchAnswer) -> Vec<OpenAlarm> {
             date,
         })
         .collect();
-    if answer.is_tilt_beyond() {
-        let last_work = answer.works.last().map_or("-", |(_, work)| work.date.as_str());
-        all.push(OpenAlarm {
-            sort: AlarmSort::Tilt,
-            date: answer
-                .surveys
-                .last()
-                .map_or_else(String::new, |last| day(&last.name)),
-            key: format!("tilt since {last_work}"),
-        });
-    }
+    let last_work = answer.works.last().map_or("-", |(_, work)| work.date.as_str());
+    let last_survey = answer
+        .surveys
+        .last()
+        .map_or_else(String::new, |last| day(&last.name));
+    let beyond = [
+        (AlarmSort::Tilt, answer.is_tilt_beyond()),
+        (AlarmSort::Crack, answer.cracks_beyond() > 0),
+    ];
+    all.extend(
+        beyond
+            .into_iter()
+            .filter(|(_, is)| *is)
+            .map(|(sort, _)| OpenAlarm {
+                sort,
+                date: last_survey.clone(),
+                key: format!("{} since {last_work}", sort.word()),
+            }),
+    );
     let sensors = answer.sensor_alarms.iter().filter(|alarm| alarm.is_open);
     all.extend(sensors.map(|alarm| OpenAlarm {
         sort: AlarmSort::Sensor,

@@ -1,16 +1,17 @@
 //! A record that came by itself: read as the latest survey of its project says, and identified.
 
 use super::when::{RecordTime, record_time};
+use crate::air::air_temperature_c;
 use crate::error::WorkError;
 use crate::identify;
+use crate::left_out::without;
 use crate::opened::Opened;
 use crate::progress::Silent;
 use crate::record;
-use crate::sensor_alarms::SensorFault;
 use crate::survey_dates::{date, day_of};
-use dolmen::modal::{ModalError, Modes, ObservedMode, SensorDoubt};
+use dolmen::modal::{Modes, ObservedMode, SensorDoubt};
 use dolmen::signal::{Channel, ChannelFault};
-use dolmen_project::{LikeSurvey, RecordSource, Survey, survey_like};
+use dolmen_project::{LikeSurvey, Survey, survey_like};
 use dolmen_records::{FileError, Files, Log};
 use dolmen_words::message::Both;
 use std::sync::Arc;
@@ -238,29 +239,6 @@ impl Pattern {
     }
 }
 
-/// Leaves the channels out for which nothing is identified, of two that hold one signal both, if others remain; which they are.
-fn without(why: &WorkError, source: &mut RecordSource) -> Option<Vec<String>> {
-    let fault = match why {
-        WorkError::Within { cause, .. } => return without(cause, source),
-        WorkError::Modal(why) => match why.as_ref() {
-            ModalError::Channel(fault) => fault,
-            _ => return None,
-        },
-        _ => return None,
-    };
-    let named = match fault {
-        ChannelFault::Duplicated { channel, other, .. } => vec![channel.clone(), other.clone()],
-        fault => vec![SensorFault::of(fault).0],
-    };
-    let used = source.channels.iter_mut().filter(|channel| !channel.leave_out);
-    let (failed, rest): (Vec<_>, Vec<_>) = used.partition(|channel| named.contains(&record::name(channel)));
-    if failed.len() != named.len() || rest.is_empty() {
-        return None;
-    }
-    failed.into_iter().for_each(|channel| channel.leave_out = true);
-    Some(named)
-}
-
 fn survey<'a>(opened: &'a Opened, name: &str) -> Option<&'a Survey> {
     opened.project.surveys.iter().find(|survey| survey.name == name)
 }
@@ -278,16 +256,8 @@ impl Taken {
     /// The temperature of the air while it was taken, from a log of that, °C to a tenth: the mean of its time, or of its day where only that is known,
     /// else the nearest reading within an hour; `None` where there is none that can be believed.
     pub fn temperature_c(&self, log: &Log) -> Option<f64> {
-        const HOUR_S: f64 = 3600.0;
-        const DAY_S: f64 = 86_400.0;
-        const BELIEVED_C: std::ops::RangeInclusive<f64> = -60.0..=60.0;
-        let from_s = self.time.at_s;
-        let read = match self.time.name.contains('T') {
-            true => log.around(from_s, from_s + self.duration_s, HOUR_S),
-            false => log.around(from_s, from_s + DAY_S, 0.0),
-        };
-        read.map(|celsius| (10.0 * celsius).round() / 10.0)
-            .filter(|celsius| BELIEVED_C.contains(celsius))
+        let is_moment = self.time.name.contains('T');
+        air_temperature_c(log, self.time.at_s, is_moment.then_some(self.duration_s))
     }
 
     /// Its modes as a store gives them back.

@@ -18,6 +18,7 @@ messages! {
     /// Where a cause lies.
     pub(crate) enum Place in "work.place" {
         AllSetups => { en: "all setups as one", ko: "하나로 합친 측정 배치" },
+        OfLog { name: String, file: String } => { en: "log {name}, {file}", ko: "기록 {name}, {file}" },
         OfSurvey { name: String } => { en: "survey {name}", ko: "조사 {name}" },
         SensorsPlaced => { en: "placing sensors", ko: "센서 배치" },
         SpringsMeasured => {

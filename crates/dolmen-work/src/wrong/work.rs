@@ -24,7 +24,7 @@ use dolmen::validation::ValidationError;
 use dolmen_project::{AngleError, DamperFault, ProjectError, StackFault};
 use dolmen_records::motions::MotionError;
 use dolmen_records::records::RecordError;
-use dolmen_records::{FileError, PhotoError};
+use dolmen_records::{FileError, LogError, PhotoError};
 use dolmen_words::sentences;
 
 sentences! {
@@ -36,6 +36,10 @@ sentences! {
         TooManyPhotos { most } => {
             en: "the photographs of one report hold more than {most} MiB together: save them smaller (3000 pixels across fill a page), or leave some out",
             ko: "보고서 하나의 사진이 모두 합쳐 {most} MiB를 넘는다. 더 작게 저장하거나(너비 3000픽셀이면 한 면에 충분하다) 몇 장을 뺀다",
+        },
+        LogUnit { stated, unit } => {
+            en: "the file says that the readings are in \"{stated}\", the project that they are in \"{unit}\": correct unit",
+            ko: "파일에는 단위가 \"{stated}\"(으)로, 프로젝트에는 \"{unit}\"(으)로 되어 있다. unit을 고친다",
         },
         Outside { why } => {
             en: "{why}",
@@ -186,7 +190,7 @@ sentences! {
             ko: "palisaden에 기록이 없다",
         },
     }
-    handed on { File(Box<FileError>), Project(Box<ProjectError>), Record(Box<RecordError>), Motion(Box<MotionError>), Photo(Box<PhotoError>), Angle(Box<AngleError>), StackPart(Box<StackFault>), DamperPart(Box<DamperFault>), Change(Box<ChangeFault>), Portfolio(Box<PortfolioError>), Designs(Box<ScoreDesignsError>), Sensors(Box<SensorsError>), Journal(Box<JournalError>), Assess(Box<AssessError>), Blocks(Box<BlocksError>), Building(Box<BuildingError>), Damper(Box<DamperError>), Dynamics(Box<DynamicsError>), Modal(Box<ModalError>), Numeric(Box<NumericError>), Signal(Box<SignalError>), Stability(Box<StabilityError>), Stack(Box<StackError>), Structure(Box<StructureError>), Validation(Box<ValidationError>), MotionRequest(Box<MotionRequestError>), Study(Box<StudyError>) }
+    handed on { File(Box<FileError>), Project(Box<ProjectError>), Record(Box<RecordError>), Motion(Box<MotionError>), Photo(Box<PhotoError>), Log(Box<LogError>), Angle(Box<AngleError>), StackPart(Box<StackFault>), DamperPart(Box<DamperFault>), Change(Box<ChangeFault>), Portfolio(Box<PortfolioError>), Designs(Box<ScoreDesignsError>), Sensors(Box<SensorsError>), Journal(Box<JournalError>), Assess(Box<AssessError>), Blocks(Box<BlocksError>), Building(Box<BuildingError>), Damper(Box<DamperError>), Dynamics(Box<DynamicsError>), Modal(Box<ModalError>), Numeric(Box<NumericError>), Signal(Box<SignalError>), Stability(Box<StabilityError>), Stack(Box<StackError>), Structure(Box<StructureError>), Validation(Box<ValidationError>), MotionRequest(Box<MotionRequestError>), Study(Box<StudyError>) }
     caused by { Within: cause }
 }
 

@@ -4,9 +4,11 @@
 mod alarm;
 mod changes;
 mod critical;
+mod daily;
 mod error;
 mod ewma;
 mod history;
+mod logged;
 mod made;
 mod online;
 mod outliers;
@@ -24,15 +26,17 @@ mod whitening;
 
 pub use alarm::{AlarmKind, Judged, JudgedMode, ModeAlarm, NotJudged};
 pub use critical::{NullSeries, null_statistics};
+pub use daily::{DailyReadings, daily_medians};
 pub use error::MonitoringError;
 pub use ewma::{ewma_limit, ewma_run_length};
 pub use history::{History, HistorySurvey, TiltReading, Work};
+pub use logged::{LoggedJump, LoggedLevel, LoggedOptions, LoggedSeries, LoggedTrend, NoSlope, logged_trend};
 pub use made::{MadeHistory, made_history};
 pub use pooled::pooled;
 pub use scan::ChangeForm;
 pub use sensors::SensorChange;
 pub use t_squared::SurveyTSquared;
-pub use tilt::{TiltReach, TiltSeries, TiltSlope, TiltTrend};
+pub use tilt::{SlopeLimit, TiltReach, TiltSeries, TiltSlope, TiltTrend};
 pub use tracking::{Jumped, Track, Tracked, Tracking, track};
 pub use watch::{
     LastOff, StructureAlarm, WatchOptions, Watched, WatchedChange, WatchedMode, WeatherEffect, WorkEffect,

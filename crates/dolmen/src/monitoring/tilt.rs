@@ -9,7 +9,7 @@ use std::f64::consts::TAU;
 /// Readings that a slope needs; a season beside it needs so many, over so many years. Chosen here.
 const READINGS_LEAST: usize = 4;
 const SEASON_READINGS_LEAST: usize = 10;
-const SEASON_YEARS_LEAST: f64 = 2.0;
+pub(super) const SEASON_YEARS_LEAST: f64 = 2.0;
 
 /// The readings of one tilt: one direction, one datum.
 #[derive(Clone, Debug, PartialEq)]
@@ -112,15 +112,7 @@ pub(super) fn tilt_trend(
         }
     }
     if n >= SEASON_READINGS_LEAST && last - first >= SEASON_YEARS_LEAST * YEAR_DAYS {
-        for shift in [0.0, -0.25 * TAU] {
-            columns.push(
-                series
-                    .days
-                    .iter()
-                    .map(|day| (TAU * day / YEAR_DAYS + shift).cos())
-                    .collect(),
-            );
-        }
+        columns.extend(season(&series.days));
     }
     if n < READINGS_LEAST.max(columns.len() + 2) {
         return Ok(TiltTrend {
@@ -147,6 +139,33 @@ pub(super) fn tilt_trend(
         });
     };
     let degrees = (n - columns.len()) as f64;
+    let limit = limit.map(|size| SlopeLimit {
+        size,
+        is_one_sided: false,
+    });
+    Ok(TiltTrend {
+        series,
+        significance,
+        slope: Some(slope_of(&fit, degrees, significance, limit)?),
+    })
+}
+
+/// What a reading must not reach.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SlopeLimit {
+    /// Its size, above 0.
+    pub size: f64,
+    /// Whether it holds on the positive side alone: a crack opens.
+    pub is_one_sided: bool,
+}
+
+/// The slope of a fit whose first column is the level at the last reading and whose second is years from it.
+pub(super) fn slope_of(
+    fit: &Fit,
+    degrees: f64,
+    significance: f64,
+    limit: Option<SlopeLimit>,
+) -> Result<TiltSlope, MonitoringError> {
     let (per_year, sd, now) = (fit.coefficients[1], fit.sd[1], fit.coefficients[0]);
     let p_value = match sd > 0.0 {
         true => student_two_sided(per_year / sd, degrees)?,
@@ -156,10 +175,15 @@ pub(super) fn tilt_trend(
     let reach = limit.map(|limit| {
         let is_seen = p_value < significance;
         let side = if is_seen { per_year } else { now };
-        let limit = limit.abs().copysign(side);
+        let size = limit.size.abs();
+        let limit = if limit.is_one_sided {
+            size
+        } else {
+            size.copysign(side)
+        };
         let left = limit - now;
-        let is_ahead = is_seen && left * per_year > 0.0 && now.abs() < limit.abs();
-        let [earliest, latest] = fieller(&fit, left, quantile).unwrap_or([0.0, f64::INFINITY]);
+        let is_ahead = is_seen && left * per_year > 0.0 && now.abs() < size;
+        let [earliest, latest] = fieller(fit, left, quantile).unwrap_or([0.0, f64::INFINITY]);
         TiltReach {
             limit,
             years: is_ahead.then(|| left / per_year),
@@ -167,17 +191,21 @@ pub(super) fn tilt_trend(
             years_latest: is_ahead.then_some(latest),
         }
     });
-    Ok(TiltTrend {
-        series,
-        significance,
-        slope: Some(TiltSlope {
-            per_year,
-            sd_per_year: sd,
-            p_value,
-            seen_from_per_year: sd * student_detectable(significance, 0.8, degrees)?,
-            now,
-            reach,
-        }),
+    Ok(TiltSlope {
+        per_year,
+        sd_per_year: sd,
+        p_value,
+        seen_from_per_year: sd * student_detectable(significance, 0.8, degrees)?,
+        now,
+        reach,
+    })
+}
+
+/// A wave of one year: its two columns.
+pub(super) fn season(days: &[f64]) -> [Vec<f64>; 2] {
+    [0.0, -0.25 * TAU].map(|shift| {
+        let wave = |day: &f64| (TAU * day / YEAR_DAYS + shift).cos();
+        days.iter().map(wave).collect()
     })
 }
 

@@ -87,7 +87,7 @@ pub struct Jumped {
 }
 
 /// Modes followed through a history.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Tracked {
     /// Those found often enough, by frequency.
     pub tracks: Vec<Track>,

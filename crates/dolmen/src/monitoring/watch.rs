@@ -178,6 +178,23 @@ pub struct Watched {
     pub significance: f64,
 }
 
+impl Watched {
+    /// Of a history without surveys enough.
+    pub fn nothing(significance: f64) -> Self {
+        Watched {
+            modes: Vec::new(),
+            tracked: Tracked::default(),
+            alarms: Vec::new(),
+            t_squared: Vec::new(),
+            tilts: Vec::new(),
+            interval_days: 0.0,
+            average_limit: 0.0,
+            false_alarm_probability: 0.0,
+            significance,
+        }
+    }
+}
+
 /// What a history says: modes followed, weather taken out, changes found, each survey judged against those before it, tilts.
 ///
 /// ```text

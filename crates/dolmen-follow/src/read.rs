@@ -1,15 +1,16 @@
-//! One file of `dolmen watch --follow`: read, known again or identified, its bytes kept.
+//! One file that came: read, known again or identified, its bytes kept.
 
-use crate::tools::told_both;
+use crate::clock::now_s;
+use crate::wrong::Said;
 use dolmen_folder::{Access, Look, read};
 use dolmen_records::{FileError, RECORD_BYTES_MOST};
 use dolmen_store::{Keeper, Kept, StoreError, StoredFiles, hash_of_bytes};
 use dolmen_words::message::Both;
 use dolmen_work::follow::{Pattern, RecordFile, Taken};
+use dolmen_work::{WorkError, told_both};
 use std::collections::BTreeSet;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
-use std::time::{SystemTime, UNIX_EPOCH};
 
 /// What a file turned out to be.
 pub(crate) enum ReadFile {
@@ -44,18 +45,12 @@ pub(crate) fn name_of(path: &Path) -> String {
         .collect()
 }
 
-/// Seconds from 1 January 1970 (UTC).
-pub(crate) fn now_s() -> f64 {
-    let since = SystemTime::now().duration_since(UNIX_EPOCH);
-    since.unwrap_or_default().as_secs_f64()
-}
-
 impl Reader<'_> {
     pub(crate) fn read(&self, path: &Path, look: Look) -> ReadFile {
         let bytes = match read(path, self.access.most(RECORD_BYTES_MOST)) {
             Ok(bytes) => bytes,
             Err(FileError::Unreadable { .. }) if Look::at(path).is_none() => return ReadFile::Later,
-            Err(why) => return ReadFile::Unreadable(told_both(&dolmen_work::WorkError::from(why))),
+            Err(why) => return ReadFile::Unreadable(told_both(&WorkError::from(why))),
         };
         if Look::at(path) != Some(look) || bytes.len() as u64 != look.bytes {
             return ReadFile::Later;
@@ -77,7 +72,7 @@ impl Reader<'_> {
                 Err(fault) => ReadFile::NotKept(fault),
             },
             Ok(Err(why)) => ReadFile::Unreadable(told_both(&why)),
-            Err(_) => ReadFile::Unreadable(crate::wrong::Noted::OwnFault.into()),
+            Err(_) => ReadFile::Unreadable(Said::OwnFault.into()),
         }
     }
 }

@@ -1,0 +1,54 @@
+//! The program that an alarm calls.
+
+use crate::wrong::FollowError;
+use anyhow::Result;
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+/// What the program finds in its environment.
+#[derive(Clone, Copy, Debug)]
+pub struct Call<'a> {
+    /// The structure.
+    pub structure: &'a str,
+    /// The last survey.
+    pub survey: &'a str,
+    /// How many alarms are open.
+    pub open_alarms: usize,
+    /// How much it leans, where that is beyond its limit.
+    pub tilt_beyond: Option<f64>,
+    /// Of one alarm: of what sort, and the day that confirmed it.
+    pub kind: Option<[&'a str; 2]>,
+}
+
+impl Call<'_> {
+    /// Runs it, without a shell, to its end.
+    ///
+    /// # Errors
+    /// It cannot be run, or ends with another status than 0.
+    pub fn run(&self, program: &Path) -> Result<()> {
+        let lean = self.tilt_beyond.map(|lean| format!("{lean:.5}"));
+        let mut command = Command::new(program);
+        command
+            .env("DOLMEN_STRUCTURE", self.structure)
+            .env("DOLMEN_SURVEY", self.survey)
+            .env("DOLMEN_ALARMS", self.open_alarms.to_string())
+            .env("DOLMEN_TILT_BEYOND", lean.unwrap_or_default())
+            .stdin(Stdio::null());
+        if let Some([kind, date]) = self.kind {
+            command
+                .env("DOLMEN_ALARM_KIND", kind)
+                .env("DOLMEN_ALARM_DATE", date);
+        }
+        let shown = program.display().to_string();
+        let fault = match command.status() {
+            Ok(status) if status.success() => return Ok(()),
+            Ok(status) => FollowError::ProgramFailed {
+                program: shown,
+                structure: self.structure.to_owned(),
+                status: status.to_string(),
+            },
+            Err(why) => FollowError::NoProgram { program: shown, why },
+        };
+        Err(fault.into())
+    }
+}

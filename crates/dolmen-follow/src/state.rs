@@ -1,0 +1,73 @@
+//! The structure that is followed, as the store has it.
+
+use crate::wrong::{FollowError, told};
+use anyhow::Result;
+use dolmen::modal::ObservedMode;
+use dolmen_store::{Search, Store, StoredFiles};
+use dolmen_work::Opened;
+use dolmen_work::follow::Pattern;
+use dolmen_work::logs::Logs;
+use dolmen_work::sensor_alarms::SensorFaults;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// The state of the structure that records are taken with.
+pub(crate) struct State {
+    pub(crate) project: String,
+    pub(crate) pattern: Pattern,
+    pub(crate) files: StoredFiles,
+    pub(crate) history: Opened,
+    pub(crate) observed: BTreeMap<String, Vec<ObservedMode>>,
+    pub(crate) faults: SensorFaults,
+    pub(crate) logs: Logs,
+}
+
+impl State {
+    pub(crate) fn of(store: &mut Store, structure: &str) -> Result<Self> {
+        let project = store.state(structure).map_err(told)?;
+        let exported = store.export(structure).map_err(told)?;
+        let files = store.files(&exported);
+        let read = |bytes: &[u8]| {
+            let text = String::from_utf8_lossy(bytes).into_owned();
+            Opened::read(text, structure.to_owned(), &files)
+        };
+        let pattern = Pattern::of(read(exported.text.get(..exported.own_bytes).unwrap_or_default())?)?;
+        let history = read(&exported.text)?;
+        Ok(State {
+            logs: Logs::read(&history.project, &files)?,
+            project,
+            pattern,
+            history,
+            observed: store.observed(structure).map_err(told)?,
+            faults: store.faults(structure).map_err(told)?,
+            files,
+        })
+    }
+
+    pub(crate) fn days_with_modes(&self) -> usize {
+        let days: BTreeSet<&str> = self
+            .observed
+            .iter()
+            .filter(|(_, modes)| !modes.is_empty())
+            .map(|(name, _)| dolmen_work::day_of_a_record(name).unwrap_or(name))
+            .collect();
+        days.len()
+    }
+}
+
+/// The structure of a store that has one.
+pub(crate) fn only_structure(store: &mut Store) -> Result<String> {
+    let mut names = Vec::new();
+    let all = store.structures(&Search::default(), &mut |row| {
+        names.push(row.name);
+        Ok(())
+    });
+    all.map_err(told)?;
+    match <[String; 1]>::try_from(names) {
+        Ok([name]) => Ok(name),
+        Err(names) => Err(FollowError::WhichStructure {
+            count: names.len(),
+            first: names.into_iter().take(5).collect(),
+        }
+        .into()),
+    }
+}

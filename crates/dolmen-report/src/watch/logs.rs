@@ -1,0 +1,225 @@
+//! What logs of tilts and cracks say, in plain words.
+
+use super::numbers::{HALF_95, bare_logged, logged, plain, slope};
+use crate::document::{Finding, Tone};
+use dolmen::monitoring::{NoSlope, TiltReach, TiltSlope};
+use dolmen_words::message::Both;
+use dolmen_words::{Language, Quantity, messages};
+use dolmen_work::date_text;
+use dolmen_work::watched::WatchAnswer;
+use dolmen_work::watched_log::WatchedLog;
+
+/// Days of a mean Gregorian year.
+const YEAR_DAYS: f64 = 365.2425;
+/// Years beyond which no date is said.
+const DATED_YEARS: f64 = 300.0;
+/// Probability by chance below which a shift at a work is told. Chosen here.
+const SHIFT_BELOW: f64 = 0.01;
+
+messages! {
+    /// Findings on logs.
+    pub(crate) enum Logged in "watch.logs" {
+        Beyond { label: Both, now: Quantity, limit: Quantity } => {
+            en: "{label}: {now}, beyond its limit of {limit}.",
+            ko: "{label}: {now}로 한계 {limit}를 넘었다.",
+        },
+        LeansBeyond { now: Quantity, limit: Quantity } => {
+            en: "The logs of x and y together: it leans by {now} mm/m, beyond its limit of {limit} mm/m.",
+            ko: "x와 y 방향 기록을 합성한 기울기가 {now} mm/m로 한계 {limit} mm/m를 넘었다.",
+        },
+        Reaches { label: Both, yearly: Quantity, half: Quantity, limit: Quantity, when: Both, earliest: Both, latest: Both } => {
+            en: "{label}: {yearly} ± {half} a year, beyond chance; at that rate it reaches its limit of {limit} in {when} ({earliest} to {latest}).",
+            ko: "{label}: 해마다 {yearly} ± {half}씩 유의하게 변한다. 이 속도로는 {when}({earliest}~{latest})에 한계 {limit}에 이른다.",
+        },
+        Grows { label: Both, yearly: Quantity, half: Quantity, now: Quantity } => {
+            en: "{label}: {yearly} ± {half} a year, beyond chance; now {now}.",
+            ko: "{label}: 해마다 {yearly} ± {half}씩 유의하게 변한다. 현재 {now}이다.",
+        },
+        Steady { label: Both, least: Quantity, now: Quantity } => {
+            en: "{label}: no trend; a slope of {least} a year would have been seen with 80 % probability. Now {now}.",
+            ko: "{label}: 경향 없음. 해마다 {least}의 변화는 80 %의 확률로 발견되었을 것이다. 현재 {now}이다.",
+        },
+        TooShort { label: Both, years: Quantity, now: Quantity } => {
+            en: "{label}: {years} years of readings do not tell a trend from the season; that needs two. Now {now}.",
+            ko: "{label}: {years}년의 기록으로는 경향과 계절 변화를 구별할 수 없다. 2년 이상이 필요하다. 현재 {now}이다.",
+        },
+        TooFew { label: Both, days: usize, now: Quantity } => {
+            en: "{label}: {days} days with readings are too few for a trend. Now {now}.",
+            ko: "{label}: 기록된 날이 {days}일로 경향을 판단하기에 부족하다. 현재 {now}이다.",
+        },
+        Wanders { label: Both, now: Quantity } => {
+            en: "{label}: its months wander so far that no trend can be told from chance; look at the figure, and for what a work or event explains. Now {now}.",
+            ko: "{label}: 월별 값의 변동이 커서 경향을 우연과 구별할 수 없다. 그림을 보고 보수나 사건으로 설명되는지 살펴본다. 현재 {now}이다.",
+        },
+        Shifted { label: Both, number: usize, date: String, by: Quantity, half: Quantity } => {
+            en: "{label}: with work {number} ({date}) it shifted by {by} ± {half}.",
+            ko: "{label}: {number}번 보수·사건({date}) 때 {by} ± {half}만큼 바뀌었다.",
+        },
+        Jumped { label: Both, by: Quantity, after: String, before: String } => {
+            en: "{label}: it jumped by {by} between {after} and {before}, and no work says why. A trend may be of its making: look what happened, and enter it into works of [watch].",
+            ko: "{label}: {after}와 {before} 사이에 {by}만큼 급변하였으나 해당하는 보수나 사건이 없다. 추세가 이 급변 때문일 수 있으므로 원인을 확인하여 [watch]의 works에 기록한다.",
+        },
+        Stuck { label: Both, since: String } => {
+            en: "SENSOR: {label} reads one value since {since}: look at the sensor. What followed is left out.",
+            ko: "센서: {label}이(가) {since}부터 같은 값만 기록한다. 센서를 점검한다. 이후의 값은 제외하였다.",
+        },
+        NoZero { label: Both } => {
+            en: "{label}: held against no limit. What the structure has when the sensor reads 0 is not known: give zero in the log.",
+            ko: "{label}: 한계와 비교하지 않았다. 센서가 0을 가리킬 때의 값을 알 수 없다. 기록에 zero를 입력한다.",
+        },
+        Temperatures { surveys: usize } => {
+            en: "Surveys with the temperature of the log: {surveys}.",
+            ko: "온도 기록에서 기온을 얻은 조사: {surveys}건.",
+        },
+        Later { years: usize } => { en: "more than {years} years", ko: "{years}년 이상 뒤" },
+    }
+}
+
+/// What a log is called.
+pub(crate) fn label(log: &WatchedLog) -> Both {
+    match &log.part.label {
+        None => log.part.name.as_str().into(),
+        Some(names) => Both::of(|language| match language {
+            Language::English => names.english(),
+            Language::Korean => names.korean(),
+        }),
+    }
+}
+
+/// The findings on logs, each log its own.
+pub(super) fn logs(answer: &WatchAnswer) -> Vec<Finding> {
+    let mut all = Vec::new();
+    let together = answer.logged_lean().filter(|lean| lean.is_beyond());
+    let is_said = answer.logs.iter().any(|log| log.is_tilt() && log.is_beyond());
+    if let Some(lean) = together.filter(|_| !is_said) {
+        let said = Logged::LeansBeyond {
+            now: slope(lean.size, 2),
+            limit: slope(lean.limit.unwrap_or(f64::NAN), 2),
+        };
+        all.push(Finding::key(Tone::Bad, said));
+    }
+    for log in &answer.logs {
+        all.push(trend(log));
+        all.extend(shifts(log, answer));
+        if let Some(jump) = log.trend.jump {
+            let said = Logged::Jumped {
+                label: label(log),
+                by: logged(jump.by, log.is_tilt(), 2),
+                after: date_text(jump.after),
+                before: date_text(jump.before),
+            };
+            all.push(Finding::key(Tone::Warn, said));
+        }
+        if let Some(since) = log.trend.stuck_since {
+            let said = Logged::Stuck {
+                label: label(log),
+                since: date_text(since),
+            };
+            all.push(Finding::key(Tone::Warn, said));
+        }
+        let has_limit = answer.project.watch.tilt_limit.is_some() && log.is_tilt();
+        if log.trend.limit.is_none() && has_limit {
+            all.push(Finding::new(Tone::Unknown, Logged::NoZero { label: label(log) }));
+        }
+    }
+    if answer.temperatures_of_log > 0 {
+        let surveys = answer.temperatures_of_log;
+        all.push(Finding::new(Tone::Plain, Logged::Temperatures { surveys }));
+    }
+    all
+}
+
+fn trend(log: &WatchedLog) -> Finding {
+    let (is_tilt, label) = (log.is_tilt(), label(log));
+    let now = logged(log.trend.now, is_tilt, 2);
+    if let Some(limit) = log.trend.limit.filter(|_| log.is_beyond()) {
+        let size = if log.trend.now < 0.0 {
+            -limit.size
+        } else {
+            limit.size
+        };
+        let limit = logged(size, is_tilt, 2);
+        return Finding::key(Tone::Bad, Logged::Beyond { label, now, limit });
+    }
+    let slope = match log.trend.slope {
+        Ok(slope) => slope,
+        Err(NoSlope::TooShort { years }) => {
+            let years = plain(years, 1);
+            return Finding::key(Tone::Unknown, Logged::TooShort { label, years, now });
+        }
+        Err(NoSlope::TooFew { days }) => {
+            return Finding::key(Tone::Unknown, Logged::TooFew { label, days, now });
+        }
+        Err(NoSlope::Wanders) => return Finding::key(Tone::Unknown, Logged::Wanders { label, now }),
+    };
+    if !log.trend.is_beyond_chance() {
+        let least = logged(slope.seen_from_per_year, is_tilt, 3);
+        return Finding::key(Tone::Good, Logged::Steady { label, least, now });
+    }
+    let (yearly, half) = (
+        bare_logged(slope.per_year, is_tilt, 3),
+        logged(HALF_95 * slope.sd_per_year, is_tilt, 3),
+    );
+    match reached(log, &slope) {
+        Some((reach, [when, earliest, latest])) => {
+            let said = Logged::Reaches {
+                label,
+                yearly,
+                half,
+                limit: logged(reach.limit, is_tilt, 2),
+                when,
+                earliest,
+                latest,
+            };
+            Finding::key(Tone::Warn, said)
+        }
+        None => {
+            let said = Logged::Grows {
+                label,
+                yearly,
+                half,
+                now,
+            };
+            Finding::key(Tone::Warn, said)
+        }
+    }
+}
+
+/// The months in which a limit is reached, and the ends of their interval.
+fn reached(log: &WatchedLog, slope: &TiltSlope) -> Option<(TiltReach, [Both; 3])> {
+    let (reach, [_, last]) = (slope.reach?, log.span()?);
+    let month = |years: f64| match years <= DATED_YEARS {
+        true => date_text(last + years * YEAR_DAYS)
+            .chars()
+            .take("2026-11".len())
+            .collect::<String>()
+            .into(),
+        false => Logged::Later {
+            years: DATED_YEARS as usize,
+        }
+        .into(),
+    };
+    let each = [reach.years?, reach.years_earliest?, reach.years_latest?];
+    Some((reach, each.map(month)))
+}
+
+fn shifts(log: &WatchedLog, answer: &WatchAnswer) -> Vec<Finding> {
+    let told = log
+        .trend
+        .levels
+        .iter()
+        .filter(|level| level.p_value < SHIFT_BELOW);
+    let each = told.filter_map(|level| {
+        let (_, work) = answer.works.get(level.work)?;
+        let is_tilt = log.is_tilt();
+        let said = Logged::Shifted {
+            label: label(log),
+            number: level.work + 1,
+            date: work.date.clone(),
+            by: bare_logged(level.shift, is_tilt, 2),
+            half: logged(HALF_95 * level.sd, is_tilt, 2),
+        };
+        Some(Finding::key(Tone::Warn, said))
+    });
+    each.collect()
+}

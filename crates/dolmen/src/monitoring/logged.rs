@@ -1,0 +1,695 @@
+//! The slope of what a logger reads over the years: a tilt, the width of a crack.
+//!
+//! | symbol | code | meaning | unit |
+//! |:--|:--|:--|:--|
+//! | y | `values` | the reading of a day | as given |
+//! | T | `temperatures_c` | the temperature of that day | °C |
+//! | t | `days` | | day |
+
+use super::MonitoringError;
+use super::daily::DailyReadings;
+use super::regression::{Fit, Series, restricted_likelihood};
+use super::tilt::{SEASON_YEARS_LEAST, SlopeLimit, TiltSlope, season, slope_of};
+use super::weather::YEAR_DAYS;
+use crate::numeric::{middle_mean, student_two_sided};
+
+/// Days of which medians are taken before a slope is sought: each in turn, and the most doubtful answer counts. Chosen here: a disturbance that lasts
+/// longer than its nearest neighbours say shows in medians of weeks and months.
+const BLOCKS_DAYS: [f64; 3] = [1.0, 7.0, 30.0];
+/// Medians that a slope needs beside what explains them. Chosen here.
+const SPARE_LEAST: usize = 8;
+/// Share of the days that must have a temperature for it to be taken into account. Chosen here.
+const TEMPERATURES_LEAST: f64 = 0.6;
+/// Correlation of two neighbouring medians of a month from which they wander, and no slope is told from that. Chosen here.
+const WANDERS_FROM: f64 = 0.9;
+/// Days of one value at the end of a log from which on the sensor is taken for stuck, where neighbouring days differed before. Chosen here.
+const STUCK_DAYS: usize = 30;
+/// Days on either side whose median a day is held against, and the deviations beyond which it is a spike. Chosen here.
+const BESIDE_DAYS: usize = 7;
+const SPIKE_FROM: f64 = 8.0;
+/// Days before and behind a date whose medians are held against each other, and the deviations beyond which the readings jumped there. Chosen here: by
+/// chance once in some thousand logs.
+const JUMP_DAYS: usize = 7;
+const JUMP_FROM: f64 = 6.0;
+/// A deviation of normal values over their median absolute deviation.
+const OF_MEDIAN: f64 = 1.4826;
+/// Days whose median is what it reads now, where there is no slope.
+const NOW_DAYS: f64 = 7.0;
+
+/// What a logger read.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct LoggedSeries {
+    /// One value a day.
+    pub daily: DailyReadings,
+    /// The temperature of each of these days, °C; NaN where it is not known. Empty without a log of it.
+    pub temperatures_c: Vec<f64>,
+}
+
+/// Options of [`logged_trend`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct LoggedOptions {
+    /// Probability of finding a slope where there is none; default 0.05.
+    pub significance: f64,
+    /// What must not be reached.
+    pub limit: Option<SlopeLimit>,
+    /// The first and last day of each work or event, as the readings count them: it may have shifted the readings, and those of these days, of the day
+    /// before and the day behind are left out. NaN of one that did not.
+    pub works: Vec<[f64; 2]>,
+}
+
+impl Default for LoggedOptions {
+    fn default() -> Self {
+        LoggedOptions {
+            significance: 0.05,
+            limit: None,
+            works: Vec::new(),
+        }
+    }
+}
+
+/// Why there is no slope.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum NoSlope {
+    /// Below two years a slope is not told from the season.
+    TooShort {
+        /// From the first to the last day, years.
+        years: f64,
+    },
+    /// Too few days.
+    TooFew {
+        /// How many there are.
+        days: usize,
+    },
+    /// Medians of months wander: chance alone goes as far as any slope.
+    Wanders,
+}
+
+/// By how much the readings shifted at a work.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LoggedLevel {
+    /// Index of the work.
+    pub work: usize,
+    /// The shift.
+    pub shift: f64,
+    /// Its standard deviation.
+    pub sd: f64,
+    /// Probability of such a shift by chance.
+    pub p_value: f64,
+}
+
+/// A sudden shift.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LoggedJump {
+    /// The last day before it.
+    pub after: f64,
+    /// The first day behind it.
+    pub before: f64,
+    /// By how much.
+    pub by: f64,
+}
+
+/// What a log says.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LoggedTrend {
+    /// The readings that counted.
+    pub daily: DailyReadings,
+    /// Days that lie far from the median of the fortnight around them, left out: spikes.
+    pub spikes: Vec<f64>,
+    /// The largest jump that no work explains, where there is one beyond chance: a slope may be of its making.
+    pub jump: Option<LoggedJump>,
+    /// The day from which on the sensor reads one value: it and what follows are left out.
+    pub stuck_since: Option<f64>,
+    /// Days that were left out since their temperature is not known.
+    pub without_temperature: usize,
+    /// Days that were left out since a work fell on them or beside them.
+    pub of_works: usize,
+    /// The slope, or why there is none.
+    pub slope: Result<TiltSlope, NoSlope>,
+    /// Days of the medians that the slope rests on.
+    pub block_days: f64,
+    /// Half of the height of the wave of one year.
+    pub season: Option<f64>,
+    /// Change per °C and its standard deviation, where temperatures are known.
+    pub per_c: Option<(f64, f64)>,
+    /// Shifts at works.
+    pub levels: Vec<LoggedLevel>,
+    /// For each day the reading without season and temperature; empty without a slope.
+    pub line: Vec<f64>,
+    /// The reading on the last day: of the slope, or the median of the last seven days.
+    pub now: f64,
+    /// Probability below which a slope is beyond chance.
+    pub significance: f64,
+    /// What must not be reached.
+    pub limit: Option<SlopeLimit>,
+}
+
+impl LoggedTrend {
+    /// Whether it has a slope beyond chance.
+    pub fn is_beyond_chance(&self) -> bool {
+        self.slope.is_ok_and(|slope| slope.p_value < self.significance)
+    }
+
+    /// Whether the readings are at their limit now.
+    pub fn is_beyond_limit(&self) -> bool {
+        self.limit.is_some_and(|limit| match limit.is_one_sided {
+            true => self.now >= limit.size,
+            false => self.now.abs() >= limit.size,
+        })
+    }
+}
+
+/// The slope of daily readings beside a wave of one year, what goes with temperature and shifts at works.
+///
+/// ```text
+/// y = y₀ + b t + c cos ωt + d sin ωt + β (T − T̄) + Σ shifts + e,   Cov e = s² φ^|Δt|
+/// ```
+/// It is estimated from medians of a day, a week and 30 days; that with the largest standard deviation counts.
+///
+/// # Errors
+/// [`MonitoringError::Numeric`].
+///
+/// # Limits
+/// A shift that no work explains and a sensor that drifts look like a slope; a shift within days is told as a jump.
+pub fn logged_trend(series: &LoggedSeries, options: &LoggedOptions) -> Result<LoggedTrend, MonitoringError> {
+    let (mut trend, temperatures_c) = sound(series, options);
+    let days = &trend.daily.days;
+    let years = match (days.first(), days.last()) {
+        (Some(first), Some(last)) => (last - first) / YEAR_DAYS,
+        _ => 0.0,
+    };
+    if years < SEASON_YEARS_LEAST {
+        trend.slope = Err(NoSlope::TooShort { years });
+        return Ok(trend);
+    }
+    let usual = usual_gap(days);
+    let mut worst: Option<(f64, Told)> = None;
+    let mut wanders = false;
+    for block_days in BLOCKS_DAYS
+        .into_iter()
+        .filter(|block| *block == 1.0 || *block > usual)
+    {
+        let blocks = Blocks::of(&trend.daily, &temperatures_c, block_days);
+        let Some((told, correlation)) = told(&blocks, days, options)? else {
+            continue;
+        };
+        wanders = correlation >= WANDERS_FROM;
+        let sd = told.slope.seen_from_per_year;
+        if worst.as_ref().is_none_or(|(most, _)| sd > *most) {
+            worst = Some((sd, Told { block_days, ..told }));
+        }
+    }
+    let Some((_, worst)) = worst else {
+        return Ok(trend);
+    };
+    if wanders {
+        trend.slope = Err(NoSlope::Wanders);
+        return Ok(trend);
+    }
+    trend.now = worst.slope.now;
+    trend.slope = Ok(worst.slope);
+    trend.block_days = worst.block_days;
+    trend.season = Some(worst.season);
+    trend.per_c = worst.per_c;
+    trend.levels = worst.levels;
+    trend.line = worst.line;
+    Ok(trend)
+}
+
+fn usual_gap(days: &[f64]) -> f64 {
+    let mut gaps: Vec<f64> = days.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    gaps.sort_by(f64::total_cmp);
+    gaps.get(gaps.len() / 2).copied().unwrap_or(1.0)
+}
+
+/// The readings without what a sensor that fails made of them, and what is known before any slope; and the temperatures of these days.
+fn sound(series: &LoggedSeries, options: &LoggedOptions) -> (LoggedTrend, Vec<f64>) {
+    let all = &series.daily;
+    let stuck_from = stuck(&all.values);
+    let until = stuck_from.unwrap_or(all.values.len());
+    let values = &all.values[..until];
+    let wild = spikes(values);
+    let is_wild = |i: &usize| wild.contains(i);
+    let known = series
+        .temperatures_c
+        .iter()
+        .take(until)
+        .filter(|t| t.is_finite())
+        .count();
+    let has_temperature = known as f64 >= TEMPERATURES_LEAST * until as f64 && known > 0;
+    let is_cold = |i: &usize| has_temperature && !series.temperatures_c[*i].is_finite();
+    let is_of_work = |i: &usize| {
+        let day = all.days[*i];
+        let mut works = options.works.iter();
+        works.any(|[from, to]| day >= from - 1.0 && day <= to + 1.0)
+    };
+    let kept: Vec<usize> = (0..until)
+        .filter(|i| !is_wild(i) && !is_cold(i) && !is_of_work(i))
+        .collect();
+    let of = |from: &[f64]| -> Vec<f64> { kept.iter().map(|i| from[*i]).collect() };
+    let daily = DailyReadings {
+        days: of(&all.days),
+        values: of(&all.values),
+        ..*all
+    };
+    let temperatures_c = match has_temperature {
+        true => of(&series.temperatures_c),
+        false => Vec::new(),
+    };
+    let last = daily.days.last().copied().unwrap_or(f64::NAN);
+    let newest = daily.days.iter().zip(&daily.values);
+    let newest = newest
+        .filter(|(day, _)| **day > last - NOW_DAYS)
+        .map(|(_, value)| *value);
+    let trend = LoggedTrend {
+        now: middle_mean(newest.collect()),
+        slope: Err(NoSlope::TooFew {
+            days: daily.days.len(),
+        }),
+        spikes: wild.iter().map(|i| all.days[*i]).collect(),
+        jump: jump(&daily, &options.works),
+        stuck_since: stuck_from.map(|from| all.days[from]),
+        of_works: (0..until).filter(is_of_work).count(),
+        without_temperature: (0..until).filter(is_cold).count(),
+        daily,
+        block_days: 1.0,
+        season: None,
+        per_c: None,
+        levels: Vec::new(),
+        line: Vec::new(),
+        significance: options.significance,
+        limit: options.limit,
+    };
+    (trend, temperatures_c)
+}
+
+/// From which index on all values are one, where that is no habit of the sensor.
+fn stuck(values: &[f64]) -> Option<usize> {
+    let last = values.last()?;
+    let run = values.iter().rev().take_while(|value| *value == last).count();
+    let from = values.len() - run;
+    let alike = values[..from]
+        .windows(2)
+        .filter(|pair| pair[0] == pair[1])
+        .count();
+    (run >= STUCK_DAYS && from > STUCK_DAYS && 2 * alike < from).then_some(from + 1)
+}
+
+/// Indices of values far from the median of those around them.
+fn spikes(values: &[f64]) -> Vec<usize> {
+    let n = values.len();
+    if n < 4 * BESIDE_DAYS {
+        return Vec::new();
+    }
+    let off = |i: usize| {
+        let around = i.saturating_sub(BESIDE_DAYS)..(i + BESIDE_DAYS + 1).min(n);
+        values[i] - middle_mean(values[around].to_vec())
+    };
+    let off: Vec<f64> = (0..n).map(off).collect();
+    let usual = OF_MEDIAN * middle_mean(off.iter().map(|off| off.abs()).collect());
+    // readings of coarse steps are often all alike, and one step away is none too far
+    let steps = values.windows(2).map(|pair| (pair[1] - pair[0]).abs());
+    let step = steps.filter(|step| *step > 0.0).fold(f64::INFINITY, f64::min);
+    let limit = SPIKE_FROM * usual.max(step.min(f64::MAX));
+    (0..n).filter(|i| off[*i].abs() > limit).collect()
+}
+
+/// The largest difference of medians before and behind a date that is beyond chance, and with which no work fell together.
+fn jump(daily: &DailyReadings, works: &[[f64; 2]]) -> Option<LoggedJump> {
+    let (days, values) = (&daily.days, &daily.values);
+    let n = values.len();
+    if n < 8 * JUMP_DAYS {
+        return None;
+    }
+    let by = |i: usize| {
+        let median = |of: &[f64]| middle_mean(of.to_vec());
+        median(&values[i..i + JUMP_DAYS]) - median(&values[i - JUMP_DAYS..i])
+    };
+    let all: Vec<(usize, f64)> = (JUMP_DAYS..=n - JUMP_DAYS).map(|i| (i, by(i))).collect();
+    let usual = OF_MEDIAN * middle_mean(all.iter().map(|(_, by)| by.abs()).collect());
+    let is_free = |i: usize| {
+        let (from, to) = (days[i - JUMP_DAYS], days[i + JUMP_DAYS - 1]);
+        !works.iter().any(|work| work[0] <= to && work[1] >= from)
+    };
+    let free = all.into_iter().filter(|(i, _)| is_free(*i));
+    let (i, by) = free.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))?;
+    (usual > 0.0 && by.abs() > JUMP_FROM * usual).then(|| LoggedJump {
+        after: days[i - 1],
+        before: days[i],
+        by,
+    })
+}
+
+/// Medians of so many days each.
+struct Blocks {
+    days: Vec<f64>,
+    values: Vec<f64>,
+    temperatures_c: Vec<f64>,
+}
+
+impl Blocks {
+    fn of(daily: &DailyReadings, temperatures_c: &[f64], block_days: f64) -> Self {
+        let first = daily.days.first().copied().unwrap_or(0.0);
+        let block = |day: f64| ((day - first) / block_days).floor();
+        let mut blocks = Blocks {
+            days: Vec::new(),
+            values: Vec::new(),
+            temperatures_c: Vec::new(),
+        };
+        let mean = |of: &[f64]| of.iter().sum::<f64>() / of.len() as f64;
+        let mut from = 0;
+        while from < daily.days.len() {
+            let own = block(daily.days[from]);
+            let to = daily.days.partition_point(|day| block(*day) <= own);
+            blocks.days.push(mean(&daily.days[from..to]));
+            blocks.values.push(middle_mean(daily.values[from..to].to_vec()));
+            if let Some(of) = temperatures_c.get(from..to) {
+                blocks.temperatures_c.push(mean(of));
+            }
+            from = to;
+        }
+        blocks
+    }
+}
+
+/// What medians of one length say.
+struct Told {
+    slope: TiltSlope,
+    block_days: f64,
+    season: f64,
+    per_c: Option<(f64, f64)>,
+    levels: Vec<LoggedLevel>,
+    line: Vec<f64>,
+}
+
+/// The slope of medians, and how much neighbouring ones are correlated; `None` with too few of them.
+fn told(
+    blocks: &Blocks,
+    days: &[f64],
+    options: &LoggedOptions,
+) -> Result<Option<(Told, f64)>, MonitoringError> {
+    let n = blocks.days.len();
+    let (first, last) = (days[0], days[days.len() - 1]);
+    let mut columns = vec![
+        vec![1.0; n],
+        blocks.days.iter().map(|day| (day - last) / YEAR_DAYS).collect(),
+    ];
+    columns.extend(season(&blocks.days));
+    let has_temperature = !blocks.temperatures_c.is_empty();
+    if has_temperature {
+        let mean = blocks.temperatures_c.iter().sum::<f64>() / n as f64;
+        columns.push(blocks.temperatures_c.iter().map(|t| t - mean).collect());
+    }
+    let first_level = columns.len();
+    let mut works: Vec<usize> = Vec::new();
+    for (work, [at, _]) in options.works.iter().enumerate() {
+        let before: Vec<f64> = blocks
+            .days
+            .iter()
+            .map(|day| f64::from(u8::from(day < at)))
+            .collect();
+        // two works between two readings make one shift
+        let is_new = columns.iter().skip(first_level).all(|column| *column != before);
+        if before.contains(&1.0) && before.contains(&0.0) && is_new {
+            columns.push(before);
+            works.push(work);
+        }
+    }
+    let k = columns.len();
+    if n < k + SPARE_LEAST {
+        return Ok(None);
+    }
+    let gap = usual_gap(&blocks.days).max(f64::MIN_POSITIVE);
+    let readings = Series {
+        at: blocks.days.iter().map(|day| (day - first) / gap).collect(),
+        readings: blocks.values.clone(),
+        noise_sd: vec![0.0; n],
+    };
+    let found = restricted_likelihood(&readings, &columns, None)
+        .and_then(|disturbance| Some((Fit::new(&readings, &columns, disturbance)?, disturbance)));
+    let Some((fit, disturbance)) = found else {
+        return Ok(None);
+    };
+    let degrees = (n - k) as f64;
+    let level = |(i, work): (usize, &usize)| {
+        let (shift, sd) = (-fit.coefficients[first_level + i], fit.sd[first_level + i]);
+        let p_value = if sd > 0.0 {
+            student_two_sided(shift / sd, degrees)?
+        } else {
+            1.0
+        };
+        Ok(LoggedLevel {
+            work: *work,
+            shift,
+            sd,
+            p_value,
+        })
+    };
+    let levels: Vec<LoggedLevel> = works
+        .iter()
+        .enumerate()
+        .map(level)
+        .collect::<Result<_, MonitoringError>>()?;
+    let slope = slope_of(&fit, degrees, options.significance, options.limit)?;
+    let line = days.iter().map(|day| {
+        let shifts = levels
+            .iter()
+            .filter(|of| *day < options.works[of.work][0])
+            .map(|of| of.shift);
+        slope.now + slope.per_year * (day - last) / YEAR_DAYS - shifts.sum::<f64>()
+    });
+    let told = Told {
+        line: line.collect(),
+        block_days: 1.0,
+        season: fit.coefficients[2].hypot(fit.coefficients[3]),
+        per_c: has_temperature.then(|| (fit.coefficients[4], fit.sd[4])),
+        slope,
+        levels,
+    };
+    Ok(Some((told, disturbance.correlation)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numeric::Random;
+    use std::f64::consts::TAU;
+
+    /// What is made: years of days, their slope a year, noise of the day before it, white noise beside, an annual wave.
+    struct Made {
+        years: f64,
+        per_year: f64,
+        correlation: f64,
+        disturbance: f64,
+        noise: f64,
+        per_c: f64,
+    }
+
+    const USUAL: Made = Made {
+        years: 4.0,
+        per_year: 0.0,
+        correlation: 0.7,
+        disturbance: 1.0,
+        noise: 0.0,
+        per_c: 0.0,
+    };
+
+    impl Made {
+        fn series(&self, seed: u64) -> LoggedSeries {
+            let mut random = Random::new(77, seed);
+            let count = (self.years * YEAR_DAYS) as usize;
+            let mut made = LoggedSeries::default();
+            let (mut x, mut air) = (self.disturbance * random.normal(), 0.0);
+            for day in 0..count {
+                let day = 18_000.0 + day as f64;
+                x = self.correlation * x
+                    + self.disturbance * (1.0 - self.correlation.powi(2)).sqrt() * random.normal();
+                air = 0.8 * air + 2.0 * random.normal();
+                let wave = (TAU * (day - 30.0) / YEAR_DAYS).cos();
+                let celsius = 12.0 - 12.0 * wave + air;
+                let value = 5.0
+                    + self.per_year * (day - 18_000.0) / YEAR_DAYS
+                    + 6.0 * (TAU * day / YEAR_DAYS + 1.0).sin()
+                    + self.per_c * celsius
+                    + x
+                    + self.noise * random.normal();
+                made.daily.days.push(day);
+                made.daily.values.push(value);
+                if self.per_c != 0.0 {
+                    made.temperatures_c.push(celsius);
+                }
+            }
+            made.daily.readings = count;
+            made
+        }
+
+        /// Shares of so many histories whose interval holds the truth, and whose slope is called beyond chance.
+        fn shares(&self, histories: u64) -> [f64; 2] {
+            let (mut held, mut called) = (0, 0);
+            for seed in 0..histories {
+                let trend = logged_trend(&self.series(seed), &LoggedOptions::default()).unwrap();
+                let slope = trend.slope.unwrap();
+                // the half width of 95 % is that at which a slope would just be beyond 5 % of chance
+                let degrees = self.years * YEAR_DAYS / trend.block_days - 4.0;
+                let half =
+                    slope.sd_per_year * crate::numeric::student_two_sided_quantile(0.05, degrees).unwrap();
+                held += usize::from((slope.per_year - self.per_year).abs() <= half);
+                called += usize::from(trend.is_beyond_chance());
+                assert!(
+                    trend.jump.is_none() && trend.spikes.is_empty(),
+                    "{seed}: {:?}",
+                    trend.jump
+                );
+            }
+            [held, called].map(|count| count as f64 / histories as f64)
+        }
+    }
+
+    #[test]
+    fn holds_intervals_and_false_trends_of_daily_readings_that_go_together() {
+        let [held, called] = USUAL.shares(200);
+        assert!(held >= 0.90 && called <= 0.07, "{held} {called}");
+        let sloping = Made {
+            per_year: 0.5,
+            ..USUAL
+        };
+        let [held, called] = sloping.shares(200);
+        assert!(held >= 0.90 && called >= 0.95, "{held} {called}");
+        // slow disturbance under white noise: neighbouring days say less of it than months do
+        let slow = Made {
+            correlation: 0.95,
+            noise: 1.5,
+            ..USUAL
+        };
+        let [held, called] = slow.shares(200);
+        assert!(held >= 0.90 && called <= 0.07, "{held} {called}");
+    }
+
+    #[test]
+    fn holds_temperature_is_taken_out() {
+        let made = Made {
+            per_c: 0.4,
+            per_year: 0.3,
+            ..USUAL
+        };
+        let mut series = made.series(5);
+        let trend = logged_trend(&series, &LoggedOptions::default()).unwrap();
+        let (per_c, sd) = trend.per_c.unwrap();
+        assert!((per_c - 0.4).abs() < 3.0 * sd && sd < 0.06, "{per_c} {sd}");
+        let slope = trend.slope.unwrap();
+        assert!((slope.per_year - 0.3).abs() < 3.0 * slope.sd_per_year);
+        // one month without
+        series.temperatures_c[100..130].fill(f64::NAN);
+        let trend = logged_trend(&series, &LoggedOptions::default()).unwrap();
+        assert_eq!((trend.without_temperature, trend.per_c.is_some()), (30, true));
+        // most of the time without
+        series.temperatures_c[100..900].fill(f64::NAN);
+        let trend = logged_trend(&series, &LoggedOptions::default()).unwrap();
+        assert_eq!((trend.without_temperature, trend.per_c.is_none()), (0, true));
+    }
+
+    #[test]
+    fn holds_a_limit_is_reached_when_the_slope_takes_it_there() {
+        let made = Made {
+            per_year: 1.0,
+            ..USUAL
+        };
+        let series = made.series(9);
+        let limit = Some(SlopeLimit {
+            size: 5.0 + 4.0 + 3.0, // three years after the last of four
+            is_one_sided: true,
+        });
+        let options = LoggedOptions {
+            limit,
+            ..LoggedOptions::default()
+        };
+        let trend = logged_trend(&series, &options).unwrap();
+        let reach = trend.slope.unwrap().reach.unwrap();
+        let [earliest, latest] = [reach.years_earliest, reach.years_latest].map(Option::unwrap);
+        assert!(earliest < 3.0 && 3.0 < latest && latest < 5.0, "{reach:?}");
+        assert!(!trend.is_beyond_limit());
+        // a crack that closes never gets there
+        let mut closing = series;
+        closing.daily.values.iter_mut().for_each(|value| *value = -*value);
+        let reach = logged_trend(&closing, &options)
+            .unwrap()
+            .slope
+            .unwrap()
+            .reach
+            .unwrap();
+        assert_eq!((reach.limit, reach.years), (12.0, None));
+    }
+
+    #[test]
+    fn holds_a_shift_at_a_work_is_no_slope() {
+        let mut series = USUAL.series(3);
+        let at = series.daily.days[700];
+        series.daily.values[700..]
+            .iter_mut()
+            .for_each(|value| *value += 8.0);
+        let with = LoggedOptions {
+            works: vec![[at, at]],
+            ..LoggedOptions::default()
+        };
+        let blind = logged_trend(&series, &LoggedOptions::default()).unwrap();
+        assert!(blind.slope.is_err() || blind.is_beyond_chance());
+        let jump = blind.jump.unwrap();
+        assert!(
+            (jump.before - at).abs() <= 2.0 && (jump.by - 8.0).abs() < 2.0,
+            "{jump:?}"
+        );
+        let trend = logged_trend(&series, &with).unwrap();
+        assert!(!trend.is_beyond_chance() && trend.jump.is_none());
+        let level = trend.levels[0];
+        assert!(
+            (level.shift - 8.0).abs() < 3.0 * level.sd && level.p_value < 1e-3,
+            "{level:?}"
+        );
+        assert_eq!(trend.of_works, 3);
+        let rise = trend.line[699] - trend.line[698];
+        assert!((rise - level.shift).abs() < 0.01, "{rise}");
+    }
+
+    #[test]
+    fn holds_spikes_and_a_stuck_sensor_are_left_out() {
+        let mut series = USUAL.series(4);
+        series.daily.values[50] = 900.0;
+        series.daily.values[51] = 901.0;
+        series.daily.values[1300] = -900.0;
+        let stuck = series.daily.values[1380];
+        series.daily.values[1381..].fill(stuck);
+        let trend = logged_trend(&series, &LoggedOptions::default()).unwrap();
+        assert_eq!(trend.spikes, [50, 51, 1300].map(|i| series.daily.days[i]));
+        assert_eq!(trend.stuck_since, Some(series.daily.days[1381]));
+        assert_eq!(trend.daily.days.len(), 1378);
+        // a sensor of coarse steps reads the same for long, and is not stuck
+        let coarse = LoggedSeries {
+            daily: DailyReadings {
+                values: series.daily.days.iter().map(|day| (day / 90.0).floor()).collect(),
+                ..series.daily.clone()
+            },
+            ..LoggedSeries::default()
+        };
+        let trend = logged_trend(&coarse, &LoggedOptions::default()).unwrap();
+        assert_eq!((trend.stuck_since, trend.spikes.len()), (None, 0));
+    }
+
+    #[test]
+    fn refuses_a_slope_where_none_can_be_told() {
+        let short = Made { years: 1.5, ..USUAL };
+        let trend = logged_trend(&short.series(1), &LoggedOptions::default()).unwrap();
+        assert!(matches!(trend.slope, Err(NoSlope::TooShort { years }) if (years - 1.5).abs() < 0.01));
+        assert!(trend.now.is_finite());
+        // a walk: each day adds to the one before
+        let mut walk = USUAL.series(1);
+        let mut random = Random::new(5, 5);
+        let mut at = 0.0;
+        for value in &mut walk.daily.values {
+            at += random.normal();
+            *value = at;
+        }
+        let trend = logged_trend(&walk, &LoggedOptions::default()).unwrap();
+        assert_eq!(trend.slope, Err(NoSlope::Wanders));
+        let none = logged_trend(&LoggedSeries::default(), &LoggedOptions::default()).unwrap();
+        assert!(none.slope.is_err());
+    }
+}
