@@ -32,7 +32,7 @@ pub fn can_watch(project: &Project) -> bool {
     let usable = project
         .surveys
         .iter()
-        .filter(|survey| date(&survey.name).is_some() && has_modes(survey));
+        .filter(|survey| date(&survey.name).is_some() && (has_modes(survey) || !survey.tilt.is_empty()));
     let has_logs = project
         .watch
         .logs

@@ -162,6 +162,7 @@ fn mode(mode: &WatchedMode, answer: &WatchAnswer) -> Value {
         "disturbance_sd": weather.map(|weather| weather.disturbance.sd),
         "disturbance_correlation": weather.map(|weather| weather.disturbance.correlation),
         "seen_from_ratio": mode.seen_from_ratio,
+        "last_off": mode.last_off.map(|off| json!({ "from": off.from, "surveys": off.surveys, "ratio": off.ratio, "sd": off.sd })),
         "outliers": names(&mode.outliers),
         "works": mode.works.iter().map(|effect| json!({
             "work": effect.work + 1,
@@ -197,6 +198,7 @@ fn tilt(trend: &TiltTrend) -> Value {
         "sd_per_year": slope.map(|slope| slope.sd_per_year),
         "p_value": slope.map(|slope| slope.p_value),
         "beyond_chance": trend.is_beyond_chance(),
+        "jump": trend.jump.map(|jump| json!({ "from": trend.series.surveys.get(jump.from), "size": jump.size, "sd": jump.sd })),
         "seen_from_per_year": slope.map(|slope| slope.seen_from_per_year),
         "now": slope.map(|slope| slope.now),
         "limit": reach.map(|reach| reach.limit),

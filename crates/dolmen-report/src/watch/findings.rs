@@ -5,7 +5,8 @@ use super::logs::logs;
 use super::numbers::{HALF_95, bare_percent, hertz, percent, plain, slope};
 use crate::document::{Finding, Tone};
 use dolmen::monitoring::{
-    ChangeForm, NotJudged, StructureAlarm, TiltTrend, WatchedChange, WatchedMode, WeatherKnown,
+    ChangeForm, LastOff, NotJudged, StructureAlarm, TiltSeries, TiltTrend, WatchedChange, WatchedMode,
+    WeatherKnown,
 };
 use dolmen::numeric::quantile;
 use dolmen_project::WorkKind;
@@ -86,6 +87,14 @@ messages! {
             en: "The tilt along {direction} changes by {yearly} ± {half} mm/m a year, beyond chance; at that rate it reaches its limit of {limit} mm/m in {years} years ({earliest} to {latest}).",
             ko: "{direction} 방향 기울기가 해마다 {yearly} ± {half} mm/m씩 유의하게 변한다. 이 속도로는 {years}년({earliest}~{latest}년) 뒤에 한계 {limit} mm/m에 이른다.",
         },
+        TiltJumped { direction: String, by: Quantity, half: Quantity, after: String, before: String } => {
+            en: "The tilt along {direction} jumped by {by} ± {half} mm/m between {after} and {before}: look at the structure and at the marks.",
+            ko: "{direction} 방향 기울기가 {after}~{before} 사이에 {by} ± {half} mm/m 급변하였다. 구조물과 측정 기준점을 점검한다.",
+        },
+        LastOff { frequency: Quantity, by: Quantity, half: Quantity, since: String } => {
+            en: "Since {since}, {frequency} lies {by} ± {half} off what the surveys before and the weather explain: in one or two surveys, too few to call it a lasting change. Measure again soon.",
+            ko: "{since}부터 {frequency} 모드가 이전 조사와 기상으로 설명되는 값에서 {by} ± {half} 벗어났다. 조사가 1~2회뿐이어서 지속적인 변화로 판정하지 않는다. 곧 다시 계측한다.",
+        },
         TiltBeyond { direction: String, now: Quantity, limit: Quantity } => {
             en: "The tilt along {direction} is {now} mm/m, beyond its limit of {limit} mm/m.",
             ko: "{direction} 방향 기울기가 {now} mm/m로 한계 {limit} mm/m를 넘었다.",
@@ -146,7 +155,20 @@ pub(crate) fn findings(answer: &WatchAnswer) -> Vec<Finding> {
     all.extend(changes(answer));
     all.extend(weather(answer));
     all.extend(leans(answer));
-    all.extend(answer.watched.tilts.iter().filter_map(tilt));
+    all.extend(
+        answer
+            .watched
+            .tilts
+            .iter()
+            .filter_map(|trend| jumped(answer, trend)),
+    );
+    all.extend(
+        answer
+            .watched
+            .tilts
+            .iter()
+            .filter_map(|trend| tilt(answer, trend)),
+    );
     all.extend(logs(answer));
     all.extend(works(answer));
     all.extend(failing(answer));
@@ -316,6 +338,11 @@ fn changes(answer: &WatchAnswer) -> Vec<Finding> {
         let too_few = has_modes.then(|| Finding::key(Tone::Unknown, Found::TooFew { from, to }));
         return last_apart(answer).into_iter().chain(too_few).collect();
     };
+    let off: Vec<Finding> = watched
+        .modes
+        .iter()
+        .filter_map(|mode| Some(last_off(answer, mode, mode.last_off?)))
+        .collect();
     if listed.is_empty() {
         let said = Found::Unchanged {
             modes: watched.modes.len(),
@@ -323,15 +350,17 @@ fn changes(answer: &WatchAnswer) -> Vec<Finding> {
             to,
             least: percent(least, 2),
         };
-        return vec![Finding::key(Tone::Good, said)];
+        let unchanged = match off.is_empty() {
+            true => Finding::key(Tone::Good, said),
+            false => Finding::new(Tone::Plain, said),
+        };
+        return off.into_iter().chain([unchanged]).collect();
     }
     let mut strongest = listed.clone();
     strongest.sort_by(|a, b| (b.1.ratio / b.1.sd).abs().total_cmp(&(a.1.ratio / a.1.sd).abs()));
-    let mut all: Vec<Finding> = strongest
-        .iter()
-        .take(TOLD_MOST)
-        .map(|(mode, change)| Finding::key(Tone::Warn, told(answer, mode, change)))
-        .collect();
+    let mut all = off;
+    let first = strongest.iter().take(TOLD_MOST);
+    all.extend(first.map(|(mode, change)| Finding::key(Tone::Warn, told(answer, mode, change))));
     if listed.len() > TOLD_MOST {
         let count = listed.len() - TOLD_MOST;
         all.push(Finding::key(Tone::Warn, Found::Further { count }));
@@ -344,6 +373,17 @@ fn changes(answer: &WatchAnswer) -> Vec<Finding> {
         },
     ));
     all
+}
+
+/// What the last one or two surveys alone show.
+fn last_off(answer: &WatchAnswer, mode: &WatchedMode, off: LastOff) -> Finding {
+    let said = Found::LastOff {
+        frequency: hertz(mode.track.frequency_hz),
+        by: bare_percent(off.ratio, 2),
+        half: percent(HALF_95 * off.sd, 2),
+        since: name(answer, off.from),
+    };
+    Finding::key(Tone::Warn, said)
 }
 
 fn told(answer: &WatchAnswer, mode: &WatchedMode, change: &WatchedChange) -> Found {
@@ -433,11 +473,51 @@ fn leans(answer: &WatchAnswer) -> Vec<Finding> {
         .collect()
 }
 
-fn tilt(trend: &TiltTrend) -> Option<Finding> {
+/// The direction of a tilt, with its datum where others of the direction have another.
+fn direction_of(answer: &WatchAnswer, trend: &TiltTrend) -> String {
+    let own = &trend.series;
+    let others = answer.watched.tilts.iter().map(|other| &other.series);
+    let is_other = |other: &TiltSeries| other.direction == own.direction && other.datum != own.datum;
+    match &own.datum {
+        Some(datum) if others.clone().any(is_other) => format!("{} ({datum})", own.direction),
+        _ => own.direction.clone(),
+    }
+}
+
+/// Whether a later series of the direction, of another datum, took its place.
+fn is_ended(answer: &WatchAnswer, trend: &TiltTrend) -> bool {
+    let own = &trend.series;
+    let others = answer.watched.tilts.iter().map(|other| &other.series);
+    let last = |of: &TiltSeries| of.surveys.last().copied();
+    others
+        .filter(|other| other.direction == own.direction)
+        .any(|other| last(other) > last(own))
+}
+
+/// A step of a tilt.
+fn jumped(answer: &WatchAnswer, trend: &TiltTrend) -> Option<Finding> {
+    let jump = trend.jump?;
+    let survey = |i: usize| {
+        let of = trend.series.surveys.get(i).copied();
+        of.map_or_else(String::new, |of| name(answer, of))
+    };
+    let said = Found::TiltJumped {
+        direction: direction_of(answer, trend),
+        by: slope(jump.size, 3),
+        half: slope(HALF_95 * jump.sd, 3),
+        after: survey(jump.from.saturating_sub(1)),
+        before: survey(jump.from),
+    };
+    Some(Finding::key(Tone::Warn, said))
+}
+
+fn tilt(answer: &WatchAnswer, trend: &TiltTrend) -> Option<Finding> {
     let found = trend.slope.as_ref()?;
-    let direction = trend.series.direction.clone();
+    let direction = direction_of(answer, trend);
+    let is_ended = is_ended(answer, trend);
     let (yearly, half) = (slope(found.per_year, 3), slope(HALF_95 * found.sd_per_year, 3));
-    if let Some(reach) = found.reach {
+    // what a datum says of the future that was given up is said by the one that took its place
+    if let Some(reach) = found.reach.filter(|_| !is_ended) {
         if found.share_of_limit().is_some_and(|share| share >= 1.0) {
             let (now, limit) = (
                 slope(found.now, 2),

@@ -60,7 +60,7 @@ pub(super) struct Changes {
 }
 
 /// Correlation of two surveys that follow one another, noise of the readings included.
-fn effective_correlation(series: &Series, of: Disturbance) -> f64 {
+pub(super) fn effective_correlation(series: &Series, of: Disturbance) -> f64 {
     let noise = series.noise_sd.iter().map(|sd| sd * sd).sum::<f64>() / series.len() as f64;
     let variance = of.sd * of.sd;
     of.correlation * variance / (variance + noise).max(f64::MIN_POSITIVE)

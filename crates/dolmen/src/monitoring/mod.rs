@@ -36,7 +36,7 @@ pub use pooled::pooled;
 pub use scan::ChangeForm;
 pub use sensors::SensorChange;
 pub use t_squared::SurveyTSquared;
-pub use tilt::{SlopeLimit, TiltReach, TiltSeries, TiltSlope, TiltTrend};
+pub use tilt::{SlopeLimit, TiltJump, TiltReach, TiltSeries, TiltSlope, TiltTrend};
 pub use tracking::{Jumped, Track, Tracked, Tracking, track};
 pub use watch::{
     LastOff, StructureAlarm, WatchOptions, Watched, WatchedChange, WatchedMode, WeatherEffect, WorkEffect,

@@ -1,7 +1,10 @@
 //! The slope of a tilt over the years, and when it would reach a limit.
 
 use super::MonitoringError;
+use super::changes::effective_correlation;
+use super::critical::limit_of;
 use super::regression::{Fit, Series, restricted_likelihood};
+use super::scan::{Candidate, ChangeForm, column, strongest};
 use super::weather::YEAR_DAYS;
 use crate::numeric::{student_detectable, student_two_sided, student_two_sided_quantile};
 use std::f64::consts::TAU;
@@ -33,8 +36,21 @@ pub struct TiltTrend {
     pub series: TiltSeries,
     /// The slope; `None` with fewer than four readings of one level.
     pub slope: Option<TiltSlope>,
+    /// A step beyond chance, which the slope leaves out; `None` where none is shown.
+    pub jump: Option<TiltJump>,
     /// Probability below which a slope is beyond chance: that of all tilts, shared among them.
     pub significance: f64,
+}
+
+/// A step of a tilt, to stay or in its last readings.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TiltJump {
+    /// Index of the first reading after it.
+    pub from: usize,
+    /// Its size, horizontal over vertical.
+    pub size: f64,
+    /// Standard deviation of that.
+    pub sd: f64,
 }
 
 impl TiltTrend {
@@ -96,6 +112,7 @@ pub(super) fn tilt_trend(
         return Ok(TiltTrend {
             series,
             slope: None,
+            jump: None,
             significance,
         });
     };
@@ -118,6 +135,7 @@ pub(super) fn tilt_trend(
         return Ok(TiltTrend {
             series,
             slope: None,
+            jump: None,
             significance,
         });
     }
@@ -135,9 +153,31 @@ pub(super) fn tilt_trend(
         return Ok(TiltTrend {
             series,
             slope: None,
+            jump: None,
             significance,
         });
     };
+    let jump = jump(&readings, &columns, significance);
+    if let Some(of) = jump {
+        columns.push(column(&readings.at, ChangeForm::Step, of.from));
+    }
+    let fit = match jump {
+        None => Some(fit),
+        Some(_) => restricted_likelihood(&readings, &columns, None)
+            .and_then(|disturbance| Fit::new(&readings, &columns, disturbance)),
+    };
+    let Some(mut fit) = fit else {
+        return Ok(TiltTrend {
+            series,
+            slope: None,
+            jump,
+            significance,
+        });
+    };
+    if let Some(of) = jump {
+        // the level is that of the last reading
+        fit.coefficients[0] += of.size;
+    }
     let degrees = (n - columns.len()) as f64;
     let limit = limit.map(|size| SlopeLimit {
         size,
@@ -146,7 +186,30 @@ pub(super) fn tilt_trend(
     Ok(TiltTrend {
         series,
         significance,
+        jump,
         slope: Some(slope_of(&fit, degrees, significance, limit)?),
+    })
+}
+
+/// The strongest step beyond chance beside the slope, the season and the levels of works; that of the last one or two readings too.
+fn jump(readings: &Series, columns: &[Vec<f64>], significance: f64) -> Option<TiltJump> {
+    const READINGS_MORE: usize = 6; // than columns: else a step is not told from what is known
+    let n = readings.len();
+    if n < columns.len() + READINGS_MORE {
+        return None;
+    }
+    let best = strongest(readings, columns, None)?;
+    let step = Some(best.change).filter(|of| of.form == ChangeForm::Step);
+    let larger = |a: Candidate, b: Candidate| match b.statistic.abs() > a.statistic.abs() {
+        true => b,
+        false => a,
+    };
+    let found = step.into_iter().chain(best.late).reduce(larger)?;
+    let limit = limit_of(significance, n, effective_correlation(readings, best.without));
+    (found.statistic.abs() > limit).then_some(TiltJump {
+        from: found.from,
+        size: found.size,
+        sd: found.sd,
     })
 }
 
