@@ -45,6 +45,7 @@ mod stack_contacts;
 mod stack_ends;
 mod stack_falls;
 mod stack_limits;
+mod stack_loads;
 mod stack_motion;
 mod stack_rigid;
 mod stack_rocking;
