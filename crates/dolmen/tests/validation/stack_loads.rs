@@ -180,7 +180,7 @@ fn by_edges(all: &[([f64; 3], [f64; 3])], loads: &[(usize, Force)]) -> f64 {
                 }
                 let mut turns = 0.0;
                 for (_, (at, force)) in loads.iter().filter(|(block, _)| *block >= joint) {
-                    turns += side * force[axis] * (at[2] - z) + force[2] * side * (at[axis] - edge);
+                    turns += side * force[axis] * (at[2] - z) + force[2] * side * (edge - at[axis]);
                 }
                 if turns > 0.0 {
                     least = least.min(holds / turns);
