@@ -60,7 +60,6 @@ fn exact_a_block_in_wind_is_judged_by_the_moment_about_its_edge() {
         "Wind and static loads",
         "What the wind meets",
         "towards +x",
-        "borne ×",
     ] {
         assert!(full.words().contains(said), "{said}: {}", full.stdout);
     }

@@ -24,15 +24,15 @@ messages! {
         WeightAndLoads => { en: "the weight and the static loads", ko: "자중·정하중" },
         Admissible { what: Sentence, at: Sentence, tilt: Quantity } => {
             en: "An admissible state exists: forces in the joints balance {what}. It begins to move at {at} horizontal, or on ground that tilts by {tilt}.",
-            ko: "허용 가능한 평형 상태가 존재한다(접합력이 {what}과(와) 평형을 이룬다). 수평 가속도 {at} 또는 지반 기울기 {tilt}에서 움직이기 시작한다.",
+            ko: "허용 가능한 평형 상태가 존재한다(접합력이 {what}와(과) 평형을 이룬다). 수평 가속도 {at} 또는 지반 기울기 {tilt}에서 움직이기 시작한다.",
         },
         FallsTogether { what: Sentence, moving: Sentence } => {
             en: "It does not stand without shaking: no forces in the joints balance {what}; {moving}.",
-            ko: "지진이 없어도 서 있지 못한다: {what}과(와) 평형을 이루는 접합력이 존재하지 않는다; {moving}.",
+            ko: "지진이 없어도 서 있지 못한다: {what}와(과) 평형을 이루는 접합력이 존재하지 않는다; {moving}.",
         },
         FallsSomehow { what: Sentence } => {
             en: "It does not stand without shaking: no forces in the joints balance {what}.",
-            ko: "지진이 없어도 서 있지 못한다: {what}과(와) 평형을 이루는 접합력이 존재하지 않는다.",
+            ko: "지진이 없어도 서 있지 못한다: {what}와(과) 평형을 이루는 접합력이 존재하지 않는다.",
         },
         Falls { why: Sentence } => {
             en: "It does not stand without shaking: {why}.",

@@ -6,7 +6,9 @@
 
 use super::AssessError;
 use crate::stability::Verdict;
-use crate::stability::stack::{BlownBlock, LoadFactor, SteadyLoads, WindSurfaces, blown_blocks, load_factor};
+use crate::stability::stack::{
+    BlownBlock, LoadFactor, SteadyLoads, WindSurfaces, blown_blocks, growth, load_factor,
+};
 use crate::structure::stack::{Stack, StaticLoad};
 use crate::structure::wind::WindPressure;
 use std::f64::consts::TAU;
@@ -107,26 +109,60 @@ pub fn stack_under_loads(
         weight: combination.weight,
         loads,
     };
+    let still = Pushed::default();
     let Some(wind) = combination.blows.filter(|_| combination.wind > 0.0) else {
-        return case.under(None, 0.0);
+        let (_, ray) = case.least(&still, Known::Nothing)?;
+        return case.whole(still, ray);
     };
-    let at = |angle_rad: f64| {
-        let [x, y] = [angle_rad.cos(), angle_rad.sin()].map(|part| (part * 1e12).round() / 1e12);
-        let blown = blown_blocks(stack, wind.surfaces, wind.pressure, [x, y]);
-        case.under(Some(([x, y], blown)), combination.wind)
+    let blown_to = |number: u32| {
+        let angle_rad = TAU * f64::from(number) / f64::from(DIRECTIONS);
+        let to = [angle_rad.cos(), angle_rad.sin()].map(|part| (part * 1e12).round() / 1e12);
+        let blown = blown_blocks(stack, wind.surfaces, wind.pressure, to);
+        Pushed::of(to, blown, combination.wind)
     };
-    let mut worst = at(0.0)?;
+    // what acts without wind is the same in every direction, and so is whether it stands
+    let mut worst = blown_to(0);
+    let (mut least, mut worst_ray) = case.least(&worst, Known::Nothing)?;
     for number in 1..DIRECTIONS {
-        let found = at(TAU * f64::from(number) / f64::from(DIRECTIONS))?;
-        if is_worse(&found, &worst) {
-            worst = found;
+        if least == 0.0 {
+            break;
+        }
+        let pushed = blown_to(number);
+        let (factor, ray) = case.least(&pushed, Known::Stands)?;
+        if is_less(factor, least) {
+            (worst, least, worst_ray) = (pushed, factor, ray);
         }
     }
-    Ok(worst)
+    case.whole(worst, worst_ray)
 }
 
-fn is_worse(one: &StackUnderLoads, other: &StackUnderLoads) -> bool {
-    one.found.factor < (1.0 - WORSE) * other.found.factor
+fn is_less(one: f64, other: f64) -> bool {
+    one < (1.0 - WORSE) * other
+}
+
+/// What is known of a stack before its loads grow.
+#[derive(Clone, Copy, PartialEq)]
+enum Known {
+    Nothing,
+    Stands,
+}
+
+/// A wind from one side with the factor of the combination.
+#[derive(Default)]
+struct Pushed {
+    wind_to: Option<[f64; 2]>,
+    blown: Vec<BlownBlock>,
+    loads: Vec<StaticLoad>,
+}
+
+impl Pushed {
+    fn of(to: [f64; 2], blown: Vec<BlownBlock>, factor: f64) -> Self {
+        Pushed {
+            wind_to: Some(to),
+            loads: blown.iter().map(|block| block.load(to, factor)).collect(),
+            blown,
+        }
+    }
 }
 
 /// What does not depend on the wind.
@@ -138,45 +174,42 @@ struct Case<'a> {
 }
 
 impl Case<'_> {
-    fn under(
-        &self,
-        wind: Option<([f64; 2], Vec<BlownBlock>)>,
-        factor: f64,
-    ) -> Result<StackUnderLoads, AssessError> {
-        let (wind_to, blown) = wind.map_or((None, Vec::new()), |(to, blown)| (Some(to), blown));
-        let pushed: Vec<StaticLoad> = wind_to
-            .iter()
-            .flat_map(|to| blown.iter().map(|block| block.load(*to, factor)))
-            .collect();
-        let mut least: Option<(LoadFactor, Grows)> = None;
-        for (grows, steady, growing) in self.rays(&pushed) {
+    /// The least factor of all rays, and which it is.
+    fn least(&self, pushed: &Pushed, known: Known) -> Result<(f64, usize), AssessError> {
+        let mut least = (f64::INFINITY, 0);
+        for (index, (_, steady, growing)) in self.rays(&pushed.loads).iter().enumerate() {
             let steady = SteadyLoads {
                 weight: self.weight,
-                loads: &steady,
+                loads: steady,
             };
-            let found = load_factor(self.stack, &steady, &growing)?;
-            let is_less = |(before, _): &(LoadFactor, Grows)| found.factor < (1.0 - WORSE) * before.factor;
-            if least.as_ref().is_none_or(is_less) {
-                let is_over = found.factor <= 1.0;
-                least = Some((found, grows));
-                if is_over {
-                    break;
-                }
+            let factor = match known {
+                Known::Nothing => load_factor(self.stack, &steady, growing)?.factor,
+                Known::Stands => growth(self.stack, &steady, growing)?,
+            };
+            if is_less(factor, least.0) {
+                least = (factor, index);
+            }
+            // the wind alone cannot be borne once where everything together is not: the factor of all is it
+            if least.0 <= 1.0 {
+                break;
             }
         }
-        let (found, grows) = least.unwrap_or((
-            LoadFactor {
-                factor: f64::INFINITY,
-                at_least: f64::INFINITY,
-                mechanism: None,
-            },
-            Grows::All,
-        ));
+        Ok(least)
+    }
+
+    /// All that is known of one ray.
+    fn whole(&self, pushed: Pushed, ray: usize) -> Result<StackUnderLoads, AssessError> {
+        let mut rays = self.rays(&pushed.loads);
+        let (grows, steady, growing) = rays.swap_remove(ray);
+        let steady = SteadyLoads {
+            weight: self.weight,
+            loads: &steady,
+        };
         Ok(StackUnderLoads {
-            found,
+            found: load_factor(self.stack, &steady, &growing)?,
             grows,
-            wind_to,
-            blown,
+            wind_to: pushed.wind_to,
+            blown: pushed.blown,
         })
     }
 

@@ -11,7 +11,7 @@ use super::limit_analysis::along;
 use super::limit_mechanism::{falling, swaying};
 use super::limit_options::Holding;
 use super::limit_pieces::{Growing, Piece, pieces};
-use super::limit_programme::ACCELERATION_MOST;
+use super::limit_programme::{ACCELERATION_MOST, Answer, Within};
 use super::loads::{push_all, without_weight};
 use super::mechanism::{JointMotion, Mechanism};
 use crate::stability::StabilityError;
@@ -19,6 +19,9 @@ use crate::structure::stack::{Stack, StaticLoad};
 
 /// The direction of a programme in which loads grow.
 const GROWS: [f64; 2] = [1.0, 0.0];
+
+/// Growth of loads of the size of the weight from which nothing is called to move.
+const MOST: f64 = ACCELERATION_MOST * (1.0 - 1e-6);
 
 /// What acts while other loads grow.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -84,13 +87,71 @@ pub fn load_factor(
     steady: &SteadyLoads<'_>,
     growing: &[StaticLoad],
 ) -> Result<LoadFactor, StabilityError> {
-    let gravity = stack.gravity_m_s2();
     let bare = stack.clone().without_static_loads();
+    let (pieces, unit) = pieces_of(&bare, steady, growing)?;
+    let mut found = LoadFactor {
+        factor: f64::INFINITY,
+        at_least: f64::INFINITY,
+        mechanism: None,
+    };
+    let mut moves: Option<&Piece> = None;
+    for piece in &pieces {
+        let (reached, _) = along(piece, GROWS)?;
+        if !reached.stands {
+            return Ok(LoadFactor {
+                factor: 0.0,
+                at_least: 0.0,
+                mechanism: falling(&bare, piece)?,
+            });
+        }
+        if reached.bound < MOST {
+            found.at_least = found.at_least.min(reached.at_least * unit);
+            if reached.bound * unit < found.factor {
+                found.factor = reached.bound * unit;
+                moves = Some(piece);
+            }
+        }
+    }
+    if let Some(piece) = moves {
+        found.mechanism = swaying(&bare, piece, GROWS)?;
+    }
+    Ok(found)
+}
+
+/// The factor alone, of loads on what is known to stand without them: a third of the work.
+///
+/// # Errors
+/// As [`load_factor`].
+pub fn growth(
+    stack: &Stack,
+    steady: &SteadyLoads<'_>,
+    growing: &[StaticLoad],
+) -> Result<f64, StabilityError> {
+    let bare = stack.clone().without_static_loads();
+    let (pieces, unit) = pieces_of(&bare, steady, growing)?;
+    let mut least = f64::INFINITY;
+    for piece in &pieces {
+        match piece.programme(Within::Line(GROWS))?.support(GROWS)? {
+            Answer::Reaches(support) if support.bound < MOST => least = least.min(support.bound * unit),
+            Answer::Reaches(_) => {}
+            Answer::Falls => return Ok(0.0),
+        }
+    }
+    Ok(least)
+}
+
+/// The balance in pieces, and what its growing loads of order 1 must be multiplied by.
+fn pieces_of(
+    bare: &Stack,
+    steady: &SteadyLoads<'_>,
+    growing: &[StaticLoad],
+) -> Result<(Vec<Piece>, f64), StabilityError> {
+    let gravity = bare.gravity_m_s2();
     let weighs = StackLoads {
         vertical_acceleration_m_s2: gravity * (steady.weight - 1.0),
         ..StackLoads::default()
     };
-    let mut loads = weighs.on_blocks(&bare)?;
+    let mut loads = weighs.on_blocks(bare)?;
     push_all(&mut loads, steady.loads);
     let size = |load: &StaticLoad| load.force_n.iter().map(|part| part * part).sum::<f64>().sqrt();
     let pushed_n: f64 = growing.iter().map(size).sum();
@@ -105,34 +166,6 @@ pub fn load_factor(
         })
         .collect();
     let grows = without_weight(loads.len(), &scaled);
-    let acts = acts(&bare, Holding::Cohesion);
-    let pieces = pieces(&bare, &loads, &acts, Growing::Loads(&grows), false);
-    let mut found = LoadFactor {
-        factor: f64::INFINITY,
-        at_least: f64::INFINITY,
-        mechanism: None,
-    };
-    let mut moves: Option<&Piece> = None;
-    let most = ACCELERATION_MOST * (1.0 - 1e-6);
-    for piece in &pieces {
-        let (reached, _) = along(piece, GROWS)?;
-        if !reached.stands {
-            return Ok(LoadFactor {
-                factor: 0.0,
-                at_least: 0.0,
-                mechanism: falling(&bare, piece)?,
-            });
-        }
-        if reached.bound < most {
-            found.at_least = found.at_least.min(reached.at_least * unit);
-            if reached.bound * unit < found.factor {
-                found.factor = reached.bound * unit;
-                moves = Some(piece);
-            }
-        }
-    }
-    if let Some(piece) = moves {
-        found.mechanism = swaying(&bare, piece, GROWS)?;
-    }
-    Ok(found)
+    let acts = acts(bare, Holding::Cohesion);
+    Ok((pieces(bare, &loads, &acts, Growing::Loads(&grows), false), unit))
 }

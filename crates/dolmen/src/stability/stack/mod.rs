@@ -46,7 +46,7 @@ pub use limit_options::{
     Holding, LimitAnalysis, LimitAnalysisResult, LimitAnalysisStatus, Shaking, SwayingForces,
 };
 pub use limit_states::{CutLimits, EdgeLimit, Governing, LimitKind, StackLimitStates};
-pub use load_factor::{LoadFactor, SteadyLoads, load_factor};
+pub use load_factor::{LoadFactor, SteadyLoads, growth, load_factor};
 pub use loads::{PointForce, StackLoads, Wind};
 pub use local_mechanism::{LocalMechanism, RigidPart, local_mechanism};
 pub use mechanism::{JointMotion, Mechanism, MovingJoint};
