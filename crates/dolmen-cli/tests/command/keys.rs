@@ -7,10 +7,11 @@ use serde_json::Value;
 use std::collections::BTreeSet;
 use std::fs;
 
-const COMMANDS: [&str; 38] = [
+const COMMANDS: [&str; 39] = [
     "check examples/naju_flagpole --samples 20 --sensitivity",
     "check examples/naju_flagpole/wind.toml",
     "check examples/naju_flagpole/one_stone.toml",
+    "check examples/wall/wind.toml",
     "check examples/heunginjimun_gate",
     "check examples/free_columns",
     "check examples/three_storey_pagoda --sensitivity",

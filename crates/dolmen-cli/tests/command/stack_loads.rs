@@ -56,11 +56,7 @@ fn exact_a_block_in_wind_is_judged_by_the_moment_about_its_edge() {
         assert_eq!(of["grows"], "all");
     }
     let full = scratch.dolmen("check windy.toml");
-    for said in [
-        "Wind and static loads",
-        "What the wind meets",
-        "towards +x",
-    ] {
+    for said in ["Wind and static loads", "What the wind meets", "towards +x"] {
         assert!(full.words().contains(said), "{said}: {}", full.stdout);
     }
     let korean = scratch.briefly("check windy.toml --language ko");

@@ -12,6 +12,9 @@ use crate::wrong::{Common, WrongLoads};
 use dolmen_words::message::Both;
 use dolmen_words::nearest;
 
+/// Heights that differ by less are the same, m: three courses of 0.3 m end at 0.9 m but for rounding. Chosen here.
+const ROUNDING_M: f64 = 1e-9;
+
 /// Parts that loads can act on: how lists of them are called, and their names.
 pub(super) struct Parts {
     /// Whether they are the stones of a stack, which forces meet in three dimensions.
@@ -117,7 +120,7 @@ pub(super) fn part_of(reader: &mut Reader, raw: &At<String>, path: &str, parts: 
 /// Refuses a height that is not on its part.
 pub(super) fn on_part(reader: &mut Reader, height: &Quantity, part: usize, parts: &Parts) -> Option<()> {
     let [bottom_m, top_m] = parts.ends_m[part];
-    if (bottom_m..=top_m).contains(&height.value) {
+    if (bottom_m - ROUNDING_M..=top_m + ROUNDING_M).contains(&height.value) {
         return Some(());
     }
     let message = WrongLoads::IsNotOn {

@@ -46,6 +46,8 @@ mod stack_ends;
 mod stack_falls;
 mod stack_limits;
 mod stack_loads;
+mod stack_loads_in_time;
+mod stack_loads_microlp;
 mod stack_motion;
 mod stack_rigid;
 mod stack_rocking;
