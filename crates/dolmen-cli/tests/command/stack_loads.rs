@@ -91,6 +91,13 @@ fn exact_static_loads_take_their_part_of_the_first_motion() {
     let answer = scratch.briefly(&format!("check {file}"));
     assert_eq!(answer.status, 1, "{}", answer.stdout);
     assert!(answer.words().contains("does not stand"), "{}", answer.stdout);
+    assert!(
+        answer
+            .words()
+            .contains("VERDICT Weight and loads: unstable under its static loads"),
+        "{}",
+        answer.stdout
+    );
     let run = scratch.dolmen(&format!("simulate {file} --motion el-centro-1940-ns"));
     assert_eq!(run.status, 1, "{} {}", run.stdout, run.stderr);
 }

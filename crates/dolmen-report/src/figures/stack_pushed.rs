@@ -106,7 +106,7 @@ fn plane_of_loads(stack: &Stack) -> [f64; 2] {
 fn arrow(scene: &mut Scene, end: [f64; 2], of: &Arrow, px_per_n: f64) {
     let along = [of.force[0] * px_per_n, -of.force[1] * px_per_n];
     let length = along[0].hypot(along[1]);
-    if !(length >= SHORTEST_PX) {
+    if !length.is_finite() || length < SHORTEST_PX {
         return;
     }
     let start = [end[0] - along[0], end[1] - along[1]];

@@ -213,11 +213,10 @@ impl Grid {
 
     fn seen(&self, all: &[Facing]) -> Vec<Silhouette> {
         let mut rows: Vec<Vec<Cells>> = vec![vec![Cells::default(); self.size[1]]; all.len()];
-        for row in 0..self.size[1] {
-            for column in 0..self.size[0] {
-                if let Some((block, _)) = self.seen[row * self.size[0] + column] {
-                    rows[block][row].add(self.place(column, row));
-                }
+        for (cell, seen) in self.seen.iter().enumerate() {
+            if let Some((block, _)) = seen {
+                let (column, row) = (cell % self.size[0], cell / self.size[0]);
+                rows[*block][row].add(self.place(column, row));
             }
         }
         let each = all.iter().zip(&self.own).zip(&rows);
