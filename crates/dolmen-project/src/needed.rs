@@ -148,12 +148,27 @@ pub(super) fn lengths<const N: usize>(
     path: &str,
     as_written: impl Into<Both>,
 ) -> Option<[Quantity; N]> {
-    if raw.value.len() != N {
+    numbers(
+        reader,
+        (&raw.value, &raw.span),
+        (path, Measure::Length),
+        as_written,
+    )
+}
+
+/// As many numbers of one measure as must be there, of any sign.
+pub(super) fn numbers<const N: usize>(
+    reader: &mut Reader,
+    (list, span): (&[At<QuantityRaw>], &Range<usize>),
+    (path, measure): (&str, Measure),
+    as_written: impl Into<Both>,
+) -> Option<[Quantity; N]> {
+    if list.len() != N {
         let message = Common::HasNumbers {
             path: path.to_string(),
-            count: raw.value.len().to_string(),
+            count: list.len().to_string(),
         };
-        let fault = Fault::new(raw.span.clone(), path, message);
+        let fault = Fault::new(span.clone(), path, message);
         reader.fault(fault.allowed(WrongFile::MustBe {
             n: N.to_string(),
             as_written: as_written.into(),
@@ -161,9 +176,9 @@ pub(super) fn lengths<const N: usize>(
         return None;
     }
     let mut all = Vec::with_capacity(N);
-    for (i, raw) in raw.value.iter().enumerate() {
+    for (i, raw) in list.iter().enumerate() {
         let path = format!("{path}[{}]", i + 1);
-        all.extend(reader.quantity(Some(raw), &path, Measure::Length, Bound::Any));
+        all.extend(reader.quantity(Some(raw), &path, measure, Bound::Any));
     }
     all.try_into().ok()
 }

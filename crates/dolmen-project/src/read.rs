@@ -286,6 +286,9 @@ fn of_raw(
         None => None,
     };
     let loads = loads(&mut reader, &raw, structure.as_ref());
+    if let Some(Structure::Stack(part)) = &mut structure {
+        part.static_loads.clone_from(&loads.loads);
+    }
     if !reader.has_wrong_units {
         judge_loads(&mut reader, &loads);
         slips::judge(&mut reader, gravity.as_ref(), structure.as_ref(), &surveys);

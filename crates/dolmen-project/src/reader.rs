@@ -426,9 +426,20 @@ impl<'f> Reader<'f> {
         bound: Bound,
     ) -> Option<Quantity> {
         let raw = raw?;
-        self.mark(path, &raw.span);
-        let (plain, table, span) = match &raw.value {
-            QuantityRaw::Plain(plain) => (plain, None, &raw.span),
+        self.quantity_at((&raw.value, &raw.span), path, measure, bound)
+    }
+
+    /// The same of a value and its place.
+    pub(super) fn quantity_at(
+        &mut self,
+        (value, at): (&QuantityRaw, &Range<usize>),
+        path: &str,
+        measure: Measure,
+        bound: Bound,
+    ) -> Option<Quantity> {
+        self.mark(path, at);
+        let (plain, table, span) = match value {
+            QuantityRaw::Plain(plain) => (plain, None, at),
             QuantityRaw::Table(table) => {
                 let value = table.value.as_ref()?;
                 (&value.value, Some(table), &value.span)
@@ -447,7 +458,7 @@ impl<'f> Reader<'f> {
             path: path.to_owned(),
             written: number.written,
         };
-        let is_own = |own: &BTreeSet<usize>| own.contains(&raw.span.start);
+        let is_own = |own: &BTreeSet<usize>| own.contains(&at.start);
         if self.own.as_ref().is_none_or(is_own) {
             quantity.source = self.evidence;
         }
@@ -474,7 +485,7 @@ impl<'f> Reader<'f> {
                     path: path.to_string(),
                     written: quantity.written.to_string(),
                 };
-                let fault = Fault::new(raw.span.clone(), path, message);
+                let fault = Fault::new(at.clone(), path, message);
                 self.fault(
                     fault
                         .allowed(WrongNumber::ScatterAboveZero)

@@ -87,13 +87,18 @@ fn model<'a>(whole: &mut Document<'a>, answer: &'a ProjectReport, state: &'a Sta
             whole.append(loads::sections(
                 &answer.project.loads,
                 state.loads.as_ref(),
-                heights_m,
+                loads::Loaded::Chain(heights_m),
             ));
         }
         (Structure::Frame(part), Check::Frame(all)) => whole.append(frame::sections(part, all)),
         (_, Check::Stack(check)) => {
             let shaking = stack::peak_g(answer, check);
             whole.append(stack::sections(check, &state.spring_fits, shaking));
+            whole.append(loads::sections(
+                &answer.project.loads,
+                state.loads.as_ref(),
+                loads::Loaded::Stack(&check.stack),
+            ));
         }
         (_, Check::Building(check)) => whole.append(building::sections(check)),
         (_, Check::Chain(_) | Check::Frame(_)) => {}

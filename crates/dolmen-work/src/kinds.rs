@@ -102,6 +102,7 @@ pub(crate) fn loads(
             let tilt_rad = TiltCheck::resultant(tilts);
             chain::loads::loads(part, &project.loads, check, tilt_rad, pick)
         }
+        (_, Check::Stack(answer)) => stack::loads::loads(&project.loads, answer, pick),
         _ => Ok(None),
     }
 }

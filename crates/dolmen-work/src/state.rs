@@ -324,7 +324,11 @@ impl State {
     /// Wind and loads, where they make the verdict what it is.
     pub fn governing_loads(&self) -> Option<&LoadsAnswer> {
         let loads = self.loads.as_ref()?;
-        (self.weight_verdict() != self.verdict()).then_some(loads)
+        let verdict = self.verdict();
+        // static loads of a stack are in its check already
+        let in_check = matches!(&self.check, Check::Stack(answer) if !answer.stack.static_loads().is_empty());
+        let is_one = in_check && verdict != Verdict::Stable && loads.verdict() == verdict;
+        (is_one || self.weight_verdict() != verdict).then_some(loads)
     }
 
     /// Against the demand of its site; `None` if that is not compared.

@@ -11,6 +11,7 @@ const COMMANDS: [&str; 39] = [
     "check examples/naju_flagpole --samples 20 --sensitivity",
     "check examples/naju_flagpole/wind.toml",
     "check examples/naju_flagpole/one_stone.toml",
+    "check examples/wall/wind.toml",
     "check examples/heunginjimun_gate",
     "check examples/free_columns",
     "check examples/three_storey_pagoda --sensitivity",

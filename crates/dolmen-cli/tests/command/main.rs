@@ -44,6 +44,7 @@ mod sentences;
 mod signals;
 mod simulations;
 mod sliding_model;
+mod stack_loads;
 mod stacks;
 #[cfg(target_os = "linux")]
 mod store_disks;

@@ -1,5 +1,6 @@
 //! Wind, static loads and combinations as they are written.
 
+use super::file_force::ForceRaw;
 use crate::file_number::{At, QuantityRaw};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{Deserialize, Deserializer, MapAccess, Visitor, value::MapAccessDeserializer};
@@ -162,8 +163,10 @@ pub(crate) struct LoadRaw {
     pub(super) at: Option<At<String>>,
     /// Height above the ground at which it acts; the top of the part if not given.
     pub(super) height: Option<At<QuantityRaw>>,
-    /// Force from the side; its sign is a direction.
-    pub(super) force: Option<At<QuantityRaw>>,
+    /// Of a stack: the point at which it acts, [x, y, z], z up from the ground; the middle of the stone at height if not given.
+    pub(super) position: Option<At<Vec<At<QuantityRaw>>>>,
+    /// Force from the side; its sign is a direction. Of a stack [x, y, z], z upwards.
+    pub(super) force: Option<At<ForceRaw>>,
     /// Weight that it adds.
     pub(super) weight: Option<At<QuantityRaw>>,
     /// Overturning moment, in the direction of force.

@@ -1,6 +1,7 @@
 //! What acts on a structure beside its own weight: wind, static loads, and their combinations.
 
 mod file;
+mod file_force;
 mod part;
 mod parts;
 mod read;

@@ -80,8 +80,12 @@ pub struct LoadPart {
     pub part: usize,
     /// Height above the ground, m; `None`: the top of the part.
     pub height: Option<Quantity>,
-    /// Force from the side, N.
+    /// The point at which it acts, m, of a stack; `None`: the middle of the stone in plan, at that height.
+    pub position: Option<[Quantity; 3]>,
+    /// Force from the side, N, of a chain.
     pub force: Option<Quantity>,
+    /// Force along x, y and upwards, N, of a stack.
+    pub components: Option<[Quantity; 3]>,
     /// Weight that it adds, N.
     pub weight: Option<Quantity>,
     /// Overturning moment, N m.
@@ -199,7 +203,9 @@ impl LoadsPart {
                     .iter()
                     .chain(&load.force)
                     .chain(&load.weight)
-                    .chain(&load.moment),
+                    .chain(&load.moment)
+                    .chain(load.position.iter().flatten())
+                    .chain(load.components.iter().flatten()),
             );
         }
     }

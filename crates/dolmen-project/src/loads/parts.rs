@@ -7,14 +7,20 @@ use crate::file_number::At;
 use crate::measure::Measure;
 use crate::quantity::Quantity;
 use crate::reader::Reader;
+use crate::stack::StackPart;
 use crate::wrong::{Common, WrongLoads};
 use dolmen_words::message::Both;
 use dolmen_words::nearest;
 
+/// Heights that differ by less are the same, m: three courses of 0.3 m end at 0.9 m but for rounding. Chosen here.
+const ROUNDING_M: f64 = 1e-9;
+
 /// Parts that loads can act on: how lists of them are called, and their names.
-pub(super) struct Parts<'a> {
+pub(super) struct Parts {
+    /// Whether they are the stones of a stack, which forces meet in three dimensions.
+    pub(super) are_stones: bool,
     pub(super) list: &'static str,
-    pub(super) names: Vec<Option<&'a str>>,
+    pub(super) names: Vec<Option<String>>,
     /// Height of the lower and upper end of each above the ground, m.
     pub(super) ends_m: Vec<[f64; 2]>,
     /// Whether the width of each across the wind is known.
@@ -22,11 +28,12 @@ pub(super) struct Parts<'a> {
 }
 
 /// The parts of a structure that can be loaded; `None` where loads are not read.
-pub(super) fn parts(structure: &Structure) -> Option<Parts<'_>> {
+pub(super) fn parts(structure: &Structure) -> Option<Parts> {
     match structure {
         Structure::Chain(part) => Some(Parts {
+            are_stones: false,
             list: "links",
-            names: part.links.iter().map(|link| link.name.as_deref()).collect(),
+            names: part.links.iter().map(|link| link.name.clone()).collect(),
             ends_m: {
                 let mut top_m = 0.0;
                 let ends = |link: &LinkPart| {
@@ -42,15 +49,35 @@ pub(super) fn parts(structure: &Structure) -> Option<Parts<'_>> {
                 .map(|link| link.breadth.is_some() || link.bed_width.is_some())
                 .collect(),
         }),
-        Structure::Frame(_) | Structure::Stack(_) | Structure::Building(_) | Structure::Survey => None,
+        Structure::Stack(part) => Some(stones(part)),
+        Structure::Frame(_) | Structure::Building(_) | Structure::Survey => None,
+    }
+}
+
+/// The stones of a stack; none of one that cannot be built, which is refused elsewhere.
+fn stones(part: &StackPart) -> Parts {
+    let built = part.build(&mut Quantity::nominal);
+    let blocks = built.as_ref().map_or(&[][..], |stack| stack.blocks());
+    Parts {
+        are_stones: true,
+        list: "blocks",
+        names: blocks.iter().map(|block| Some(block.name.clone())).collect(),
+        ends_m: blocks
+            .iter()
+            .map(|block| block.solid.bounds_m().map(|end| end[2]))
+            .collect(),
+        has_width: vec![true; blocks.len()],
     }
 }
 
 /// The number of a part, from 0, by its name or as "links[2]".
-pub(super) fn part_of(reader: &mut Reader, raw: &At<String>, path: &str, parts: &Parts<'_>) -> Option<usize> {
+pub(super) fn part_of(reader: &mut Reader, raw: &At<String>, path: &str, parts: &Parts) -> Option<usize> {
     let written = raw.value.trim();
+    if parts.names.is_empty() {
+        return None;
+    }
     let named: Vec<usize> = (0..parts.names.len())
-        .filter(|i| parts.names[*i] == Some(written))
+        .filter(|i| parts.names[*i].as_deref() == Some(written))
         .collect();
     let numbered = written
         .strip_prefix(parts.list)
@@ -72,11 +99,12 @@ pub(super) fn part_of(reader: &mut Reader, raw: &At<String>, path: &str, parts: 
                     written: written.to_string(),
                 },
             };
-            let help: Both = match nearest(written, parts.names.iter().flatten().copied()) {
+            let help: Both = match nearest(written, parts.names.iter().flatten().map(String::as_str)) {
                 Some(near) if several.is_empty() => Common::DidYouMean {
                     near: near.to_string(),
                 }
                 .into(),
+                _ if parts.are_stones => WrongLoads::WriteNameOfStone.into(),
                 _ => WrongLoads::WriteForLowestTo {
                     list: parts.list.to_string(),
                     count: parts.names.len().to_string(),
@@ -90,9 +118,9 @@ pub(super) fn part_of(reader: &mut Reader, raw: &At<String>, path: &str, parts: 
 }
 
 /// Refuses a height that is not on its part.
-pub(super) fn on_part(reader: &mut Reader, height: &Quantity, part: usize, parts: &Parts<'_>) -> Option<()> {
+pub(super) fn on_part(reader: &mut Reader, height: &Quantity, part: usize, parts: &Parts) -> Option<()> {
     let [bottom_m, top_m] = parts.ends_m[part];
-    if (bottom_m..=top_m).contains(&height.value) {
+    if (bottom_m - ROUNDING_M..=top_m + ROUNDING_M).contains(&height.value) {
         return Some(());
     }
     let message = WrongLoads::IsNotOn {

@@ -1,15 +1,17 @@
 //! Static loads and combinations from what is written.
 
 use super::file::{CombinationRaw, LoadRaw};
+use super::file_force::ForceRaw;
 use super::part::{CombinationPart, LoadPart, LoadsPart, WindPart};
 use super::parts::{Parts, on_part, part_of, parts};
 use super::read_wind::wind;
 use crate::content::Structure;
 use crate::error::Fault;
 use crate::file::FileRaw;
-use crate::file_number::At;
+use crate::file_number::{At, QuantityRaw};
 use crate::measure::{Bound, Measure};
-use crate::needed::listed;
+use crate::needed::{lengths, listed, numbers};
+use crate::quantity::Quantity;
 use crate::reader::Reader;
 use crate::written::short;
 use crate::wrong::{Common, WrongLoads};
@@ -99,25 +101,37 @@ pub(crate) fn loads(reader: &mut Reader, raw: &FileRaw, structure: Option<&Struc
     }
 }
 
-fn load(reader: &mut Reader, raw: &At<LoadRaw>, path: &str, parts: &Parts<'_>) -> Option<LoadPart> {
+fn load(reader: &mut Reader, raw: &At<LoadRaw>, path: &str, parts: &Parts) -> Option<LoadPart> {
     let of = &raw.value;
     let at = of.at.as_ref()?;
     let part = part_of(reader, at, &format!("{path}.at"), parts);
+    let before = reader.faults.len();
+    foreign(reader, of, path, parts);
+    let (force, components) = forces(reader, of, path, parts);
+    let position = of.position.as_ref().and_then(|raw| {
+        let path = format!("{path}.position");
+        lengths(reader, raw, &path, "[x, y, z]")
+    });
     let mut read =
         |raw, key: &str, measure, bound| reader.quantity(raw, &format!("{path}.{key}"), measure, bound);
     let height = read(of.height.as_ref(), "height", Measure::Length, Bound::NotNegative);
-    let force = read(of.force.as_ref(), "force", Measure::Force, Bound::Any);
     let weight = read(of.weight.as_ref(), "weight", Measure::Force, Bound::NotNegative);
     let moment = read(of.moment.as_ref(), "moment", Measure::Moment, Bound::Any);
+    (reader.faults.len() == before).then_some(())?;
     if of.force.is_none() && of.weight.is_none() && of.moment.is_none() {
-        let fault = Fault::new(
-            raw.span.clone(),
-            path,
-            WrongLoads::HasNoForceWeight {
+        let message = match parts.are_stones {
+            true => WrongLoads::HasNoForce {
                 path: path.to_string(),
             },
-        );
-        reader.fault(fault.help(WrongLoads::GiveForceFromSide));
+            false => WrongLoads::HasNoForceWeight {
+                path: path.to_string(),
+            },
+        };
+        let help = match parts.are_stones {
+            true => WrongLoads::GiveForceOfThree,
+            false => WrongLoads::GiveForceFromSide,
+        };
+        reader.fault(Fault::new(raw.span.clone(), path, message).help(help));
         return None;
     }
     if let Some(height) = &height {
@@ -127,10 +141,69 @@ fn load(reader: &mut Reader, raw: &At<LoadRaw>, path: &str, parts: &Parts<'_>) -
         name: of.name.as_ref()?.value.clone(),
         part: part?,
         height,
+        position,
         force,
+        components,
         weight,
         moment,
     })
+}
+
+/// The force from the side, or its three components.
+fn forces(
+    reader: &mut Reader,
+    of: &LoadRaw,
+    path: &str,
+    parts: &Parts,
+) -> (Option<Quantity>, Option<[Quantity; 3]>) {
+    let Some(raw) = &of.force else {
+        return (None, None);
+    };
+    let path = format!("{path}.force");
+    let refuse = |reader: &mut Reader, message: WrongLoads, help: WrongLoads| {
+        reader.fault(Fault::new(raw.span.clone(), &path, message).help(help));
+        (None, None)
+    };
+    match (&raw.value, parts.are_stones) {
+        (ForceRaw::Along(value), false) => (
+            reader.quantity_at((value, &raw.span), &path, Measure::Force, Bound::Any),
+            None,
+        ),
+        (ForceRaw::Components(list), true) => (
+            None,
+            numbers(reader, (list, &raw.span), (&path, Measure::Force), "[x, y, z]"),
+        ),
+        (ForceRaw::Along(_), true) => {
+            let message = WrongLoads::ForceOnStoneNeedsDirection { path: path.clone() };
+            refuse(reader, message, WrongLoads::GiveForceOfThree)
+        }
+        (ForceRaw::Components(_), false) => {
+            let message = WrongLoads::ForceIsFromSide { path: path.clone() };
+            refuse(reader, message, WrongLoads::GiveForceFromSide)
+        }
+    }
+}
+
+/// Keys of another kind of structure.
+fn foreign(reader: &mut Reader, of: &LoadRaw, path: &str, parts: &Parts) {
+    let span = |at: &Option<At<QuantityRaw>>| at.as_ref().map(|at| at.span.clone());
+    let position = of.position.as_ref().map(|at| at.span.clone());
+    let both = position.clone().filter(|_| of.height.is_some());
+    let keys = match parts.are_stones {
+        true => vec![
+            ("weight", span(&of.weight), WrongLoads::WeightOfStoneIs),
+            ("moment", span(&of.moment), WrongLoads::MomentOfStoneIs),
+            ("position", both, WrongLoads::PositionHasHeight),
+        ],
+        false => vec![("position", position, WrongLoads::GiveHeightInstead)],
+    };
+    for (key, span, help) in keys {
+        if let Some(span) = span {
+            let path = format!("{path}.{key}");
+            let message = WrongLoads::IsNotReadHere { path: path.clone() };
+            reader.fault(Fault::new(span, &path, message).help(help));
+        }
+    }
 }
 
 fn combination(reader: &mut Reader, name: &str, raw: &At<CombinationRaw>) -> Option<CombinationPart> {

@@ -16,7 +16,7 @@ use std::ops::Range;
 /// Factors for hills and importance, our choice: codes end at 2 or so.
 const FACTOR: (f64, f64) = (0.5, 3.0);
 
-pub(super) fn wind(reader: &mut Reader, raw: &At<WindOrShelteredRaw>, parts: &Parts<'_>) -> Option<WindPart> {
+pub(super) fn wind(reader: &mut Reader, raw: &At<WindOrShelteredRaw>, parts: &Parts) -> Option<WindPart> {
     reader.mark("wind", &raw.span);
     let of = match &raw.value {
         WindOrShelteredRaw::Sheltered => return Some(WindPart::Sheltered),
@@ -55,7 +55,7 @@ pub(super) fn wind(reader: &mut Reader, raw: &At<WindOrShelteredRaw>, parts: &Pa
 }
 
 /// Parts that the wind meets and whose width nobody gave.
-fn widths_known(reader: &mut Reader, areas: &[WindArea], parts: &Parts<'_>) {
+fn widths_known(reader: &mut Reader, areas: &[WindArea], parts: &Parts) {
     let is_given = |part: usize| {
         areas
             .iter()
@@ -268,7 +268,7 @@ fn terrain(reader: &mut Reader, of: &WindRaw, code: WindCodeRaw, span: &Range<us
     Some(ground)
 }
 
-fn area(reader: &mut Reader, raw: &At<WindAreaRaw>, path: &str, parts: &Parts<'_>) -> Option<WindArea> {
+fn area(reader: &mut Reader, raw: &At<WindAreaRaw>, path: &str, parts: &Parts) -> Option<WindArea> {
     let of = &raw.value;
     let part = of
         .part

@@ -7,10 +7,11 @@ use super::part::{
 };
 use super::surveyed_lean::Turn;
 use super::vectors::{centroid, unit_normal};
+use crate::loads::LoadPart;
 use crate::quantity::{Pick, Quantity};
 use dolmen::structure::stack::{
     BED_GAP_M, Block, Body, Joint, JointMaterial, Pagoda, PagodaFactors, PagodaSlenderness, Placement,
-    SideSupport, Solid, Stack, StackError, SupportMovement, Tie, pagoda,
+    SideSupport, Solid, Stack, StackError, StaticLoad, SupportMovement, Tie, pagoda,
 };
 
 /// Least rise of the normal of a face that can be stood on, as cosine: 45°. Chosen here; what leans more is a side.
@@ -408,6 +409,13 @@ impl StackPart {
                 .with_support_movement(movement)
                 .map_err(|why| StackFault::part(path, why))?;
         }
+        for (i, part) in self.static_loads.iter().enumerate() {
+            let path = format!("loads[{}]", i + 1);
+            let load = static_load(part, &stack, turn, pick);
+            stack = stack
+                .with_static_load(load)
+                .map_err(|why| StackFault::part(path, why))?;
+        }
         Ok(stack)
     }
 
@@ -483,4 +491,28 @@ impl BlockPart {
 fn at_block(index: usize, why: StackError) -> StackFault {
     let path = format!("blocks[{}]", index + 1);
     StackFault::part(path, why)
+}
+
+/// A static load; without a position in the middle of its stone in plan, at its height or the top of the stone.
+fn static_load(part: &LoadPart, stack: &Stack, turn: Option<Turn>, pick: Pick<'_>) -> StaticLoad {
+    let position_m = match (&part.position, stack.blocks().get(part.part)) {
+        (Some(position), _) => {
+            let position_m = position.each_ref().map(&mut *pick);
+            turn.map_or(position_m, |turn| turn.point(position_m))
+        }
+        (None, Some(block)) => {
+            let [x, y, _] = block.solid.centroid_m();
+            let top_m = block.solid.bounds_m()[1][2];
+            [x, y, part.height.as_ref().map_or(top_m, &mut *pick)]
+        }
+        (None, None) => [f64::NAN; 3], // refused by the stack
+    };
+    StaticLoad {
+        block: part.part,
+        position_m,
+        force_n: part
+            .components
+            .as_ref()
+            .map_or([0.0; 3], |force| force.each_ref().map(&mut *pick)),
+    }
 }

@@ -1,6 +1,7 @@
 //! The stack of a project file.
 
 use super::surveyed_lean::SurveyedLean;
+use crate::loads::LoadPart;
 use crate::quantity::{Evidence, Quantity};
 use dolmen::structure::stack::{Body, Solid};
 
@@ -297,6 +298,8 @@ pub struct StackPart {
     pub side_supports: Vec<SideSupportPart>,
     /// Supports that spread or settle.
     pub support_movement: Vec<SupportMovementPart>,
+    /// Static loads on its blocks; their inputs are listed with those of the file's loads.
+    pub static_loads: Vec<LoadPart>,
     /// How it leans as surveyed; `None` if upright, or if blocks carry their own tilt.
     pub lean: Option<SurveyedLean>,
     /// Acceleration of gravity, m/s².

@@ -121,6 +121,7 @@ pub(crate) fn stack(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) -> Op
         ties: ties?,
         side_supports: side_supports?,
         support_movement: support_movement?,
+        static_loads: Vec::new(),
         lean: None,
         gravity_m_s2,
     };

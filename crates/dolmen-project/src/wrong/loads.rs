@@ -35,8 +35,8 @@ messages! {
             ko: "이 종류의 구조물에는 {key}을(를) 쓰지 않는다",
         },
         TakeItOutWind => {
-            en: "take it out: wind and static loads are for kind = \"chain\"",
-            ko: "삭제한다. 풍하중과 정하중은 kind = \"chain\"에만 쓴다",
+            en: "take it out: wind and static loads are for kind = \"chain\" and kind = \"stack\"",
+            ko: "삭제한다. 풍하중과 정하중은 kind = \"chain\"과 kind = \"stack\"에만 쓴다",
         },
         WriteWindSpeedMeans => {
             en: "write wind = {{ speed, means, force_coefficient }}, or wind = \"sheltered\"",
@@ -66,6 +66,43 @@ messages! {
         StonesWithoutWeightHold => {
             en: "stones without weight hold nothing: give the factor on the weight, such as 0.9 or 1",
             ko: "석재는 무게가 없으면 저항하지 못한다. 자중의 하중계수를 0.9나 1과 같이 입력한다",
+        },
+        WriteNameOfStone => {
+            en: "write the name of a stone as it is in the file",
+            ko: "파일에 있는 석재의 이름을 쓴다",
+        },
+        HasNoForce { path: String } => { en: "{path} has no force", ko: "{path}에 force가 없다" },
+        GiveForceOfThree => {
+            en: "give force = [x, y, z], z upwards: [0.4, 0, 0] pushes along x, [0, 0, -2] presses down",
+            ko: "force = [x, y, z]로 입력한다. z는 위쪽이며 [0.4, 0, 0]은 x 방향, [0, 0, -2]는 아래로 작용한다",
+        },
+        ForceOnStoneNeedsDirection { path: String } => {
+            en: "{path} is one number, but a stone is pushed in three dimensions",
+            ko: "{path}이(가) 수 하나이나 석재에 작용하는 힘은 세 방향 성분이 필요하다",
+        },
+        ForceIsFromSide { path: String } => {
+            en: "{path} has components, but links are pushed along one direction",
+            ko: "{path}에 성분이 여러 개이나 이 구조물의 힘은 한 방향이다",
+        },
+        IsNotReadHere { path: String } => {
+            en: "{path} is not read here",
+            ko: "{path}은(는) 여기에 쓰지 않는다",
+        },
+        WeightOfStoneIs => {
+            en: "what rests on a stone and shakes with it is a block of its own; what only presses is force = [0, 0, -w]",
+            ko: "석재 위에 놓여 함께 흔들리는 것은 별도의 블록으로, 누르기만 하는 것은 force = [0, 0, -w]로 쓴다",
+        },
+        MomentOfStoneIs => {
+            en: "give the force where it acts: position = [x, y, z] may lie off the stone, as at the end of a bracket",
+            ko: "힘을 작용점에 입력한다. position = [x, y, z]은 까치발 끝처럼 석재 밖이어도 된다",
+        },
+        PositionHasHeight => {
+            en: "its z is the height: keep position or height",
+            ko: "position의 z가 높이이므로 position과 height 중 하나만 쓴다",
+        },
+        GiveHeightInstead => {
+            en: "give height, above the lowest joint",
+            ko: "가장 아래 접합부에서 잰 height를 쓴다",
         },
         WriteMeansGustFor => {
             en: "write means = \"gust\" for a gust of some 3 s, or means = \"10 min\" with code = \"EN 1991-1-4\" or \"KDS 41 12 00\" for the mean that weather stations and maps of codes give: the force differs by a factor of 2 to 3",

@@ -1,7 +1,7 @@
 //! Wind, static loads and combinations in the project file: what they become, and every refusal with what to do.
 
 use dolmen::structure::wind::Wind;
-use dolmen_project::{Quantity, WindPart, parse_project};
+use dolmen_project::{Quantity, Structure, WindPart, parse_project};
 
 const POLE: &str = r#"schema = 1
 kind = "chain"
@@ -179,4 +179,103 @@ fn refuses_a_bed_that_crushes_and_a_strength_without_a_bed() {
     let bare = crushed.replace(", bed_width = 0.65", "");
     let said = parse_project(&bare, "pole.toml").unwrap_err().to_string();
     assert!(said.contains("the width of its bed is not"), "{said}");
+}
+
+const WALL: &str = r#"schema = 1
+kind = "stack"
+name = "wall"
+units = { force = "kN" }
+density = 2600
+wall = { length = 1.2, thickness = 0.4, courses = 3, course_height = 0.3, stone_length = 0.6 }
+"#;
+
+#[test]
+fn exact_loads_on_stones_are_read_in_si_and_act_on_the_stack() {
+    let text = format!(
+        "{WALL}loads = [{{ name = \"rope\", at = \"course 3 stone 1\", force = [0, \"300 N\", -0.5] }}, {{ name = \"sign\", at = \
+         \"course 2 stone 1\", position = [0.1, -0.5, 0.4], force = [0.1, 0, 0] }}, {{ name = \"low\", at = \"blocks[1]\", height = \
+         0.1, force = [1, 0, 0] }}]\nwind = {{ speed = 25, means = \"gust\", force_coefficient = 1.3, areas = [{{ part = \"course 3 \
+         stone 1\", area = 0.4, height = 0.9 }}] }}\n[combination.storm]\nwind = 1.5\nloads = 1\n"
+    );
+    let project = parse_project(&text, "wall.toml").unwrap();
+    let Structure::Stack(part) = &project.structure else {
+        panic!("no stack");
+    };
+    let stack = part.build(&mut Quantity::nominal).unwrap();
+    let loads = stack.static_loads();
+    assert_eq!(stack.blocks()[loads[0].block].name, "course 3 stone 1");
+    assert_eq!(loads[0].force_n, [0.0, 300.0, -500.0]);
+    // without a place: the middle of the stone in plan, at its top
+    let centroid = stack.blocks()[loads[0].block].solid.centroid_m();
+    assert_eq!(loads[0].position_m[..2], centroid[..2]);
+    assert!((loads[0].position_m[2] - 0.9).abs() < 1e-12);
+    assert_eq!(loads[1].position_m, [0.1, -0.5, 0.4]);
+    assert!((loads[2].position_m[2] - 0.1).abs() < 1e-15 && loads[2].block == 0);
+    assert_eq!(project.loads.combinations[0].wind, 1.5);
+    // every component is an input of the file once
+    let paths: Vec<&str> = project.inputs().iter().map(|input| input.path.as_str()).collect();
+    for path in [
+        "loads[1].force[2]",
+        "loads[2].position[3]",
+        "loads[3].height",
+        "wind.areas[1].area",
+    ] {
+        assert_eq!(
+            paths.iter().filter(|own| **own == path).count(),
+            1,
+            "{path}: {paths:?}"
+        );
+    }
+}
+
+#[test]
+fn refuses_loads_on_stones_that_are_written_as_those_on_links_and_the_other_way() {
+    let on_wall = |load: &str| {
+        let text = format!("{WALL}loads = [{{ name = \"a\", at = \"course 3 stone 1\", {load} }}]\n");
+        parse_project(&text, "wall.toml").unwrap_err().to_string()
+    };
+    for (load, message, help) in [
+        ("force = 1", "is one number", "force = [x, y, z]"),
+        ("force = [1, 0]", "has 2 numbers", "must be 3"),
+        ("height = 0.8", "has no force", "[0, 0, -2] presses down"),
+        (
+            "force = [1, 0, 0], weight = 2",
+            "weight is not read here",
+            "a block of its own",
+        ),
+        (
+            "force = [1, 0, 0], moment = 2",
+            "moment is not read here",
+            "end of a bracket",
+        ),
+        (
+            "force = [1, 0, 0], height = 0.8, position = [0, 0, 0.8]",
+            "position is not read here",
+            "keep position or height",
+        ),
+        (
+            "force = [1, 0, 0], height = 0.5",
+            "is not on blocks[",
+            "must be 0.6 m to",
+        ),
+        (
+            "force = [1, 0, 0], position = [0, 0, 80]",
+            "a static load",
+            "is it in mm",
+        ),
+    ] {
+        let said = on_wall(load);
+        assert!(said.contains(message), "{load}: {said}");
+        assert!(said.contains(help), "{load}: {said}");
+    }
+    let other = format!("{WALL}loads = [{{ name = \"a\", at = \"course 4 stone 1\", force = [1, 0, 0] }}]\n");
+    let text = parse_project(&other, "wall.toml").unwrap_err().to_string();
+    assert!(text.contains("there is no part \"course 4 stone 1\""), "{text}");
+    for (load, message) in [
+        ("force = [1, 0, 0]", "pushed along one direction"),
+        ("force = 1, position = [0, 0, 5]", "position is not read here"),
+    ] {
+        let text = said(&format!("loads = [{{ name = \"a\", at = \"top\", {load} }}]"));
+        assert!(text.contains(message), "{load}: {text}");
+    }
 }

@@ -125,12 +125,19 @@ fn variant_text(
                         &loads::sections(
                             &own.project.loads,
                             variant.state.loads.as_ref(),
-                            chain::joint_heights_m(part),
+                            loads::Loaded::Chain(chain::joint_heights_m(part)),
                         ),
                         style,
                     )
             }
-            (_, Check::Stack(check), Some(Check::Stack(base))) if check == base => String::new(),
+            (_, Check::Stack(check), Some(Check::Stack(base))) if check == base => document_text(
+                &loads::sections(
+                    &own.project.loads,
+                    variant.state.loads.as_ref(),
+                    loads::Loaded::Stack(&check.stack),
+                ),
+                style,
+            ),
             (_, Check::Building(check), Some(Check::Building(base))) if check == base => String::new(),
             _ => sections_text(&own.project, &variant.state, style),
         };
@@ -163,12 +170,12 @@ fn sections_text(project: &Project, state: &State, style: TextStyle) -> String {
         (_, Check::Chain(_) | Check::Frame(_)) => Document::default(),
     };
     let asked = state.demand.as_ref().map(demand::sections).unwrap_or_default();
-    let loaded = match structure {
-        Structure::Chain(part) => {
-            let heights_m = chain::joint_heights_m(part);
-            loads::sections(&project.loads, state.loads.as_ref(), heights_m)
-        }
-        _ => Document::default(),
+    let of = match (structure, &state.check) {
+        (Structure::Chain(part), _) => Some(loads::Loaded::Chain(chain::joint_heights_m(part))),
+        (_, Check::Stack(answer)) => Some(loads::Loaded::Stack(&answer.stack)),
+        _ => None,
     };
+    let loaded = of.map(|of| loads::sections(&project.loads, state.loads.as_ref(), of));
+    let loaded = loaded.unwrap_or_default();
     document_text(&sections, style) + &document_text(&loaded, style) + &document_text(&asked, style)
 }

@@ -37,6 +37,7 @@ mod stack;
 mod stack_directions;
 mod stack_histories;
 mod stack_limits;
+mod stack_pushed;
 mod stack_view;
 mod study;
 mod study_growth;
@@ -81,6 +82,7 @@ pub use stack_directions::stack_directions;
 pub(crate) use stack_histories::StackPlot;
 pub use stack_histories::stack_histories;
 pub use stack_limits::{stack_capacity, stack_governing};
+pub(crate) use stack_pushed::stack_pushed;
 pub use study::study_figures;
 pub(crate) use tune::tune_drawings;
 pub use tune::tune_figures;
@@ -88,9 +90,10 @@ pub(crate) use words::TEMPLATES;
 pub use years::years;
 
 /// The words of single figures as they are written.
-pub(crate) const OF_SINGLE_FIGURES: [&[Template]; 4] = [
+pub(crate) const OF_SINGLE_FIGURES: [&[Template]; 5] = [
     damage_map::Mapped::TEMPLATES,
     drawing::Drawn::TEMPLATES,
     moved_supports::Shown::TEMPLATES,
+    stack_pushed::Shown::TEMPLATES,
     years::Panels::TEMPLATES,
 ];

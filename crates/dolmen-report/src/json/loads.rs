@@ -1,6 +1,6 @@
 //! Wind and static loads as JSON.
 
-use dolmen_work::loads::{CombinationAnswer, LoadsAnswer};
+use dolmen_work::loads::{CombinationAnswer, Combined, LoadsAnswer};
 use serde_json::{Value, json};
 
 /// What wind and static loads do.
@@ -21,15 +21,30 @@ pub(super) fn loads(answer: &LoadsAnswer) -> Value {
 }
 
 fn combination(of: &CombinationAnswer) -> Value {
-    json!({
+    let mut value = json!({
         "name": of.name,
         "weight": of.weight,
         "wind": of.wind,
         "loads": of.loads,
         "verdict": of.verdict(),
         "load_factor": of.factor().filter(|factor| factor.is_finite()),
-        "wind_reversed": of.chain.wind_reversed,
-        "weight_factor": of.chain.weight_factor.filter(|factor| factor.is_finite()),
-        "under": of.chain.under,
-    })
+    });
+    let own = match &of.of {
+        Combined::Chain(chain) => json!({
+            "wind_reversed": chain.wind_reversed,
+            "weight_factor": chain.weight_factor.filter(|factor| factor.is_finite()),
+            "under": chain.under,
+        }),
+        Combined::Stack(stack) => json!({
+            "at_least": Some(stack.found.at_least).filter(|factor| factor.is_finite()),
+            "grows": stack.grows,
+            "wind_to": stack.wind_to,
+            "blown": stack.blown,
+            "mechanism": stack.found.mechanism,
+        }),
+    };
+    if let (Value::Object(all), Value::Object(own)) = (&mut value, own) {
+        all.extend(own);
+    }
+    value
 }

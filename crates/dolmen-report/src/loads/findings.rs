@@ -1,12 +1,15 @@
 //! What wind and static loads do, in plain words.
 
 use crate::document::{Finding, Tone};
+use crate::stack::{direction, joints_moving};
+use dolmen::assess::StackUnderLoads;
 use dolmen::stability::Verdict;
+use dolmen::structure::stack::Stack;
 use dolmen::structure::wind::{Resonance, WindError};
 use dolmen_project::{Project, Structure, WindPart};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
-use dolmen_work::loads::{CombinationAnswer, LoadsAnswer};
-use dolmen_work::state::State;
+use dolmen_work::loads::{ChainCombination, CombinationAnswer, Combined, LoadsAnswer};
+use dolmen_work::state::{Check, State};
 
 /// Digits of a factor in a sentence.
 const DIGITS: usize = 3;
@@ -56,6 +59,32 @@ messages! {
             en: "{what}: whether it is borne is unknown. Joint {joint} passes {moment} at the least, without what the weight adds as it leans; that needs the stiffness of the joints and the widths of their beds.",
             ko: "{what}: 저항 여부를 판정할 수 없다. 접합면 {joint}의 모멘트는 최소 {moment}이며 기울어짐에 따른 자중의 증가분은 포함되지 않았다. 접합부 강성과 접합면 폭이 필요하다.",
         },
+        StackFalls { what: Sentence, factor: Quantity, moves: Sentence } => {
+            en: "{what}: the stones do not bear it; {factor} times the load is borne. {moves}",
+            ko: "{what}: 석재가 견디지 못한다. 하중의 {factor}배에서 한계에 이른다. {moves}",
+        },
+        StackBears { what: Sentence, factor: Quantity, stable: Quantity, moves: Sentence } => {
+            en: "{what}: {factor} times the load is borne; “stable” needs {stable}. {moves}",
+            ko: "{what}: 하중의 {factor}배까지 견디며 ‘안정’ 판정에는 {stable}배가 필요하다. {moves}",
+        },
+        MovesInWind { joints: Sentence, direction: Sentence } => {
+            en: "Then {joints}, the wind blowing towards {direction}.",
+            ko: "이때 {joints}이며 풍향은 {direction} 방향이다.",
+        },
+        Moves { joints: Sentence } => { en: "Then {joints}.", ko: "이때 {joints}이다." },
+        Towards { direction: Sentence } => {
+            en: "The worst wind blows towards {direction}.",
+            ko: "가장 불리한 풍향은 {direction} 방향이다.",
+        },
+        NoMechanism => { en: "What moves then was not found.", ko: "이때의 거동은 찾지 못하였다." },
+        NothingMoves { what: Sentence } => {
+            en: "{what}: nothing that it asks moves a stone, at ten times the weight of the whole either.",
+            ko: "{what}: 전체 자중의 10배에 이르도록 하중을 키워도 움직이는 석재가 없다.",
+        },
+        Slides => {
+            en: "Stones slide there while others share their load. The limit analysis lets sliding joints rise, which real ones do not: the factor is an upper bound.",
+            ko: "이때 하중을 나누어 지지하는 석재가 미끄러진다. 한계해석은 미끄러지는 접합면이 들리는 것으로 가정하나 실제는 그렇지 않으므로 저항 배수는 상한값이다.",
+        },
         NotKnown { why: Sentence } => {
             en: "The wind is not compared: {why}.",
             ko: "풍하중을 검토하지 못하였다. {why}.",
@@ -78,6 +107,14 @@ messages! {
             en: "at {frequency} resonance counts, which needs damping_ratio",
             ko: "고유진동수 {frequency}에서는 공진을 고려해야 하며 damping_ratio가 필요하다",
         },
+        StackSways { frequency: Quantity } => {
+            en: "on the springs of its joints it sways at {frequency}, where gusts near that frequency add to the pressure of the code. Give the gust of a wind study, or joints with a stiffness that was measured",
+            ko: "접합부 스프링에 의한 고유진동수가 {frequency}이며, 이때 기준의 풍압에 공진 효과가 더해진다. 풍하중 평가의 돌풍 값이나 계측된 접합부 강성을 입력한다",
+        },
+        StackFrequency => {
+            en: "its code asks for the lowest natural frequency, which was not found",
+            ko: "기준에 1차 고유진동수가 필요하나 구하지 못하였다",
+        },
         TooSoft { frequency: Quantity, least: Quantity } => {
             en: "its lowest frequency is {frequency}, and the gust factor of KDS 41 12 00 that is held here is for more than {least}: below it the resonant part comes on top. Use code = \"EN 1991-1-4\", whose Annex B holds it, or give the gust of a wind study",
             ko: "1차 고유진동수가 {frequency}이며, 여기에 구현된 KDS 41 12 00의 가스트영향계수는 {least}를 넘는 강체 구조물용이다. 그 이하에서는 공진 성분이 더해진다. 부속서 B가 있는 code = \"EN 1991-1-4\"를 쓰거나 풍동실험·풍하중 평가의 돌풍 값을 준다",
@@ -93,13 +130,22 @@ messages! {
     }
 }
 
+/// Whether every stone stands on one joint.
+fn is_pile(stack: &Stack) -> bool {
+    stack.joints().len() == stack.blocks().len()
+}
+
 fn hertz(frequency_hz: f64) -> Quantity {
     Quantity::new(frequency_hz, Unit::si("Hz"), Digits::Significant(DIGITS))
 }
 
 /// Why a wind is not known.
-pub(super) fn why_not(error: &WindError) -> Sentence {
+pub(super) fn why_not(error: &WindError, is_stack: bool) -> Sentence {
     match error {
+        WindError::FrequencyUnknown if is_stack => WhyNot::StackFrequency,
+        WindError::DampingUnknown { frequency_hz } if is_stack => WhyNot::StackSways {
+            frequency: hertz(*frequency_hz),
+        },
         WindError::FrequencyUnknown => WhyNot::Frequency,
         WindError::DampingUnknown { frequency_hz } => WhyNot::Damping {
             frequency: hertz(*frequency_hz),
@@ -149,7 +195,7 @@ pub(crate) fn findings(project: &Project, state: &State) -> Vec<Finding> {
     };
     let mut all = Vec::new();
     if let Some(Err(why)) = &answer.wind {
-        let why = why_not(why);
+        let why = why_not(why, matches!(state.check, Check::Stack(_)));
         all.push(Finding::key(Tone::Unknown, Found::NotKnown { why }));
     }
     let in_none = |of: fn(&CombinationAnswer) -> f64| answer.combinations.iter().all(|each| of(each) == 0.0);
@@ -159,7 +205,22 @@ pub(crate) fn findings(project: &Project, state: &State) -> Vec<Finding> {
     if answer.has_loads && in_none(|of| of.loads) && !answer.combinations.is_empty() {
         all.push(Finding::key(Tone::Warn, Found::LoadsInNone));
     }
-    all.extend(answer.worst().and_then(|worst| of_combination(answer, worst)));
+    let stack = match &state.check {
+        Check::Stack(answer) => Some(&answer.stack),
+        _ => None,
+    };
+    all.extend(
+        answer
+            .worst()
+            .and_then(|worst| of_combination(answer, worst, stack)),
+    );
+    let slides = answer
+        .worst()
+        .and_then(CombinationAnswer::stack)
+        .is_some_and(|under| under.found.slides());
+    if slides && stack.is_some_and(|stack| !is_pile(stack)) {
+        all.push(Finding::new(Tone::Warn, Found::Slides));
+    }
     if let Some(Ok(met)) = &answer.wind
         && met.resonance == Resonance::NotCounted
         && let Some(frequency_hz) = met.frequency_hz.filter(|hz| *hz < RESONANCE_BELOW_HZ)
@@ -173,17 +234,60 @@ pub(crate) fn findings(project: &Project, state: &State) -> Vec<Finding> {
     all
 }
 
-fn of_combination(answer: &LoadsAnswer, worst: &CombinationAnswer) -> Option<Finding> {
-    let what = what(answer, worst);
-    let under = &worst.chain.under;
-    let verdict = worst.verdict();
+fn of_combination(answer: &LoadsAnswer, worst: &CombinationAnswer, stack: Option<&Stack>) -> Option<Finding> {
+    match (&worst.of, stack) {
+        (Combined::Chain(chain), _) => of_chain(what(answer, worst), chain),
+        (Combined::Stack(under), Some(stack)) => Some(of_stack(what(answer, worst), under, stack)),
+        (Combined::Stack(_), None) => None,
+    }
+}
+
+/// What a stack bears of a combination.
+fn of_stack(what: Sentence, under: &StackUnderLoads, stack: &Stack) -> Finding {
+    let verdict = under.verdict();
+    let tone = Tone::of(verdict);
+    let factor = under.found.factor;
+    let moving = joints_moving(stack, under.found.mechanism.as_ref());
+    let moves = match (moving, under.wind_to) {
+        (Some(joints), Some(to)) => Found::MovesInWind {
+            joints,
+            direction: direction(to),
+        },
+        (Some(joints), None) => Found::Moves { joints },
+        (None, Some(to)) => Found::Towards {
+            direction: direction(to),
+        },
+        (None, None) => Found::NoMechanism,
+    };
+    let moves: Sentence = moves.into();
+    let said = match (factor == 0.0, factor.is_finite(), verdict) {
+        (true, ..) => Found::Falls { what },
+        (_, false, _) => Found::NothingMoves { what },
+        (_, _, Verdict::Unstable) => Found::StackFalls {
+            what,
+            factor: Quantity::beside_one(factor, DIGITS),
+            moves,
+        },
+        _ => Found::StackBears {
+            what,
+            factor: Quantity::beside_one(factor, DIGITS),
+            stable: Quantity::ratio(Verdict::MARGINAL_BELOW, 2),
+            moves,
+        },
+    };
+    Finding::key(tone, said)
+}
+
+fn of_chain(what: Sentence, chain: &ChainCombination) -> Option<Finding> {
+    let under = &chain.under;
+    let verdict = chain.verdict();
     let tone = Tone::of(verdict);
     if under.factor == Some(0.0) && under.joints.iter().all(|joint| joint.moment_n_m.is_none()) {
         return Some(Finding::key(tone, Found::Falls { what }));
     }
-    let weighs_too_much = matches!(worst.weight_verdict(), Verdict::Marginal | Verdict::Unstable);
+    let weighs_too_much = matches!(chain.weight_verdict(), Verdict::Marginal | Verdict::Unstable);
     let by_loads = under.factor.map_or(Verdict::Unknown, Verdict::of_load_factor);
-    if let (true, Verdict::Stable, Some(factor)) = (weighs_too_much, by_loads, worst.chain.weight_factor) {
+    if let (true, Verdict::Stable, Some(factor)) = (weighs_too_much, by_loads, chain.weight_factor) {
         let factor = Quantity::beside_one(factor, DIGITS);
         let stable = Quantity::ratio(Verdict::MARGINAL_BELOW, 2);
         return Some(Finding::key(tone, Found::Heavy { what, factor, stable }));

@@ -1,13 +1,16 @@
 //! The section of wind and static loads: combinations side by side, and the joints under the worst.
 
 use super::findings::{what, why_not};
+use super::on_stones;
 use crate::document::{Block, Cell, Column, Document, Table};
 use crate::figures::chain_moments;
+use crate::stack::direction;
 use dolmen::stability::{JointUnderLoads, Verdict};
+use dolmen::structure::stack::Stack;
 use dolmen::structure::wind::{EurocodeTerrain, Kds41Exposure};
 use dolmen_project::{LoadPart, LoadsPart, WindGiven, WindPart, WindSpeed};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
-use dolmen_work::loads::{CombinationAnswer, LoadsAnswer, WindMet};
+use dolmen_work::loads::{ChainCombination, CombinationAnswer, Combined, LoadsAnswer, WindMet};
 
 messages! {
     /// Tables and figures of wind and static loads.
@@ -50,6 +53,19 @@ messages! {
             en: "It pushes with {force} and a moment of {moment} about the lowest joint; its pressure at the top is {pressure}.",
             ko: "풍하중의 합력은 {force}, 최하단 접합면에 대한 모멘트는 {moment}, 최상단 풍압은 {pressure}이다.",
         },
+        OnStone { name: String, stone: String, what: String } => {
+            en: "Static load ‘{name}’ on {stone}: {what}.",
+            ko: "정하중 ‘{name}’({stone}): {what}.",
+        },
+        WindOnStack { direction: Sentence, force: Quantity, moment: Quantity, pressure: Quantity } => {
+            en: "The worst of eight directions is towards {direction}: it pushes with {force} and a moment of {moment} about the ground; its pressure at the top is {pressure}. The faces and corners of stones that stand along x and y are met so.",
+            ko: "여덟 풍향 중 가장 불리한 것은 {direction} 방향이다. 풍하중의 합력은 {force}, 지반에 대한 모멘트는 {moment}, 최상단 풍압은 {pressure}이다. x·y축을 따라 놓인 석재의 면과 모서리에 부는 바람을 검토하였다.",
+        },
+        WindAtTop { pressure: Quantity } => {
+            en: "The pressure of the wind at the top is {pressure}; the worst combination has no wind.",
+            ko: "최상단 풍압은 {pressure}이며 가장 불리한 하중조합에는 풍하중이 없다.",
+        },
+        WindTowards => { en: "wind towards", ko: "풍향" },
         Tilt { tilt: Quantity } => {
             en: "The tilt as surveyed, 1/{tilt}, leans the same way in every combination.",
             ko: "실측 기울기 1/{tilt}을(를) 모든 하중조합에서 같은 방향으로 고려하였다.",
@@ -58,6 +74,10 @@ messages! {
         CombinationsMeaning => {
             en: "“Borne ×” is what wind and static loads can be multiplied by until a joint reaches its limit, the weight as it is.",
             ko: "저항 배수는 자중을 그대로 두고 풍하중과 정하중에 곱하여 어느 접합면이 한계에 이르는 값이다.",
+        },
+        StackCombinationsMeaning => {
+            en: "“Borne ×” is what wind and static loads can be multiplied by until no forces in the joints balance them, the weight as it is: the least of all loads together, of all but what presses downwards, and of the wind alone.",
+            ko: "저항 배수는 자중을 그대로 두고 풍하중과 정하중에 곱하여 접합력과의 평형이 불가능해지는 값이다. 모든 하중, 아래로 누르는 하중을 제외한 하중, 풍하중만을 키운 경우 중 최솟값이다.",
         },
         Combination => { en: "Combination", ko: "하중조합" },
         VerdictHead => { en: "verdict", ko: "판정" },
@@ -102,11 +122,28 @@ messages! {
 /// Digits in tables.
 const DIGITS: usize = 4;
 
+/// What is loaded.
+pub(crate) enum Loaded<'a> {
+    /// A chain, with the heights of its joints, m.
+    Chain(Vec<f64>),
+    /// A stack.
+    Stack(&'a Stack),
+}
+
+impl<'a> Loaded<'a> {
+    fn stack(&self) -> Option<&'a Stack> {
+        match self {
+            Loaded::Chain(_) => None,
+            Loaded::Stack(stack) => Some(stack),
+        }
+    }
+}
+
 /// The section; nothing where nothing acts beside the weight.
 pub(crate) fn sections<'a>(
     given: &LoadsPart,
     answer: Option<&'a LoadsAnswer>,
-    heights_m: Vec<f64>,
+    of: Loaded<'a>,
 ) -> Document<'a> {
     let mut document = Document::default();
     let Some(answer) = answer else {
@@ -128,11 +165,13 @@ pub(crate) fn sections<'a>(
         }
     }
     for load in &given.loads {
-        document.paragraph(listed(load));
+        document.paragraph(listed(load, of.stack()));
     }
     match &answer.wind {
-        Some(Err(why)) => document.note(Shown::NotKnown { why: why_not(why) }),
-        Some(Ok(met)) => document.paragraph(wind(met)),
+        Some(Err(why)) => document.note(Shown::NotKnown {
+            why: why_not(why, of.stack().is_some()),
+        }),
+        Some(Ok(met)) => document.paragraph(wind(met, answer)),
         None => {}
     }
     if answer.tilt_rad > 0.0 {
@@ -144,19 +183,37 @@ pub(crate) fn sections<'a>(
         if answer.combinations.len() > 1 || worst.name.is_some() {
             document.put(Block::Table(combinations(answer)));
         }
-        document.put(Block::Table(joints(answer, worst)));
-        if let Some(top_m) = worst.chain.under.top_displacement_m {
-            document.paragraph(Shown::Top {
-                top: Quantity::engineering(top_m.abs(), "m", 3),
-            });
+        match (&worst.of, of) {
+            (Combined::Chain(chain), Loaded::Chain(heights_m)) => {
+                chain_section(&mut document, what(answer, worst), answer, chain, heights_m);
+            }
+            (Combined::Stack(under), Loaded::Stack(stack)) => {
+                on_stones::section(&mut document, what(answer, worst), under, stack, given);
+            }
+            (Combined::Chain(_), Loaded::Stack(_)) | (Combined::Stack(_), Loaded::Chain(_)) => {}
         }
-        document.note(Shown::Opens);
-        let caption = vec![Shown::Figure.into(), Shown::FigureMeaning.into()];
-        document.figure(caption, move |language| {
-            chain_moments(&worst.chain.under, &heights_m, language)
-        });
     }
     document
+}
+
+fn chain_section<'a>(
+    document: &mut Document<'a>,
+    what: Sentence,
+    answer: &LoadsAnswer,
+    chain: &'a ChainCombination,
+    heights_m: Vec<f64>,
+) {
+    document.put(Block::Table(joints(what, answer, chain)));
+    if let Some(top_m) = chain.under.top_displacement_m {
+        document.paragraph(Shown::Top {
+            top: Quantity::engineering(top_m.abs(), "m", 3),
+        });
+    }
+    document.note(Shown::Opens);
+    let caption = vec![Shown::Figure.into(), Shown::FigureMeaning.into()];
+    document.figure(caption, move |language| {
+        chain_moments(&chain.under, &heights_m, language)
+    });
 }
 
 /// What the file says of the wind, and what its code makes of it.
@@ -209,25 +266,49 @@ fn as_given(wind: &WindGiven) -> Shown {
     }
 }
 
-fn listed(load: &LoadPart) -> Shown {
+fn listed(load: &LoadPart, stack: Option<&Stack>) -> Shown {
     let values = [&load.force, &load.weight, &load.moment];
-    let written: Vec<&str> = values
+    let mut written: Vec<String> = values
         .into_iter()
         .flatten()
-        .map(|value| value.written.as_str())
+        .map(|value| value.written.clone())
         .collect();
-    Shown::Listed {
-        name: load.name.clone(),
-        part: load.part + 1,
-        what: written.join(", "),
+    let components = load.components.iter().flatten().zip(["x", "y", "z"]);
+    let acting = components.filter(|(value, _)| value.value != 0.0);
+    written.extend(acting.map(|(value, axis)| format!("{axis} {}", value.written)));
+    let (name, what) = (load.name.clone(), written.join(", "));
+    match stack.and_then(|stack| stack.blocks().get(load.part)) {
+        Some(stone) => Shown::OnStone {
+            name,
+            stone: stone.name.clone(),
+            what,
+        },
+        None => Shown::Listed {
+            name,
+            part: load.part + 1,
+            what,
+        },
     }
 }
 
-fn wind(met: &WindMet) -> Shown {
-    Shown::Wind {
-        force: Quantity::engineering(met.force_n, "N", DIGITS),
-        moment: Quantity::engineering(met.moment_n_m, "N·m", DIGITS),
-        pressure: Quantity::engineering(met.pressure_at_top_pa, "Pa", DIGITS),
+fn wind(met: &WindMet, answer: &LoadsAnswer) -> Shown {
+    let force = Quantity::engineering(met.force_n, "N", DIGITS);
+    let moment = Quantity::engineering(met.moment_n_m, "N·m", DIGITS);
+    let pressure = Quantity::engineering(met.pressure_at_top_pa, "Pa", DIGITS);
+    let under = answer.worst().and_then(CombinationAnswer::stack);
+    match under.and_then(|under| under.wind_to) {
+        Some(to) => Shown::WindOnStack {
+            direction: direction(to),
+            force,
+            moment,
+            pressure,
+        },
+        None if under.is_some() => Shown::WindAtTop { pressure },
+        None => Shown::Wind {
+            force,
+            moment,
+            pressure,
+        },
     }
 }
 
@@ -258,16 +339,29 @@ fn combinations(answer: &LoadsAnswer) -> Table {
                 (Verdict::Unstable, Some(factor)) => Cell::Bad(factor),
                 (_, factor) => Cell::Number(factor),
             },
-            Cell::Number(
-                of.chain
-                    .under
-                    .governing_joint
-                    .map(|joint| Quantity::new(joint as f64, Unit::ratio(), Digits::Fixed(0))),
-            ),
+            match &of.of {
+                Combined::Chain(chain) => Cell::Number(
+                    chain
+                        .under
+                        .governing_joint
+                        .map(|joint| Quantity::new(joint as f64, Unit::ratio(), Digits::Fixed(0))),
+                ),
+                Combined::Stack(under) => {
+                    Cell::words(under.wind_to.map_or_else(|| Sentence::of_symbol("–"), direction))
+                }
+            },
         ]
     };
+    let of_stack = answer.combinations.iter().any(|of| of.stack().is_some());
+    let (meaning, last) = match of_stack {
+        true => (Shown::StackCombinationsMeaning, Column::words(Shown::WindTowards)),
+        false => (
+            Shown::CombinationsMeaning,
+            Column::numbers(Shown::Governs, Unit::ratio()),
+        ),
+    };
     Table {
-        caption: vec![Shown::Combinations.into(), Shown::CombinationsMeaning.into()],
+        caption: vec![Shown::Combinations.into(), meaning.into()],
         columns: vec![
             Column::words(Shown::Combination),
             Column::words(Shown::VerdictHead),
@@ -275,14 +369,14 @@ fn combinations(answer: &LoadsAnswer) -> Table {
             Column::numbers(Shown::WindTimes, Unit::ratio()),
             Column::numbers(Shown::LoadsTimes, Unit::ratio()),
             Column::numbers(Shown::Factor, Unit::ratio()),
-            Column::numbers(Shown::Governs, Unit::ratio()),
+            last,
         ],
         rows: answer.combinations.iter().map(row).collect(),
     }
 }
 
-fn joints(answer: &LoadsAnswer, worst: &CombinationAnswer) -> Table {
-    let all = &worst.chain.under.joints;
+fn joints(what: Sentence, answer: &LoadsAnswer, chain: &ChainCombination) -> Table {
+    let all = &chain.under.joints;
     let largest = |value: fn(&JointUnderLoads) -> f64| -> f64 {
         all.iter().map(value).map(f64::abs).fold(0.0, f64::max)
     };
@@ -330,7 +424,6 @@ fn joints(answer: &LoadsAnswer, worst: &CombinationAnswer) -> Table {
     }
     columns.push(Column::numbers(Shown::Limit, moment.clone()));
     columns.push(Column::numbers(Shown::Factor, Unit::ratio()));
-    let what = what(answer, worst);
     Table {
         caption: vec![Shown::Joints { what }.into(), Shown::JointsMeaning.into()],
         columns,

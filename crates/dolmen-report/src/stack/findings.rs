@@ -80,6 +80,7 @@ fn noted(of: &StackNote, stack: &Stack) -> Finding {
         StackNote::FrictionNoRest | StackNote::FrictionNotRun { .. } => Finding::key(Tone::Unknown, said),
         StackNote::FrictionCarries => Finding::key(Tone::Warn, said),
         StackNote::SharedLoad
+        | StackNote::LoadsWithoutMass
         | StackNote::AnalysisLower { .. }
         | StackNote::AnalysisBetween { .. }
         | StackNote::StrengthNotInAnalysis

@@ -49,7 +49,7 @@ pub(super) fn moving(answer: &StackAnswer) -> Option<Sentence> {
 }
 
 /// The same of a mechanism.
-pub(super) fn joints_moving(stack: &Stack, mechanism: Option<&Mechanism>) -> Option<Sentence> {
+pub(crate) fn joints_moving(stack: &Stack, mechanism: Option<&Mechanism>) -> Option<Sentence> {
     let mechanism = mechanism?;
     let of = |motions: &[JointMotion]| {
         let joints = mechanism.joints.iter();
@@ -104,7 +104,7 @@ pub(super) fn section(document: &mut Document<'_>, answer: &StackAnswer) {
 }
 
 /// The columns of a table of joints that move.
-pub(super) fn moving_columns() -> Vec<Column> {
+pub(crate) fn moving_columns() -> Vec<Column> {
     vec![
         Column::words(Moving::Joint),
         Column::words(Moving::Motion),
@@ -115,7 +115,7 @@ pub(super) fn moving_columns() -> Vec<Column> {
 }
 
 /// Its rows.
-pub(super) fn joint_rows(stack: &Stack, mechanism: &Mechanism) -> Vec<Vec<Cell>> {
+pub(crate) fn joint_rows(stack: &Stack, mechanism: &Mechanism) -> Vec<Vec<Cell>> {
     let joints = mechanism.joints.iter();
     joints.map(|moving| row(stack, moving)).collect()
 }

@@ -28,6 +28,10 @@ messages! {
             en: "Joint by joint it seems to stand, but no forces in the joints balance its weight.",
             ko: "접합면별로는 서 있는 것으로 보이나, 자중에 평형을 이루는 접합력이 존재하지 않는다.",
         },
+        LoadsWithoutMass => {
+            en: "Static loads press on stones, but have no mass in an earthquake: what rests on the stones and shakes with them is a block of its own.",
+            ko: "정하중은 석재를 누르나 지진 시 질량이 없다. 석재 위에 놓여 함께 흔들리는 것은 별도의 블록으로 입력한다.",
+        },
         FrictionCarries => {
             en: "Friction carries it: forces that balance the weight exist, which is necessary but does not prove that it stands, since joints that slip may choose other forces. No run under its own weight was made, so the verdict is no better than marginal.",
             ko: "마찰이 하중을 지탱한다: 자중과 평형을 이루는 힘이 존재하나 이는 필요조건이며, 미끄러지는 접합면은 다른 힘을 택할 수 있으므로 서 있음을 증명하지는 않는다. 자중에 대한 시간이력 해석을 하지 않았으므로 판정은 '여유 부족'을 넘지 않는다.",
@@ -103,6 +107,7 @@ pub(super) fn note(of: &StackNote, stack: &Stack) -> Sentence {
             at_least: in_g(*at_least_g),
             analysis: in_g(*analysis_g),
         },
+        StackNote::LoadsWithoutMass => Notes::LoadsWithoutMass,
         StackNote::AnalysisFalls => Notes::Falls,
         StackNote::FrictionCarries => Notes::FrictionCarries,
         StackNote::FrictionStood => Notes::FrictionStood,

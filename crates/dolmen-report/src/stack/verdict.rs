@@ -20,17 +20,19 @@ messages! {
             en: "Margin without shaking {margin}; what moves it first is not known.",
             ko: "지진이 없을 때의 여유도 {margin}; 최초 거동은 알 수 없다.",
         },
-        Admissible { at: Sentence, tilt: Quantity } => {
-            en: "An admissible state exists: forces in the joints balance the weight. It begins to move at {at} horizontal, or on ground that tilts by {tilt}.",
-            ko: "허용 가능한 평형 상태가 존재한다(접합력이 자중과 평형을 이룬다). 수평 가속도 {at} 또는 지반 기울기 {tilt}에서 움직이기 시작한다.",
+        Weight => { en: "the weight", ko: "자중" },
+        WeightAndLoads => { en: "the weight and the static loads", ko: "자중·정하중" },
+        Admissible { what: Sentence, at: Sentence, tilt: Quantity } => {
+            en: "An admissible state exists: forces in the joints balance {what}. It begins to move at {at} horizontal, or on ground that tilts by {tilt}.",
+            ko: "허용 가능한 평형 상태가 존재한다(접합력이 {what}와(과) 평형을 이룬다). 수평 가속도 {at} 또는 지반 기울기 {tilt}에서 움직이기 시작한다.",
         },
-        FallsTogether { moving: Sentence } => {
-            en: "It does not stand without shaking: no forces in the joints balance the weight; {moving}.",
-            ko: "지진이 없어도 서 있지 못한다: 자중과 평형을 이루는 접합력이 존재하지 않는다; {moving}.",
+        FallsTogether { what: Sentence, moving: Sentence } => {
+            en: "It does not stand without shaking: no forces in the joints balance {what}; {moving}.",
+            ko: "지진이 없어도 서 있지 못한다: {what}와(과) 평형을 이루는 접합력이 존재하지 않는다; {moving}.",
         },
-        FallsSomehow => {
-            en: "It does not stand without shaking: no forces in the joints balance the weight.",
-            ko: "지진이 없어도 서 있지 못한다: 자중과 평형을 이루는 접합력이 존재하지 않는다.",
+        FallsSomehow { what: Sentence } => {
+            en: "It does not stand without shaking: no forces in the joints balance {what}.",
+            ko: "지진이 없어도 서 있지 못한다: {what}와(과) 평형을 이루는 접합력이 존재하지 않는다.",
         },
         Falls { why: Sentence } => {
             en: "It does not stand without shaking: {why}.",
@@ -49,13 +51,19 @@ pub(crate) fn banner(answer: &StackAnswer) -> Sentence {
     let margin = margin(limits.gravity_margin);
     let analysis = answer.check.analysis.as_ref().map(|analysis| analysis.status);
     let falls = analysis == Some(LimitAnalysisStatus::DoesNotStand);
+    let what: Sentence = match answer.stack.static_loads().is_empty() {
+        true => Judged::Weight,
+        false => Judged::WeightAndLoads,
+    }
+    .into();
     let said = match (&limits.standing, &answer.check.capacity) {
         (Standing::Stands, _) if falls => match moving(answer) {
-            Some(moving) => Judged::FallsTogether { moving },
-            None => Judged::FallsSomehow,
+            Some(moving) => Judged::FallsTogether { what, moving },
+            None => Judged::FallsSomehow { what },
         },
         // gravity turned by a tilt has its tangent as horizontal part
         (Standing::Stands, Some(capacity)) if !limits.statically_determinate => Judged::Admissible {
+            what,
             at: at(capacity),
             tilt: Quantity::new(
                 capacity.acceleration_g.atan().to_degrees(),

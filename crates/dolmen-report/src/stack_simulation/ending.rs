@@ -12,6 +12,14 @@ messages! {
             en: "Under {motion} with a horizontal peak of {peak} (x and y together): {ending}",
             ko: "{motion}(수평 최대 {peak}, x·y 합성) 작용 시: {ending}",
         },
+        LoadsAct => {
+            en: "The static loads of the file act all the time, as they are; they have no mass.",
+            ko: "입력한 정하중은 계수 없이 전 시간 동안 작용하며 질량은 없다.",
+        },
+        NoWind => {
+            en: "The wind of the file does not blow during the motion.",
+            ko: "지진동이 작용하는 동안 입력한 풍하중은 고려하지 않았다.",
+        },
         Ground => { en: "ground", ko: "지반" },
         Name { name: String } => { en: "{name}", ko: "{name}" },
         And { first: Sentence, next: Sentence } => { en: "{first} {next}", ko: "{first} {next}" },

@@ -26,6 +26,12 @@ pub(crate) fn findings(runs: &StackRuns) -> Vec<Finding> {
     all.extend(sliding::finding(runs));
     all.extend(runs.repeats.as_ref().map(repeats::finding));
     all.extend(simulation.lean.as_ref().map(lean));
+    if !simulation.stack.static_loads().is_empty() {
+        all.push(Finding::key(Tone::Plain, Ending::LoadsAct));
+    }
+    if simulation.without_wind {
+        all.push(Finding::key(Tone::Plain, Ending::NoWind));
+    }
     let made = runs.each().find_map(made_too_much);
     all.extend(made.map(|said| Finding::key(Tone::Warn, said)));
     if runs.other.is_none() && leaves_restitution_out(simulation) {

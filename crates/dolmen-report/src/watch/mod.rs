@@ -6,6 +6,7 @@ mod log_table;
 mod logs;
 mod numbers;
 mod tables;
+mod tilts;
 
 pub(crate) use findings::findings;
 pub(crate) use logs::label;
@@ -52,11 +53,12 @@ messages! {
 }
 
 /// The sentences on a history as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 7] = [
+pub(crate) const TEMPLATES: [&[Template]; 8] = [
     logs::Logged::TEMPLATES,
     log_table::LogTable::TEMPLATES,
     Years::TEMPLATES,
     findings::Found::TEMPLATES,
+    tilts::Tilted::TEMPLATES,
     findings::Cause::TEMPLATES,
     failing::Failing::TEMPLATES,
     tables::Listed::TEMPLATES,

@@ -1,6 +1,7 @@
 //! Numbers of a history, with the digits that they deserve.
 
 use dolmen_words::{Digits, Quantity, Unit};
+use dolmen_work::watched::WatchAnswer;
 
 pub(super) fn hertz(frequency_hz: f64) -> Quantity {
     Quantity::new(frequency_hz, Unit::si("Hz"), Digits::Significant(4))
@@ -43,4 +44,11 @@ pub(super) fn bare_logged(value: f64, is_tilt: bool, decimals: usize) -> Quantit
 
 pub(super) fn logged_unit(is_tilt: bool) -> Unit {
     Unit::si(if is_tilt { "mm/m" } else { "mm" })
+}
+
+pub(super) fn name(answer: &WatchAnswer, survey: usize) -> String {
+    answer
+        .surveys
+        .get(survey)
+        .map_or_else(String::new, |survey| survey.name.clone())
 }

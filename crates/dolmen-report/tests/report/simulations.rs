@@ -41,6 +41,7 @@ fn simulation() -> StackSimulation {
     let history = simulate_springs(&stack, Some(&motion), &options, &mut |_| true).unwrap();
     let limits = stack_limits(&stack, &StackLimits::default()).unwrap();
     StackSimulation {
+        without_wind: false,
         lean: None,
         damage: stack_damage(&stack, &limits, &history, &DamageThresholds::default()),
         limits,

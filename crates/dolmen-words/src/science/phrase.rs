@@ -341,6 +341,7 @@ const PHRASES: &[(&str, &str)] = &[
     ("its centre lies here", "모드의 중심이 이 자리에 있다"),
     ("it is held by a tie", "타이에 묶여 있다"),
     ("it has a side support", "옆 지지가 있다"),
+    ("it carries a static load", "정하중이 작용한다"),
     (
         "it is not one of a single pile, each block on the one below",
         "블록이 하나씩 쌓인 한 줄이 아니다",
@@ -387,6 +388,7 @@ const PHRASES: &[(&str, &str)] = &[
     ),
     ("a tie", "타이"),
     ("a side support", "옆 지지"),
+    ("a static load", "정하중"),
     ("side support", "옆 지지"),
     ("pole", "기둥"),
     ("shaft", "돌기둥"),
@@ -476,6 +478,8 @@ const PHRASES: &[(&str, &str)] = &[
     ("axis of a tie", "타이의 축"),
     ("position_m of a tie", "타이의 position_m"),
     ("direction of a side support", "옆 지지의 방향"),
+    ("position_m of a static load", "정하중의 position_m"),
+    ("force_n of a static load", "정하중의 force_n"),
     ("position_m of a side support", "옆 지지의 position_m"),
     ("movement_m of a support", "지점 변위의 movement_m"),
     (

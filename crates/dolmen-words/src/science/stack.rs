@@ -8,7 +8,7 @@ korean_of! {
     StackError {
         StackError::Empty => "쌓은 블록이 하나 이상 있어야 한다";
         StackError::Name { name } => "이름이 '{name}'인 블록이 둘이다. 서로 다른 이름을 붙인다";
-        StackError::Far { piece, position_m, beyond_m, blocks, allowed_m } => "{piece}의 position_m이 {position_m:?}(으)로 {blocks}에서 {beyond_m:.3} m 떨어져 있다. 잇는 부재에서 {allowed_m} m 이내이어야 한다. mm 단위이거나 기준점이 다른가?", blocks = blocks.join(", "), piece = phrase(piece);
+        StackError::Far { piece, position_m, beyond_m, blocks, allowed_m } => "{piece}의 position_m이 {position_m:?}(으)로 {blocks}에서 {beyond_m:.3} m 떨어져 있다. 해당 부재에서 {allowed_m} m 이내이어야 한다. mm 단위이거나 기준점이 다른가?", blocks = blocks.join(", "), piece = phrase(piece);
         StackError::Dimension { quantity, given, allowed } => "{quantity}이(가) {given}인데 {allowed}이어야 한다", quantity = phrase(quantity), allowed = phrase(allowed);
         StackError::Sides { given, most } => "각기둥의 변이 {given}개인데 3~{most}개이어야 한다. 그보다 많으면 원통으로 한다";
         StackError::Opening { corner, beyond_m } => "개구부는 석재 안에 있고 석재가 남아야 하는데, 모서리 {corner:?}이(가) {beyond_m:.4} m 밖에 있다. 크기와 위치를 확인한다";

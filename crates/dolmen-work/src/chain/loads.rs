@@ -1,7 +1,7 @@
 //! A chain under wind, static loads and their combinations.
 
 use crate::error::WorkError;
-use crate::loads::{ChainCombination, CombinationAnswer, LoadsAnswer, WindMet, WindOnLink};
+use crate::loads::{ChainCombination, CombinationAnswer, Combined, LoadsAnswer, WindMet, WindOnLink};
 use dolmen::assess::ChainCheck;
 use dolmen::dynamics::JointOpening;
 use dolmen::stability::{
@@ -245,11 +245,11 @@ impl Model<'_> {
             weight: combination.weight,
             wind: combination.wind,
             loads: combination.loads,
-            chain: ChainCombination {
+            of: Combined::Chain(Box::new(ChainCombination {
                 under,
                 wind_reversed,
                 weight_factor: stability.map(|found| found.load_factor),
-            },
+            })),
         })
     }
 

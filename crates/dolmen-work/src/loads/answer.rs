@@ -1,5 +1,6 @@
 //! The answer on wind and static loads.
 
+use dolmen::assess::StackUnderLoads;
 use dolmen::stability::{ChainUnderLoads, Verdict};
 use dolmen::structure::wind::{Resonance, WindError};
 
@@ -29,7 +30,7 @@ pub struct WindMet {
     pub resonance: Resonance,
     /// Lowest natural frequency, Hz; `None` where it is not known.
     pub frequency_hz: Option<f64>,
-    /// What each link takes, lowest first.
+    /// What each link takes, lowest first; none of a stack.
     pub links: Vec<WindOnLink>,
     /// Whole force, N.
     pub force_n: f64,
@@ -59,8 +60,17 @@ pub struct CombinationAnswer {
     pub wind: f64,
     /// On static loads.
     pub loads: f64,
-    /// What it does to a chain.
-    pub chain: ChainCombination,
+    /// What it does.
+    pub of: Combined,
+}
+
+/// What a combination does, by kind of structure.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Combined {
+    /// To a chain.
+    Chain(Box<ChainCombination>),
+    /// To a stack, with the wind from its worst side.
+    Stack(Box<StackUnderLoads>),
 }
 
 /// A chain under a combination, in the worse of the two directions of the wind.
@@ -75,21 +85,49 @@ pub struct ChainCombination {
 }
 
 impl CombinationAnswer {
-    /// Least factor on wind and loads at which a joint reaches its limit; `None` where no limit is known.
-    pub fn factor(&self) -> Option<f64> {
-        self.chain.under.factor
+    /// What it does to a chain; `None` of a stack.
+    pub fn chain(&self) -> Option<&ChainCombination> {
+        match &self.of {
+            Combined::Chain(chain) => Some(chain),
+            Combined::Stack(_) => None,
+        }
     }
 
-    /// By the factor on what it weighs.
-    pub fn weight_verdict(&self) -> Verdict {
-        self.chain
-            .weight_factor
-            .map_or(Verdict::Unknown, Verdict::of_load_factor)
+    /// What it does to a stack; `None` of a chain.
+    pub fn stack(&self) -> Option<&StackUnderLoads> {
+        match &self.of {
+            Combined::Chain(_) => None,
+            Combined::Stack(stack) => Some(stack),
+        }
+    }
+
+    /// Least factor on wind and loads at which a joint reaches its limit, or stones move; `None` where no limit is known.
+    pub fn factor(&self) -> Option<f64> {
+        match &self.of {
+            Combined::Chain(chain) => chain.under.factor,
+            Combined::Stack(stack) => Some(stack.found.factor),
+        }
     }
 
     /// By the factors on loads and on weight; unknown where a limit or the stiffness is not known, unless it overturns all the same.
     pub fn verdict(&self) -> Verdict {
-        let under = &self.chain.under;
+        match &self.of {
+            Combined::Chain(chain) => chain.verdict(),
+            Combined::Stack(stack) => stack.verdict(),
+        }
+    }
+}
+
+impl ChainCombination {
+    /// By the factor on what it weighs.
+    pub fn weight_verdict(&self) -> Verdict {
+        self.weight_factor
+            .map_or(Verdict::Unknown, Verdict::of_load_factor)
+    }
+
+    /// By the factors on loads and on weight.
+    pub fn verdict(&self) -> Verdict {
+        let under = &self.under;
         let by_factor = match under.factor {
             Some(f64::INFINITY) => Verdict::Stable,
             Some(factor) => Verdict::of_load_factor(factor),

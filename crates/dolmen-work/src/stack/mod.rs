@@ -4,6 +4,7 @@ pub(crate) mod check;
 pub(crate) mod factors;
 mod factors_answer;
 pub(crate) mod frequencies;
+pub(crate) mod loads;
 mod local_mechanisms;
 mod repeats;
 mod runs;

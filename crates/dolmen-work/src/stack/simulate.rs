@@ -128,6 +128,7 @@ impl Shakable<'_> {
             variant: version.variant.map(str::to_owned),
             stack: stack.clone(),
             lean: self.part.lean.clone(),
+            without_wind: version.project.loads.wind().is_some(),
             motion: self.motion.clone(),
             law,
             history,

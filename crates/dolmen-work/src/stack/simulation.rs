@@ -21,6 +21,8 @@ pub struct StackSimulation {
     pub stack: Stack,
     /// How it leans as surveyed.
     pub lean: Option<SurveyedLean>,
+    /// Whether the file gives a wind, which does not blow during a motion.
+    pub without_wind: bool,
     /// The motion of its base.
     pub motion: MotionAnswer,
     /// The law of contact, with the options of the run.

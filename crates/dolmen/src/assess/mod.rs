@@ -18,6 +18,7 @@ mod sensitivity;
 mod settle_run;
 mod stack;
 mod stack_notes;
+mod stack_under_loads;
 mod trends;
 
 pub use capacity::{
@@ -51,4 +52,5 @@ pub use sensitivity::{CentroidEffect, Sensitivity, elasticity};
 pub use settle_run::with_settle_run;
 pub use stack::{MARGINAL_BELOW_G, StackCheck, StackCheckOptions, check_stack};
 pub use stack_notes::{SettleRun, StackNote};
+pub use stack_under_loads::{Grows, StackCombination, StackUnderLoads, StackWind, stack_under_loads};
 pub use trends::{Direction, Trend, trend};

@@ -32,7 +32,7 @@ pub struct StackCheck {
     pub capacity: Option<Threshold>,
     /// stable, marginal, unstable without shaking.
     pub verdict: Verdict,
-    /// The part that rocks first as one block; `None` if it does not stand or slides first.
+    /// The part that rocks first as one block; `None` if it does not stand, slides first or carries static loads.
     pub rocking: Option<RockingBlock>,
     /// A period from the height alone.
     pub period_of_thumb: PeriodOfThumb,
@@ -104,7 +104,9 @@ pub fn check_stack(stack: &Stack, options: &StackCheckOptions) -> Result<StackCh
         check.supports = Some(follow_support_movement(stack, &following)?);
         check.verdict = with_movement(check.verdict, check.supports.as_ref());
     }
-    if let (Some(capacity), Some(uplift)) = (check.capacity, check.limits.uplift) {
+    // one block under its weight alone: with static loads it rocks otherwise
+    let own_weight = stack.static_loads().is_empty();
+    if let (Some(capacity), Some(uplift), true) = (check.capacity, check.limits.uplift, own_weight) {
         let slides = check
             .limits
             .sliding
@@ -142,6 +144,9 @@ fn note_what_is_left_out(stack: &Stack, options: &StackCheckOptions, check: &mut
     }
     if !stack.ties().is_empty() {
         check.notes.push(StackNote::TiesLeftOut);
+    }
+    if stack.static_loads().iter().any(|load| load.force_n[2] < 0.0) {
+        check.notes.push(StackNote::LoadsWithoutMass);
     }
     if options.demand.is_some_and(|demand| demand.spectral.is_none()) {
         check.notes.push(StackNote::PeriodUnknown);

@@ -56,6 +56,8 @@ pub enum StackNote {
     },
     /// The joints one by one find it standing, the limit analysis does not.
     AnalysisFalls,
+    /// Static loads press on stones; an earthquake does not shake what they stand for.
+    LoadsWithoutMass,
     /// Forces were found that balance it, but they need friction: joints that slip may choose others, so only a run under its
     /// own weight shows that it stands.
     FrictionCarries,
@@ -123,6 +125,10 @@ impl fmt::Display for StackNote {
             StackNote::AnalysisFalls => write!(
                 f,
                 "joint by joint it seems to stand, but no forces in the joints balance its weight and static loads"
+            ),
+            StackNote::LoadsWithoutMass => write!(
+                f,
+                "static loads press on stones, but have no mass in an earthquake"
             ),
             StackNote::FrictionCarries => write!(
                 f,

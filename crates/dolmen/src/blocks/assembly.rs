@@ -5,6 +5,7 @@
 
 use super::bodies::{RigidBody, bodies_of, index_of};
 use super::contact_points::ContactRule;
+use super::dead_load::DeadLoad;
 use super::faces::{patch_along, patch_of_joint};
 use super::forces::Forces;
 use super::hulls::{Hull, Side, separation};
@@ -69,6 +70,7 @@ pub(super) struct Assembly {
     active: Vec<usize>,
     links: Vec<Link>,
     props: Vec<Prop>,
+    dead_loads: Vec<DeadLoad>,
     rule: ContactRule,
     watchfulness: Watchfulness,
     /// Least slack of all pairs at the last look, m.
@@ -148,6 +150,7 @@ impl Assembly {
         let mut assembly = Assembly {
             links: stack.ties().iter().map(Link::of).collect(),
             props: stack.side_supports().iter().map(Prop::of).collect(),
+            dead_loads: stack.static_loads().iter().map(DeadLoad::of).collect(),
             bodies,
             gravity: stack.gravity_m_s2(),
             hulls,
@@ -211,7 +214,10 @@ impl Assembly {
     /// Whether nothing but dry patches acts between the bodies.
     pub(super) fn only_dry_patches(&self) -> bool {
         let bonds = |pair: &Pair| pair.contact.as_ref().is_some_and(|(patch, _)| patch.law.bonds());
-        self.links.is_empty() && self.props.is_empty() && !self.pairs.iter().any(bonds)
+        self.links.is_empty()
+            && self.props.is_empty()
+            && self.dead_loads.is_empty()
+            && !self.pairs.iter().any(bonds)
     }
 
     /// Least way that two bodies may go together before they can touch, m.
@@ -270,6 +276,10 @@ impl Assembly {
         &self.props
     }
 
+    pub(super) fn dead_loads(&self) -> &[DeadLoad] {
+        &self.dead_loads
+    }
+
     /// All forces but gravity and inertia at the bodies' present places, over a step of `h` seconds (0: at rest).
     pub(super) fn forces(&mut self, h: f64, forces: &mut Forces) {
         forces.clear(self.bodies.len());
@@ -303,17 +313,21 @@ impl Assembly {
         for prop in &self.props {
             prop.push(&self.bodies, forces, h);
         }
+        for load in &self.dead_loads {
+            load.push(&self.bodies, forces);
+        }
         forces.friction_loss = friction_loss;
     }
 
-    /// Energy in all springs, J.
+    /// Energy in all springs, with the potential energy of static loads, J.
     pub(super) fn stored(&self) -> f64 {
         let patches = self
             .patches()
             .map(|patch| patch.stored(&patch.motion(&self.bodies)).sum());
         let links = self.links.iter().map(|link| link.stored(&self.bodies));
         let props = self.props.iter().map(|prop| prop.stored(&self.bodies));
-        patches.sum::<f64>() + links.sum::<f64>() + props.sum::<f64>()
+        let loads = self.dead_loads.iter().map(|load| load.stored(&self.bodies));
+        patches.sum::<f64>() + links.sum::<f64>() + props.sum::<f64>() + loads.sum::<f64>()
     }
 
     /// Energy that clipping again has taken from the springs so far, J; negative if it gave some.

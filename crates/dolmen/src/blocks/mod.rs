@@ -7,6 +7,7 @@ mod bodies;
 mod calibrate;
 mod contact_law;
 mod contact_points;
+mod dead_load;
 mod ensemble;
 mod error;
 mod faces;

@@ -212,7 +212,7 @@ impl Run {
     /// Whether all stones go on moving with the ground.
     fn rests(&mut self, shaking: DVec3) -> bool {
         let still = |body: &RigidBody| body.velocity == DVec3::ZERO && body.spin == DVec3::ZERO;
-        if !self.assembly.bodies.iter().all(still) {
+        if !self.assembly.bodies.iter().all(still) || !self.assembly.dead_loads().is_empty() {
             self.at_rest = None;
             return false;
         }
@@ -314,6 +314,9 @@ impl Run {
             self.momentum[index] = six((body.velocity + self.pull * kick_s) * body.mass, body.momentum);
             let guess = body.velocity + self.acceleration[index] * kick_s;
             self.velocity[index] = six(guess, body.spin);
+        }
+        for load in self.assembly.dead_loads() {
+            load.kick(&self.assembly.bodies, &mut self.momentum, kick_s);
         }
         self.momentum[0] = [0.0; 6];
         self.velocity[0] = [0.0; 6];

@@ -99,6 +99,9 @@ impl Chain {
         if let Some(support) = stack.side_supports().first() {
             return refuse(support.block, "it has a side support");
         }
+        if let Some(load) = stack.static_loads().first() {
+            return refuse(load.block, "it carries a static load");
+        }
         let mut stones: Vec<Stone> = Vec::new();
         let mut below = Body::Ground;
         while stones.len() < stack.blocks().len() {

@@ -123,6 +123,11 @@ fn add_weights(assembly: &Assembly, matrix: &mut impl Entries) {
         let force = prop.direction * (-prop.stiffness * prop.depth(body));
         add_weight(matrix, (0, DVec3::ZERO), (prop.body, arm), force);
     }
+    for load in assembly.dead_loads() {
+        let body = &bodies[load.body];
+        let arm = body.now(load.drawn) - body.position;
+        add_weight(matrix, (0, DVec3::ZERO), (load.body, arm), load.force);
+    }
 }
 
 /// Adds to G what one force does.

@@ -11,7 +11,7 @@ use super::Threshold;
 use super::limit_acts::acts;
 use super::limit_mechanism::{falling, swaying};
 use super::limit_options::{Holding, LimitAnalysis, LimitAnalysisResult, LimitAnalysisStatus, Shaking};
-use super::limit_pieces::{Piece, pieces};
+use super::limit_pieces::{Growing, Piece, pieces};
 use super::limit_programme::{ACCELERATION_MOST, Answer, Within};
 use super::limit_region::{Nearest, nearest};
 use crate::stability::StabilityError;
@@ -74,7 +74,11 @@ pub fn limit_analysis(stack: &Stack, options: &LimitAnalysis) -> Result<LimitAna
             count,
         });
     }
-    let mut pieces = pieces(stack, &loads, &acts, options.swaying.as_deref(), ties);
+    let growing = match &options.swaying {
+        None => Growing::Shaking,
+        Some(swaying) => Growing::Swaying(swaying),
+    };
+    let mut pieces = pieces(stack, &loads, &acts, growing, ties);
     // the largest first: it mostly governs, and the others need not be followed beyond it
     pieces.sort_by_key(|piece| std::cmp::Reverse(piece.equations()));
     let mut result = LimitAnalysisResult {

@@ -37,6 +37,17 @@ pub(super) enum Law {
     Pull(f64),
 }
 
+/// What grows until something moves.
+#[derive(Clone, Copy)]
+pub(super) enum Growing<'a> {
+    /// Inertia: the mass of each block times an acceleration.
+    Shaking,
+    /// Forces of shaking on each block as given.
+    Swaying(&'a [SwayingForces]),
+    /// Static loads on each block: "along x" is their factor over g; nothing grows along y.
+    Loads(&'a [Load]),
+}
+
 /// Two bodies that push, rub or pull.
 #[derive(Clone, Copy)]
 struct Link {
@@ -148,7 +159,7 @@ pub(super) fn pieces(
     stack: &Stack,
     loads: &[Load],
     acts: &[Act],
-    swaying: Option<&[SwayingForces]>,
+    growing: Growing<'_>,
     ties: bool,
 ) -> Vec<Piece> {
     let mut links: Vec<Link> = stack
@@ -200,12 +211,17 @@ pub(super) fn pieces(
             }
             let load = together(loads, &blocks);
             Balance {
-                shaking: [DVec3::X, DVec3::Y].map(|axis| match swaying {
-                    None => {
+                shaking: [DVec3::X, DVec3::Y].map(|axis| match growing {
+                    Growing::Shaking => {
                         let force = axis * (load.mass * gravity);
                         (force, load.centroid().cross(force))
                     }
-                    Some(swaying) => swayed(&blocks, axis, loads, swaying),
+                    Growing::Swaying(swaying) => swayed(&blocks, axis, loads, swaying),
+                    Growing::Loads(all) if axis == DVec3::X => {
+                        let sum = together(all, &blocks);
+                        (sum.force, sum.moment)
+                    }
+                    Growing::Loads(_) => (DVec3::ZERO, DVec3::ZERO),
                 }),
                 load,
                 about: loads[block].centroid(),
@@ -281,9 +297,9 @@ pub(super) fn pieces(
                 at_rest: Vec::new(),
                 shaking: [Vec::new(), Vec::new()],
                 // what sways differently is not looked at for its mirrors
-                symmetries: match swaying {
-                    None => symmetries(&within, &balances, &own, &scale),
-                    Some(_) => group(&[]),
+                symmetries: match growing {
+                    Growing::Shaking => symmetries(&within, &balances, &own, &scale),
+                    Growing::Swaying(_) | Growing::Loads(_) => group(&[]),
                 },
                 pushes,
             };

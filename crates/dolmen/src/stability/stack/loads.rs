@@ -1,10 +1,10 @@
 //! What acts on a stack besides its weight, gathered block by block.
 
 use crate::stability::StabilityError;
-use crate::structure::stack::{Block, Stack};
+use crate::structure::stack::{Block, Stack, StaticLoad};
 use glam::DVec3;
 
-/// Loads that are there before any horizontal shaking.
+/// Loads that are there before any horizontal shaking, beside those of the stack itself ([`Stack::static_loads`]).
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct StackLoads {
     /// Vertical acceleration of the ground, m/s², positive up: multiplies all weight by 1 + a_z/g. Above −g. Default 0.
@@ -70,6 +70,22 @@ impl Load {
     }
 }
 
+/// Static forces alone, without the weight of the blocks.
+pub(super) fn without_weight(count: usize, forces: &[StaticLoad]) -> Vec<Load> {
+    let mut loads = vec![Load::default(); count];
+    push_all(&mut loads, forces);
+    loads
+}
+
+/// Adds static forces to what acts on the blocks.
+pub(super) fn push_all(loads: &mut [Load], forces: &[StaticLoad]) {
+    for of in forces {
+        if let Some(load) = loads.get_mut(of.block) {
+            load.push(of.position_m.into(), of.force_n.into());
+        }
+    }
+}
+
 /// Sum over these blocks.
 pub(super) fn together(loads: &[Load], blocks: &[usize]) -> Load {
     let mut sum = Load::default();
@@ -82,6 +98,13 @@ pub(super) fn together(loads: &[Load], blocks: &[usize]) -> Load {
 impl StackLoads {
     /// What acts on each block.
     pub(super) fn on_blocks(&self, stack: &Stack) -> Result<Vec<Load>, StabilityError> {
+        let mut loads = self.on_bare_blocks(stack)?;
+        push_all(&mut loads, stack.static_loads());
+        Ok(loads)
+    }
+
+    /// The same without the loads of the stack itself.
+    fn on_bare_blocks(&self, stack: &Stack) -> Result<Vec<Load>, StabilityError> {
         let gravity = stack.gravity_m_s2();
         let vertical = self.vertical_acceleration_m_s2;
         if !(vertical > -gravity && vertical.is_finite()) {

@@ -14,7 +14,7 @@ use super::limit_acts::acts;
 use super::limit_analysis::{along, unit};
 use super::limit_mechanism::{named, swaying_motions};
 use super::limit_options::Holding;
-use super::limit_pieces::pieces;
+use super::limit_pieces::{Growing, pieces};
 use super::limit_programme::ACCELERATION_MOST;
 use super::mechanism::{BodyMotion, JointMotion};
 use crate::stability::StabilityError;
@@ -77,7 +77,8 @@ pub struct LocalMechanism {
 /// # Limits
 /// Those of [`limit_analysis`](super::limit_analysis()): friction is associated, so that what slides also rises; stone is infinitely strong;
 /// cohesion holds against sliding, ties and side supports hold nothing. Where several mechanisms move at the same acceleration, the one
-/// found may be a mixture of them, with more parts than either. d₀* of several parts that move against each other is not computed.
+/// found may be a mixture of them, with more parts than either. d₀* of several parts that move against each other is not computed, nor
+/// that of a stack with static loads; these take part in α₀, and have no mass in M* and e*.
 ///
 /// # Example
 /// ```
@@ -97,7 +98,7 @@ pub fn local_mechanism(stack: &Stack, direction: [f64; 2]) -> Result<Option<Loca
     let way = unit(direction)?;
     let loads = StackLoads::default().on_blocks(stack)?;
     let acts = acts(stack, Holding::Cohesion);
-    let pieces = pieces(stack, &loads, &acts, None, false);
+    let pieces = pieces(stack, &loads, &acts, Growing::Shaking, false);
     let (mut multiplier, mut moving) = (ACCELERATION_MOST * (1.0 - 1e-6), None);
     for piece in &pieces {
         let (found, _) = along(piece, way)?;
@@ -203,7 +204,10 @@ fn of_parts(
     let first = sum(&|part| part.weight_n * part.moves);
     let second = sum(&|part| part.weight_n * part.moves * part.moves);
     let overturning_m = match &parts[..] {
-        [part] if !slides => overturning(&motions[part.blocks[0]], part.centroid_m.into(), towards),
+        // with static loads it does not fall where its centroid stands above the axis
+        [part] if !slides && stack.static_loads().is_empty() => {
+            overturning(&motions[part.blocks[0]], part.centroid_m.into(), towards)
+        }
         _ => None,
     };
     Some(LocalMechanism {

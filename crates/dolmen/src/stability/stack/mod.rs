@@ -1,5 +1,6 @@
 //! Stacks of stone: where and at what horizontal acceleration a joint opens or slides, thrust line, pressure.
 
+mod blown;
 mod contact;
 mod cut_resistances;
 mod cuts;
@@ -13,6 +14,7 @@ mod limit_pieces;
 mod limit_programme;
 mod limit_region;
 mod limit_states;
+mod load_factor;
 mod loads;
 mod local_mechanism;
 mod mechanism;
@@ -32,6 +34,7 @@ mod toe;
 #[cfg(test)]
 mod towers;
 
+pub use blown::{BlownBlock, WindArea, WindSurfaces, blown_blocks};
 pub use cut_resistances::{CutResistance, cut_resistances};
 pub(crate) use cuts::is_statically_determinate;
 pub use cuts::{Cut, Cuts, cuts};
@@ -43,6 +46,7 @@ pub use limit_options::{
     Holding, LimitAnalysis, LimitAnalysisResult, LimitAnalysisStatus, Shaking, SwayingForces,
 };
 pub use limit_states::{CutLimits, EdgeLimit, Governing, LimitKind, StackLimitStates};
+pub use load_factor::{LoadFactor, SteadyLoads, growth, load_factor};
 pub use loads::{PointForce, StackLoads, Wind};
 pub use local_mechanism::{LocalMechanism, RigidPart, local_mechanism};
 pub use mechanism::{JointMotion, Mechanism, MovingJoint};

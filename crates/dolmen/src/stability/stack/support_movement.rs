@@ -290,14 +290,26 @@ impl<'a> Path<'a> {
         each.collect()
     }
 
+    /// Loads on the stones as they are now: the point of a static load turns with its stone.
+    fn dead_now(&self) -> Vec<Dead> {
+        let mut dead = self.dead.clone();
+        for load in self.stack.static_loads() {
+            let moved = &self.moved[load.block];
+            let arm = DVec3::from(load.position_m) - moved.centre;
+            dead[load.block].moment += (moved.rotation * arm - arm).cross(load.force_n.into());
+        }
+        dead
+    }
+
     /// Goes on to a factor.
     fn try_step(&mut self, factor: f64) -> Tried {
         self.steps += 1;
         let ground: Vec<DVec3> = self.unit.iter().map(|u| *u * (factor - self.factor)).collect();
+        let dead = self.dead_now();
         let found = step(&Stage {
             moved: &self.moved,
             contacts: &self.contacts,
-            dead: &self.dead,
+            dead: &dead,
             ground: &ground,
             length: self.size,
             weight: self.weight,

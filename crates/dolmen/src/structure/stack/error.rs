@@ -12,14 +12,14 @@ pub enum StackError {
         /// The name.
         name: String,
     },
-    /// A tie or a side support that is nowhere near what it holds.
+    /// A tie, a side support or a static load that is nowhere near its block.
     #[error(
-        "position_m of {piece} is [{}, {}, {}], {beyond_m:.3} m off {}: it must lie within {allowed_m} m of what it holds; is it in mm, or from \
+        "position_m of {piece} is [{}, {}, {}], {beyond_m:.3} m off {}: it must lie within {allowed_m} m of it; is it in mm, or from \
          another datum?",
         position_m[0], position_m[1], position_m[2], blocks.join(" and ")
     )]
     Far {
-        /// "a tie" or "a side support".
+        /// "a tie", "a side support" or "a static load".
         piece: &'static str,
         /// Where it is.
         position_m: [f64; 3],

@@ -102,6 +102,9 @@ impl Stack {
         for support in self.side_supports() {
             other = other.with_side_support(*support)?;
         }
+        for load in self.static_loads() {
+            other = other.with_static_load(*load)?;
+        }
         Ok(other)
     }
 }

@@ -2,7 +2,7 @@
 
 use super::beds::{BED_GAP_M, Bed, FACET_LEAST, USED_LEAST, bed, gap_allowed_m};
 use super::overlap::overlap_depth;
-use super::{Body, Joint, JointMaterial, Solid, StackError, SupportMovement};
+use super::{Body, Joint, JointMaterial, Solid, StackError, StaticLoad, SupportMovement};
 use glam::DVec3;
 
 /// Ties and side supports lie no farther than this from the bounds of the blocks that they hold, m. Our choice: clamps lie on the outside of stones.
@@ -74,6 +74,7 @@ pub struct Stack {
     ties: Vec<Tie>,
     side_supports: Vec<SideSupport>,
     pub(super) support_movements: Vec<SupportMovement>,
+    pub(super) static_loads: Vec<StaticLoad>,
     gravity_m_s2: f64,
 }
 
@@ -140,6 +141,7 @@ impl Stack {
             ties: Vec::new(),
             side_supports: Vec::new(),
             support_movements: Vec::new(),
+            static_loads: Vec::new(),
             gravity_m_s2,
         };
         stack.check_carried()?;

@@ -1,0 +1,238 @@
+//! A stack under a combination of weight, wind and static loads: what it bears of them, the wind from the worst side.
+//!
+//! | symbol | code | meaning | unit |
+//! |:--|:--|:--|:--|
+//! | λ | `factor` | on wind and static loads, the weight as it is | – |
+
+use super::AssessError;
+use crate::stability::Verdict;
+use crate::stability::stack::{
+    BlownBlock, LoadFactor, SteadyLoads, WindSurfaces, blown_blocks, growth, load_factor,
+};
+use crate::structure::stack::{Stack, StaticLoad};
+use crate::structure::wind::WindPressure;
+use std::f64::consts::TAU;
+
+/// Directions of the wind that are tried: on the faces and on the corners of square stones that stand along x and y. Chosen here. Between
+/// them the coefficient of a face would be taken for a wider outline, which no table of coefficients means: up to 1.21 times the face.
+const DIRECTIONS: u32 = 8;
+/// Part by which a direction must be worse to count as worse: directions that symmetry makes equal differ by rounding. Chosen here.
+const WORSE: f64 = 1e-6;
+
+/// A wind on a stack.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StackWind<'a> {
+    /// Pressure by height.
+    pub pressure: &'a WindPressure,
+    /// What it meets.
+    pub surfaces: &'a WindSurfaces,
+}
+
+/// A combination of what acts.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StackCombination<'a> {
+    /// Factor on the weight of the blocks, above 0.
+    pub weight: f64,
+    /// Factor on the wind.
+    pub wind: f64,
+    /// Factor on the static loads.
+    pub loads: f64,
+    /// The wind, from all sides; `None` without.
+    pub blows: Option<StackWind<'a>>,
+}
+
+/// Which loads grow at the least factor.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+pub enum Grows {
+    /// Wind and static loads together.
+    All,
+    /// Both, but for what presses downwards: it may hold the stones.
+    AllButDownwards,
+    /// The wind, with the static loads as they are.
+    Wind,
+}
+
+/// What a stack bears of a combination.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct StackUnderLoads {
+    /// The load factor and how it begins to move there.
+    pub found: LoadFactor,
+    /// Which loads grow.
+    pub grows: Grows,
+    /// Where the wind blows to at the worst, a unit vector in plan; `None` without wind.
+    pub wind_to: Option<[f64; 2]>,
+    /// What each block takes of that wind, without the factor of the combination.
+    pub blown: Vec<BlownBlock>,
+}
+
+impl StackUnderLoads {
+    /// stable from 1.5, unstable at 1 and below.
+    pub fn verdict(&self) -> Verdict {
+        match self.found.factor {
+            f64::INFINITY => Verdict::Stable,
+            factor => Verdict::of_load_factor(factor),
+        }
+    }
+}
+
+/// What a stack bears of wind and the static loads that it carries ([`Stack::static_loads`]), each with its factor.
+///
+/// ```text
+/// λ = least over eight directions of the wind of what can multiply
+///     wind + loads | wind + loads, what presses downwards as it is | wind, the loads as they are
+/// ```
+///
+/// # Errors
+/// [`AssessError`] for a factor on the weight that is not positive, and a programme that was not solved.
+///
+/// # Limits
+/// Those of [`load_factor`] and [`blown_blocks`]. Of the wind the directions of x and y and those halfway between are tried: the faces and
+/// corners of square stones that stand so. Of stones that stand otherwise the outline between face and corner may be met, with the same
+/// coefficient: up to 1.21 times what the face takes.
+pub fn stack_under_loads(
+    stack: &Stack,
+    combination: &StackCombination<'_>,
+) -> Result<StackUnderLoads, AssessError> {
+    let loads: Vec<StaticLoad> = stack
+        .static_loads()
+        .iter()
+        .map(|load| StaticLoad {
+            force_n: load.force_n.map(|part| part * combination.loads),
+            ..*load
+        })
+        .collect();
+    let case = Case {
+        stack,
+        weight: combination.weight,
+        loads,
+    };
+    let still = Pushed::default();
+    let Some(wind) = combination.blows.filter(|_| combination.wind > 0.0) else {
+        let (_, ray) = case.least(&still, Known::Nothing)?;
+        return case.whole(still, ray);
+    };
+    let blown_to = |number: u32| {
+        let angle_rad = TAU * f64::from(number) / f64::from(DIRECTIONS);
+        let to = [angle_rad.cos(), angle_rad.sin()].map(|part| (part * 1e12).round() / 1e12);
+        let blown = blown_blocks(stack, wind.surfaces, wind.pressure, to);
+        Pushed::of(to, blown, combination.wind)
+    };
+    // what acts without wind is the same in every direction, and so is whether it stands
+    let mut worst = blown_to(0);
+    let (mut least, mut worst_ray) = case.least(&worst, Known::Nothing)?;
+    for number in 1..DIRECTIONS {
+        if least == 0.0 {
+            break;
+        }
+        let pushed = blown_to(number);
+        let (factor, ray) = case.least(&pushed, Known::Stands)?;
+        if is_less(factor, least) {
+            (worst, least, worst_ray) = (pushed, factor, ray);
+        }
+    }
+    case.whole(worst, worst_ray)
+}
+
+fn is_less(one: f64, other: f64) -> bool {
+    one < (1.0 - WORSE) * other
+}
+
+/// What is known of a stack before its loads grow.
+#[derive(Clone, Copy, PartialEq)]
+enum Known {
+    Nothing,
+    Stands,
+}
+
+/// A wind from one side with the factor of the combination.
+#[derive(Default)]
+struct Pushed {
+    wind_to: Option<[f64; 2]>,
+    blown: Vec<BlownBlock>,
+    loads: Vec<StaticLoad>,
+}
+
+impl Pushed {
+    fn of(to: [f64; 2], blown: Vec<BlownBlock>, factor: f64) -> Self {
+        Pushed {
+            wind_to: Some(to),
+            loads: blown.iter().map(|block| block.load(to, factor)).collect(),
+            blown,
+        }
+    }
+}
+
+/// What does not depend on the wind.
+struct Case<'a> {
+    stack: &'a Stack,
+    weight: f64,
+    /// Static loads with their factor.
+    loads: Vec<StaticLoad>,
+}
+
+impl Case<'_> {
+    /// The least factor of all rays, and which it is.
+    fn least(&self, pushed: &Pushed, known: Known) -> Result<(f64, usize), AssessError> {
+        let mut least = (f64::INFINITY, 0);
+        for (index, (_, steady, growing)) in self.rays(&pushed.loads).iter().enumerate() {
+            let steady = SteadyLoads {
+                weight: self.weight,
+                loads: steady,
+            };
+            let factor = match known {
+                Known::Nothing => load_factor(self.stack, &steady, growing)?.factor,
+                Known::Stands => growth(self.stack, &steady, growing)?,
+            };
+            if is_less(factor, least.0) {
+                least = (factor, index);
+            }
+            // the wind alone cannot be borne once where everything together is not: the factor of all is it
+            if least.0 <= 1.0 {
+                break;
+            }
+        }
+        Ok(least)
+    }
+
+    /// All that is known of one ray.
+    fn whole(&self, pushed: Pushed, ray: usize) -> Result<StackUnderLoads, AssessError> {
+        let mut rays = self.rays(&pushed.loads);
+        let (grows, steady, growing) = rays.swap_remove(ray);
+        let steady = SteadyLoads {
+            weight: self.weight,
+            loads: &steady,
+        };
+        Ok(StackUnderLoads {
+            found: load_factor(self.stack, &steady, &growing)?,
+            grows,
+            wind_to: pushed.wind_to,
+            blown: pushed.blown,
+        })
+    }
+
+    /// What stays and what grows.
+    fn rays(&self, wind: &[StaticLoad]) -> Vec<(Grows, Vec<StaticLoad>, Vec<StaticLoad>)> {
+        let all: Vec<StaticLoad> = wind.iter().chain(&self.loads).copied().collect();
+        let mut rays = vec![(Grows::All, Vec::new(), all)];
+        let part = |of: fn([f64; 3]) -> [f64; 3]| -> Vec<StaticLoad> {
+            let each = self.loads.iter().map(|load| StaticLoad {
+                force_n: of(load.force_n),
+                ..*load
+            });
+            each.filter(|load| load.force_n != [0.0; 3]).collect()
+        };
+        let downwards = part(|[_, _, z]| [0.0, 0.0, z.min(0.0)]);
+        let mut others = part(|[x, y, z]| [x, y, z.max(0.0)]);
+        others.extend(wind);
+        if !downwards.is_empty() && !others.is_empty() {
+            rays.push((Grows::AllButDownwards, downwards, others));
+        }
+        if !wind.is_empty() && self.loads.iter().any(|load| load.force_n != [0.0; 3]) {
+            rays.push((Grows::Wind, self.loads.clone(), wind.to_vec()));
+        }
+        rays
+    }
+}

@@ -1,0 +1,171 @@
+//! What static loads can be multiplied by until no forces in the joints balance them.
+//!
+//! | symbol | code | meaning | unit |
+//! |:--|:--|:--|:--|
+//! | λ | `factor` | load factor: on the loads that grow | – |
+//! | W | `weight_n` | weight of the stack | N |
+
+use super::StackLoads;
+use super::limit_acts::acts;
+use super::limit_analysis::along;
+use super::limit_mechanism::{falling, swaying};
+use super::limit_options::Holding;
+use super::limit_pieces::{Growing, Piece, pieces};
+use super::limit_programme::{ACCELERATION_MOST, Answer, Within};
+use super::loads::{push_all, without_weight};
+use super::mechanism::{JointMotion, Mechanism};
+use crate::stability::StabilityError;
+use crate::structure::stack::{Stack, StaticLoad};
+
+/// The direction of a programme in which loads grow.
+const GROWS: [f64; 2] = [1.0, 0.0];
+
+/// Growth of loads of the size of the weight from which nothing is called to move.
+const MOST: f64 = ACCELERATION_MOST * (1.0 - 1e-6);
+
+/// What acts while other loads grow.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SteadyLoads<'a> {
+    /// Factor on the weight of the blocks, above 0.
+    pub weight: f64,
+    /// Static loads that stay as they are.
+    pub loads: &'a [StaticLoad],
+}
+
+/// What a stack bears of loads.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct LoadFactor {
+    /// Least factor for which a mechanism was found that no forces balance; 0 if it does not stand without the loads, infinite where
+    /// ten times the weight as load moves nothing.
+    pub factor: f64,
+    /// Largest factor for which forces that balance were found.
+    pub at_least: f64,
+    /// How it begins to move there; `None` where nothing moves.
+    pub mechanism: Option<Mechanism>,
+}
+
+impl LoadFactor {
+    /// Whether a joint slides in the mechanism: friction taken as associated then makes the factor an upper bound.
+    pub fn slides(&self) -> bool {
+        let joints = self.mechanism.iter().flat_map(|mechanism| &mechanism.joints);
+        joints.into_iter().any(|joint| joint.motion != JointMotion::Opens)
+    }
+}
+
+/// What the growing loads can be multiplied by until no forces in the joints balance every block. Loads of the stack itself are left
+/// out: what acts is given here.
+///
+/// ```text
+/// Σ f = weight · W + steady + λ growing,  |f₁, f₂| ≤ μ f₀ + share of C at every corner      λ ↦ max
+/// ```
+///
+/// # Errors
+/// [`StabilityError`] for a factor on the weight that is not positive, and a programme that the solver could not solve.
+///
+/// # Limits
+/// Those of [`limit_analysis`](super::limit_analysis()): stone is rigid and infinitely strong, friction is associated, cohesion holds
+/// against sliding and ties hold nothing.
+///
+/// # Example
+/// ```
+/// use dolmen::stability::stack::{SteadyLoads, load_factor};
+/// use dolmen::structure::stack::{Block, JointMaterial, Solid, Stack, StaticLoad};
+/// let block = Block { name: "stone".into(), solid: Solid::cuboid(0.4, 0.4, 2.0)?, density_kg_m3: 2500.0 };
+/// let stack = Stack::new(vec![block], JointMaterial::default(), 10.0)?;
+/// // 8 kN against a push of 400 N at the top: 8 · 0.2 = λ · 0.4 · 2
+/// let push = StaticLoad { block: 0, position_m: [0.0, 0.0, 2.0], force_n: [400.0, 0.0, 0.0] };
+/// let found = load_factor(&stack, &SteadyLoads { weight: 1.0, loads: &[] }, &[push])?;
+/// assert!((found.factor - 2.0).abs() < 1e-6);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Source
+/// As [`limit_analysis`](super::limit_analysis()).
+pub fn load_factor(
+    stack: &Stack,
+    steady: &SteadyLoads<'_>,
+    growing: &[StaticLoad],
+) -> Result<LoadFactor, StabilityError> {
+    let bare = stack.clone().without_static_loads();
+    let (pieces, unit) = pieces_of(&bare, steady, growing)?;
+    let mut found = LoadFactor {
+        factor: f64::INFINITY,
+        at_least: f64::INFINITY,
+        mechanism: None,
+    };
+    let mut moves: Option<&Piece> = None;
+    for piece in &pieces {
+        let (reached, _) = along(piece, GROWS)?;
+        if !reached.stands {
+            return Ok(LoadFactor {
+                factor: 0.0,
+                at_least: 0.0,
+                mechanism: falling(&bare, piece)?,
+            });
+        }
+        if reached.bound < MOST {
+            found.at_least = found.at_least.min(reached.at_least * unit);
+            if reached.bound * unit < found.factor {
+                found.factor = reached.bound * unit;
+                moves = Some(piece);
+            }
+        }
+    }
+    if let Some(piece) = moves {
+        found.mechanism = swaying(&bare, piece, GROWS)?;
+    }
+    Ok(found)
+}
+
+/// The factor alone, of loads on what is known to stand without them: a third of the work.
+///
+/// # Errors
+/// As [`load_factor`].
+pub fn growth(
+    stack: &Stack,
+    steady: &SteadyLoads<'_>,
+    growing: &[StaticLoad],
+) -> Result<f64, StabilityError> {
+    let bare = stack.clone().without_static_loads();
+    let (pieces, unit) = pieces_of(&bare, steady, growing)?;
+    let mut least = f64::INFINITY;
+    for piece in &pieces {
+        match piece.programme(Within::Line(GROWS))?.support(GROWS)? {
+            Answer::Reaches(support) if support.bound < MOST => least = least.min(support.bound * unit),
+            Answer::Reaches(_) => {}
+            Answer::Falls => return Ok(0.0),
+        }
+    }
+    Ok(least)
+}
+
+/// The balance in pieces, and what its growing loads of order 1 must be multiplied by.
+fn pieces_of(
+    bare: &Stack,
+    steady: &SteadyLoads<'_>,
+    growing: &[StaticLoad],
+) -> Result<(Vec<Piece>, f64), StabilityError> {
+    let gravity = bare.gravity_m_s2();
+    let weighs = StackLoads {
+        vertical_acceleration_m_s2: gravity * (steady.weight - 1.0),
+        ..StackLoads::default()
+    };
+    let mut loads = weighs.on_blocks(bare)?;
+    push_all(&mut loads, steady.loads);
+    let size = |load: &StaticLoad| load.force_n.iter().map(|part| part * part).sum::<f64>().sqrt();
+    let pushed_n: f64 = growing.iter().map(size).sum();
+    // the programme is of order 1 where loads of the weight act
+    let weight_n = bare.mass_kg() * gravity;
+    let unit = if pushed_n > 0.0 { weight_n / pushed_n } else { 1.0 };
+    let scaled: Vec<StaticLoad> = growing
+        .iter()
+        .map(|load| StaticLoad {
+            force_n: load.force_n.map(|part| part * unit),
+            ..*load
+        })
+        .collect();
+    let grows = without_weight(loads.len(), &scaled);
+    let acts = acts(bare, Holding::Cohesion);
+    Ok((pieces(bare, &loads, &acts, Growing::Loads(&grows), false), unit))
+}

@@ -1,0 +1,311 @@
+//! What a wind sees of each block of a stack: its outline, less what blocks before it hide.
+//!
+//! | symbol | code | meaning | unit |
+//! |:--|:--|:--|:--|
+//! | s | `across` | coordinate in plan across the wind | m |
+//! | t | `along` | coordinate in plan along the wind | m |
+
+use super::Stack;
+use glam::DVec3;
+
+/// Cells along the longer side of the grid on which blocks hide each other. Chosen here: what is hidden is right to about half a per cent.
+const CELLS: f64 = 500.0;
+/// Where in its cell a ray goes: not in the middle, where edges of round numbers lie.
+const IN_CELL: [f64; 2] = [0.503_17, 0.497_31];
+
+/// What is seen of one block.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Silhouette {
+    /// Area of its own outline, m².
+    pub own_area_m2: f64,
+    /// What of it no other block hides, m².
+    pub area_m2: f64,
+    /// Centroid of that: across the wind and its height, m.
+    pub centroid_m: [f64; 2],
+    /// By height, lowest first.
+    pub strips: Vec<SilhouetteStrip>,
+}
+
+/// What is seen of a block between two heights.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SilhouetteStrip {
+    /// From, m.
+    pub bottom_m: f64,
+    /// To, m.
+    pub top_m: f64,
+    /// Breadth seen, m: all strips together have the block's area.
+    pub breadth_m: f64,
+    /// Its middle across the wind, m.
+    pub middle_m: f64,
+}
+
+/// Unit vector across a wind, in plan: to its left.
+pub fn across([x, y]: [f64; 2]) -> [f64; 2] {
+    [-y, x]
+}
+
+/// What a wind that blows to `direction`, a unit vector in plan, sees of each block of a stack.
+///
+/// # Limits
+/// A block that nothing hides has its exact outline where it is convex. What is hidden, and the outline of a block that is not convex,
+/// are counted on a grid of 500 cells along the longer side: to about half a per cent. What stands behind another block counts
+/// as hidden however far behind it stands.
+pub fn silhouettes(stack: &Stack, direction: [f64; 2]) -> Vec<Silhouette> {
+    let all: Vec<Facing> = stack
+        .blocks()
+        .iter()
+        .map(|block| Facing::of(block.solid.vertices_m(), block.solid.faces(), direction))
+        .collect();
+    let mut grid = Grid::round(&all);
+    for (index, facing) in all.iter().enumerate() {
+        grid.draw(index, facing);
+    }
+    grid.seen(&all)
+}
+
+/// A triangle that looks to windward: its corners across, upwards and along.
+type Triangle = [DVec3; 3];
+
+/// The triangles of a block that look to windward.
+struct Facing {
+    triangles: Vec<Triangle>,
+    area: f64,
+    /// Area × centroid across and upwards.
+    first: [f64; 2],
+}
+
+impl Facing {
+    fn of(vertices: &[[f64; 3]], faces: &[Vec<usize>], direction: [f64; 2]) -> Self {
+        let [ax, ay] = across(direction);
+        let seen = |vertex: usize| {
+            let [x, y, z] = vertices[vertex];
+            DVec3::new(ax * x + ay * y, z, direction[0] * x + direction[1] * y)
+        };
+        let mut facing = Facing {
+            triangles: Vec::new(),
+            area: 0.0,
+            first: [0.0; 2],
+        };
+        for face in faces {
+            for k in 1..face.len().saturating_sub(1) {
+                let corners = [face[0], face[k], face[k + 1]].map(seen);
+                let [a, b, c] = corners;
+                // outward faces run counterclockwise; (across, up, along) is right-handed for who looks with the wind
+                let area = 0.5 * (b - a).cross(c - a).z;
+                let shadow = area.abs();
+                if area * Facing::WINDWARD > 1e-12 {
+                    let middle = (a + b + c) / 3.0;
+                    facing.area += shadow;
+                    facing.first[0] += shadow * middle.x;
+                    facing.first[1] += shadow * middle.y;
+                    facing.triangles.push(corners);
+                }
+            }
+        }
+        facing
+    }
+
+    /// Sign of the area of a triangle that looks to windward.
+    const WINDWARD: f64 = -1.0;
+}
+
+/// Sums over cells of a block.
+#[derive(Clone, Copy, Default)]
+struct Cells {
+    count: f64,
+    across: f64,
+    up: f64,
+}
+
+impl Cells {
+    fn add(&mut self, [across, up]: [f64; 2]) {
+        self.count += 1.0;
+        self.across += across;
+        self.up += up;
+    }
+
+    fn middle(&self) -> [f64; 2] {
+        [self.across / self.count, self.up / self.count]
+    }
+}
+
+/// The cells on which blocks hide each other.
+struct Grid {
+    low: [f64; 2],
+    cell: f64,
+    size: [usize; 2],
+    /// The block that is seen in a cell, and how far along the wind.
+    seen: Vec<Option<(usize, f64)>>,
+    /// The block that was drawn last into a cell.
+    drawn: Vec<usize>,
+    /// Cells of each block's own outline, and how often its faces cover them.
+    own: Vec<(Cells, f64)>,
+}
+
+impl Grid {
+    fn round(all: &[Facing]) -> Self {
+        let corners = all.iter().flat_map(|facing| facing.triangles.iter().flatten());
+        let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+        for corner in corners {
+            low = low.min(*corner);
+            high = high.max(*corner);
+        }
+        let cell = (high.x - low.x).max(high.y - low.y) / CELLS;
+        let size = [high.x - low.x, high.y - low.y].map(|length| (length / cell).ceil() as usize + 1);
+        let cells = size[0] * size[1];
+        Grid {
+            low: [low.x, low.y],
+            cell,
+            size,
+            seen: vec![None; cells],
+            drawn: vec![usize::MAX; cells],
+            own: vec![(Cells::default(), 0.0); all.len()],
+        }
+    }
+
+    fn place(&self, column: usize, row: usize) -> [f64; 2] {
+        [
+            self.low[0] + (column as f64 + IN_CELL[0]) * self.cell,
+            self.low[1] + (row as f64 + IN_CELL[1]) * self.cell,
+        ]
+    }
+
+    /// The first index whose ray lies at or beyond a coordinate.
+    fn index(&self, axis: usize, at: f64) -> usize {
+        let index = ((at - self.low[axis]) / self.cell - IN_CELL[axis]).ceil();
+        (index.max(0.0) as usize).min(self.size[axis])
+    }
+
+    fn draw(&mut self, block: usize, facing: &Facing) {
+        for [a, b, c] in &facing.triangles {
+            let least = a.y.min(b.y).min(c.y);
+            let most = a.y.max(b.y).max(c.y);
+            for row in self.index(1, least)..self.index(1, most) {
+                let up = self.place(0, row)[1];
+                let Some([from, to]) = crossed([*a, *b, *c], up) else {
+                    continue;
+                };
+                for column in self.index(0, from.x)..self.index(0, to.x) {
+                    let at = self.place(column, row);
+                    let share = (at[0] - from.x) / (to.x - from.x);
+                    self.cover(block, [column, row], from.z + share * (to.z - from.z));
+                }
+            }
+        }
+    }
+
+    fn cover(&mut self, block: usize, [column, row]: [usize; 2], along: f64) {
+        let cell = row * self.size[0] + column;
+        let (own, covered) = &mut self.own[block];
+        *covered += 1.0;
+        if self.drawn[cell] != block {
+            self.drawn[cell] = block;
+            let at = [
+                self.low[0] + (column as f64 + IN_CELL[0]) * self.cell,
+                self.low[1] + (row as f64 + IN_CELL[1]) * self.cell,
+            ];
+            own.add(at);
+        }
+        if self.seen[cell].is_none_or(|(_, before)| along < before) {
+            self.seen[cell] = Some((block, along));
+        }
+    }
+
+    fn seen(&self, all: &[Facing]) -> Vec<Silhouette> {
+        let mut rows: Vec<Vec<Cells>> = vec![vec![Cells::default(); self.size[1]]; all.len()];
+        for (cell, seen) in self.seen.iter().enumerate() {
+            if let Some((block, _)) = seen {
+                let (column, row) = (cell % self.size[0], cell / self.size[0]);
+                rows[*block][row].add(self.place(column, row));
+            }
+        }
+        let each = all.iter().zip(&self.own).zip(&rows);
+        each.map(|((facing, (own, covered)), rows)| self.silhouette(facing, own, *covered, rows))
+            .collect()
+    }
+
+    fn silhouette(&self, facing: &Facing, own: &Cells, covered: f64, rows: &[Cells]) -> Silhouette {
+        if facing.area <= 0.0 {
+            return Silhouette::default();
+        }
+        let exact = facing.first.map(|first| first / facing.area);
+        if own.count == 0.0 {
+            return thin(facing, exact);
+        }
+        // 1 where it is convex: no face lies before another of its own
+        let once = own.count / covered;
+        let own_area_m2 = facing.area * once;
+        let mut all = Cells::default();
+        for row in rows {
+            (all.count, all.across, all.up) =
+                (all.count + row.count, all.across + row.across, all.up + row.up);
+        }
+        if all.count == 0.0 {
+            return Silhouette {
+                own_area_m2,
+                centroid_m: exact,
+                ..Silhouette::default()
+            };
+        }
+        let area_m2 = own_area_m2 * all.count / own.count;
+        // what the grid rounds is the same for all of the block
+        let rounding = match once == 1.0 {
+            true => [0, 1].map(|axis| exact[axis] - own.middle()[axis]),
+            false => [0.0; 2],
+        };
+        let centroid_m = [0, 1].map(|axis| all.middle()[axis] + rounding[axis]);
+        let per_cell = area_m2 / all.count / self.cell;
+        let strips = rows.iter().enumerate().filter(|(_, row)| row.count > 0.0);
+        let strips = strips.map(|(index, row)| {
+            let bottom_m =
+                self.low[1] + index as f64 * self.cell + rounding[1] + (IN_CELL[1] - 0.5) * self.cell;
+            SilhouetteStrip {
+                bottom_m,
+                top_m: bottom_m + self.cell,
+                breadth_m: per_cell * row.count,
+                middle_m: row.middle()[0] + rounding[0],
+            }
+        });
+        Silhouette {
+            own_area_m2,
+            area_m2,
+            centroid_m,
+            strips: strips.collect(),
+        }
+    }
+}
+
+/// A block too thin for the grid: as if nothing hid it.
+fn thin(facing: &Facing, exact: [f64; 2]) -> Silhouette {
+    let heights = facing.triangles.iter().flatten().map(|corner| corner.y);
+    let (low, high) = heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), at| {
+        (low.min(at), high.max(at))
+    });
+    Silhouette {
+        own_area_m2: facing.area,
+        area_m2: facing.area,
+        centroid_m: exact,
+        strips: vec![SilhouetteStrip {
+            bottom_m: low,
+            top_m: high,
+            breadth_m: facing.area / (high - low),
+            middle_m: exact[0],
+        }],
+    }
+}
+
+/// Where a height crosses a triangle: the left and the right end, with how far along they lie.
+fn crossed(corners: Triangle, up: f64) -> Option<[DVec3; 2]> {
+    let mut ends: Vec<DVec3> = Vec::with_capacity(2);
+    for k in 0..3 {
+        let (a, b) = (corners[k], corners[(k + 1) % 3]);
+        if (a.y <= up) != (b.y <= up) {
+            ends.push(a + (b - a) * ((up - a.y) / (b.y - a.y)));
+        }
+    }
+    match ends[..] {
+        [a, b] if a.x < b.x => Some([a, b]),
+        [a, b] if b.x < a.x => Some([b, a]),
+        _ => None,
+    }
+}
