@@ -24,7 +24,7 @@ fn exact_frequencies_of_a_held_base_stand_beside_those_with_the_ground() {
     let value: serde_json::Value = serde_json::from_str(&json.stdout).unwrap();
     let record = &value["surveys"][0]["records"];
     assert_eq!(record["modes"]["method"], "okid");
-    assert_eq!(record["driven"]["inputs"][0], "footing");
+    assert_eq!(record["driven"]["inputs"][0], "G");
     for (k, (held, together)) in HELD_HZ.iter().zip(TOGETHER_HZ).enumerate() {
         let mode = &record["modes"]["modes"][k];
         let of = |key: &str| mode[key].as_f64().unwrap();
@@ -40,7 +40,7 @@ fn exact_frequencies_of_a_held_base_stand_beside_those_with_the_ground() {
 #[test]
 fn refuses_inputs_that_are_no_channel_or_of_another_method() {
     let scratch = Scratch::with_examples("driven_refused");
-    edited(&scratch, "inputs = [\"footing\"]", "inputs = [\"cellar\"]");
+    edited(&scratch, "inputs = [\"G\"]", "inputs = [\"cellar\"]");
     let unknown = scratch.dolmen(&format!("identify examples/{PROJECT}"));
     assert_ne!(unknown.status, 0);
     assert!(
@@ -51,7 +51,7 @@ fn refuses_inputs_that_are_no_channel_or_of_another_method() {
     edited(
         &scratch,
         "inputs = [\"cellar\"]",
-        "inputs = [\"footing\"]\nmethod = \"ssi-cov\"",
+        "inputs = [\"G\"]\nmethod = \"ssi-cov\"",
     );
     let other = scratch.dolmen(&format!("identify examples/{PROJECT}"));
     assert_ne!(other.status, 0);

@@ -21,6 +21,7 @@ mod table;
 mod tilt;
 mod tracking;
 mod watch;
+mod watched_mode;
 mod weather;
 mod whitening;
 
@@ -38,9 +39,7 @@ pub use sensors::SensorChange;
 pub use t_squared::SurveyTSquared;
 pub use tilt::{SlopeLimit, TiltJump, TiltReach, TiltSeries, TiltSlope, TiltTrend};
 pub use tracking::{Jumped, Track, Tracked, Tracking, track};
-pub use watch::{
-    LastOff, StructureAlarm, WatchOptions, Watched, WatchedChange, WatchedMode, WeatherEffect, WorkEffect,
-    watch,
-};
+pub use watch::{StructureAlarm, WatchOptions, Watched, watch};
+pub use watched_mode::{LastOff, WatchedChange, WatchedMode, WeatherEffect, WorkEffect};
 pub use weather::WeatherKnown;
 pub use whitening::Disturbance;

@@ -405,4 +405,49 @@ mod tests {
         );
         assert!(found.seen_from_per_year > 2.5 * found.sd_per_year);
     }
+
+    /// Monthly readings of 4 years: a season, noise of 5e-5, and a step of `size` from reading `from` on.
+    fn monthly(seed: u64, from: usize, size: f64) -> TiltSeries {
+        let mut random = Random::new(seed, 1);
+        let days: Vec<f64> = (0..48).map(|i| 30.4 * f64::from(i)).collect();
+        let wave = |day: f64| 1e-4 * (TAU * day / YEAR_DAYS).cos();
+        let ratios = days.iter().enumerate().map(|(i, day)| {
+            let step = if i >= from { size } else { 0.0 };
+            3e-3 + wave(*day) + step + 5e-5 * random.normal()
+        });
+        TiltSeries {
+            direction: "x".into(),
+            datum: None,
+            surveys: (0..48).collect(),
+            ratios: ratios.collect(),
+            days,
+        }
+    }
+
+    #[test]
+    fn holds_a_jump_is_found_where_it_is_and_the_level_after_it_is_the_tilt_now() {
+        for from in [20, 45, 47] {
+            let found = tilt_trend(monthly(1, from, 8e-4), &[], 0.05, Some(5e-3)).unwrap();
+            let jump = found.jump.unwrap();
+            assert_eq!(jump.from, from);
+            assert!((jump.size - 8e-4).abs() < 3.0 * jump.sd, "{jump:?}");
+            let slope = found.slope.unwrap();
+            assert!((slope.now - 3.8e-3).abs() < 1.5e-4, "{from} {}", slope.now);
+            assert!(!found.is_beyond_chance(), "{from}");
+        }
+    }
+
+    #[test]
+    fn holds_jumps_of_noise_are_as_rare_as_stated() {
+        const RUNS: u64 = 200;
+        let found = |seed: &u64| {
+            tilt_trend(monthly(100 + seed, 48, 0.0), &[], 0.05, None)
+                .unwrap()
+                .jump
+                .is_some()
+        };
+        let jumps = (0..RUNS).filter(found).count();
+        println!("{jumps} of {RUNS}");
+        assert!(jumps <= 18, "{jumps} of {RUNS}"); // 5 %: at most 18 with 99 %
+    }
 }

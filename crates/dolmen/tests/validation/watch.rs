@@ -73,6 +73,43 @@ fn holds_a_change_of_1_2_per_cent_in_60_is_found() {
 }
 
 #[test]
+fn holds_what_the_last_two_surveys_alone_show_is_no_drift_of_another_size() {
+    for seed in 1..=8 {
+        let of = MadeHistory {
+            surveys: 48,
+            step: Some((46, -0.03)),
+            seed,
+            ..MadeHistory::default()
+        };
+        let found = seen(&made_history(&of));
+        for mode in &found.modes {
+            assert!(mode.changes.is_empty(), "seed {seed} {:?}", mode.changes);
+            let off = mode.last_off.unwrap();
+            assert_eq!((off.from, off.surveys), (46, 2), "seed {seed}");
+            assert!((off.ratio + 0.03).abs() < 3.5 * off.sd, "seed {seed} {off:?}");
+        }
+    }
+}
+
+#[test]
+fn holds_an_alarm_dates_from_the_survey_with_which_the_change_began() {
+    for seed in 1..=8 {
+        let of = MadeHistory {
+            step: Some((35, -0.012)),
+            seed,
+            ..MadeHistory::default()
+        };
+        let found = seen(&made_history(&of));
+        let first = found
+            .alarms
+            .iter()
+            .find(|alarm| alarm.alarm.survey >= 35)
+            .unwrap();
+        assert!(first.alarm.since.abs_diff(35) <= 2, "seed {seed} {first:?}");
+    }
+}
+
+#[test]
 fn holds_unchanged_histories_are_rarely_called_changed() {
     let histories = 40_u64;
     let of = |seed| MadeHistory {
