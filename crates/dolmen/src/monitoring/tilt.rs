@@ -369,9 +369,9 @@ mod tests {
                 let found = tilt_trend(series, &[], 0.05, Some(5e-3)).unwrap().slope.unwrap();
                 let reach = found.reach.unwrap();
                 assert_eq!(reach.limit, -5e-3);
-                held += usize::from(
-                    reach.years_earliest.unwrap() <= years_left && years_left <= reach.years_latest.unwrap(),
-                );
+                // no forecast, where noise looked like a jump, holds nothing
+                let of = reach.years_earliest.zip(reach.years_latest);
+                held += usize::from(of.is_some_and(|(from, to)| from <= years_left && years_left <= to));
             }
             let share = held as f64 / drawn as f64;
             assert!((0.90..=0.99).contains(&share), "{years_left} years: {share}");
@@ -447,7 +447,6 @@ mod tests {
                 .is_some()
         };
         let jumps = (0..RUNS).filter(found).count();
-        println!("{jumps} of {RUNS}");
-        assert!(jumps <= 18, "{jumps} of {RUNS}"); // 5 %: at most 18 with 99 %
+        assert!(jumps <= 18, "{jumps} of {RUNS}"); // 5 %: at most 18 with 99 %; 10 were
     }
 }

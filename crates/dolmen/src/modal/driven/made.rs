@@ -54,7 +54,7 @@ impl MadeOnGround {
         let steps = (self.duration_s * rate_hz) as usize;
         let forces = self.forces(steps, rate_hz)?;
         let mut state = [[0.0; 3]; 2];
-        let mut samples = vec![Vec::with_capacity(steps / FINER + 1); 3];
+        let mut samples: [Vec<f64>; 3] = Default::default();
         for step in 0..steps - 1 {
             let [now, next] = [step, step + 1].map(|at| [forces[0][at], forces[1][at], forces[2][at]]);
             if step % FINER == 0 {
@@ -78,7 +78,7 @@ impl MadeOnGround {
         };
         Record::new(
             ["ground", "floor", "roof"].map(channel).to_vec(),
-            samples,
+            samples.to_vec(),
             RATE_HZ,
         )
     }
