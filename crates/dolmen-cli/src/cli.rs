@@ -1,7 +1,7 @@
 //! What can be typed: the verbs and their flags, with the help that clap prints.
 
 use crate::cli_follow::Follow;
-use crate::cli_language::{day, positive};
+use crate::cli_language::{day, positive, zone};
 use crate::cli_portfolio::{Rank, Score};
 use crate::cli_survey;
 use crate::cli_tune::Tune;
@@ -355,8 +355,8 @@ pub(crate) struct GroundMotionVerb {
     /// Site of the demand: S1 to S5 (KDS), A to E (Eurocode 8)
     #[arg(long, default_value = "", requires = "matched")]
     pub(crate) site: String,
-    /// Seismic zone of KDS 17 10 00: 1 or 2
-    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u8).range(1..=2), requires = "matched", conflicts_with = "ground_acceleration")]
+    /// Seismic zone of KDS 17 10 00: 1 (I) or 2 (II)
+    #[arg(long, default_value_t = 1, value_parser = zone, requires = "matched", conflicts_with = "ground_acceleration")]
     pub(crate) zone: u8,
     /// Return period of KDS 17 10 00, years
     #[arg(

@@ -51,6 +51,15 @@ pub(crate) fn positive(text: &str) -> Result<f64, String> {
     }
 }
 
+/// A seismic zone as people write it: 1, 2, I, II, Ⅰ, Ⅱ.
+pub(crate) fn zone(text: &str) -> Result<u8, String> {
+    match text.trim() {
+        "1" | "I" | "i" | "Ⅰ" => Ok(1),
+        "2" | "II" | "ii" | "Ⅱ" => Ok(2),
+        _ => Err("must be 1 (I) or 2 (II)".to_owned()),
+    }
+}
+
 /// A size of a file in bytes: "12 GB", "512 MiB", "1000".
 pub(crate) fn size(text: &str) -> Result<u64, String> {
     const UNITS: [(&str, u64); 8] = [

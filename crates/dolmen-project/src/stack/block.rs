@@ -1,7 +1,7 @@
 //! One block of a stack from what is written: its shape, and what it stands on.
 
 use super::bed::bed;
-use super::body::body;
+use super::body::{MayBeGround, body};
 use super::file::{BlockRaw, OnRaw, OpeningRaw};
 use super::part::{BlockPart, OpeningPart, ShapePart};
 use super::shape::shape;
@@ -145,7 +145,7 @@ fn on(
             reader.fault(fault.allowed(WrongStack::NeedsNameOfAnother));
             return None;
         }
-        bodies.push(body(reader, name, (&on.span, &path), names, WrongStack::OfBlock)?);
+        bodies.push(body(reader, name, (&on.span, &path), names, MayBeGround::Yes)?);
     }
     Some(bodies)
 }

@@ -46,13 +46,20 @@ pub(super) fn names(reader: &mut Reader, blocks: &[At<BlockRaw>]) -> Vec<String>
     names
 }
 
-/// The body of a name among `known`; `place` says where it is written.
+/// Whether a body may be the ground.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum MayBeGround {
+    Yes,
+    No,
+}
+
+/// The body of a name among `known`; `place` says where it is written, and `ground` whether it may be the ground.
 pub(super) fn body(
     reader: &mut Reader,
     name: &str,
     place: (&Range<usize>, &str),
     known: &[String],
-    which: WrongStack,
+    ground: MayBeGround,
 ) -> Option<Body> {
     if name == GROUND {
         return Some(Body::Ground);
@@ -67,7 +74,7 @@ pub(super) fn body(
         WrongStack::IsNo {
             path: path.to_string(),
             name: name.to_string(),
-            which: which.into(),
+            which: WrongStack::OfBlock.into(),
         },
     );
     let help: Both = match nearest(name, known.iter().map(String::as_str)) {
@@ -75,8 +82,11 @@ pub(super) fn body(
             near: near.to_string(),
         }
         .into(),
-        None => WrongStack::WriteNameOfBlock {
-            ground: GROUND.to_string(),
+        None => match ground {
+            MayBeGround::Yes => WrongStack::WriteNameOfBlock {
+                ground: GROUND.to_string(),
+            },
+            MayBeGround::No => WrongStack::WriteNameOfABlock,
         }
         .into(),
     };
@@ -92,13 +102,7 @@ pub(super) fn block_index(
     known: &[String],
 ) -> Option<usize> {
     let name = name?;
-    match body(
-        reader,
-        &name.value,
-        (&name.span, path),
-        known,
-        WrongStack::OfBlock,
-    )? {
+    match body(reader, &name.value, (&name.span, path), known, MayBeGround::No)? {
         Body::Block(index) => Some(index),
         Body::Ground => {
             let fault = Fault::new(

@@ -2,7 +2,7 @@
 
 use super::bed::bed;
 use super::block::block;
-use super::body::{block_index, body, names};
+use super::body::{MayBeGround, block_index, body, names};
 use super::file::{BlockRaw, ContactRaw, SideSupportRaw, SupportMovementRaw, TieRaw};
 use super::made::{arch_part, wall_part};
 use super::pagoda::pagoda;
@@ -166,13 +166,7 @@ fn without_density(reader: &mut Reader, blocks: &[At<BlockRaw>]) {
 fn contact(reader: &mut Reader, raw: &At<ContactRaw>, path: &str, names: &[String]) -> Option<ContactPart> {
     let lower = raw.value.lower.as_ref().and_then(|name| {
         let path = format!("{path}.lower");
-        body(
-            reader,
-            &name.value,
-            (&name.span, &path),
-            names,
-            WrongStack::OfBlock,
-        )
+        body(reader, &name.value, (&name.span, &path), names, MayBeGround::Yes)
     });
     let upper = block_index(reader, raw.value.upper.as_ref(), &format!("{path}.upper"), names);
     let joint = bed(reader, raw.value.joint.as_ref(), &format!("{path}.joint"));
@@ -187,13 +181,7 @@ fn tie(reader: &mut Reader, raw: &At<TieRaw>, path: &str, names: &[String]) -> O
     let tie = &raw.value;
     let lower = tie.lower.as_ref().and_then(|name| {
         let path = format!("{path}.lower");
-        body(
-            reader,
-            &name.value,
-            (&name.span, &path),
-            names,
-            WrongStack::OfBlock,
-        )
+        body(reader, &name.value, (&name.span, &path), names, MayBeGround::Yes)
     });
     let upper = block_index(reader, tie.upper.as_ref(), &format!("{path}.upper"), names);
     let position_path = format!("{path}.position");

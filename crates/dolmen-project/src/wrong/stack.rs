@@ -40,6 +40,10 @@ messages! {
             en: "write the name of a block as it stands in blocks, or \"{ground}\"",
             ko: "blocks에 있는 부재 이름 또는 \"{ground}\"을(를) 쓴다",
         },
+        WriteNameOfABlock => {
+            en: "write the name of a block as it stands in blocks, or as the generator names it (see `dolmen check --full`)",
+            ko: "blocks에 있는 부재 이름 또는 자동 생성된 부재 이름을 쓴다(`dolmen check --full`로 확인)",
+        },
         UnknownName => { en: "unknown name", ko: "없는 이름" },
         Is { path: String, ground: String } => {
             en: "{path} is \"{ground}\"",

@@ -10,8 +10,8 @@ messages! {
     /// Temperatures of two surveys.
     pub(crate) enum Weather in "change.temperature" {
         NotMeasured => {
-            en: "The temperature of one of the two surveys is not known: a change of frequency may be the weather's.",
-            ko: "두 조사 중 한 조사의 기온을 알 수 없으므로 고유진동수의 변화는 기온에 의한 것일 수 있다.",
+            en: "The temperature of at least one of the two surveys is not known: a change of frequency may be the weather's.",
+            ko: "두 조사 중 하나 이상의 기온을 알 수 없으므로 고유진동수의 변화는 기온에 의한 것일 수 있다.",
         },
         Same => { en: "Both surveys at the same temperature.", ko: "두 조사의 기온이 같다." },
         SameMeasured { temperature: Quantity } => {

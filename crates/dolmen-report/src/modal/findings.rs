@@ -1,5 +1,6 @@
 //! What records say of modes in plain words.
 
+use super::notes::note_words;
 use super::steps::step_words;
 use super::values::frequency;
 use crate::document::{Finding, Tone};
@@ -222,6 +223,10 @@ fn doubts(record: &RecordAnswer) -> Vec<Finding> {
             .map(|doubt| Finding::key(Tone::Warn, sensor(doubt)).with_code("sensor-slip")),
     );
     all.extend(record.analysis.notes.iter().filter_map(still));
+    // channels that were left out for their clock: what is found is of the others alone
+    let of_clocks = |note: &&Note| matches!(note, Note::ClockDrift { .. } | Note::LateClocks { .. });
+    let clocks = record.analysis.notes.iter().filter(of_clocks);
+    all.extend(clocks.map(|note| Finding::key(Tone::Warn, note_words(note))));
     all
 }
 

@@ -9,7 +9,7 @@ use dolmen::monitoring::{
     ChangeForm, LastOff, NotJudged, StructureAlarm, WatchedChange, WatchedMode, WeatherKnown,
 };
 use dolmen::numeric::quantile;
-use dolmen_project::WorkKind;
+use dolmen_project::{WorkKind, WorkPart};
 use dolmen_words::{Quantity, Sentence, messages};
 use dolmen_work::watched::WatchAnswer;
 
@@ -126,9 +126,16 @@ pub(super) fn chance(p: f64) -> Sentence {
 
 /// The findings: alarms, changes, what could have been missed, tilts, what is doubtful.
 pub(crate) fn findings(answer: &WatchAnswer) -> Vec<Finding> {
-    let mut all = alarms(answer);
+    // no alarm is no good news where something changed and nobody answered it
+    let alarms = alarms(answer);
+    let is_news = alarms.iter().any(|of| of.tone == Tone::Bad) || !has_unanswered(answer);
+    let (mut all, after) = match is_news {
+        true => (alarms, Vec::new()),
+        false => (Vec::new(), alarms),
+    };
     all.extend(last_survey(answer));
     all.extend(changes(answer));
+    all.extend(after);
     all.extend(weather(answer));
     all.extend(leans(answer));
     all.extend(
@@ -149,7 +156,8 @@ pub(crate) fn findings(answer: &WatchAnswer) -> Vec<Finding> {
     all.extend(works(answer));
     all.extend(failing(answer));
     all.extend(sensors(answer));
-    if answer.watched.false_alarm_probability > 0.0 {
+    // tilts alone give no alarm of the structure
+    if answer.watched.false_alarm_probability > 0.0 && !answer.watched.modes.is_empty() {
         all.push(Finding::new(
             Tone::Plain,
             Found::Rate {
@@ -181,7 +189,13 @@ fn alarms(answer: &WatchAnswer) -> Vec<Finding> {
         let last = name(answer, answer.surveys.len().saturating_sub(1));
         let answered = watched.alarms.len();
         return match is_judged {
-            true => vec![Finding::key(Tone::Good, Found::NoOpenAlarm { answered, last })],
+            true => {
+                let tone = match has_unanswered(answer) {
+                    true => Tone::Plain,
+                    false => Tone::Good,
+                };
+                vec![Finding::key(tone, Found::NoOpenAlarm { answered, last })]
+            }
             false if answer.watched.modes.is_empty() => Vec::new(),
             false => vec![Finding::key(Tone::Unknown, Found::NoneJudged { training: 10 })],
         };
@@ -203,6 +217,24 @@ fn alarms(answer: &WatchAnswer) -> Vec<Finding> {
         ));
     }
     all
+}
+
+/// Whether a mode changed, or its last surveys lie off, and no repair and no inspection followed.
+fn has_unanswered(answer: &WatchAnswer) -> bool {
+    let answers = |(_, work): &&(f64, WorkPart)| matches!(work.kind, WorkKind::Repair | WorkKind::Inspection);
+    let answered_until = answer.works.iter().rev().find(answers).map(|(day, _)| *day);
+    let is_open = |survey: usize| {
+        let day = answer.surveys.get(survey).map(|of| of.day);
+        day.zip(answered_until).is_none_or(|(day, until)| until < day)
+    };
+    answer.watched.modes.iter().any(|mode| {
+        let off = mode.last_off.map(|off| off.from);
+        mode.changes
+            .iter()
+            .map(|change| change.before)
+            .chain(off)
+            .any(is_open)
+    })
 }
 
 /// Why the last survey was not judged, where no mode of it was.
