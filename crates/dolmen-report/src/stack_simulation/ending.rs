@@ -20,6 +20,10 @@ messages! {
             en: "The wind of the file does not blow during the motion.",
             ko: "지진동이 작용하는 동안 입력한 풍하중은 고려하지 않았다.",
         },
+        SupportsAsDrawn => {
+            en: "The movement of supports in the file is not in this run: the stones are shaken as drawn, with their joints closed. Joints that a support has opened leave less.",
+            ko: "입력한 지점 이동은 이 해석에 반영하지 않았다. 부재는 도면 형상 그대로, 접합면이 닫힌 상태에서 흔들린다. 지점 이동으로 벌어진 접합면이 있으면 실제 여유는 더 작다.",
+        },
         Ground => { en: "ground", ko: "지반" },
         Name { name: String } => { en: "{name}", ko: "{name}" },
         And { first: Sentence, next: Sentence } => { en: "{first} {next}", ko: "{first} {next}" },

@@ -29,6 +29,9 @@ pub(crate) fn findings(runs: &StackRuns) -> Vec<Finding> {
     if !simulation.stack.static_loads().is_empty() {
         all.push(Finding::key(Tone::Plain, Ending::LoadsAct));
     }
+    if !simulation.stack.support_movements().is_empty() {
+        all.push(Finding::key(Tone::Warn, Ending::SupportsAsDrawn));
+    }
     if simulation.without_wind {
         all.push(Finding::key(Tone::Plain, Ending::NoWind));
     }
