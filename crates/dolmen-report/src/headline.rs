@@ -178,6 +178,7 @@ fn own_weight(judged: &VersionJudgement, weight: Weight, contradicted: Option<Se
             evidence,
         },
         (Weight::Unknown { .. }, Some(evidence)) => Headline::UnknownSince { word, evidence },
+        _ if judged.with_loads => Headline::WeightAndLoads { word },
         _ => Headline::OwnWeight { word },
     }
     .into()
@@ -272,6 +273,7 @@ mod tests {
         VersionJudgement {
             variant: None,
             governed_by: None,
+            with_loads: false,
             weight: Some(Weight::Unknown {
                 load_factor_if_right: Some(1.95),
             }),

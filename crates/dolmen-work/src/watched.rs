@@ -86,35 +86,36 @@ impl WatchAnswer {
 
     /// How it leans in x and y together, where one log of each says so and their zeros are known.
     pub fn logged_lean(&self) -> Option<LeanNow> {
-        let of = |direction: &str| {
+        let of = |direction: &str| -> Option<[f64; 2]> {
             let mut all = self.logs.iter().filter(|log| {
                 log.part.zero.is_some()
                     && matches!(&log.part.kind, LogKind::Tilt { direction: own } if own == direction)
             });
-            let first = all.next()?;
+            let first = &all.next()?.trend;
+            let seen = first.slope.as_ref().ok().filter(|_| first.is_beyond_chance());
+            let part = [first.now, seen.map_or(0.0, |slope| slope.per_year)];
             all.next()
                 .is_none()
-                .then_some(first.trend.now)
-                .filter(|now| now.is_finite())
+                .then_some(part)
+                .filter(|[now, _]| now.is_finite())
         };
-        Some(LeanNow {
-            datum: None,
-            directions: vec!["x".to_owned(), "y".to_owned()],
-            size: of("x")?.hypot(of("y")?),
-            limit: self.project.watch.tilt_limit,
-        })
+        let directions = vec!["x".to_owned(), "y".to_owned()];
+        let limit = self.project.watch.tilt_limit;
+        Some(LeanNow::of(None, directions, &[of("x")?, of("y")?], limit))
     }
 
     /// How it leans on the day of the last readings: x and y of one datum together, other directions each by itself.
     pub fn leans(&self) -> Vec<LeanNow> {
         let limit = self.project.watch.tilt_limit;
-        let mut leans: Vec<LeanNow> = Vec::new();
+        let mut leans: Vec<(LeanNow, Vec<[f64; 2]>)> = Vec::new();
         for trend in &self.watched.tilts {
             let of = &trend.series;
             let read = trend.slope.map(|slope| slope.now).or(of.ratios.last().copied());
             let Some(now) = read else { continue };
             let is_plane = |direction: &str| matches!(direction, "x" | "y");
-            let across = leans.iter_mut().find(|lean| {
+            let per_year = trend.slope.filter(|_| trend.is_beyond_chance());
+            let part = [now, per_year.map_or(0.0, |slope| slope.per_year)];
+            let across = leans.iter_mut().find(|(lean, _)| {
                 lean.datum == of.datum
                     && is_plane(&of.direction)
                     && lean
@@ -123,19 +124,20 @@ impl WatchAnswer {
                         .all(|own| is_plane(own) && *own != of.direction)
             });
             match across {
-                Some(lean) => {
-                    lean.size = lean.size.hypot(now);
-                    lean.directions.push(of.direction.clone());
+                Some((lean, parts)) => {
+                    parts.push(part);
+                    let mut directions = lean.directions.clone();
+                    directions.push(of.direction.clone());
+                    *lean = LeanNow::of(of.datum.clone(), directions, parts, limit);
                 }
-                None => leans.push(LeanNow {
-                    datum: of.datum.clone(),
-                    directions: vec![of.direction.clone()],
-                    size: now.abs(),
-                    limit,
-                }),
+                None => {
+                    let directions = vec![of.direction.clone()];
+                    let lean = LeanNow::of(of.datum.clone(), directions, &[part], limit);
+                    leans.push((lean, vec![part]));
+                }
             }
         }
-        leans
+        leans.into_iter().map(|(lean, _)| lean).collect()
     }
 }
 
@@ -150,6 +152,31 @@ pub struct LeanNow {
     pub size: f64,
     /// The tilt that must not be reached.
     pub limit: Option<f64>,
+    /// Years until it is, at the slopes beyond chance of all directions together; `None` without, and beyond it.
+    pub years: Option<f64>,
+}
+
+impl LeanNow {
+    /// Of the tilt now and the slope, 1/year, in each direction.
+    ///
+    /// ```text
+    /// Σ (n + s T)² = L²
+    /// ```
+    fn of(datum: Option<String>, directions: Vec<String>, parts: &[[f64; 2]], limit: Option<f64>) -> Self {
+        let sum = |of: fn(&[f64; 2]) -> f64| parts.iter().map(of).sum::<f64>();
+        let (square, both, slopes) = (sum(|[n, _]| n * n), sum(|[n, s]| n * s), sum(|[_, s]| s * s));
+        let years = limit.and_then(|limit| {
+            let left = limit * limit - square;
+            (left > 0.0 && slopes > 0.0).then(|| ((both * both + slopes * left).sqrt() - both) / slopes)
+        });
+        LeanNow {
+            datum,
+            directions,
+            size: square.sqrt(),
+            limit,
+            years,
+        }
+    }
 }
 
 impl LeanNow {

@@ -58,11 +58,15 @@ impl LogPart {
             return OTHER_SCALES.contains(&stated.as_str());
         }
         let stated = match stated.as_str() {
-            "degree" | "degrees" => "deg",
+            "degree" | "degrees" | "°" => "deg",
+            // scales that no key of a project has
+            "µm/m" | "μm/m" | "um/m" | "arcsec" | "arcmin" | "mv" | "v" | "volt" | "volts" | "counts" => {
+                return true;
+            }
             other => other,
         };
         let (Ok(stated), Ok(own)) = (parse_unit(stated), parse_unit(&self.unit)) else {
-            return false; // "V", "counts": no unit that we know
+            return false; // no unit that we know
         };
         stated.dimension != own.dimension || (stated.factor / own.factor - 1.0).abs() > 1e-6
     }
@@ -170,7 +174,8 @@ mod tests {
             (tilt.clone(), "deg", "Deg", false),
             (tilt.clone(), "deg", "degrees", false),
             (tilt.clone(), "deg", "mrad", true),
-            (tilt.clone(), "mm/m", "Volts", false),
+            (tilt.clone(), "mm/m", "Volts", true),
+            (tilt.clone(), "mm/m", "µm/m", true),
             (tilt, "mm/m", "mm", true),
             (LogKind::Crack, "mm", "MM", false),
             (LogKind::Crack, "mm", "cm", true),

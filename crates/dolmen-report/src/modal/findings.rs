@@ -2,9 +2,9 @@
 
 use super::notes::note_words;
 use super::steps::step_words;
-use super::values::frequency;
+use super::values::{frequency, hertz};
 use crate::document::{Finding, Tone};
-use dolmen::modal::{Mode, Note, SensorDoubt};
+use dolmen::modal::{DrivenMode, Mode, Note, SensorDoubt};
 use dolmen::signal::Processing;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, Values, messages};
 use dolmen_work::surveyed::{RecordAnswer, SetupsAnswer, SurveyAnswer};
@@ -50,6 +50,10 @@ messages! {
         OnHeldBase { inputs: Vec<String> } => {
             en: "on a base that is held where {inputs} measures its motion",
             ko: "{inputs}이(가) 잰 기초가 고정된 것으로 보고",
+        },
+        FollowsLittle { frequency: Quantity, share: Quantity } => {
+            en: "Only {share} % of the motion at {frequency} follows the measured input: wind, people or noise move the rest, and clocks that differ or noise of the input would show as this too. Is it a mode on a held base?",
+            ko: "{frequency}의 운동 중 계측한 입력을 따르는 것은 {share} %뿐이다. 나머지는 바람, 사람, 잡음에 의한 것이며, 시계가 다르거나 입력에 잡음이 많아도 이렇게 나타난다. 기초가 고정된 모드인지 확인한다.",
         },
         OneFault => {
             en: "1 fault was seen in its channels; it is named with the record.",
@@ -176,6 +180,18 @@ fn sensor(doubt: &SensorDoubt) -> Found {
     }
 }
 
+/// A mode of which less than this follows the measured input. Chosen here.
+const FOLLOWS_LITTLE: f64 = 0.3;
+
+fn follows_little(mode: &DrivenMode) -> Option<Finding> {
+    let share = mode.explained.filter(|share| *share < FOLLOWS_LITTLE)?;
+    let found = Found::FollowsLittle {
+        frequency: hertz(mode.frequency_hz),
+        share: Quantity::ratio(100.0 * share, 2),
+    };
+    Some(Finding::key(Tone::Warn, found))
+}
+
 /// A channel whose numbers are so small beside the others that the unit is probably another one.
 fn still(note: &Note) -> Option<Finding> {
     match note {
@@ -223,6 +239,8 @@ fn doubts(record: &RecordAnswer) -> Vec<Finding> {
             .map(|doubt| Finding::key(Tone::Warn, sensor(doubt)).with_code("sensor-slip")),
     );
     all.extend(record.analysis.notes.iter().filter_map(still));
+    let driven = record.analysis.driven.iter().flat_map(|of| &of.modes);
+    all.extend(driven.filter_map(follows_little));
     // channels that were left out for their clock: what is found is of the others alone
     let of_clocks = |note: &&Note| matches!(note, Note::ClockDrift { .. } | Note::LateClocks { .. });
     let clocks = record.analysis.notes.iter().filter(of_clocks);

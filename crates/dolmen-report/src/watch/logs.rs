@@ -31,6 +31,10 @@ messages! {
             en: "{label}: {yearly} ± {half} a year, beyond chance; at that rate it reaches its limit of {limit} in {when} ({earliest} to {latest}).",
             ko: "{label}: 해마다 {yearly} ± {half}씩 유의하게 변한다. 이 속도로는 {when}({earliest}~{latest})에 한계 {limit}에 이른다.",
         },
+        LeansReach { now: Quantity, limit: Quantity, when: Both } => {
+            en: "The logs of x and y together: it leans by {now} mm/m; at the slopes beyond chance it reaches its limit of {limit} mm/m in {when}.",
+            ko: "x·y 기록을 합성한 기울기는 {now} mm/m이다. 유의한 변화 속도가 이어지면 {when}에 한계 {limit} mm/m에 이른다.",
+        },
         Grows { label: Both, yearly: Quantity, half: Quantity, now: Quantity } => {
             en: "{label}: {yearly} ± {half} a year, beyond chance; now {now}.",
             ko: "{label}: 해마다 {yearly} ± {half}씩 유의하게 변한다. 현재 {now}이다.",
@@ -98,8 +102,28 @@ pub(super) fn logs(answer: &WatchAnswer) -> Vec<Finding> {
         };
         all.push(Finding::key(Tone::Bad, said));
     }
+    let ahead = answer.logged_lean().filter(|lean| !lean.is_beyond());
+    if let Some((lean, years)) = ahead.as_ref().and_then(|lean| Some((lean, lean.years?))) {
+        let last = answer
+            .logs
+            .iter()
+            .filter(|log| log.is_tilt())
+            .filter_map(WatchedLog::span);
+        let last = last.map(|[_, last]| last).fold(f64::NEG_INFINITY, f64::max);
+        let said = Logged::LeansReach {
+            now: slope(lean.size, 2),
+            limit: slope(lean.limit.unwrap_or(f64::NAN), 2),
+            when: month(last, years),
+        };
+        all.push(Finding::key(Tone::Warn, said));
+    }
+    let are_together = answer.logged_lean().is_some_and(|lean| lean.limit.is_some());
     for log in &answer.logs {
-        all.push(trend(log));
+        // the limit of the structure holds for both directions together
+        all.push(trend(
+            log,
+            !(are_together && log.is_tilt() && log.part.limit.is_none()),
+        ));
         all.extend(shifts(log, answer));
         if let Some(jump) = log.trend.jump {
             let said = Logged::Jumped {
@@ -129,7 +153,7 @@ pub(super) fn logs(answer: &WatchAnswer) -> Vec<Finding> {
     all
 }
 
-fn trend(log: &WatchedLog) -> Finding {
+fn trend(log: &WatchedLog, has_own_limit: bool) -> Finding {
     let (is_tilt, label) = (log.is_tilt(), label(log));
     let now = logged(log.trend.now, is_tilt, 2);
     if let Some(limit) = log.trend.limit.filter(|_| log.is_beyond()) {
@@ -160,7 +184,7 @@ fn trend(log: &WatchedLog) -> Finding {
         bare_logged(slope.per_year, is_tilt, 3),
         logged(HALF_95 * slope.sd_per_year, is_tilt, 3),
     );
-    match reached(log, &slope) {
+    match reached(log, &slope).filter(|_| has_own_limit) {
         Some((reach, [when, earliest, latest])) => {
             let said = Logged::Reaches {
                 label,
@@ -185,10 +209,9 @@ fn trend(log: &WatchedLog) -> Finding {
     }
 }
 
-/// The months in which a limit is reached, and the ends of their interval.
-fn reached(log: &WatchedLog, slope: &TiltSlope) -> Option<(TiltReach, [Both; 3])> {
-    let (reach, [_, last]) = (slope.reach?, log.span()?);
-    let month = |years: f64| match years <= DATED_YEARS {
+/// The month so many years behind a day.
+fn month(last: f64, years: f64) -> Both {
+    match years <= DATED_YEARS {
         true => date_text(last + years * YEAR_DAYS)
             .chars()
             .take("2026-11".len())
@@ -198,7 +221,13 @@ fn reached(log: &WatchedLog, slope: &TiltSlope) -> Option<(TiltReach, [Both; 3])
             years: DATED_YEARS as usize,
         }
         .into(),
-    };
+    }
+}
+
+/// The months in which a limit is reached, and the ends of their interval.
+fn reached(log: &WatchedLog, slope: &TiltSlope) -> Option<(TiltReach, [Both; 3])> {
+    let (reach, [_, last]) = (slope.reach?, log.span()?);
+    let month = |years: f64| month(last, years);
     let each = [reach.years?, reach.years_earliest?, reach.years_latest?];
     Some((reach, each.map(month)))
 }

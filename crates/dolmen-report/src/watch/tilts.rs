@@ -29,6 +29,10 @@ messages! {
             en: "Along {directions} together it leans by {now} mm/m, beyond its limit of {limit} mm/m.",
             ko: "{directions} 방향을 합성한 기울기가 {now} mm/m로 한계 {limit} mm/m를 넘었다.",
         },
+        LeansReach { directions: Vec<String>, now: Quantity, limit: Quantity, years: Quantity } => {
+            en: "Along {directions} together it leans by {now} mm/m; at the slopes beyond chance it reaches its limit of {limit} mm/m in {years} years.",
+            ko: "{directions} 방향을 합성한 기울기는 {now} mm/m이다. 유의한 변화 속도가 이어지면 {years}년 뒤에 한계 {limit} mm/m에 이른다.",
+        },
         NoTilt { direction: String, least: Quantity } => {
             en: "Tilt along {direction}: no trend; {least} mm/m a year would have been seen.",
             ko: "{direction} 방향 기울기: 경향 없음. 해마다 {least} mm/m의 변화는 발견되었을 것이다.",
@@ -49,20 +53,35 @@ pub(super) fn leans(answer: &WatchAnswer) -> Vec<Finding> {
                 .is_some_and(|share| share >= 1.0)
         })
     };
-    let beyond = answer
-        .leans()
-        .into_iter()
-        .filter(|lean| lean.is_beyond() && !told(lean));
-    beyond
-        .map(|lean| {
+    let each = answer.leans().into_iter().filter_map(|lean| {
+        let (now, limit) = (slope(lean.size, 2), slope(lean.limit?.abs(), 2));
+        if lean.is_beyond() {
+            let directions = lean.directions.clone();
             let said = Tilted::LeansBeyond {
-                now: slope(lean.size, 2),
-                limit: slope(lean.limit.unwrap_or(f64::NAN).abs(), 2),
-                directions: lean.directions,
+                directions,
+                now,
+                limit,
             };
-            Finding::key(Tone::Bad, said)
-        })
-        .collect()
+            return (!told(&lean)).then(|| Finding::key(Tone::Bad, said));
+        }
+        let years = lean.years.filter(|_| lean.directions.len() > 1)?;
+        let said = Tilted::LeansReach {
+            directions: lean.directions,
+            now,
+            limit,
+            years: plain(years, usize::from(years < 10.0)),
+        };
+        Some(Finding::key(Tone::Warn, said))
+    });
+    each.collect()
+}
+
+/// Whether the limit holds for this direction together with another one.
+fn is_of_several(answer: &WatchAnswer, trend: &TiltTrend) -> bool {
+    let own = &trend.series;
+    answer.leans().iter().any(|lean| {
+        lean.directions.len() > 1 && lean.datum == own.datum && lean.directions.contains(&own.direction)
+    })
 }
 
 /// The direction of a tilt, with its datum where others of the direction have another.
@@ -107,7 +126,7 @@ pub(super) fn jumped(answer: &WatchAnswer, trend: &TiltTrend) -> Option<Finding>
 pub(super) fn tilt(answer: &WatchAnswer, trend: &TiltTrend) -> Option<Finding> {
     let found = trend.slope.as_ref()?;
     let direction = direction_of(answer, trend);
-    let is_ended = is_ended(answer, trend);
+    let is_ended = is_ended(answer, trend) || is_of_several(answer, trend);
     let (yearly, half) = (slope(found.per_year, 3), slope(HALF_95 * found.sd_per_year, 3));
     // what a datum says of the future that was given up is said by the one that took its place
     if let Some(reach) = found.reach.filter(|_| !is_ended) {

@@ -28,6 +28,8 @@ pub struct VersionJudgement {
     pub weight: Option<Weight>,
     /// What of wind and static loads makes the word for weight what it is, and the combination; `None` if its weight alone does.
     pub governed_by: Option<Governing>,
+    /// Whether the word for weight is that under static loads too, which a stack carries in its check.
+    pub with_loads: bool,
     /// What an earthquake asks of it, one a demand, motion and part; empty where nothing is asked.
     pub earthquake: Vec<EarthquakeFinding>,
     /// Is the model the structure.
@@ -72,6 +74,7 @@ impl VersionJudgement {
             variant: variant.map(str::to_owned),
             weight,
             governed_by: None,
+            with_loads: false,
             earthquake: Vec::new(),
             evidence,
             demand_source: None,
@@ -321,6 +324,8 @@ fn version(
         let found = version.earthquake.into_iter();
         version.earthquake = found.map(EarthquakeFinding::if_model_were_right).collect();
     }
+    version.with_loads =
+        matches!(&state.check, Check::Stack(answer) if !answer.stack.static_loads().is_empty());
     version.governed_by = state.governing_loads().map(Governing::of);
     version.demand_source = state.demand.as_ref().map(|demand| {
         let site = &demand.site;

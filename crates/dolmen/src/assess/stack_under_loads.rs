@@ -50,7 +50,7 @@ pub enum Grows {
     All,
     /// Both, but for what presses downwards: it may hold the stones.
     AllButDownwards,
-    /// The wind, with the static loads as they are.
+    /// The wind, without the static loads that press downwards; the others are as they are.
     Wind,
 }
 
@@ -82,7 +82,7 @@ impl StackUnderLoads {
 ///
 /// ```text
 /// λ = least over eight directions of the wind of what can multiply
-///     wind + loads | wind + loads, what presses downwards as it is | wind, the loads as they are
+///     wind + loads | wind + loads, what presses downwards as it is | wind, without the loads that press downwards
 /// ```
 ///
 /// # Errors
@@ -231,7 +231,9 @@ impl Case<'_> {
             rays.push((Grows::AllButDownwards, downwards, others));
         }
         if !wind.is_empty() && self.loads.iter().any(|load| load.force_n != [0.0; 3]) {
-            rays.push((Grows::Wind, self.loads.clone(), wind.to_vec()));
+            // what presses downwards may be gone when it blows
+            let steady = self.loads.iter().filter(|load| load.force_n[2] >= 0.0);
+            rays.push((Grows::Wind, steady.copied().collect(), wind.to_vec()));
         }
         rays
     }

@@ -280,6 +280,16 @@ pub enum ModalError {
         /// Smallest eigenvalue of their coherence matrix over the mean one, the median over the lines.
         share: f64,
     },
+    /// Nothing follows the inputs.
+    #[error(
+        "at most {:.0} % of the motion at any mode follows the inputs, which is no more than chance: is the input channel connected, of this record, \
+         and of the same clock? Without it leave inputs out, and the modes are those of structure and ground together",
+        100.0 * share
+    )]
+    InputsUnrelated {
+        /// The largest share, 0 to 1.
+        share: f64,
+    },
     /// No structure explains how the channels follow the inputs.
     #[error(
         "how the channels follow the inputs is not how a structure follows its ground: the inputs may move only as the structure moves them, or a \
@@ -327,6 +337,7 @@ impl ModalError {
             | Self::SetupRate { .. }
             | Self::Inputs { .. }
             | Self::InputsAlike { .. }
+            | Self::InputsUnrelated { .. }
             | Self::NoObserver
             | Self::Numeric(_)
             | Self::Record(_) => false,

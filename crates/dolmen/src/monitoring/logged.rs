@@ -31,6 +31,8 @@ const SPIKE_FROM: f64 = 8.0;
 /// chance once in some thousand logs.
 const JUMP_DAYS: usize = 7;
 const JUMP_FROM: f64 = 6.0;
+/// Days that may be missing among those.
+const DAYS_MISSING_MOST: usize = 5;
 /// A deviation of normal values over their median absolute deviation.
 const OF_MEDIAN: f64 = 1.4826;
 /// Days whose median is what it reads now, where there is no slope.
@@ -326,17 +328,36 @@ fn jump(daily: &DailyReadings, works: &[[f64; 2]]) -> Option<LoggedJump> {
     };
     let all: Vec<(usize, f64)> = (JUMP_DAYS..=n - JUMP_DAYS).map(|i| (i, by(i))).collect();
     let usual = OF_MEDIAN * middle_mean(all.iter().map(|(_, by)| by.abs()).collect());
+    // over a gap the slope and the season make a difference too
     let is_free = |i: usize| {
         let (from, to) = (days[i - JUMP_DAYS], days[i + JUMP_DAYS - 1]);
-        !works.iter().any(|work| work[0] <= to && work[1] >= from)
+        let is_near = to - from <= (2 * JUMP_DAYS + DAYS_MISSING_MOST) as f64;
+        is_near && !works.iter().any(|work| work[0] <= to && work[1] >= from)
     };
     let free = all.into_iter().filter(|(i, _)| is_free(*i));
     let (i, by) = free.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))?;
-    (usual > 0.0 && by.abs() > JUMP_FROM * usual).then(|| LoggedJump {
-        after: days[i - 1],
-        before: days[i],
-        by,
+    (usual > 0.0 && by.abs() > JUMP_FROM * usual).then(|| {
+        let at = split(&values[i - JUMP_DAYS..i + JUMP_DAYS]);
+        LoggedJump {
+            after: days[i - JUMP_DAYS + at - 1],
+            before: days[i - JUMP_DAYS + at],
+            by,
+        }
     })
+}
+
+/// Where a window falls into two levels: the split with which the readings lie nearest to the medians of its ends.
+fn split(values: &[f64]) -> usize {
+    let n = values.len();
+    let quarter = (n / 4).max(1);
+    let level = |of: &[f64]| middle_mean(of.to_vec());
+    let (before, behind) = (level(&values[..quarter]), level(&values[n - quarter..]));
+    let off = |at: usize| -> f64 {
+        let left = values[..at].iter().map(|x| (x - before).abs());
+        left.chain(values[at..].iter().map(|x| (x - behind).abs())).sum()
+    };
+    let all = (1..n).min_by(|a, b| off(*a).total_cmp(&off(*b)));
+    all.unwrap_or(n / 2)
 }
 
 /// Medians of so many days each.

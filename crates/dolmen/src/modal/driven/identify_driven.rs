@@ -33,6 +33,8 @@ const NOISE_ALLOWED: f64 = 0.02;
 /// Deviation of a frequency over the floor of ambient vibration: structure and ground together are no resonance at the frequency of the held base, which is
 /// known less well where wind shakes more than the ground. Chosen here; poles that fit noise start near 10.
 const FLOOR_MOST: f64 = 8.0;
+/// Share of the motion at the frequency of a mode that must follow the inputs, of the mode that follows them most: by chance less than this does. Chosen here.
+const FOLLOWS_LEAST: f64 = 0.15;
 /// Share of the inputs' motion that is not shared, below which what each does cannot be told apart. Chosen here.
 const APART_LEAST: f64 = 0.05;
 
@@ -132,11 +134,13 @@ pub(crate) fn of_driven(
             .as_ref()
             .and_then(|all| alike(mode, &analysis.modes, all)),
     };
+    let modes: Vec<DrivenMode> = analysis.modes.modes.iter().map(of_mode).collect();
+    refuse_unrelated(&modes)?;
     analysis.driven = Some(Driven {
         inputs: names,
         lags,
         noise,
-        modes: analysis.modes.modes.iter().map(of_mode).collect(),
+        modes,
     });
     analysis.notes = notes;
     Ok(analysis)
@@ -224,6 +228,16 @@ fn refuse_alike(record: &Record, inputs: &[usize], [low_hz, high_hz]: [f64; 2]) 
     }
     match quantile(&apart, 0.5) {
         Ok(share) if share < APART_LEAST => Err(ModalError::InputsAlike { share }),
+        _ => Ok(()),
+    }
+}
+
+/// Refuses inputs that no mode follows: the modes would be those of structure and ground together, under the name of a held base.
+fn refuse_unrelated(modes: &[DrivenMode]) -> Result<(), ModalError> {
+    let shares: Option<Vec<f64>> = modes.iter().map(|mode| mode.explained).collect();
+    let most = shares.and_then(|of| of.into_iter().reduce(f64::max));
+    match most {
+        Some(share) if share < FOLLOWS_LEAST => Err(ModalError::InputsUnrelated { share }),
         _ => Ok(()),
     }
 }
