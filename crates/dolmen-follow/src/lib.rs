@@ -4,7 +4,7 @@
 //! Follow (folder, store, structure) ─ follow ─→ Inbox ─ Reader ─→ Store ─ watch ─→ Listener, --on-alarm, metrics
 //! ```
 //!
-//! What is said of each file goes to a [`Listener`]: a terminal, a service. It also says when to stop.
+//! A [`Listener`], a terminal or a service, hears what comes of each file, and says when to stop.
 
 mod call;
 mod clock;

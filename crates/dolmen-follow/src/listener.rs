@@ -1,4 +1,4 @@
-//! To whom it is said what comes of each file.
+//! Who hears what comes of each file.
 
 use anyhow::Result;
 use dolmen_words::message::Both;
@@ -31,7 +31,7 @@ pub struct Quarantined<'a> {
     pub why: &'a Both,
 }
 
-/// To whom it is said what comes of each file: a terminal, a service.
+/// Who hears what comes of each file: a terminal, a service.
 pub trait Listener {
     /// Whether to end once what is under way is stored.
     fn is_asked_to_stop(&self) -> bool;

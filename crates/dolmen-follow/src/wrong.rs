@@ -56,7 +56,7 @@ sentences! {
 }
 
 messages! {
-    /// What is said of a file beside.
+    /// Remarks on a file.
     pub(crate) enum Said in "follow.said" {
         OwnFault => {
             en: "this is a fault of Dolmen, not of the file: please report it with the file",

@@ -12,7 +12,7 @@ use dolmen::monitoring::{
 use dolmen_project::{LogKind, LogPart, Project, WorkKind, WorkPart};
 use dolmen_records::{Files, Log, RECORD_BYTES_MOST, read_log};
 
-/// Probability that any log of a project is said to have a trend where none has one.
+/// Probability of a trend in any log of a project where none has one.
 const SIGNIFICANCE: f64 = 0.05;
 
 /// The logs of a project.

@@ -11,9 +11,9 @@ use dolmen_work::watched_log::WatchedLog;
 
 /// Days of a mean Gregorian year.
 const YEAR_DAYS: f64 = 365.2425;
-/// Years beyond which no date is said.
+/// Years beyond which the answer gives no date.
 const DATED_YEARS: f64 = 300.0;
-/// Probability by chance below which a shift at a work is told. Chosen here.
+/// Probability by chance below which a shift at a work is a finding. Chosen here.
 const SHIFT_BELOW: f64 = 0.01;
 
 messages! {

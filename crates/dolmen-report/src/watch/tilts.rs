@@ -128,7 +128,7 @@ pub(super) fn tilt(answer: &WatchAnswer, trend: &TiltTrend) -> Option<Finding> {
     let direction = direction_of(answer, trend);
     let is_ended = is_ended(answer, trend) || is_of_several(answer, trend);
     let (yearly, half) = (slope(found.per_year, 3), slope(HALF_95 * found.sd_per_year, 3));
-    // what a datum says of the future that was given up is said by the one that took its place
+    // the datum that took its place says what will be; so do both directions together, where the limit holds for both
     if let Some(reach) = found.reach.filter(|_| !is_ended) {
         if found.share_of_limit().is_some_and(|share| share >= 1.0) {
             let (now, limit) = (

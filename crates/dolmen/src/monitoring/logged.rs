@@ -20,7 +20,7 @@ const BLOCKS_DAYS: [f64; 3] = [1.0, 7.0, 30.0];
 const SPARE_LEAST: usize = 8;
 /// Share of the days that must have a temperature for it to be taken into account. Chosen here.
 const TEMPERATURES_LEAST: f64 = 0.6;
-/// Correlation of two neighbouring medians of a month from which they wander, and no slope is told from that. Chosen here.
+/// Correlation of two neighbouring medians of a month from which they wander: no slope stands out of that. Chosen here.
 const WANDERS_FROM: f64 = 0.9;
 /// Days of one value at the end of a log from which on the sensor is taken for stuck, where neighbouring days differed before. Chosen here.
 const STUCK_DAYS: usize = 30;
@@ -171,7 +171,7 @@ impl LoggedTrend {
 /// [`MonitoringError::Numeric`].
 ///
 /// # Limits
-/// A shift that no work explains and a sensor that drifts look like a slope; a shift within days is told as a jump.
+/// A shift that no work explains and a sensor that drifts look like a slope; a shift within days is a jump.
 pub fn logged_trend(series: &LoggedSeries, options: &LoggedOptions) -> Result<LoggedTrend, MonitoringError> {
     let (mut trend, temperatures_c) = sound(series, options);
     let days = &trend.daily.days;
