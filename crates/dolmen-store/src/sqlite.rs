@@ -7,7 +7,7 @@ use rusqlite::ffi::{ErrorCode, SQLITE_IOERR_SHMSIZE};
 use rusqlite::types::{Value as SqlValue, ValueRef};
 use rusqlite::{Connection, OpenFlags, params_from_iter};
 use std::path::Path;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// "dolm": files that carry another number belong to other programs.
 const APPLICATION: i64 = 0x646F_6C6D;
@@ -72,7 +72,7 @@ impl Sqlite {
             return Err(StoreFault::Foreign { shown }.into());
         }
         if access == Access::Write {
-            opened.pragma("pragma journal_mode = wal")?;
+            opened.keep_log(wait)?;
             opened.pragma("pragma synchronous = full")?;
             if known != APPLICATION {
                 opened.pragma(&format!("pragma application_id = {APPLICATION}"))?;
@@ -108,6 +108,20 @@ impl Sqlite {
 
     fn has_tables(&self) -> Result<bool, StoreError> {
         Ok(self.whole("select count(*) from sqlite_schema")? > 0)
+    }
+
+    /// Writes through a log. While another process makes the same file SQLite refuses that at once, without its own waiting.
+    fn keep_log(&mut self, wait: Duration) -> Result<(), StoreError> {
+        const AGAIN: Duration = Duration::from_millis(10);
+        let until = Instant::now() + wait;
+        loop {
+            match self.pragma("pragma journal_mode = wal") {
+                Err(StoreError::Fault(StoreFault::Locked)) if Instant::now() < until => {
+                    std::thread::sleep(AGAIN)
+                }
+                done => return done,
+            }
+        }
     }
 
     /// A pragma that may give rows.
