@@ -1,0 +1,136 @@
+//! What is wrong with the readings of a logger: spikes, a sensor that is stuck, jumps.
+
+use super::daily::DailyReadings;
+use crate::numeric::middle_mean;
+
+/// Days of one value at the end of a log from which on the sensor is taken for stuck, where neighbouring days differed before. Chosen here.
+const STUCK_DAYS: usize = 30;
+/// Days on either side whose median a day is held against, and the deviations beyond which it is a spike. Chosen here.
+const BESIDE_DAYS: usize = 7;
+const SPIKE_FROM: f64 = 8.0;
+/// Days before and behind a date whose medians are held against each other, and the deviations beyond which the readings jumped there. Chosen here: by
+/// chance once in some thousand logs.
+const JUMP_DAYS: usize = 7;
+const JUMP_FROM: f64 = 6.0;
+/// Days that may be missing among those.
+const DAYS_MISSING_MOST: usize = 5;
+/// A deviation of normal values over their median absolute deviation.
+const OF_MEDIAN: f64 = 1.4826;
+
+/// A sudden shift.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LoggedJump {
+    /// The last day before it.
+    pub after: f64,
+    /// The first day behind it.
+    pub before: f64,
+    /// By how much.
+    pub by: f64,
+}
+
+/// From which index on all values are one, where that is no habit of the sensor.
+pub(super) fn stuck(values: &[f64]) -> Option<usize> {
+    let last = values.last()?;
+    let run = values.iter().rev().take_while(|value| *value == last).count();
+    let from = values.len() - run;
+    let alike = values[..from]
+        .windows(2)
+        .filter(|pair| pair[0] == pair[1])
+        .count();
+    (run >= STUCK_DAYS && from > STUCK_DAYS && 2 * alike < from).then_some(from + 1)
+}
+
+/// Indices of values far from the median of those around them.
+pub(super) fn spikes(values: &[f64]) -> Vec<usize> {
+    let n = values.len();
+    if n < 4 * BESIDE_DAYS {
+        return Vec::new();
+    }
+    let off = |i: usize| {
+        let around = i.saturating_sub(BESIDE_DAYS)..(i + BESIDE_DAYS + 1).min(n);
+        values[i] - middle_mean(values[around].to_vec())
+    };
+    let off: Vec<f64> = (0..n).map(off).collect();
+    let usual = OF_MEDIAN * middle_mean(off.iter().map(|off| off.abs()).collect());
+    // readings of coarse steps are often all alike, and one step away is none too far
+    let steps = values.windows(2).map(|pair| (pair[1] - pair[0]).abs());
+    let step = steps.filter(|step| *step > 0.0).fold(f64::INFINITY, f64::min);
+    let limit = SPIKE_FROM * usual.max(step.min(f64::MAX));
+    (0..n).filter(|i| off[*i].abs() > limit).collect()
+}
+
+/// The largest difference of medians before and behind a date that is beyond chance, and with which no work fell together.
+pub(super) fn jump(daily: &DailyReadings, works: &[[f64; 2]]) -> Option<LoggedJump> {
+    let (days, values) = (&daily.days, &daily.values);
+    let n = values.len();
+    if n < 8 * JUMP_DAYS {
+        return None;
+    }
+    let by = |i: usize| {
+        let median = |of: &[f64]| middle_mean(of.to_vec());
+        median(&values[i..i + JUMP_DAYS]) - median(&values[i - JUMP_DAYS..i])
+    };
+    let all: Vec<(usize, f64)> = (JUMP_DAYS..=n - JUMP_DAYS).map(|i| (i, by(i))).collect();
+    let usual = OF_MEDIAN * middle_mean(all.iter().map(|(_, by)| by.abs()).collect());
+    // over a gap the slope and the season make a difference too
+    let is_free = |i: usize| {
+        let (from, to) = (days[i - JUMP_DAYS], days[i + JUMP_DAYS - 1]);
+        let is_near = to - from <= (2 * JUMP_DAYS + DAYS_MISSING_MOST) as f64;
+        is_near && !works.iter().any(|work| work[0] <= to && work[1] >= from)
+    };
+    let free = all.into_iter().filter(|(i, _)| is_free(*i));
+    let (i, by) = free.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))?;
+    (usual > 0.0 && by.abs() > JUMP_FROM * usual).then(|| {
+        let at = split(&values[i - JUMP_DAYS..i + JUMP_DAYS]);
+        LoggedJump {
+            after: days[i - JUMP_DAYS + at - 1],
+            before: days[i - JUMP_DAYS + at],
+            by,
+        }
+    })
+}
+
+/// Where a window falls into two levels: the split with which the readings lie nearest to the medians of its ends.
+fn split(values: &[f64]) -> usize {
+    let n = values.len();
+    let quarter = (n / 4).max(1);
+    let level = |of: &[f64]| middle_mean(of.to_vec());
+    let (before, behind) = (level(&values[..quarter]), level(&values[n - quarter..]));
+    let off = |at: usize| -> f64 {
+        let left = values[..at].iter().map(|x| (x - before).abs());
+        left.chain(values[at..].iter().map(|x| (x - behind).abs())).sum()
+    };
+    let all = (1..n).min_by(|a, b| off(*a).total_cmp(&off(*b)));
+    all.unwrap_or(n / 2)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numeric::Random;
+
+    /// 400 days at 3 with noise of 0.06, and 0.8 more from index 200 on; `missing` days lie before it.
+    fn readings(seed: u64, step: f64, missing: f64) -> DailyReadings {
+        let mut random = Random::new(seed, 0);
+        let later = |i: i32| f64::from(u8::from(i >= 200));
+        DailyReadings {
+            days: (0..400).map(|i| f64::from(i) + missing * later(i)).collect(),
+            values: (0..400)
+                .map(|i| 3.0 + step * later(i) + 0.06 * random.normal())
+                .collect(),
+            ..DailyReadings::default()
+        }
+    }
+
+    #[test]
+    fn holds_a_jump_is_dated_to_the_day_and_a_gap_is_none() {
+        for seed in 0..20 {
+            let found = jump(&readings(seed, 0.8, 0.0), &[]).unwrap();
+            assert_eq!((found.after, found.before), (199.0, 200.0), "seed {seed}");
+            assert!((found.by - 0.8).abs() < 0.2, "{found:?}");
+            assert!(jump(&readings(seed, 0.0, 0.0), &[]).is_none(), "seed {seed}");
+            // what slope and season do in two years without readings
+            assert!(jump(&readings(seed, 0.8, 700.0), &[]).is_none(), "seed {seed}");
+        }
+    }
+}
