@@ -11,7 +11,7 @@ use crate::typed::Typed;
 use crate::wrong::{CommandError, Noted};
 use crate::{examples, request, tools};
 use anyhow::Result;
-use dolmen_folder::{Found, Outputs, journals_beside};
+use dolmen_folder::{Found, Outputs, free_folder, journals_beside};
 use dolmen_picture::Painter;
 #[cfg(feature = "pdf")]
 use dolmen_print::{Sheets, pdf};
@@ -238,20 +238,4 @@ pub(crate) fn demo(options: &Demo, manner: &Manner) -> Result<Outcome> {
     }
     say(&format!("{}\n", report.display()))?;
     Ok(Outcome::Done)
-}
-
-/// The folder asked for if it is free, else the first of "NAME-2", "NAME-3"… that is: nothing is overwritten.
-fn free_folder(wanted: &Path) -> Result<PathBuf> {
-    let name = wanted
-        .file_name()
-        .map(|n| n.to_string_lossy().into_owned())
-        .unwrap_or_default();
-    let mut folder = wanted.to_owned();
-    let mut number = 1;
-    while folder.exists() {
-        number += 1;
-        folder = wanted.with_file_name(format!("{name}-{number}"));
-    }
-    dolmen_folder::fresh_folder(&folder)?;
-    Ok(folder)
 }

@@ -7,19 +7,15 @@ use crate::progress::Terminal;
 use crate::say::{say, say_json};
 use crate::wrong::CommandError;
 use anyhow::{Context as _, Result};
-use dolmen_folder::{Found, fresh_folder, write};
-use dolmen_follow::now_us;
-use dolmen_records::{Files as _, RECORD_BYTES_MOST};
+use dolmen_folder::Found;
+use dolmen_follow::{add_project, export_project, now_us, take_over};
 use dolmen_report::kept::{
     ListFormat, Listing, StructureList, SurveyList, added_text, exported_text, imported_text, marked_text,
     store_fault, structure_text, verified_text,
 };
-use dolmen_store::{Act, Exported, Incoming, PROJECT_FILE, Place, Search, Store, StoreError};
-use dolmen_work::kept::Unidentified;
-use dolmen_work::survey_modes;
+use dolmen_store::{Act, Place, Search, Store, StoreError};
+use dolmen_work::Progress;
 use serde_json::json;
-use std::collections::{BTreeMap, BTreeSet};
-use std::path::Path;
 use std::time::Duration;
 
 /// Exit status where a store is not what it was.
@@ -103,76 +99,14 @@ fn add(options: &Add, at: &Where<'_>) -> Result<Outcome> {
 }
 
 fn add_one(store: &mut Store, options: &Add, found: &Found, at: &Where<'_>) -> Result<()> {
-    let project = &found.opened.project;
-    let told = |fault| at.told(fault);
-    let structure = options.name.as_deref().unwrap_or(project.name.english()).trim();
-    let text_kept = store.keep(found.opened.text.as_bytes()).map_err(told)?;
-    let mut kept = BTreeMap::new();
-    for name in named_files(found) {
-        let bytes = found
-            .files
-            .read(&name, RECORD_BYTES_MOST)
-            .map_err(dolmen_work::WorkError::from)?;
-        kept.insert(name, store.keep(&bytes).map_err(told)?);
-    }
-    let mut incoming = Incoming {
-        structure,
-        project,
-        text: &found.opened.text,
-        text_kept,
-        files: kept,
-        modes: BTreeMap::new(),
-        faults: BTreeMap::new(),
-    };
-    let mut unidentified = Vec::new();
-    if !options.without_modes {
-        for survey in store.due(&incoming).map_err(told)? {
-            let progress = Terminal::new(at.manner.quiet);
-            match survey_modes(project, &survey, &found.files, &progress) {
-                Ok(Some(found)) => {
-                    incoming.faults.insert(survey.clone(), found.faults);
-                    incoming.modes.insert(survey, found.modes);
-                }
-                Ok(None) => {}
-                Err(why) => unidentified.push(Unidentified {
-                    survey,
-                    why: dolmen_work::told(&why),
-                }),
-            }
-        }
-    }
-    let who = at.who();
-    let act = Act {
-        who: &who,
-        now_us: now_us(),
-    };
-    let mut added = store.add(&incoming, &act).map_err(told)?;
-    added.unidentified = unidentified;
+    let terminal = Terminal::new(at.manner.quiet);
+    let progress: Option<&dyn Progress> = (!options.without_modes).then_some(&terminal);
+    let added = add_project(store, found, options.name.as_deref(), &at.who(), progress)?;
     // said only now that it is on disk
     match at.manner.json {
         true => say(&format!("{}\n", json!(added))),
         false => say(&added_text(&added, at.manner.style())),
     }
-}
-
-/// Every text of the project file that is the name of a file in its folder: records, motions, meshes, tables, and whatever else is
-/// named by later versions. Records must be there.
-fn named_files(found: &Found) -> BTreeSet<String> {
-    let mut names: BTreeSet<String> = dolmen_project::texts(&found.opened.text)
-        .into_iter()
-        .filter(|name| found.files.holds(name))
-        .collect();
-    let surveys = found.opened.project.surveys.iter();
-    for source in surveys.flat_map(|survey| survey.records.iter().chain(&survey.setups)) {
-        match source.stations.as_slice() {
-            [] => names.insert(source.file.clone()),
-            stations => {
-                names.extend(stations.iter().map(|station| station.file.clone()));
-                false
-            }
-        };
-    }
-    names
 }
 
 fn search(options: &List) -> Search {
@@ -262,39 +196,13 @@ fn export(options: &Export, at: &Where<'_>) -> Result<Outcome> {
 }
 
 fn export_one(name: &str, options: &Export, at: &Where<'_>) -> Result<Outcome> {
-    let mut store = at.open()?;
-    let exported = store.export(name).map_err(|fault| at.told(fault))?;
-    let was_there = options.output.exists();
-    fresh_folder(&options.output)?;
-    if let Err(why) = fill(&options.output, &store, &exported, at) {
-        if !was_there {
-            let _ = std::fs::remove_dir_all(&options.output); // ours: it was not there
-        }
-        return Err(why);
-    }
+    let files = export_project(&mut at.open()?, name, &options.output)?;
     let folder = options.output.display().to_string();
     match at.manner.json {
-        true => say_json(&json!({
-            "structure": name, "folder": folder, "files": exported.files.iter().map(|(path, ..)| path).collect::<Vec<_>>(),
-        }))?,
-        false => say(&exported_text(
-            name,
-            &folder,
-            exported.files.len(),
-            at.manner.style(),
-        ))?,
+        true => say_json(&json!({ "structure": name, "folder": folder, "files": files }))?,
+        false => say(&exported_text(name, &folder, files.len(), at.manner.style()))?,
     }
     Ok(Outcome::Done)
-}
-
-/// Writes the files first: a folder with a project file is whole.
-fn fill(folder: &Path, store: &Store, exported: &Exported, at: &Where<'_>) -> Result<()> {
-    for (path, hash, bytes) in &exported.files {
-        let parts = path.split(['/', '\\']).filter(|part| *part != ".");
-        let target = parts.fold(folder.to_owned(), |target, part| target.join(part));
-        write(&target, &store.raw(hash, *bytes).map_err(|fault| at.told(fault))?)?;
-    }
-    write(&folder.join(PROJECT_FILE), &exported.text)
 }
 
 /// A whole store as a file of its own, with its folder.
@@ -307,24 +215,18 @@ fn export_all(options: &Export, at: &Where<'_>) -> Result<Outcome> {
     }
     let from = at.open()?;
     let into = Place::of(&options.output.to_string_lossy()).map_err(|fault| at.told(fault))?;
-    take_over(from, &into, at)
+    taken_over(from, &into, at)
 }
 
 fn import(options: &Import, at: &Where<'_>) -> Result<Outcome> {
     let from = Place::of(&options.from).map_err(|fault| at.told(fault))?;
     let from = Store::open(&from, at.wait()).map_err(|fault| at.told(fault))?;
-    take_over(from, &at.place()?, at)
+    taken_over(from, &at.place()?, at)
 }
 
-fn take_over(mut from: Store, into: &Place, at: &Where<'_>) -> Result<Outcome> {
-    let told = |fault| at.told(fault);
-    let mut into = Store::open_to_write(into, at.wait(), now_us()).map_err(told)?;
-    let who = at.who();
-    let act = Act {
-        who: &who,
-        now_us: now_us(),
-    };
-    let done = into.import(&mut from, &act).map_err(told)?;
+fn taken_over(mut from: Store, into: &Place, at: &Where<'_>) -> Result<Outcome> {
+    let into = Store::open_to_write(into, at.wait(), now_us());
+    let done = take_over(&mut from, &mut into.map_err(|fault| at.told(fault))?, &at.who())?;
     match at.manner.json {
         true => say_json(&json!(done))?,
         false => say(&imported_text(&done, at.manner.style()))?,

@@ -19,12 +19,6 @@ pub(crate) enum CommandError {
     StoreThere {
         path: String,
     },
-    OneProject {
-        path: String,
-    },
-    NoProjects {
-        path: String,
-    },
     NoMotion,
     NoPlaneMotion,
     At2One {
@@ -74,10 +68,6 @@ pub(crate) enum CommandError {
     CannotPrint {
         why: std::io::Error,
     },
-    CannotRead {
-        path: String,
-        why: std::io::Error,
-    },
     CannotRemove {
         path: String,
         why: std::io::Error,
@@ -98,14 +88,6 @@ sentences! {
         StoreThere { path } => {
             en: "{path} is there already: a whole store is written to a new file, so that nothing is lost",
             ko: "{path}이(가) 이미 있다. 잃는 것이 없도록 저장소 전체는 새 파일에 쓴다",
-        },
-        OneProject { path } => {
-            en: "{path} is one project: give the folder that holds it beside others, or a table (CSV)",
-            ko: "{path}은(는) 프로젝트 하나이다. 여러 프로젝트가 든 폴더나 표(CSV)를 준다",
-        },
-        NoProjects { path } => {
-            en: "{path} holds no folder with a project.toml: give a folder of project folders, or a table (CSV)",
-            ko: "{path}에 project.toml이 든 폴더가 없다. 프로젝트 폴더들이 든 폴더나 표(CSV)를 준다",
         },
         NoMotion => { en: "no motion is given to write", ko: "쓸 지반운동이 없다" },
         NoPlaneMotion => {
@@ -173,10 +155,9 @@ sentences! {
             ko: "보고서를 쓰지 않았다. 프로젝트 {projects}개 모두 보고서에 넣을 수 없다",
         },
         CannotPrint {} => { en: "cannot write to standard output", ko: "표준 출력에 쓸 수 없다" },
-        CannotRead { path } => { en: "{path}", ko: "{path}" },
         CannotRemove { path } => { en: "cannot remove {path}", ko: "{path}을(를) 지울 수 없다" },
     }
-    caused by { CannotPrint: why, CannotRead: why, CannotRemove: why }
+    caused by { CannotPrint: why, CannotRemove: why }
 }
 
 messages! {

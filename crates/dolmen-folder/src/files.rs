@@ -230,6 +230,22 @@ pub fn fill_fresh(path: &Path, files: &[(&str, &[u8])]) -> Result<()> {
     filled
 }
 
+/// Makes the folder asked for if it is free, else the first of "NAME-2", "NAME-3"… that is: nothing is overwritten.
+pub fn free_folder(wanted: &Path) -> Result<PathBuf> {
+    let name = wanted
+        .file_name()
+        .map(|n| n.to_string_lossy().into_owned())
+        .unwrap_or_default();
+    let mut folder = wanted.to_owned();
+    let mut number = 1;
+    while folder.exists() {
+        number += 1;
+        folder = wanted.with_file_name(format!("{name}-{number}"));
+    }
+    fresh_folder(&folder)?;
+    Ok(folder)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

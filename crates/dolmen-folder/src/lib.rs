@@ -8,13 +8,15 @@ mod arriving;
 mod files;
 mod open;
 mod outputs;
+mod portfolio;
 mod study_folder;
 mod wrong;
 
 pub use access::Access;
 pub use arriving::{Inbox, InboxLook, Look, move_into, quarantine, quarantined};
-pub use files::{fill_fresh, fresh_folder, read, read_text, start, write};
+pub use files::{fill_fresh, free_folder, fresh_folder, read, read_text, start, write};
 pub use open::{Folder, Found};
 pub use outputs::Outputs;
+pub use portfolio::{ProjectsBelow, portfolio};
 pub use study_folder::{JournalFile, StudyFolder, journals_beside, shard};
 pub use wrong::{ERRORS, PathError, of_folders};

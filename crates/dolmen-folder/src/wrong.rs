@@ -14,6 +14,12 @@ pub enum PathError {
     NotThere {
         path: String,
     },
+    OneProject {
+        path: String,
+    },
+    NoProjects {
+        path: String,
+    },
     IsRecord {
         path: String,
         name: String,
@@ -93,6 +99,14 @@ sentences! {
         NotThere { path } => {
             en: "{path} does not exist: name a project file or its folder, or start one with `dolmen new flagpole DIR`",
             ko: "{path}이(가) 없다. 프로젝트 파일이나 그 폴더를 지정하거나 `dolmen new flagpole DIR`로 시작한다",
+        },
+        OneProject { path } => {
+            en: "{path} is one project: give the folder that holds it beside others, or a table (CSV)",
+            ko: "{path}은(는) 프로젝트 하나이다. 여러 프로젝트가 든 폴더나 표(CSV)를 준다",
+        },
+        NoProjects { path } => {
+            en: "{path} holds no folder with a project.toml: give a folder of project folders, or a table (CSV)",
+            ko: "{path}에 project.toml이 든 폴더가 없다. 프로젝트 폴더들이 든 폴더나 표(CSV)를 준다",
         },
         IsRecord { path, name } => {
             en: "{path} is a record, not a project file: write a file project.toml beside it that names it, and give that\n\nschema = 1\nkind = \"survey\"\nname = {{ en = \"My survey\" }}\n[survey.one.records]\nfile = \"{name}\"\nsampling_rate = \"100 Hz\"   # where the file does not say it",

@@ -2,6 +2,7 @@
 
 use crate::wrong::FollowError;
 use anyhow::Result;
+use dolmen_work::inventory::InventoryLine;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
@@ -51,4 +52,23 @@ impl Call<'_> {
         };
         Err(fault.into())
     }
+}
+
+/// Runs `program` for each structure that alarms, one after the other.
+///
+/// # Errors
+/// The first run that fails.
+pub fn call_for_alarming(program: &Path, lines: &[InventoryLine]) -> Result<()> {
+    for line in lines.iter().filter(|line| line.is_alarming()) {
+        let Some(history) = &line.history else { continue };
+        Call {
+            structure: &line.structure,
+            survey: &history.last_survey,
+            open_alarms: history.open_alarms,
+            tilt_beyond: history.lean_beyond,
+            kind: None,
+        }
+        .run(program)?;
+    }
+    Ok(())
 }

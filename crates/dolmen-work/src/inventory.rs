@@ -3,7 +3,8 @@
 use crate::watched::WatchAnswer;
 use dolmen::monitoring::TiltSlope;
 use dolmen_project::LogKind;
-use serde::Serialize;
+use dolmen_words::message::Both;
+use serde::{Serialize, Serializer};
 use std::cmp::Reverse;
 
 /// The strongest lasting change of a history.
@@ -67,7 +68,13 @@ pub struct InventoryLine {
     /// What its history says; `None` where it was not watched.
     pub history: Option<History>,
     /// Why it was not watched.
-    pub not_watched: Option<String>,
+    #[serde(serialize_with = "in_english")]
+    pub not_watched: Option<Both>,
+}
+
+/// Keys and values of JSON never follow the language.
+fn in_english<S: Serializer>(why: &Option<Both>, to: S) -> Result<S::Ok, S::Error> {
+    why.as_ref().map(|why| &why.english).serialize(to)
 }
 
 impl InventoryLine {
@@ -81,7 +88,7 @@ impl InventoryLine {
     }
 
     /// A structure that could not be.
-    pub fn not_watched(structure: String, why: String) -> Self {
+    pub fn not_watched(structure: String, why: Both) -> Self {
         InventoryLine {
             structure,
             history: None,

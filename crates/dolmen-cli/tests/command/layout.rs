@@ -70,6 +70,7 @@ const CRATES: [(&str, &[&str]); 13] = [
             "dolmen",
             "dolmen-words",
             "dolmen-records",
+            "dolmen-project",
             "dolmen-work",
             "dolmen-report",
             "dolmen-folder",

@@ -1,6 +1,7 @@
 //! What was done to a store, once it is on disk.
 
 use crate::document::{Block, Document, TextStyle, document_text};
+use dolmen_words::message::Both;
 use dolmen_words::{Quantity, Sentence, messages};
 use dolmen_work::kept::{Added, Fault, Imported, Verified};
 
@@ -19,7 +20,7 @@ messages! {
             en: "Modes were identified from the records: {count} new analyses.",
             ko: "기록에서 모드를 식별하였다: 신규 식별 {count}건.",
         },
-        Unidentified { survey: String, why: String } => {
+        Unidentified { survey: String, why: Both } => {
             en: "Survey {survey} is stored, but its records give no modes: {why}.",
             ko: "계측 조사 {survey}은(는) 저장하였으나 기록에서 모드를 찾지 못하였다: {why}.",
         },

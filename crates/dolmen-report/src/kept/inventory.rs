@@ -2,6 +2,7 @@
 
 use super::formats::{line, number, quoted, text as text_cell};
 use crate::document::{Block, Cell, Column, Document, Table, TextStyle, document_text};
+use dolmen_words::message::Both;
 use dolmen_words::{Digits, Quantity, Unit, messages};
 use dolmen_work::inventory::{History, InventoryLine};
 use serde_json::{Value, json};
@@ -24,7 +25,7 @@ messages! {
         Tilt => { en: "tilt", ko: "기울기" },
         Years => { en: "tilt limit in", ko: "기울기 한계까지" },
         Last => { en: "last survey", ko: "최근 조사" },
-        LeftOut { structure: String, why: String } => {
+        LeftOut { structure: String, why: Both } => {
             en: "{structure} was not watched: {why}",
             ko: "{structure}: 경년 변화를 검토하지 못하였다. {why}",
         },
@@ -125,15 +126,15 @@ pub fn inventory_text(lines: &[InventoryLine], style: TextStyle) -> String {
     if left > 0 {
         document.note(Watched::More { count: left });
     }
-    let not: Vec<(&str, &str)> = lines
+    let not: Vec<(&str, &Both)> = lines
         .iter()
-        .filter_map(|line| Some((line.structure.as_str(), line.not_watched.as_deref()?)))
+        .filter_map(|line| Some((line.structure.as_str(), line.not_watched.as_ref()?)))
         .collect();
     let told = if style.is_full { usize::MAX } else { 3 };
     for (structure, why) in not.iter().take(told) {
         document.note(Watched::LeftOut {
             structure: (*structure).to_owned(),
-            why: (*why).to_owned(),
+            why: (*why).clone(),
         });
     }
     if not.len() > told {
@@ -174,7 +175,7 @@ pub fn inventory_csv(lines: &[InventoryLine]) -> String {
             number(tilt.and_then(|tilt| tilt.years_to_limit)),
             whole(history.map(|history| history.surveys)),
             text_cell(history.map(|history| history.last_survey.as_str())),
-            text_cell(of.not_watched.as_deref()),
+            text_cell(of.not_watched.as_ref().map(|why| why.english.as_str())),
             whole(history.map(|history| history.open_sensor_alarms)),
             whole(history.map(|history| history.cracks_beyond)),
         ])

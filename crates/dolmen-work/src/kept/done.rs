@@ -1,6 +1,7 @@
 //! What was done to a store.
 
-use serde::Serialize;
+use dolmen_words::message::Both;
+use serde::{Serialize, Serializer};
 
 /// A survey whose records gave no modes.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -8,7 +9,13 @@ pub struct Unidentified {
     /// The survey.
     pub survey: String,
     /// Why.
-    pub why: String,
+    #[serde(serialize_with = "in_english")]
+    pub why: Both,
+}
+
+/// Keys and values of JSON never follow the language.
+fn in_english<S: Serializer>(why: &Both, to: S) -> Result<S::Ok, S::Error> {
+    why.english.serialize(to)
 }
 
 /// What `add` did, once it is on disk.

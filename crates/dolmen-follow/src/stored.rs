@@ -1,0 +1,195 @@
+//! Projects into a store and out of it, and every structure of a store watched.
+
+use crate::clock::now_us;
+use crate::wrong::told;
+use anyhow::Result;
+use dolmen::modal::ObservedMode;
+use dolmen_folder::{Found, fresh_folder, of_folders, write};
+use dolmen_records::{Files as _, RECORD_BYTES_MOST};
+use dolmen_report::kept::store_fault;
+use dolmen_store::{Act, Exported, Incoming, PROJECT_FILE, Search, Store, StoreError, StoredFiles};
+use dolmen_words::message::Both;
+use dolmen_work::inventory::{InventoryLine, worst_first};
+use dolmen_work::kept::{Added, Imported, ListedStructure, Unidentified};
+use dolmen_work::logs::Logs;
+use dolmen_work::sensor_alarms::SensorFaults;
+use dolmen_work::watch::watch_observed;
+use dolmen_work::{Opened, Progress, WorkError, survey_modes, told_by};
+use rayon::prelude::*;
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
+
+/// Structures that are read before they are watched together.
+const TOGETHER: usize = 256;
+
+/// Stores a project with its surveys and files, as `name` or under the name of the project, and the modes of its records unless
+/// `progress` is `None`.
+///
+/// # Errors
+/// Where a file of the project cannot be read, or the store fails; nothing is stored then.
+pub fn add_project(
+    store: &mut Store,
+    found: &Found,
+    name: Option<&str>,
+    who: &str,
+    progress: Option<&dyn Progress>,
+) -> Result<Added> {
+    let project = &found.opened.project;
+    let mut files = BTreeMap::new();
+    let text_kept = store.keep(found.opened.text.as_bytes()).map_err(told)?;
+    for name in named_files(found) {
+        let bytes = found
+            .files
+            .read(&name, RECORD_BYTES_MOST)
+            .map_err(WorkError::from)?;
+        files.insert(name, store.keep(&bytes).map_err(told)?);
+    }
+    let mut incoming = Incoming {
+        structure: name.unwrap_or(project.name.english()).trim(),
+        project,
+        text: &found.opened.text,
+        text_kept,
+        files,
+        modes: BTreeMap::new(),
+        faults: BTreeMap::new(),
+    };
+    let mut unidentified = Vec::new();
+    if let Some(progress) = progress {
+        for survey in store.due(&incoming).map_err(told)? {
+            match survey_modes(project, &survey, &found.files, progress) {
+                Ok(Some(found)) => {
+                    incoming.faults.insert(survey.clone(), found.faults);
+                    incoming.modes.insert(survey, found.modes);
+                }
+                Ok(None) => {}
+                Err(why) => unidentified.push(Unidentified {
+                    survey,
+                    why: in_both(&why),
+                }),
+            }
+        }
+    }
+    let act = Act {
+        who,
+        now_us: now_us(),
+    };
+    let mut added = store.add(&incoming, &act).map_err(told)?;
+    added.unidentified = unidentified;
+    Ok(added)
+}
+
+/// Every text of the project file that is the name of a file in its folder: records, motions, meshes, tables, and whatever else is
+/// named by later versions. Records must be there.
+fn named_files(found: &Found) -> BTreeSet<String> {
+    let mut names: BTreeSet<String> = dolmen_project::texts(&found.opened.text)
+        .into_iter()
+        .filter(|name| found.files.holds(name))
+        .collect();
+    let surveys = found.opened.project.surveys.iter();
+    for source in surveys.flat_map(|survey| survey.records.iter().chain(&survey.setups)) {
+        match source.stations.as_slice() {
+            [] => names.insert(source.file.clone()),
+            stations => {
+                names.extend(stations.iter().map(|station| station.file.clone()));
+                false
+            }
+        };
+    }
+    names
+}
+
+/// Writes a structure of a store as a project folder, and returns the names of its files.
+///
+/// # Errors
+/// Where there is no such structure, or the folder is not empty or cannot be written; a folder that was made is removed then.
+pub fn export_project(store: &mut Store, structure: &str, folder: &Path) -> Result<Vec<String>> {
+    let exported = store.export(structure).map_err(told)?;
+    let was_there = folder.exists();
+    fresh_folder(folder)?;
+    if let Err(why) = fill(folder, store, &exported) {
+        if !was_there {
+            let _ = std::fs::remove_dir_all(folder); // ours: it was not there
+        }
+        return Err(why);
+    }
+    Ok(exported.files.into_iter().map(|(path, ..)| path).collect())
+}
+
+/// Writes the files first: a folder with a project file is whole.
+fn fill(folder: &Path, store: &Store, exported: &Exported) -> Result<()> {
+    for (path, hash, bytes) in &exported.files {
+        let parts = path.split(['/', '\\']).filter(|part| *part != ".");
+        let target = parts.fold(folder.to_owned(), |target, part| target.join(part));
+        write(&target, &store.raw(hash, *bytes).map_err(told)?)?;
+    }
+    write(&folder.join(PROJECT_FILE), &exported.text)
+}
+
+/// Takes all of a store over into another.
+///
+/// # Errors
+/// Where one of them fails; what was taken over by then stays, and the next call goes on.
+pub fn take_over(from: &mut Store, into: &mut Store, who: &str) -> Result<Imported> {
+    let act = Act {
+        who,
+        now_us: now_us(),
+    };
+    into.import(from, &act).map_err(told)
+}
+
+/// A structure as it was read from the store.
+struct Stored {
+    text: Vec<u8>,
+    files: StoredFiles,
+    observed: BTreeMap<String, Vec<ObservedMode>>,
+    faults: SensorFaults,
+}
+
+/// Every structure of a store, the worst first; one that cannot be watched says why.
+///
+/// # Errors
+/// Where the store cannot be listed.
+pub fn watch_all(store: &mut Store) -> Result<Vec<InventoryLine>> {
+    let mut names = Vec::new();
+    let each = &mut |row: ListedStructure| {
+        names.push(row.name);
+        Ok(())
+    };
+    store.structures(&Search::default(), each).map_err(told)?;
+    let mut lines: Vec<InventoryLine> = Vec::with_capacity(names.len());
+    for some in names.chunks(TOGETHER) {
+        let stored: Vec<_> = some.iter().map(|name| (name, read(store, name))).collect();
+        let watched = stored.into_par_iter().map(|(name, stored)| match stored {
+            Ok(stored) => watched(name.clone(), &stored),
+            Err(fault) => InventoryLine::not_watched(name.clone(), store_fault(&fault.fault()).into()),
+        });
+        lines.par_extend(watched);
+    }
+    Ok(worst_first(lines))
+}
+
+fn in_both(why: &WorkError) -> Both {
+    Both::of(|language| told_by(why, language, &of_folders))
+}
+
+fn read(store: &mut Store, structure: &str) -> Result<Stored, StoreError> {
+    let exported = store.export(structure)?;
+    Ok(Stored {
+        files: store.files(&exported),
+        text: exported.text,
+        observed: store.observed(structure)?,
+        faults: store.faults(structure)?,
+    })
+}
+
+fn watched(structure: String, stored: &Stored) -> InventoryLine {
+    let text = String::from_utf8_lossy(&stored.text).into_owned();
+    let found = Opened::read(text, structure.clone(), &stored.files).and_then(|opened| {
+        let logs = Logs::read(&opened.project, &stored.files)?;
+        watch_observed(&opened, &stored.observed, &stored.faults, &logs)
+    });
+    match found {
+        Ok(answer) => InventoryLine::watched(structure, &answer),
+        Err(why) => InventoryLine::not_watched(structure, in_both(&why)),
+    }
+}
