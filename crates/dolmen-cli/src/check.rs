@@ -23,6 +23,7 @@ pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<O
             seed: options.seed,
         }),
         sensitivity: options.sensitivity,
+        beside_the_verdict: manner.json || manner.full,
     };
     let answer = check(&found.opened, &how)?;
     let variants = answer.variants.iter().map(|variant| &variant.state);

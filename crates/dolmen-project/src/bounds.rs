@@ -42,14 +42,19 @@ impl Reader<'_> {
         path: &str,
         bound: Bound,
     ) -> Option<()> {
-        let (fits, allowed): (bool, Both) = match bound {
-            Bound::Positive => (value > 0.0, WrongNumber::AboveZero.into()),
-            Bound::NotNegative => (value >= 0.0, Common::ZeroOrMore.into()),
-            Bound::Any => (true, WrongNumber::Finite.into()),
+        let fits = match bound {
+            Bound::Positive => value > 0.0,
+            Bound::NotNegative => value >= 0.0,
+            Bound::Any => true,
         };
         if fits && value.is_finite() {
             return Some(());
         }
+        let allowed: Both = match bound {
+            Bound::Positive => WrongNumber::AboveZero.into(),
+            Bound::NotNegative => Common::ZeroOrMore.into(),
+            Bound::Any => WrongNumber::Finite.into(),
+        };
         let message = if value.is_nan() {
             WrongNumber::IsNotNumber {
                 path: path.to_string(),

@@ -3,7 +3,9 @@
 
 use super::error::Fault;
 use super::wrong::WrongFile;
-use dolmen_words::same_file_name;
+use dolmen_words::folded_file_name;
+use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -44,13 +46,16 @@ pub fn texts(text: &str) -> Vec<String> {
 fn one_file_each(table: &str, named: &DeTable<'_>, faults: &mut Vec<Fault>) {
     let mut keys: Vec<_> = named.keys().collect();
     keys.sort_by_key(|key| key.span().start);
-    for (at, key) in keys.iter().enumerate() {
+    // the first name of each file
+    let mut files = BTreeMap::new();
+    for key in keys {
         let name = key.get_ref();
-        let Some(twin) = keys[..at]
-            .iter()
-            .find(|other| same_file_name(other.get_ref(), name))
-        else {
-            continue;
+        let twin = match files.entry(folded_file_name(name)) {
+            Entry::Vacant(free) => {
+                free.insert(key);
+                continue;
+            }
+            Entry::Occupied(taken) => *taken.get(),
         };
         let path = format!("{table}.{name}");
         let message = WrongFile::IsNamedAsBut {

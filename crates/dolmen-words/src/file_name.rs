@@ -55,8 +55,12 @@ pub fn file_name(name: &str) -> String {
 
 /// Whether two names would be one file where case and the composition of letters do not count, as on Windows and macOS.
 pub fn same_file_name(a: &str, b: &str) -> bool {
-    let folded = |name: &str| -> String { file_name(name).to_lowercase().nfc().collect() };
-    folded(a) == folded(b)
+    folded_file_name(a) == folded_file_name(b)
+}
+
+/// What [`same_file_name`] compares: the name of the file without what it passes over.
+pub fn folded_file_name(name: &str) -> String {
+    file_name(name).to_lowercase().nfc().collect()
 }
 
 fn is_device(name: &str) -> bool {

@@ -20,6 +20,9 @@ pub struct CheckOptions {
     pub sampling: Option<Sampling>,
     /// What one per cent of each input does.
     pub sensitivity: bool,
+    /// What stands beside the verdict of a stack and decides nothing: local mechanisms as codes want them, and the springs that measured frequencies ask for. Where
+    /// the file has a site the local mechanisms are found always, since a finding holds them against it.
+    pub beside_the_verdict: bool,
 }
 
 /// How many samples are drawn, and from which seed.
@@ -40,15 +43,17 @@ pub fn check(opened: &Opened, options: &CheckOptions) -> Result<CheckAnswer, Wor
     if options.sampling.is_some() && matches!(project.structure, Structure::Stack(_)) {
         return Err(WorkError::SamplesOfStack);
     }
-    let mut state = state_of(project, options.sampling)?;
+    let mut state = state_of(project, options)?;
     if let Some(state) = &mut state {
         state.contradictions = contradictions(project, state);
-        state.spring_fits =
-            kinds::spring_fits(&state.check, &project.surveys).within(|| Place::SpringsMeasured)?;
+        if options.beside_the_verdict {
+            state.spring_fits =
+                kinds::spring_fits(&state.check, &project.surveys).within(|| Place::SpringsMeasured)?;
+        }
     }
     let mut variants = Vec::new();
     for variant in &project.variants {
-        if let Some(state) = state_of(&variant.project, options.sampling)? {
+        if let Some(state) = state_of(&variant.project, options)? {
             variants.push(VariantAnswer {
                 name: variant.name.clone(),
                 title: variant.title.clone(),
@@ -90,11 +95,14 @@ fn own_inputs(project: &Project, variant: &Project) -> Vec<Quantity> {
     inputs.filter(is_own).cloned().collect()
 }
 
-fn state_of(project: &Project, sampling: Option<Sampling>) -> Result<Option<State>, WorkError> {
-    let Some(check) = kinds::check(project, &mut Quantity::nominal)? else {
+fn state_of(project: &Project, options: &CheckOptions) -> Result<Option<State>, WorkError> {
+    let Some(mut check) = kinds::check(project, &mut Quantity::nominal)? else {
         return Ok(None);
     };
-    let sampled = match sampling {
+    if options.beside_the_verdict || project.site.is_some() {
+        kinds::add_local_mechanisms(&mut check);
+    }
+    let sampled = match options.sampling {
         Some(sampling) => sampled(project, sampling)?,
         None => None,
     };

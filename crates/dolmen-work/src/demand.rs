@@ -73,10 +73,8 @@ pub(crate) fn of(
 
 /// The local mechanisms of a stack that the site can be held against.
 fn local_mechanisms(stack: &StackAnswer, site: &SiteDemand) -> Vec<LocalMechanismAgainstSite> {
-    let known = stack
-        .local_mechanisms
-        .iter()
-        .filter_map(|row| row.capacity.clone());
+    let rows = stack.local_mechanisms.iter().flatten();
+    let known = rows.filter_map(|row| row.capacity.clone());
     known
         .filter_map(|capacity| {
             let demand = circolare_demand(&capacity, site)?;

@@ -34,6 +34,13 @@ pub(crate) fn check(project: &Project, pick: Pick<'_>) -> Result<Option<Check>, 
     })
 }
 
+/// Finds the local mechanisms of a stack as codes want them; other kinds have none.
+pub(crate) fn add_local_mechanisms(check: &mut Check) {
+    if let Check::Stack(answer) = check {
+        answer.local_mechanisms = Some(stack::local_mechanisms::of(&answer.stack, &answer.check));
+    }
+}
+
 /// The load factor, each input with the value that `pick` chooses: of a frame the smallest of its directions;
 /// `None` unless the stiffness is known in every direction, and of stacks.
 pub(crate) fn load_factor(project: &Project, pick: Pick<'_>) -> Result<Option<f64>, WorkError> {

@@ -50,6 +50,7 @@ pub fn report(
     let how = CheckOptions {
         sampling: options.sampling.filter(|_| !is_stack),
         sensitivity: true,
+        beside_the_verdict: true,
     };
     let checked = check(opened, &how)?;
     let mut answers = Vec::new();

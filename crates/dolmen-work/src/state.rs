@@ -152,8 +152,8 @@ pub struct StackAnswer {
     pub lean: Option<SurveyedLean>,
     /// Natural frequencies on the springs of its joints; `None` if it does not stand.
     pub frequencies: Option<StackFrequencies>,
-    /// Local mechanisms as codes want them, a direction each; none if it does not stand.
-    pub local_mechanisms: Vec<LocalMechanismRow>,
+    /// Local mechanisms as codes want them, a direction each; none if it does not stand. `None` where they were not asked for.
+    pub local_mechanisms: Option<Vec<LocalMechanismRow>>,
 }
 
 /// The local mechanism of a stack one way.

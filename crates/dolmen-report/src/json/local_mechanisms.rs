@@ -9,7 +9,8 @@ const CODE: &str = "Circolare 7/2019 to NTC 2018, C8.7.1.2.1";
 
 /// What moves each way, and what it bears.
 pub(super) fn local_mechanisms(answer: &StackAnswer) -> Value {
-    let rows = answer.local_mechanisms.iter().map(|row| {
+    let found = answer.local_mechanisms.iter().flatten();
+    let rows = found.map(|row| {
         let capacity = row.capacity.as_ref();
         let mechanism = capacity.map(|capacity| &capacity.mechanism);
         let displacement = capacity.and_then(|capacity| capacity.displacement);

@@ -41,7 +41,8 @@ messages! {
 
 /// The mechanism each way, as the code wants it.
 pub(super) fn section(document: &mut Document<'_>, answer: &StackAnswer) {
-    if answer.local_mechanisms.is_empty() {
+    let found = answer.local_mechanisms.as_deref().unwrap_or_default();
+    if found.is_empty() {
         return;
     }
     let unit = |symbol: &str, factor: f64| Unit {
@@ -64,11 +65,7 @@ pub(super) fn section(document: &mut Document<'_>, answer: &StackAnswer) {
             Column::numbers(symbol("T_SLV"), Unit::si("s")),
             Column::numbers(Local::GroundByForce, Unit::si("g")),
         ],
-        rows: answer
-            .local_mechanisms
-            .iter()
-            .map(|of| row(&answer.stack, of))
-            .collect(),
+        rows: found.iter().map(|of| row(&answer.stack, of)).collect(),
     }));
     document.note(Local::Meaning);
     document.note(Local::LeftOut);

@@ -1,6 +1,6 @@
 //! The check of a stack.
 
-use super::{frequencies, local_mechanisms};
+use super::frequencies;
 use crate::error::WorkError;
 use crate::state::StackAnswer;
 use dolmen::assess::{StackCheckOptions, check_stack, with_settle_run};
@@ -11,13 +11,12 @@ pub(crate) fn check(part: &StackPart, pick: Pick<'_>) -> Result<StackAnswer, Wor
     let stack = part.build(pick)?;
     let check = with_settle_run(&stack, check_stack(&stack, &StackCheckOptions::default())?);
     let frequencies = frequencies::of(&stack, &check);
-    let local_mechanisms = local_mechanisms::of(&stack, &check);
     Ok(StackAnswer {
         stack,
         check,
         lean: part.lean.clone(),
         frequencies,
-        local_mechanisms,
+        local_mechanisms: None,
     })
 }
 

@@ -4,7 +4,7 @@ use crate::state::LocalMechanismRow;
 use dolmen::assess::StackCheck;
 use dolmen::assess::demand::{CircolareFactors, circolare_capacity};
 use dolmen::stability::Verdict;
-use dolmen::stability::stack::local_mechanism;
+use dolmen::stability::stack::local_mechanisms;
 use dolmen::structure::stack::Stack;
 
 /// Stones up to which all directions are looked at; of more only that of the first motion. Chosen here: a wall of 200 takes a second.
@@ -23,16 +23,17 @@ pub(crate) fn of(stack: &Stack, check: &StackCheck) -> Vec<LocalMechanismRow> {
     let apart = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]) > SAME;
     let first = first.filter(|first| !is_small || axes.iter().all(|axis| apart(*first, *axis)));
     let axes = axes.into_iter().filter(|_| is_small);
-    let ways = first.into_iter().chain(axes);
-    ways.map(|direction| {
-        // a programme that is not solved leaves that direction unknown; the verdict does not rest on it
-        let found = local_mechanism(stack, direction).ok().flatten();
-        LocalMechanismRow {
+    let ways: Vec<[f64; 2]> = first.into_iter().chain(axes).collect();
+    let mut found = local_mechanisms(stack, &ways).unwrap_or_default().into_iter();
+    let gravity = stack.gravity_m_s2();
+    ways.into_iter()
+        .map(|direction| LocalMechanismRow {
             direction,
-            capacity: found.map(|mechanism| {
-                circolare_capacity(mechanism, stack.gravity_m_s2(), &CircolareFactors::default())
-            }),
-        }
-    })
-    .collect()
+            // a programme that is not solved leaves that direction unknown; the verdict does not rest on it
+            capacity: found
+                .next()
+                .and_then(|found| found.ok().flatten())
+                .map(|mechanism| circolare_capacity(mechanism, gravity, &CircolareFactors::default())),
+        })
+        .collect()
 }

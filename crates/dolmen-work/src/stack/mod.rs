@@ -5,7 +5,7 @@ pub(crate) mod factors;
 mod factors_answer;
 pub(crate) mod frequencies;
 pub(crate) mod loads;
-mod local_mechanisms;
+pub(crate) mod local_mechanisms;
 mod repeats;
 mod runs;
 pub(crate) mod simulate;

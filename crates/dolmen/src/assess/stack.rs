@@ -7,7 +7,7 @@ use crate::stability::stack::{
     DemandComparison, Holding, LimitAnalysis, LimitAnalysisResult, LimitAnalysisStatus, MovedSupports,
     MovementEnding, PeriodOfThumb, RockingBlock, Shaking, StackDemand, StackLimitStates, StackLimits,
     StackLoads, SupportMovementOptions, Threshold, compare_with_demand, follow_support_movement,
-    limit_analysis, period_of_thumb, rocking_blocks, stack_limits,
+    limit_analysis, period_of_thumb, rocking_blocks, stack_limits, stands_by_limit_analysis,
 };
 use crate::structure::stack::Stack;
 
@@ -294,12 +294,12 @@ fn friction_carries(
         material.friction_kinetic = material.friction_kinetic.min(material.friction_static);
         smooth = smooth.with_material(index, material)?;
     }
-    let analysis = LimitAnalysis {
-        loads: loads_on_soil(options, check),
-        shaking: Shaking::Along(check.capacity.map_or([1.0, 0.0], |capacity| capacity.direction)),
-        ..LimitAnalysis::default()
-    };
-    Ok(limit_analysis(&smooth, &analysis)?.status == LimitAnalysisStatus::DoesNotStand)
+    let direction = check.capacity.map_or([1.0, 0.0], |capacity| capacity.direction);
+    Ok(!stands_by_limit_analysis(
+        &smooth,
+        &loads_on_soil(options, check),
+        direction,
+    )?)
 }
 
 /// The soil's rotation under static loads acts as one more lateral load.

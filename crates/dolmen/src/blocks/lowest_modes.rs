@@ -10,7 +10,7 @@
 use super::assembly::Assembly;
 use super::block_skyline::{BlockSkyline, SIX};
 use super::bodies::RigidBody;
-use super::matrices::{Closed, Entries, Part, add_contacts, within_outline};
+use super::matrices::{Closed, Part, add_contacts, add_mass, within_outline};
 use dolmen_linalg::{LinalgError, Matrix, qr, symmetric_eigen};
 use glam::{DMat3, DVec3};
 
@@ -93,15 +93,7 @@ impl<'a> Inverse<'a> {
     fn of(assembly: &'a Assembly) -> Option<Self> {
         let mut factors = within_outline(assembly);
         add_contacts(assembly, Part::Springs, Closed::Pressed, &mut factors);
-        for (block, body) in assembly.bodies.iter().skip(1).enumerate() {
-            let inertia = (body.rotation * body.inertia * body.rotation.transpose()).to_cols_array_2d();
-            for i in 0..3 {
-                factors.add(6 * block + i, 6 * block + i, SHIFT * body.mass);
-                for (j, column) in inertia.iter().enumerate() {
-                    factors.add(6 * block + 3 + i, 6 * block + 3 + j, SHIFT * column[i]);
-                }
-            }
-        }
+        add_mass(assembly, SHIFT, &mut factors);
         factors.factor().then_some(Inverse { assembly, factors })
     }
 }

@@ -300,16 +300,21 @@ pub(super) fn add_pressed_props(assembly: &Assembly, matrix: &mut impl Entries) 
 pub(super) fn mass_matrix(assembly: &Assembly) -> Matrix {
     let size = 6 * (assembly.bodies.len() - 1);
     let mut matrix = Matrix::zeros(size, size);
+    add_mass(assembly, 1.0, &mut matrix);
+    matrix
+}
+
+/// Adds a multiple of mass and inertia.
+pub(super) fn add_mass(assembly: &Assembly, times: f64, matrix: &mut impl Entries) {
     for (block, body) in assembly.bodies.iter().skip(1).enumerate() {
         let inertia = (body.rotation * body.inertia * body.rotation.transpose()).to_cols_array_2d();
         for i in 0..3 {
-            matrix[(6 * block + i, 6 * block + i)] = body.mass;
+            matrix.add(6 * block + i, 6 * block + i, times * body.mass);
             for (j, column) in inertia.iter().enumerate() {
-                matrix[(6 * block + 3 + i, 6 * block + 3 + j)] = column[i];
+                matrix.add(6 * block + 3 + i, 6 * block + 3 + j, times * column[i]);
             }
         }
     }
-    matrix
 }
 
 /// The longest step at which the leapfrog with these springs and dashpots is stable, s.

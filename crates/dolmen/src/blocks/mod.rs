@@ -45,6 +45,7 @@ mod springs;
 mod standing;
 mod stillness;
 mod support;
+mod toppling;
 mod watch;
 
 pub use after_fall::AfterFall;

@@ -4,26 +4,15 @@
 //! |:--|:--|:--|:--|
 //! | K | `contact_matrix` | stiffness of the contacts, all that are pressed stuck | N/m, N, N m |
 //! | G | `add_weight` | what the forces at rest add as stones move and turn | N/m, N, N m |
-//! | f | `force` | force of a contact on the upper end S, in the ground's axes | N |
-//! | r_P, r_S | `arm` | from each body's centroid to the contact | m |
+//! | f | – | force of a contact on the upper end S, in the ground's axes | N |
+//! | r_P, r_S | – | from each body's centroid to the contact | m |
 
 use super::assembly::Assembly;
-use super::block_skyline::BlockSkyline;
 use super::error::BlocksError;
-use super::matrices::{
-    Closed, Entries, OUTLINE_FROM, Part, add_contacts, add_pressed_props, contact_matrix, mass_matrix,
-    within_outline,
-};
-use super::patch::LANES;
+use super::matrices::{Closed, OUTLINE_FROM, Part, add_pressed_props, contact_matrix, mass_matrix};
+use super::toppling::{NEUTRAL, Standing, TowerOutline, add_weights, factor_to_stand};
 use crate::structure::stack::{Body, Stack};
 use dolmen_linalg::{Matrix, cholesky, generalized_symmetric_eigen};
-use glam::DVec3;
-
-/// Part of the stiffness added to itself, against rounding: a stone that nothing holds counts as neutral. Chosen here.
-const NEUTRAL: f64 = 1e-12;
-/// Halvings of the interval in which the factor lies, and its upper end.
-const HALVINGS: usize = 40;
-const FACTOR_MOST: f64 = 1e6;
 
 /// Refuses a stack at rest that any touch would topple.
 ///
@@ -36,9 +25,24 @@ const FACTOR_MOST: f64 = 1e6;
 /// # Errors
 /// [`BlocksError::Topples`] with the factor on all springs from which it would stand.
 pub(super) fn check_standing(assembly: &Assembly, stack: &Stack) -> Result<(), BlocksError> {
-    if assembly.bodies.len() > OUTLINE_FROM && stands_within_outline(assembly) {
-        return Ok(());
+    let mut standing = match assembly.bodies.len() > OUTLINE_FROM {
+        true => TowerOutline::of(assembly).standing(),
+        false => Standing::Singular,
+    };
+    if standing == Standing::Singular {
+        standing = by_full_matrix(assembly)?;
     }
+    match standing {
+        Standing::Topples { factor, block } => Err(BlocksError::Topples {
+            factor,
+            block: stack.name(Body::Block(block)).to_owned(),
+        }),
+        Standing::Stands | Standing::Singular => Ok(()),
+    }
+}
+
+/// The same by the full matrix, which may have a stone that nothing holds.
+fn by_full_matrix(assembly: &Assembly) -> Result<Standing, BlocksError> {
     let mut springs = contact_matrix(assembly, Part::Springs, Closed::Stuck);
     add_pressed_props(assembly, &mut springs);
     let size = springs.rows();
@@ -49,44 +53,16 @@ pub(super) fn check_standing(assembly: &Assembly, stack: &Stack) -> Result<(), B
     let with = |factor: f64| Matrix::from_fn(size, size, |i, j| factor * springs[(i, j)] + weight[(i, j)]);
     let stands = |factor: f64| cholesky(&with(factor)).is_ok();
     if stands(1.0) {
-        return Ok(());
+        return Ok(Standing::Stands);
     }
     let softest = generalized_symmetric_eigen(&with(1.0), &mass_matrix(assembly))?;
     let shape = softest.vectors.column(0);
     let moves = |block: usize| shape[6 * block].hypot(shape[6 * block + 1]);
     let block = (0..size / 6).max_by(|a, b| moves(*a).total_cmp(&moves(*b)));
-    let (mut topples, mut standing) = (1.0_f64, FACTOR_MOST);
-    for _ in 0..HALVINGS {
-        let middle = (topples * standing).sqrt();
-        match stands(middle) {
-            true => standing = middle,
-            false => topples = middle,
-        }
-    }
-    Err(BlocksError::Topples {
-        factor: standing,
-        block: stack.name(Body::Block(block.unwrap_or(0))).to_owned(),
+    Ok(Standing::Topples {
+        factor: factor_to_stand(stands),
+        block: block.unwrap_or(0),
     })
-}
-
-/// The same within the outline of the matrix: whether K + G is positive definite.
-fn stands_within_outline(assembly: &Assembly) -> bool {
-    let mut matrix = within_outline(assembly);
-    add_contacts(assembly, Part::Springs, Closed::Stuck, &mut matrix);
-    add_pressed_props(assembly, &mut matrix);
-    matrix.stiffen(NEUTRAL);
-    add_weights(assembly, &mut Symmetrised(&mut matrix));
-    matrix.factor() && matrix.is_positive_definite()
-}
-
-/// Adds half of an entry on either side of the diagonal.
-struct Symmetrised<'a>(&'a mut BlockSkyline);
-
-impl Entries for Symmetrised<'_> {
-    fn add(&mut self, row: usize, column: usize, value: f64) {
-        self.0.add(row, column, 0.5 * value);
-        self.0.add(column, row, 0.5 * value);
-    }
 }
 
 /// G of all contacts, ties and side supports at rest, [6n × 6n]. Symmetric, as every stone is in balance.
@@ -97,88 +73,33 @@ fn weight_matrix(assembly: &Assembly) -> Matrix {
     Matrix::from_fn(size, size, |i, j| 0.5 * (matrix[(i, j)] + matrix[(j, i)]))
 }
 
-/// Adds G, not yet symmetric.
-fn add_weights(assembly: &Assembly, matrix: &mut impl Entries) {
-    let bodies = &assembly.bodies;
-    for patch in assembly.patches() {
-        let motion = patch.motion(bodies);
-        for group in &patch.points {
-            for lane in (0..LANES).filter(|&lane| group.area[lane] > 0.0) {
-                let at = patch.place(group, lane, &motion);
-                let force = motion.to_ground * patch.force_at_rest(group, lane, at);
-                let place = motion.origin + motion.to_ground * at;
-                let end = |body: usize| (body, place - bodies[body].position);
-                add_weight(matrix, end(patch.plane_body), end(patch.point_body), force);
-            }
-        }
-    }
-    for link in assembly.links().iter().filter(|link| !link.broken) {
-        let (force, place) = link.force(bodies);
-        let end = |body: usize| (body, place - bodies[body].position);
-        add_weight(matrix, end(link.lower), end(link.upper), force);
-    }
-    for prop in assembly.props() {
-        let body = &bodies[prop.body];
-        let arm = body.now(prop.drawn) - body.position;
-        let force = prop.direction * (-prop.stiffness * prop.depth(body));
-        add_weight(matrix, (0, DVec3::ZERO), (prop.body, arm), force);
-    }
-    for load in assembly.dead_loads() {
-        let body = &bodies[load.body];
-        let arm = body.now(load.drawn) - body.position;
-        add_weight(matrix, (0, DVec3::ZERO), (load.body, arm), load.force);
-    }
-}
-
-/// Adds to G what one force does.
-fn add_weight(matrix: &mut impl Entries, plane: (usize, DVec3), point: (usize, DVec3), force: DVec3) {
-    let ((p, arm_p), (s, arm_s)) = (plane, point);
-    for (moved, of_point) in [(p, false), (s, true)] {
-        if moved == 0 {
-            continue;
-        }
-        for freedom in 0..6 {
-            let axis = DVec3::AXES[freedom % 3];
-            let (shift, turn) = match freedom < 3 {
-                true => (axis, DVec3::ZERO),
-                false => (DVec3::ZERO, axis),
-            };
-            let [mut turned, mut arm_turned, mut apart] = [DVec3::ZERO; 3];
-            if of_point {
-                arm_turned = turn.cross(arm_s);
-                apart = shift + arm_turned;
-            } else {
-                turned = turn.cross(force);
-                apart -= shift;
-            }
-            let of_s = [turned, arm_turned.cross(force) + arm_s.cross(turned)];
-            let of_p = [-turned, -apart.cross(force) - arm_p.cross(turned)];
-            for (body, [push, torque]) in [(p, of_p), (s, of_s)] {
-                if body == 0 {
-                    continue;
-                }
-                for i in 0..3 {
-                    let (row, column) = (6 * (body - 1) + i, 6 * (moved - 1) + freedom);
-                    matrix.add(row, column, -push[i]);
-                    matrix.add(row + 3, column, -torque[i]);
-                }
-            }
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::contact_points::ContactRule;
     use super::super::rest::settle;
     use super::*;
     use crate::structure::stack::{Block, JointMaterial, Placement, Solid};
+    use glam::DVec3;
 
     fn tower(sizes: &[[f64; 3]], normal_stiffness_pa_m: f64, shear_stiffness_pa_m: f64) -> Stack {
+        leaning(sizes, [0.01, 0.02], normal_stiffness_pa_m, shear_stiffness_pa_m)
+    }
+
+    fn straight(sizes: &[[f64; 3]], normal_stiffness_pa_m: f64, shear_stiffness_pa_m: f64) -> Stack {
+        leaning(sizes, [0.0; 2], normal_stiffness_pa_m, shear_stiffness_pa_m)
+    }
+
+    /// Each stone moved against the one below.
+    fn leaning(
+        sizes: &[[f64; 3]],
+        by: [f64; 2],
+        normal_stiffness_pa_m: f64,
+        shear_stiffness_pa_m: f64,
+    ) -> Stack {
         let mut z = 0.0;
         let blocks = sizes.iter().enumerate().map(|(i, [width, depth, height])| {
             let place = Placement {
-                position_m: [0.01 * i as f64, 0.02 * i as f64, z],
+                position_m: [by[0] * i as f64, by[1] * i as f64, z],
                 ..Placement::default()
             };
             z += height;
@@ -209,6 +130,31 @@ mod tests {
                 assert!((factor * part - 1.0).abs() < 1e-6, "{factor}");
                 assert_eq!(block, "stone 0");
             }
+        }
+    }
+
+    #[test]
+    fn agrees_many_stones_that_topple_with_the_full_matrix() {
+        // 48 stones, a soft bed of springs; oblong, so that one way is softer, and square
+        for (width, depth) in [(1.0, 1.2), (1.0, 1.0)] {
+            let sizes: Vec<[f64; 3]> = (0..48)
+                .map(|i| [width - 0.004 * f64::from(i), depth - 0.004 * f64::from(i), 0.5])
+                .collect();
+            let stack = straight(&sizes, 3e7, 1.2e7);
+            let mut assembly = Assembly::of(&stack, ContactRule::Four);
+            let rested = settle(&mut assembly, &stack);
+            let Standing::Topples { factor, block } = by_full_matrix(&assembly).unwrap() else {
+                panic!("it stands")
+            };
+            let Err(BlocksError::Topples {
+                factor: found,
+                block: name,
+            }) = rested
+            else {
+                panic!("{rested:?}")
+            };
+            assert!((found / factor - 1.0).abs() < 1e-7, "{found} {factor}");
+            assert_eq!((name.as_str(), block), ("stone 47", 47));
         }
     }
 

@@ -1,8 +1,9 @@
 //! Whether a series changed, when and by how much: the regression on weather and change together, over all dates at once.
 
 use super::critical::{disturbed, limit_of, probability_of};
-use super::regression::{Fit, Series};
+use super::regression::Fit;
 use super::scan::{Candidate, ChangeForm, column, scan, strongest};
+use super::series::Series;
 use super::whitening::Disturbance;
 use crate::numeric::Random;
 

@@ -6,8 +6,8 @@
 //! | ρ | `correlation` | correlation of two surveys that follow one another |
 //! | p | `PROBABILITIES` | probability that the strongest change of a series without change is as strong |
 
-use super::regression::Series;
 use super::scan::strongest;
+use super::series::Series;
 use super::table::{CORRELATIONS, PROBABILITIES, QUANTILES, SURVEYS};
 use super::whitening::Disturbance;
 use crate::numeric::Random;

@@ -7,6 +7,7 @@
 //! | | `run_length` | mean number of surveys until a false alarm | - |
 
 use super::MonitoringError;
+use crate::numeric::normal_probability;
 use dolmen_linalg::{Matrix, solve};
 
 /// Cells of the chain between 0 and the limit. With 40 the run length of published tables is met to 1 %.
@@ -14,8 +15,10 @@ const CELLS: usize = 40;
 /// Limits that are sought.
 const LIMIT_LEAST: f64 = 1.0;
 const LIMIT_MOST: f64 = 6.0;
-/// Width to which a limit is found.
-const LIMIT_WIDTH: f64 = 1e-3;
+/// Steps between them: a limit is found to one, which is 6e-4.
+const LIMIT_STEPS: usize = 8192;
+/// Lines that a search may follow before it halves what is left; some five are usual.
+const LINES_MOST: usize = 12;
 
 /// Mean number of surveys until the average of independent normal scores goes beyond its limit, on either side.
 ///
@@ -46,17 +49,20 @@ pub fn ewma_run_length(weight: f64, limit: f64) -> Result<f64, MonitoringError> 
     // from −h to h an odd number of cells, one about 0; the states are |E|
     let h = limit * (weight / (2.0 - weight)).sqrt();
     let width = 2.0 * h / (2 * CELLS + 1) as f64;
-    let within = |from: f64, to: f64| {
-        crate::numeric::normal_probability(to) - crate::numeric::normal_probability(from)
-    };
+    // for each cell the probabilities of an average below the edges of the cells, from the lowest on
+    let below: Vec<Vec<f64>> = (0..=CELLS)
+        .map(|i| {
+            let at = i as f64 * width;
+            let edges = (0..2 * CELLS + 2).map(|edge| edge as f64 - CELLS as f64 - 0.5);
+            edges
+                .map(|edge| normal_probability((edge * width - (1.0 - weight) * at) / weight))
+                .collect()
+        })
+        .collect();
     let transition = |i: usize, j: usize| {
-        let at = i as f64 * width;
-        let reach = |cell: f64| {
-            let ends = [cell - 0.5, cell + 0.5].map(|end| (end * width - (1.0 - weight) * at) / weight);
-            within(ends[0], ends[1])
-        };
-        let other_side = if j == 0 { 0.0 } else { reach(-(j as f64)) };
-        reach(j as f64) + other_side
+        let reach = |cell: usize| below[i][cell + 1] - below[i][cell];
+        let other_side = if j == 0 { 0.0 } else { reach(CELLS - j) };
+        reach(CELLS + j) + other_side
     };
     let chain = Matrix::from_fn(CELLS + 1, CELLS + 1, |i, j| {
         f64::from(u8::from(i == j)) - transition(i, j)
@@ -73,16 +79,35 @@ pub fn ewma_run_length(weight: f64, limit: f64) -> Result<f64, MonitoringError> 
 /// # Errors
 /// As [`ewma_run_length`].
 pub fn ewma_limit(weight: f64, run_length: f64) -> Result<f64, MonitoringError> {
-    let (mut low, mut high) = (LIMIT_LEAST, LIMIT_MOST);
-    while high - low > LIMIT_WIDTH {
-        let middle = 0.5 * (low + high);
-        if ewma_run_length(weight, middle)? < run_length {
-            low = middle;
+    let limit_at = |step: f64| LIMIT_LEAST + (LIMIT_MOST - LIMIT_LEAST) * step / LIMIT_STEPS as f64;
+    let (mut low, mut high) = (0, LIMIT_STEPS);
+    // ln of the run length is nearly straight in L²: a line through the last two steps asked finds the next
+    let mut asked: [Option<(f64, f64)>; 2] = [None, None];
+    let mut next = LIMIT_STEPS / 2;
+    let mut lines = 0;
+    while high - low > 1 {
+        let limit = limit_at(next as f64);
+        let reached = ewma_run_length(weight, limit)?;
+        if reached < run_length {
+            low = next;
         } else {
-            high = middle;
+            high = next;
         }
+        asked = [asked[1], Some((limit * limit, (reached / run_length).ln()))];
+        let sought = match asked {
+            [Some((from, over)), Some((to, by))] => to - by * (to - from) / (by - over),
+            [_, Some((to, by))] => to - 2.0 * by,
+            _ => f64::NAN,
+        };
+        let step = (sought.sqrt() - LIMIT_LEAST) / (LIMIT_MOST - LIMIT_LEAST) * LIMIT_STEPS as f64;
+        lines += 1;
+        let beyond = usize::from(reached < run_length);
+        next = match step.is_finite() && lines < LINES_MOST {
+            true => (step.max(0.0) as usize + beyond).max(low + 1).min(high - 1),
+            false => low.midpoint(high),
+        };
     }
-    Ok(0.5 * (low + high))
+    Ok(0.5 * (limit_at(low as f64) + limit_at(high as f64)))
 }
 
 #[cfg(test)]
@@ -100,6 +125,25 @@ mod tests {
         assert!((ewma_limit(0.2, 500.0).unwrap() - 2.962).abs() < 0.01);
         // λ = 1 is Shewhart's chart: 1/P(|u| > 3) = 370.4
         assert!((ewma_run_length(1.0, 3.0).unwrap() / 370.398 - 1.0).abs() < 1e-3);
+    }
+
+    #[test]
+    fn agrees_with_halving_at_every_rate() {
+        for weight in [0.01, 0.1, 0.2, 0.5, 1.0] {
+            for run_length in [1.0, 5.0, 60.0, 487.3, 1e4, 1e7, 1e12] {
+                let (mut low, mut high) = (LIMIT_LEAST, LIMIT_MOST);
+                while high - low > 1e-3 {
+                    let middle = 0.5 * (low + high);
+                    if ewma_run_length(weight, middle).unwrap() < run_length {
+                        low = middle;
+                    } else {
+                        high = middle;
+                    }
+                }
+                let found = ewma_limit(weight, run_length).unwrap();
+                assert_eq!(found, 0.5 * (low + high), "{weight} {run_length}");
+            }
+        }
     }
 
     #[test]

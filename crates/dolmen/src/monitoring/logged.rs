@@ -9,7 +9,8 @@
 use super::MonitoringError;
 use super::daily::DailyReadings;
 use super::logged_faults::{LoggedJump, jump, spikes, stuck};
-use super::regression::{Fit, Series, restricted_likelihood};
+use super::regression::{Fit, restricted_likelihood};
+use super::series::Series;
 use super::tilt::{SEASON_YEARS_LEAST, SlopeLimit, TiltSlope, season, slope_of};
 use super::weather::YEAR_DAYS;
 use crate::numeric::{middle_mean, student_two_sided};

@@ -86,7 +86,7 @@ impl Online {
             }
         }
         let factor: Vec<f64> = (0..k * k).map(|c| l[(c / k) * width + c % k]).collect();
-        let h = solve_lower(&factor, k, white[..k].to_vec());
+        let h = solve_lower(&factor, white[..k].to_vec());
         let explained: f64 = (0..k).map(|j| h[j] * l[k * width + j]).sum();
         let spread = (1.0 + h.iter().map(|x| x * x).sum::<f64>()).sqrt();
         let off = white[k] - explained;
@@ -117,7 +117,8 @@ impl Online {
 
 #[cfg(test)]
 mod tests {
-    use super::super::regression::{Fit, Series};
+    use super::super::regression::Fit;
+    use super::super::series::Series;
     use super::*;
     use crate::numeric::Random;
 

@@ -7,6 +7,8 @@
 //! | β | `coefficients` | | |
 //! | k | `columns.len()` | | - |
 
+use super::gram::{Gram, Likelihood};
+use super::series::Series;
 use super::whitening::{Disturbance, Whitening};
 
 /// Largest correlation over one interval that is sought; above it level and disturbance are not told apart. Chosen here.
@@ -17,25 +19,6 @@ const SD_LEAST: f64 = 0.02;
 const LIKELIHOOD_STEP: f64 = 2e-3;
 /// Evaluations that a search may take.
 const EVALUATIONS_MOST: usize = 90;
-/// A column is not told from those before it where less than this part of its square is its own.
-const OWN_LEAST: f64 = 1e-9;
-
-/// Readings in time.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct Series {
-    /// When, in usual intervals between surveys, ascending.
-    pub(super) at: Vec<f64>,
-    /// What was read.
-    pub(super) readings: Vec<f64>,
-    /// Standard deviation that the survey states; 0 where it states none.
-    pub(super) noise_sd: Vec<f64>,
-}
-
-impl Series {
-    pub(super) fn len(&self) -> usize {
-        self.at.len()
-    }
-}
 
 /// A regression by generalised least squares.
 ///
@@ -58,7 +41,8 @@ impl Fit {
     /// `None` where a column follows from the others.
     pub(super) fn new(series: &Series, columns: &[Vec<f64>], disturbance: Disturbance) -> Option<Self> {
         let k = columns.len();
-        let gram = Gram::new(series, columns, disturbance);
+        let whitening = Whitening::new(&series.at, &series.noise_sd, disturbance);
+        let gram = Gram::new(series, columns, &whitening);
         let factor = gram.factor()?;
         let width = k + 1;
         // the last row of the factor is (Lₓ⁻¹ Xᵀ V⁻¹ y)ᵀ
@@ -71,7 +55,7 @@ impl Fit {
         let sd = (0..k)
             .map(|j| {
                 let unit = (0..k).map(|i| f64::from(u8::from(i == j))).collect();
-                let column = solve_lower(&of_columns, k, unit);
+                let column = solve_lower(&of_columns, unit);
                 column.iter().map(|x| x * x).sum::<f64>().sqrt()
             })
             .collect();
@@ -81,7 +65,7 @@ impl Fit {
             sd,
             factor: of_columns,
             minus_two_ln_likelihood: gram.ln_determinant + rest * rest,
-            whitening: Whitening::new(&series.at, &series.noise_sd, disturbance),
+            whitening,
         })
     }
 
@@ -95,19 +79,24 @@ impl Fit {
         readings.map(|(i, y)| y - explained(i)).collect()
     }
 
-    /// hᵀ (Xᵀ V⁻¹ X)⁻¹ h.
-    pub(super) fn form(&self, h: Vec<f64>) -> f64 {
-        let solved = solve_lower(&self.factor, h.len(), h);
-        solved.iter().map(|x| x * x).sum()
+    /// hᵀ (Xᵀ V⁻¹ X)⁻¹ h; h is used up.
+    pub(super) fn form(&self, h: &mut [f64]) -> f64 {
+        solve_lower_in_place(&self.factor, h);
+        h.iter().map(|x| x * x).sum()
     }
 }
 
-pub(super) fn solve_lower(factor: &[f64], k: usize, mut b: Vec<f64>) -> Vec<f64> {
+pub(super) fn solve_lower(factor: &[f64], mut b: Vec<f64>) -> Vec<f64> {
+    solve_lower_in_place(factor, &mut b);
+    b
+}
+
+fn solve_lower_in_place(factor: &[f64], b: &mut [f64]) {
+    let k = b.len();
     for i in 0..k {
         let known: f64 = (0..i).map(|j| factor[i * k + j] * b[j]).sum();
         b[i] = (b[i] - known) / factor[i * k + i];
     }
-    b
 }
 
 fn solve_upper(factor: &[f64], k: usize, mut b: Vec<f64>) -> Vec<f64> {
@@ -116,64 +105,6 @@ fn solve_upper(factor: &[f64], k: usize, mut b: Vec<f64>) -> Vec<f64> {
         b[i] = (b[i] - known) / factor[i * k + i];
     }
     b
-}
-
-/// Products of the whitened columns and readings with each other: one pass through the surveys.
-struct Gram {
-    /// (k + 1) × (k + 1), the readings last; the lower half is filled.
-    products: Vec<f64>,
-    width: usize,
-    ln_determinant: f64,
-}
-
-impl Gram {
-    fn new(series: &Series, columns: &[Vec<f64>], disturbance: Disturbance) -> Self {
-        let width = columns.len() + 1;
-        let whitening = Whitening::new(&series.at, &series.noise_sd, disturbance);
-        let mut white: Vec<Vec<f64>> = columns.iter().map(|column| whitening.white(column)).collect();
-        white.push(whitening.white(&series.readings));
-        let mut products = vec![0.0; width * width];
-        for (i, row) in white.iter().enumerate() {
-            for (j, column) in white[..=i].iter().enumerate() {
-                products[i * width + j] = row.iter().zip(column).map(|(a, b)| a * b).sum();
-            }
-        }
-        Gram {
-            products,
-            width,
-            ln_determinant: whitening.ln_determinant,
-        }
-    }
-
-    /// Its Cholesky factor; the square of its last entry is what no column explains.
-    fn factor(&self) -> Option<Vec<f64>> {
-        let m = self.width;
-        let mut l = self.products.clone();
-        for i in 0..m {
-            for j in 0..=i {
-                let known: f64 = (0..j).map(|c| l[i * m + c] * l[j * m + c]).sum();
-                let left = self.products[i * m + j] - known;
-                if i == j {
-                    let is_readings = i + 1 == m;
-                    if !is_readings && (left <= OWN_LEAST * self.products[i * m + i] || left.is_nan()) {
-                        return None;
-                    }
-                    l[i * m + i] = left.max(0.0).sqrt();
-                } else {
-                    l[i * m + j] = left / l[j * m + j];
-                }
-            }
-        }
-        Some(l)
-    }
-
-    /// −2 ln of the restricted likelihood, but for a constant: Σ ln F + ln |Xᵀ V⁻¹ X| + rᵀ V⁻¹ r.
-    fn criterion(&self) -> Option<f64> {
-        let l = self.factor()?;
-        let (m, k) = (self.width, self.width - 1);
-        let of_columns: f64 = (0..k).map(|i| 2.0 * l[i * m + i].ln()).sum();
-        Some(self.ln_determinant + of_columns + l[k * m + k] * l[k * m + k])
-    }
 }
 
 /// The disturbance of greatest restricted likelihood; `None` where a column follows from the others.
@@ -198,14 +129,16 @@ pub(super) fn restricted_likelihood(
         sd: ln_sd.clamp(least, most).exp(),
         correlation: correlation.clamp(0.0, CORRELATION_MOST),
     };
-    let value = |at: [f64; 2]| Gram::new(series, columns, of(at)).criterion();
+    let mut likelihood = Likelihood::new(series, columns);
+    let mut value = |at: [f64; 2]| likelihood.criterion(of(at));
     let usual = [(0.5 * all).sqrt().max(noise).max(1e-11).ln() - 0.7, 0.3];
     let other = [usual[0] + 0.7, 0.6];
     let (first, again) = match start {
         Some(known) => ([known.sd.ln(), known.correlation], usual),
         None => (usual, other),
     };
-    let search = |from: [f64; 2]| least_of(&value, [from[0].clamp(least, most), from[1]], [least, most]);
+    let mut search =
+        |from: [f64; 2]| least_of(&mut value, [from[0].clamp(least, most), from[1]], [least, most]);
     let mut best = search(first)?;
     let is_inside = |[ln_sd, correlation]: [f64; 2]| {
         ln_sd > least && ln_sd < most && correlation > 0.0 && correlation < CORRELATION_MOST
@@ -221,7 +154,7 @@ pub(super) fn restricted_likelihood(
 
 /// The least value that a search from a point finds, and where: ln s within its bounds, φ within 0 and its largest.
 fn least_of(
-    value: &impl Fn([f64; 2]) -> Option<f64>,
+    value: &mut impl FnMut([f64; 2]) -> Option<f64>,
     start: [f64; 2],
     [least, most]: [f64; 2],
 ) -> Option<(f64, [f64; 2])> {
@@ -299,7 +232,8 @@ mod tests {
             };
             let step = at.iter().map(|t| f64::from(u8::from(*t >= 22.0))).collect();
             let columns = vec![vec![1.0; 40], step];
-            let value = |of| Gram::new(&series, &columns, of).criterion().unwrap();
+            let mut likelihood = Likelihood::new(&series, &columns);
+            let mut value = |of| likelihood.criterion(of).unwrap();
             let mut least = f64::INFINITY;
             for i in 0..60 {
                 for j in 0..=38 {

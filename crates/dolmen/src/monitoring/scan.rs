@@ -5,7 +5,8 @@
 //! ```
 //! That is the statistic of c in the joint regression on X and c. Sums from the end of the series give it for all dates at once.
 
-use super::regression::{Fit, Series, restricted_likelihood};
+use super::regression::{Fit, restricted_likelihood};
+use super::series::Series;
 use super::whitening::Disturbance;
 
 /// Surveys at each side of a step, at least, and from the beginning of a slope on. Chosen here: fewer are the alarm's.
@@ -83,14 +84,18 @@ pub(super) fn scan(series: &Series, columns: &[Vec<f64>], fit: &Fit) -> Scan {
     let (mut all, mut late) = (Vec::with_capacity(2 * n), Vec::new());
     // sums over the surveys from i on of what is inverted, and of t times it; the residuals last
     let (mut sums, mut moments) = (vec![0.0; k + 1], vec![0.0; k + 1]);
+    let mut with_columns = vec![0.0; k];
     for i in (0..n).rev() {
         for (c, inverted) in of_columns.iter().chain([&of_residuals]).enumerate() {
             sums[c] += inverted[i];
             moments[c] += at[i] * inverted[i];
         }
-        let candidate = |form, energy: f64, products: Vec<f64>| {
-            let (with_residuals, with_columns) = (products[k], products[..k].to_vec());
-            let own = energy - fit.form(with_columns);
+        let mut candidate = |form, energy: f64, product: &dyn Fn(usize) -> f64| {
+            let with_residuals = product(k);
+            for (c, with) in with_columns.iter_mut().enumerate() {
+                *with = product(c);
+            }
+            let own = energy - fit.form(&mut with_columns);
             (own > OWN_LEAST * energy && own > 0.0).then(|| Candidate {
                 form,
                 from: i,
@@ -100,16 +105,16 @@ pub(super) fn scan(series: &Series, columns: &[Vec<f64>], fit: &Fit) -> Scan {
             })
         };
         if i >= STEP_SURVEYS_LEAST {
-            let step = candidate(ChangeForm::Step, steps[i], sums.clone());
+            let step = candidate(ChangeForm::Step, steps[i], &|c| sums[c]);
             match i + STEP_SURVEYS_LEAST <= n {
                 true => all.extend(step),
                 false => late.extend(step),
             }
         }
         if i + SLOPE_SURVEYS_LEAST <= n {
-            let products = sums.iter().zip(&moments);
-            let products = products.map(|(sum, moment)| moment - at[i] * sum).collect();
-            all.extend(candidate(ChangeForm::Slope, slopes[i], products));
+            all.extend(candidate(ChangeForm::Slope, slopes[i], &|c| {
+                moments[c] - at[i] * sums[c]
+            }));
         }
     }
     Scan { all, late }

@@ -3,8 +3,9 @@
 use super::MonitoringError;
 use super::changes::effective_correlation;
 use super::critical::limit_of;
-use super::regression::{Fit, Series, restricted_likelihood};
+use super::regression::{Fit, restricted_likelihood};
 use super::scan::{Candidate, ChangeForm, column, strongest};
+use super::series::Series;
 use super::weather::YEAR_DAYS;
 use crate::numeric::{student_detectable, student_two_sided, student_two_sided_quantile};
 use std::f64::consts::TAU;
@@ -286,7 +287,7 @@ fn fieller(fit: &Fit, left: f64, quantile: f64) -> Option<[f64; 2]> {
     let variance = |a: f64, b: f64| {
         let mut h = vec![0.0; k];
         (h[0], h[1]) = (a, b);
-        quantile * quantile * fit.form(h)
+        quantile * quantile * fit.form(&mut h)
     };
     let (of_now, of_slope) = (variance(1.0, 0.0), variance(0.0, 1.0));
     let both = 0.5 * (variance(1.0, 1.0) - of_now - of_slope);

@@ -1,6 +1,7 @@
 //! What explains a frequency beside a change: its level, the temperature, frost, the season.
 
-use super::regression::{Fit, Series, restricted_likelihood};
+use super::regression::{Fit, restricted_likelihood};
+use super::series::Series;
 use std::f64::consts::TAU;
 
 /// Temperatures that frost needs, and surveys with a temperature that a line needs. Chosen here.

@@ -19,52 +19,86 @@ pub struct Disturbance {
     pub correlation: f64,
 }
 
+/// What the filter does at one survey.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Gains {
+    /// 1/√F.
+    pub(super) scale: f64,
+    /// ρ_{i+1} (1 − K_i): what is left of a prediction one survey later.
+    pub(super) keeps: f64,
+    /// ρ_{i+1} K_i: what a reading adds to the next prediction.
+    pub(super) learns: f64,
+}
+
+/// The gains of a Kalman filter, survey by survey.
+///
+/// ```text
+/// F_i = P_i + σ_i²,   K_i = P_i/F_i,   P_{i+1} = ρ² P_i (1 − K_i) + s² (1 − ρ²)
+/// ```
+pub(super) struct Filter {
+    variance: f64,
+    predicted: f64,
+    rho: f64,
+}
+
+impl Filter {
+    pub(super) fn new(of: Disturbance) -> Self {
+        let variance = of.sd * of.sd;
+        Filter {
+            variance,
+            predicted: variance,
+            rho: 0.0,
+        }
+    }
+
+    /// The gains at a survey whose reading has the variance `noise`, and F; `fades` is φ^Δt up to the next one, if there is one.
+    pub(super) fn step(&mut self, noise: f64, fades: Option<f64>) -> (Gains, f64) {
+        let total = self.predicted + noise;
+        let gain = self.predicted / total;
+        let rho = fades.unwrap_or(self.rho);
+        self.rho = rho;
+        self.predicted = rho * rho * self.predicted * (1.0 - gain) + self.variance * (1.0 - rho * rho);
+        let gains = Gains {
+            scale: 1.0 / total.sqrt(),
+            keeps: rho * (1.0 - gain),
+            learns: rho * gain,
+        };
+        (gains, total)
+    }
+}
+
 /// The whitening of one series: a Kalman filter with its gains computed.
 ///
 /// ```text
 /// x_i = ρ_i x_{i−1} + w_i,   ρ_i = φ^(t_i − t_{i−1}),   var x = s²,        z_i = x_i + v_i,   var v_i = σ_i²
-/// e_i = z_i − a_i,   F_i = P_i + σ_i²,   K_i = P_i/F_i,   (L⁻¹ z)_i = e_i/√F_i
-/// a_{i+1} = ρ (a_i + K_i e_i),   P_{i+1} = ρ² P_i (1 − K_i) + s² (1 − ρ²)
+/// e_i = z_i − a_i,   (L⁻¹ z)_i = e_i/√F_i,   a_{i+1} = ρ (a_i + K_i e_i)        F and K: [`Filter`]
 /// ```
 /// All of it is linear in z, and takes a time that grows with n.
 #[derive(Clone, Debug)]
 pub(super) struct Whitening {
-    /// 1/√F.
-    scale: Vec<f64>,
-    /// ρ_{i+1} (1 − K_i): what is left of a prediction one survey later.
-    keeps: Vec<f64>,
-    /// ρ_{i+1} K_i: what a reading adds to the next prediction.
-    learns: Vec<f64>,
+    gains: Vec<Gains>,
     /// Σ ln F.
     pub(super) ln_determinant: f64,
 }
 
 impl Whitening {
     pub(super) fn new(at: &[f64], noise_sd: &[f64], of: Disturbance) -> Self {
-        let n = at.len();
-        let variance = of.sd * of.sd;
+        let mut filter = Filter::new(of);
         let mut whitening = Whitening {
-            scale: Vec::with_capacity(n),
-            keeps: Vec::with_capacity(n),
-            learns: Vec::with_capacity(n),
+            gains: Vec::with_capacity(at.len()),
             ln_determinant: 0.0,
         };
-        let mut predicted = variance;
-        let (mut last_gap, mut rho) = (f64::NAN, 0.0);
+        let (mut last_gap, mut fades) = (f64::NAN, 0.0);
         for (i, noise_sd) in noise_sd.iter().enumerate() {
-            let total = predicted + noise_sd * noise_sd;
-            let gain = predicted / total;
-            if let Some(next) = at.get(i + 1) {
-                let gap = next - at[i];
-                if gap != last_gap {
-                    (last_gap, rho) = (gap, of.correlation.powf(gap));
-                }
+            let gap = at.get(i + 1).map(|next| next - at[i]);
+            if let Some(gap) = gap
+                && gap != last_gap
+            {
+                (last_gap, fades) = (gap, of.correlation.powf(gap));
             }
-            whitening.scale.push(1.0 / total.sqrt());
-            whitening.keeps.push(rho * (1.0 - gain));
-            whitening.learns.push(rho * gain);
+            let (gains, total) = filter.step(noise_sd * noise_sd, gap.map(|_| fades));
+            whitening.gains.push(gains);
             whitening.ln_determinant += total.ln();
-            predicted = rho * rho * predicted * (1.0 - gain) + variance * (1.0 - rho * rho);
         }
         whitening
     }
@@ -73,9 +107,9 @@ impl Whitening {
     pub(super) fn white(&self, z: &[f64]) -> Vec<f64> {
         let mut predicted = 0.0;
         let mut white = Vec::with_capacity(z.len());
-        for (i, z) in z.iter().enumerate() {
-            white.push(self.scale[i] * (z - predicted));
-            predicted = self.keeps[i] * predicted + self.learns[i] * z;
+        for (z, gains) in z.iter().zip(&self.gains) {
+            white.push(gains.scale * (z - predicted));
+            predicted = gains.keeps * predicted + gains.learns * z;
         }
         white
     }
@@ -86,9 +120,10 @@ impl Whitening {
         let mut out = vec![0.0; n];
         let mut carried = 0.0;
         for i in (0..n).rev() {
-            let scaled = self.scale[i] * white[i];
-            out[i] = scaled + self.learns[i] * carried;
-            carried = self.keeps[i] * carried - scaled;
+            let gains = self.gains[i];
+            let scaled = gains.scale * white[i];
+            out[i] = scaled + gains.learns * carried;
+            carried = gains.keeps * carried - scaled;
         }
         out
     }
@@ -103,12 +138,12 @@ impl Whitening {
         // coefficients of aa, aα, aβ, αα, αβ, ββ
         let mut q = [0.0_f64; 6];
         for i in (0..n).rev() {
-            let (g, keep, learn, t) = (
-                self.scale[i] * self.scale[i],
-                self.keeps[i],
-                self.learns[i],
-                at[i],
-            );
+            let Gains {
+                scale,
+                keeps: keep,
+                learns: learn,
+            } = self.gains[i];
+            let (g, t) = (scale * scale, at[i]);
             let [aa, a_alpha, a_beta, alpha_alpha, alpha_beta, beta_beta] = q;
             q = [
                 g + aa * keep * keep,

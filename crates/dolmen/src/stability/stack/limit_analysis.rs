@@ -7,13 +7,14 @@
 //! | μ | `friction_static` | static friction | – |
 //! | C | – | cohesion × area of the joint, shared alike by its corners | N |
 
-use super::Threshold;
 use super::limit_acts::acts;
-use super::limit_mechanism::{falling, swaying};
+use super::limit_along::{along, stands_along, unit};
+use super::limit_mechanism::{falling, moving_with, swaying};
 use super::limit_options::{Holding, LimitAnalysis, LimitAnalysisResult, LimitAnalysisStatus, Shaking};
 use super::limit_pieces::{Growing, Piece, pieces};
-use super::limit_programme::{ACCELERATION_MOST, Answer, Within};
-use super::limit_region::{Nearest, nearest};
+use super::limit_programme::{ACCELERATION_MOST, Within};
+use super::limit_region::nearest;
+use super::{StackLoads, Threshold};
 use crate::stability::StabilityError;
 use crate::structure::stack::Stack;
 
@@ -57,6 +58,50 @@ use crate::structure::stack::Stack;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn limit_analysis(stack: &Stack, options: &LimitAnalysis) -> Result<LimitAnalysisResult, StabilityError> {
+    let (mut result, moving) = analysed(stack, options)?;
+    result.mechanism = match moving {
+        Moving::Nothing => None,
+        Moving::Falls(piece) => falling(stack, &piece)?,
+        Moving::Sways(piece, way) => swaying(stack, &piece, way)?,
+        Moving::SwaysWith(piece, velocities) => moving_with(stack, &piece, &velocities),
+    };
+    Ok(result)
+}
+
+/// Whether forces in the joints balance weight and static loads beyond a doubt, with shaking along either sense of one direction.
+///
+/// # Errors
+/// Those of [`limit_analysis`].
+pub(crate) fn stands_by_limit_analysis(
+    stack: &Stack,
+    loads: &StackLoads,
+    direction: [f64; 2],
+) -> Result<bool, StabilityError> {
+    let way = unit(direction)?;
+    let loads = loads.on_blocks(stack)?;
+    let acts = acts(stack, Holding::FrictionOnly);
+    for piece in &pieces(stack, &loads, &acts, Growing::Shaking, false) {
+        if !stands_along(piece, way)? {
+            return Ok(false);
+        }
+    }
+    Ok(true)
+}
+
+/// The piece that moves first.
+enum Moving {
+    /// None does.
+    Nothing,
+    /// At rest.
+    Falls(Piece),
+    /// Along a direction.
+    Sways(Piece, [f64; 2]),
+    /// With these velocities.
+    SwaysWith(Piece, Vec<f64>),
+}
+
+/// The analysis without its mechanism, and what moves.
+fn analysed(stack: &Stack, options: &LimitAnalysis) -> Result<(LimitAnalysisResult, Moving), StabilityError> {
     let direction = match options.shaking {
         Shaking::AnyWay => None,
         Shaking::Along(direction) => Some(unit(direction)?),
@@ -91,8 +136,9 @@ pub fn limit_analysis(stack: &Stack, options: &LimitAnalysis) -> Result<LimitAna
         equations: 0,
     };
     let mut least = (ACCELERATION_MOST * (1.0 - 1e-6), [1.0, 0.0]);
-    let mut moves = None;
-    for piece in &pieces {
+    let mut moving = Moving::Nothing;
+    for piece in pieces {
+        let mut velocities = None;
         let found = match direction {
             None => {
                 let mut programme = piece.programme(Within::Plane)?;
@@ -103,10 +149,11 @@ pub fn limit_analysis(stack: &Stack, options: &LimitAnalysis) -> Result<LimitAna
                 nearest(|towards| programme.support(towards), piece.symmetries(), least.0)?
             }
             Some(way) => {
-                let (found, unknowns) = along(piece, way)?;
-                result.variables += unknowns;
+                let along = along(&piece, way)?;
+                result.variables += along.unknowns;
                 result.equations += piece.equations();
-                found
+                velocities = Some(along.velocities);
+                along.found
             }
         };
         result.solved += found.solved;
@@ -114,64 +161,26 @@ pub fn limit_analysis(stack: &Stack, options: &LimitAnalysis) -> Result<LimitAna
         if !found.stands {
             result.status = LimitAnalysisStatus::DoesNotStand;
             result.at_least_g = 0.0;
-            result.mechanism = falling(stack, piece)?;
-            return Ok(result);
+            return Ok((result, Moving::Falls(piece)));
         }
         result.at_least_g = result.at_least_g.min(found.at_least);
         if found.bound < least.0 {
             least = (found.bound, found.towards);
-            moves = Some(piece);
+            moving = match velocities {
+                Some(velocities) => Moving::SwaysWith(piece, velocities),
+                None => Moving::Sways(piece, least.1),
+            };
             let gravity = stack.gravity_m_s2();
             result.status = LimitAnalysisStatus::Limited(Threshold::new(least.0 * gravity, gravity, least.1));
         }
     }
-    if let Some(piece) = moves {
-        result.mechanism = swaying(stack, piece, least.1)?;
-    }
-    Ok(result)
-}
-
-/// One direction: how far it reaches, and that it stands at all (the way back must reach past rest too).
-pub(super) fn along(piece: &Piece, way: [f64; 2]) -> Result<(Nearest, usize), StabilityError> {
-    let mut programme = piece.programme(Within::Line(way))?;
-    let mut found = Nearest {
-        stands: false,
-        bound: f64::INFINITY,
-        towards: way,
-        at_least: 0.0,
-        missed: 0.0,
-        solved: 0,
-    };
-    for towards in [way.map(|part| -part), way] {
-        found.solved += 1;
-        match programme.support(towards)? {
-            Answer::Reaches(support) if support.bound > 0.0 => {
-                found.missed = found.missed.max(support.missed);
-                found.bound = support.bound;
-                found.at_least = support.point[0] * way[0] + support.point[1] * way[1];
-            }
-            _ => return Ok((found, programme.unknowns())),
-        }
-    }
-    found.stands = true;
-    Ok((found, programme.unknowns()))
-}
-
-pub(super) fn unit(direction: [f64; 2]) -> Result<[f64; 2], StabilityError> {
-    let length = direction[0].hypot(direction[1]);
-    if !(length > 0.0 && length.is_finite()) {
-        return Err(StabilityError::Direction {
-            quantity: "direction of shaking",
-            given: direction,
-        });
-    }
-    Ok(direction.map(|part| part / length))
+    Ok((result, moving))
 }
 
 #[cfg(test)]
 mod tests {
     use super::super::towers::{P10, p20, shifted, tower};
-    use super::super::{StackLimits, StackLoads, SwayingForces, Wind, stack_limits};
+    use super::super::{StackLimits, SwayingForces, Wind, stack_limits};
     use super::*;
     use crate::numeric::Random;
     use crate::structure::stack::{Block, Body, JointMaterial, Placement, Solid, Tie};

@@ -34,18 +34,13 @@ pub(super) fn swaying(
     piece: &Piece,
     way: [f64; 2],
 ) -> Result<Option<Mechanism>, StabilityError> {
-    let motions = swaying_motions(stack, piece, way)?;
-    Ok(motions.and_then(|motions| named(stack, &motions)))
+    let velocities = piece.programme(Within::Line(way))?.mechanism(way)?;
+    Ok(velocities.and_then(|velocities| moving_with(stack, piece, &velocities)))
 }
 
-/// The motions that each block takes part in there.
-pub(super) fn swaying_motions(
-    stack: &Stack,
-    piece: &Piece,
-    way: [f64; 2],
-) -> Result<Option<Vec<Vec<BodyMotion>>>, StabilityError> {
-    let velocities = piece.programme(Within::Line(way))?.mechanism(way)?;
-    Ok(velocities.map(|velocities| piece.motions(&velocities, stack.blocks().len())))
+/// The mechanism of a piece whose velocities are known.
+pub(super) fn moving_with(stack: &Stack, piece: &Piece, velocities: &[f64]) -> Option<Mechanism> {
+    named(stack, &piece.motions(velocities, stack.blocks().len()))
 }
 
 /// Opening and slip at one corner of a joint.

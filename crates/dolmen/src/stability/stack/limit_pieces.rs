@@ -2,12 +2,13 @@
 
 use super::SwayingForces;
 use super::cuts::{Carriers, carries};
-use super::limit_programme::{Column, Programme, Push, Within};
+use super::limit_programme::{Column, Programme, Push, Within, settings};
 use super::limit_region::{Symmetry, group, turned};
 use super::loads::{Load, together};
 use super::mechanism::BodyMotion;
 use crate::stability::StabilityError;
 use crate::structure::stack::{Body, Stack};
+use clarabel::solver::DefaultSettings;
 use glam::DVec3;
 
 /// Coefficients (of order 1) below this are rounding and left out. Chosen here.
@@ -138,11 +139,20 @@ impl Piece {
     }
 
     pub(super) fn programme(&self, within: Within) -> Result<Programme, StabilityError> {
+        self.programme_by(within, settings())
+    }
+
+    pub(super) fn programme_by(
+        &self,
+        within: Within,
+        settings: DefaultSettings<f64>,
+    ) -> Result<Programme, StabilityError> {
         Programme::new(
             &self.at_rest,
             [&self.shaking[0], &self.shaking[1]],
             &self.pushes,
             within,
+            settings,
         )
     }
 }

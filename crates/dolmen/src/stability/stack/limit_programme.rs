@@ -16,6 +16,8 @@ use clarabel::solver::{DefaultSettings, DefaultSolver, IPSolver, SolverStatus, S
 pub(super) const ACCELERATION_MOST: f64 = 10.0;
 /// What the solver is asked for, over the weight. Chosen here: a step or two more than its own 1e-8 takes.
 const SOUGHT: f64 = 1e-10;
+/// The same of a rough answer. Chosen here: some steps fewer.
+const SOUGHT_ROUGH: f64 = 1e-7;
 /// What an answer may miss: balance of forces, cones, difference of both bounds, over the weight. Chosen here; 1e-9 is usual.
 const MISSED_MOST: f64 = 1e-6;
 /// Coefficients (of order 1) below this are rounding and left out. Chosen here.
@@ -90,6 +92,7 @@ impl Programme {
         shaking: [&[f64]; 2],
         pushes: &[Push],
         within: Within,
+        settings: DefaultSettings<f64>,
     ) -> Result<Self, StabilityError> {
         let rows = at_rest.len();
         let mut build = Build {
@@ -125,7 +128,6 @@ impl Programme {
         }
         let right = vec![0.0; build.next];
         let matrix = build.matrix();
-        let settings = settings();
         let none = CscMatrix::zeros((matrix.n, matrix.n));
         let solver = DefaultSolver::new(&none, &build.costs, &matrix, &right, &build.cones, settings);
         Ok(Programme {
@@ -190,8 +192,12 @@ impl Programme {
     /// The mechanism that bounds how far the balanced accelerations reach along ν; `None` if nothing is balanced.
     pub(super) fn mechanism(&mut self, towards: [f64; 2]) -> Result<Option<Vec<f64>>, StabilityError> {
         let answer = self.support(towards)?;
-        let velocities = &self.solver.solution.x[..self.rows];
-        Ok((answer != Answer::Falls).then(|| velocities.to_vec()))
+        Ok((answer != Answer::Falls).then(|| self.velocities().to_vec()))
+    }
+
+    /// The velocities of the last solution.
+    pub(super) fn velocities(&self) -> &[f64] {
+        &self.solver.solution.x[..self.rows]
     }
 
     /// A mechanism that gains energy whatever the acceleration: checked, then believed.
@@ -271,6 +277,16 @@ pub(super) fn settings() -> DefaultSettings<f64> {
         tol_gap_rel: SOUGHT,
         tol_feas: SOUGHT,
         ..DefaultSettings::default()
+    }
+}
+
+/// How the solver is asked where it is only to be known whether an acceleration reaches clearly beyond rest.
+pub(super) fn rough() -> DefaultSettings<f64> {
+    DefaultSettings {
+        tol_gap_abs: SOUGHT_ROUGH,
+        tol_gap_rel: SOUGHT_ROUGH,
+        tol_feas: SOUGHT_ROUGH,
+        ..settings()
     }
 }
 

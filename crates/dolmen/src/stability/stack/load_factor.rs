@@ -7,8 +7,8 @@
 
 use super::StackLoads;
 use super::limit_acts::acts;
-use super::limit_analysis::along;
-use super::limit_mechanism::{falling, swaying};
+use super::limit_along::{Along, along};
+use super::limit_mechanism::{falling, moving_with};
 use super::limit_options::Holding;
 use super::limit_pieces::{Growing, Piece, pieces};
 use super::limit_programme::{ACCELERATION_MOST, Answer, Within};
@@ -94,9 +94,12 @@ pub fn load_factor(
         at_least: f64::INFINITY,
         mechanism: None,
     };
-    let mut moves: Option<&Piece> = None;
     for piece in &pieces {
-        let (reached, _) = along(piece, GROWS)?;
+        let Along {
+            found: reached,
+            velocities,
+            ..
+        } = along(piece, GROWS)?;
         if !reached.stands {
             return Ok(LoadFactor {
                 factor: 0.0,
@@ -108,12 +111,9 @@ pub fn load_factor(
             found.at_least = found.at_least.min(reached.at_least * unit);
             if reached.bound * unit < found.factor {
                 found.factor = reached.bound * unit;
-                moves = Some(piece);
+                found.mechanism = moving_with(&bare, piece, &velocities);
             }
         }
-    }
-    if let Some(piece) = moves {
-        found.mechanism = swaying(&bare, piece, GROWS)?;
     }
     Ok(found)
 }

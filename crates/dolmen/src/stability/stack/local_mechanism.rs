@@ -11,11 +11,11 @@
 
 use super::StackLoads;
 use super::limit_acts::acts;
-use super::limit_analysis::{along, unit};
-use super::limit_mechanism::{named, swaying_motions};
+use super::limit_along::unit;
+use super::limit_mechanism::named;
 use super::limit_options::Holding;
-use super::limit_pieces::{Growing, pieces};
-use super::limit_programme::ACCELERATION_MOST;
+use super::limit_pieces::{Growing, Piece, pieces};
+use super::limit_programme::{ACCELERATION_MOST, Answer, Within};
 use super::mechanism::{BodyMotion, JointMotion};
 use crate::stability::StabilityError;
 use crate::structure::stack::{Block, Stack};
@@ -95,32 +95,77 @@ pub struct LocalMechanism {
 /// # Source
 /// Circolare 7/2019 to NTC 2018, C8.7.1.2.1: definitions of α₀, M* and e*.
 pub fn local_mechanism(stack: &Stack, direction: [f64; 2]) -> Result<Option<LocalMechanism>, StabilityError> {
-    let way = unit(direction)?;
+    let mut found = local_mechanisms(stack, &[direction])?;
+    found.pop().unwrap_or(Ok(None))
+}
+
+/// The mechanism in each of several directions, as [`local_mechanism`] gives it; opposite directions share what shows that it stands.
+///
+/// # Errors
+/// [`StabilityError`] for a direction without length; within the answer of a direction for a programme that the solver could not solve.
+pub fn local_mechanisms(
+    stack: &Stack,
+    directions: &[[f64; 2]],
+) -> Result<Vec<Result<Option<LocalMechanism>, StabilityError>>, StabilityError> {
+    let ways = directions
+        .iter()
+        .map(|&direction| unit(direction))
+        .collect::<Result<Vec<_>, _>>()?;
     let loads = StackLoads::default().on_blocks(stack)?;
     let acts = acts(stack, Holding::Cohesion);
     let pieces = pieces(stack, &loads, &acts, Growing::Shaking, false);
-    let (mut multiplier, mut moving) = (ACCELERATION_MOST * (1.0 - 1e-6), None);
-    for piece in &pieces {
-        let (found, _) = along(piece, way)?;
-        if !found.stands {
+    let limits: Vec<_> = ways.iter().map(|&way| Limit::of(&pieces, way)).collect();
+    let each = ways.iter().zip(&limits).map(|(&way, limit)| {
+        let limit = limit.as_ref().map_err(Clone::clone)?;
+        let Some(limit) = limit else { return Ok(None) };
+        let back = way.map(|part| -part);
+        let stands_back = match ways.iter().position(|other| *other == back) {
+            Some(opposite) => limits[opposite].as_ref().map_err(Clone::clone)?.is_some(),
+            None => Limit::of(&pieces, back)?.is_some(),
+        };
+        let moving = limit.moving.as_ref().filter(|_| stands_back);
+        let Some((piece, velocities)) = moving else {
             return Ok(None);
+        };
+        let motions = pieces[*piece].motions(velocities, stack.blocks().len());
+        let Some(mechanism) = named(stack, &motions) else {
+            return Ok(None);
+        };
+        let mut joints = mechanism.joints.iter();
+        let slides = joints.any(|joint| joint.motion != JointMotion::Opens);
+        Ok(of_parts(stack, &motions, way, limit.multiplier, slides))
+    });
+    Ok(each.collect())
+}
+
+/// How far forces balance the shaking along one direction.
+struct Limit {
+    multiplier: f64,
+    /// The piece that moves first, and its velocities; `None` where nothing moves.
+    moving: Option<(usize, Vec<f64>)>,
+}
+
+impl Limit {
+    /// `None` where the reach does not pass rest.
+    fn of(pieces: &[Piece], way: [f64; 2]) -> Result<Option<Self>, StabilityError> {
+        let mut limit = Limit {
+            multiplier: ACCELERATION_MOST * (1.0 - 1e-6),
+            moving: None,
+        };
+        for (index, piece) in pieces.iter().enumerate() {
+            let mut programme = piece.programme(Within::Line(way))?;
+            match programme.support(way)? {
+                Answer::Reaches(support) if support.bound > 0.0 => {
+                    if support.bound < limit.multiplier {
+                        limit.multiplier = support.bound;
+                        limit.moving = Some((index, programme.velocities().to_vec()));
+                    }
+                }
+                _ => return Ok(None),
+            }
         }
-        if found.bound < multiplier {
-            (multiplier, moving) = (found.bound, Some(piece));
-        }
+        Ok(Some(limit))
     }
-    let Some(piece) = moving else { return Ok(None) };
-    let Some(motions) = swaying_motions(stack, piece, way)? else {
-        return Ok(None);
-    };
-    let Some(mechanism) = named(stack, &motions) else {
-        return Ok(None);
-    };
-    let slides = mechanism
-        .joints
-        .iter()
-        .any(|joint| joint.motion != JointMotion::Opens);
-    Ok(of_parts(stack, &motions, way, multiplier, slides))
 }
 
 /// Velocity at a point of a block that takes part in several motions.

@@ -7,6 +7,7 @@ mod cuts;
 mod demand;
 mod half_plane;
 mod limit_acts;
+mod limit_along;
 mod limit_analysis;
 mod limit_mechanism;
 mod limit_options;
@@ -42,13 +43,14 @@ pub use demand::{
     Comparison, DemandComparison, DemandVerdict, SpectralDemand, StackDemand, compare_with_demand,
 };
 pub use limit_analysis::limit_analysis;
+pub(crate) use limit_analysis::stands_by_limit_analysis;
 pub use limit_options::{
     Holding, LimitAnalysis, LimitAnalysisResult, LimitAnalysisStatus, Shaking, SwayingForces,
 };
 pub use limit_states::{CutLimits, EdgeLimit, Governing, LimitKind, StackLimitStates};
 pub use load_factor::{LoadFactor, SteadyLoads, growth, load_factor};
 pub use loads::{PointForce, StackLoads, Wind};
-pub use local_mechanism::{LocalMechanism, RigidPart, local_mechanism};
+pub use local_mechanism::{LocalMechanism, RigidPart, local_mechanism, local_mechanisms};
 pub use mechanism::{JointMotion, Mechanism, MovingJoint};
 pub use pressure::{JointPressure, no_tension_pressure};
 pub use resistance::Resistance;

@@ -1,0 +1,75 @@
+//! A piece of a stack shaken along one direction: how far it reaches, and how it then moves.
+
+use super::limit_pieces::Piece;
+use super::limit_programme::{Answer, Within, rough};
+use super::limit_region::Nearest;
+use crate::stability::StabilityError;
+
+/// Acceleration over gravity that a rough solution, which misses 1e-6 at most, shows to be beyond rest. Chosen here.
+const CLEAR: f64 = 1e-3;
+
+/// What a piece does along one direction.
+pub(super) struct Along {
+    /// How far it reaches.
+    pub(super) found: Nearest,
+    /// Unknown forces and accelerations.
+    pub(super) unknowns: usize,
+    /// Velocities [rows] of the mechanism at the limit; empty where it does not stand.
+    pub(super) velocities: Vec<f64>,
+}
+
+/// One direction: how far it reaches, and that it stands at all (the way back must reach past rest too).
+pub(super) fn along(piece: &Piece, way: [f64; 2]) -> Result<Along, StabilityError> {
+    let mut programme = piece.programme(Within::Line(way))?;
+    let mut along = Along {
+        found: Nearest {
+            stands: false,
+            bound: f64::INFINITY,
+            towards: way,
+            at_least: 0.0,
+            missed: 0.0,
+            solved: 0,
+        },
+        unknowns: programme.unknowns(),
+        velocities: Vec::new(),
+    };
+    for towards in [way.map(|part| -part), way] {
+        let found = &mut along.found;
+        found.solved += 1;
+        match programme.support(towards)? {
+            Answer::Reaches(support) if support.bound > 0.0 => {
+                found.missed = found.missed.max(support.missed);
+                found.bound = support.bound;
+                found.at_least = support.point[0] * way[0] + support.point[1] * way[1];
+            }
+            _ => return Ok(along),
+        }
+    }
+    along.found.stands = true;
+    along.velocities = programme.velocities().to_vec();
+    Ok(along)
+}
+
+/// Whether a piece stands, as [`along`] finds it: by rough solutions where both ways reach clearly beyond rest.
+pub(super) fn stands_along(piece: &Piece, way: [f64; 2]) -> Result<bool, StabilityError> {
+    let mut programme = piece.programme_by(Within::Line(way), rough())?;
+    let is_clear = [way.map(|part| -part), way].into_iter().all(
+        |towards| matches!(programme.support(towards), Ok(Answer::Reaches(support)) if support.bound > CLEAR),
+    );
+    match is_clear {
+        true => Ok(true),
+        false => Ok(along(piece, way)?.found.stands),
+    }
+}
+
+/// The direction as a unit vector.
+pub(super) fn unit(direction: [f64; 2]) -> Result<[f64; 2], StabilityError> {
+    let length = direction[0].hypot(direction[1]);
+    if !(length > 0.0 && length.is_finite()) {
+        return Err(StabilityError::Direction {
+            quantity: "direction of shaking",
+            given: direction,
+        });
+    }
+    Ok(direction.map(|part| part / length))
+}
