@@ -7,7 +7,7 @@
 
 use super::plan::Table;
 use super::{AttachedDamper, DamperError, DamperKind, Judged, PlacedDamper, Plan};
-use crate::numeric::complex_solve;
+use crate::numeric::complex_solve_all;
 use dolmen_linalg::Complex64;
 
 /// A damper as the sites of a plan see it: z₀ = Σ factor × coordinate, three coordinates a site.
@@ -15,6 +15,17 @@ use dolmen_linalg::Complex64;
 pub(super) struct Ride {
     pub(super) row: Vec<(usize, f64)>,
     pub(super) kind: DamperKind,
+}
+
+/// What the structure makes of the places of dampers at one frequency.
+pub(super) struct Coupling {
+    /// Receptances among them: places × places.
+    g: Vec<Complex64>,
+    /// Felt acceleration, and motion, without dampers: places × loads.
+    felt: Vec<Complex64>,
+    moved: Vec<Complex64>,
+    /// Motion of the points per force: points × places.
+    to_point: Vec<Complex64>,
 }
 
 impl Plan {
@@ -62,10 +73,40 @@ impl Plan {
         Ok(rides)
     }
 
+    /// What the structure makes of dampers at these places at one frequency, whatever their tuning.
+    pub(super) fn coupling(&self, table: &Table, dampers: &[Ride]) -> Coupling {
+        let (c, loads, q) = (self.coordinates(), self.problem().loads.len(), dampers.len());
+        let points = self.problem().points.len();
+        let place = |k: usize, list: &dyn Fn(usize) -> Complex64| -> Complex64 {
+            dampers[k].row.iter().map(|&(i, a)| list(i) * a).sum()
+        };
+        let pairs =
+            |first: usize, second: usize| (0..first * second).map(move |at| (at / second, at % second));
+        Coupling {
+            g: pairs(q, q)
+                .map(|(k, j)| place(k, &|i| place(j, &|m| table.own[i * c + m])))
+                .collect(),
+            felt: pairs(q, loads)
+                .map(|(k, l)| place(k, &|i| table.felt[i * loads + l]))
+                .collect(),
+            moved: pairs(q, loads)
+                .map(|(k, l)| place(k, &|i| table.moved[i * loads + l]))
+                .collect(),
+            to_point: pairs(points, q)
+                .map(|(p, k)| place(k, &|i| table.to_point[p * c + i]))
+                .collect(),
+        }
+    }
+
     /// Motion of the points and of the dampers in themselves per unit of each load at one frequency: points × loads, then dampers ×
     /// loads; `None` at a resonance without damping.
     pub(super) fn responses(&self, table: &Table, dampers: &[Ride]) -> Option<Vec<Complex64>> {
-        let (c, loads, q) = (self.coordinates(), self.problem().loads.len(), dampers.len());
+        self.responses_of(table, &self.coupling(table, dampers), dampers)
+    }
+
+    /// The same where the coupling is known.
+    fn responses_of(&self, table: &Table, of: &Coupling, dampers: &[Ride]) -> Option<Vec<Complex64>> {
+        let (loads, q) = (self.problem().loads.len(), dampers.len());
         let points = self.problem().points.len();
         let w2 = table.omega * table.omega;
         // K, and what a felt acceleration or a motion of the place brings
@@ -77,46 +118,37 @@ impl Plan {
                 _ => Some(d.kind.apparent_mass(table.omega)),
             })
             .collect();
-        let place = |k: usize, list: &dyn Fn(usize) -> Complex64| -> Complex64 {
-            dampers[k].row.iter().map(|&(i, a)| list(i) * a).sum()
-        };
-        let g: Vec<Vec<Complex64>> = (0..q)
-            .map(|k| {
-                (0..q)
-                    .map(|j| place(k, &|i| place(j, &|m| table.own[i * c + m])))
-                    .collect()
-            })
+        let mut a: Vec<Vec<Complex64>> = (0..q)
+            .map(|k| (0..q).map(|j| -forces[k] * of.g[k * q + j]).collect())
             .collect();
+        for (k, row) in a.iter_mut().enumerate() {
+            row[k] += 1.0;
+        }
+        let brought = |k: usize, l: usize| match masses[k] {
+            Some(mass) => mass * of.felt[k * loads + l],
+            None => forces[k] * of.moved[k * loads + l],
+        };
+        let mut lambda: Vec<Vec<Complex64>> = (0..loads)
+            .map(|l| (0..q).map(|k| brought(k, l)).collect())
+            .collect();
+        let mut right: Vec<&mut [Complex64]> = lambda.iter_mut().map(Vec::as_mut_slice).collect();
+        if !complex_solve_all(&mut a, &mut right) {
+            return None;
+        }
         let mut all = vec![Complex64::ZERO; (points + q) * loads];
-        for l in 0..loads {
-            let felt = |k: usize| place(k, &|i| table.felt[i * loads + l]);
-            let moved = |k: usize| place(k, &|i| table.moved[i * loads + l]);
-            let mut lambda: Vec<Complex64> = (0..q)
-                .map(|k| match masses[k] {
-                    Some(mass) => mass * felt(k),
-                    None => forces[k] * moved(k),
-                })
-                .collect();
-            let mut a: Vec<Vec<Complex64>> = (0..q)
-                .map(|k| (0..q).map(|j| -forces[k] * g[k][j]).collect())
-                .collect();
-            for (k, row) in a.iter_mut().enumerate() {
-                row[k] += 1.0;
-            }
-            if !complex_solve(&mut a, &mut lambda) {
-                return None;
-            }
+        for (l, lambda) in lambda.iter().enumerate() {
             for p in 0..points {
-                let forced: Complex64 = (0..q)
-                    .map(|k| place(k, &|i| table.to_point[p * c + i]) * lambda[k])
-                    .sum();
+                let forced: Complex64 = (0..q).map(|k| of.to_point[p * q + k] * lambda[k]).sum();
                 all[p * loads + l] = table.free[p * loads + l] + forced;
             }
             for (k, damper) in dampers.iter().enumerate() {
-                let pushed = (0..q).map(|j| g[k][j] * lambda[j]).sum::<Complex64>();
+                let pushed = (0..q).map(|j| of.g[k * q + j] * lambda[j]).sum::<Complex64>();
                 all[(points + k) * loads + l] = match masses[k] {
-                    Some(_) => (felt(k) + w2 * pushed) * damper.kind.stroke_per_acceleration(table.omega),
-                    None => moved(k) + pushed,
+                    Some(_) => {
+                        (of.felt[k * loads + l] + w2 * pushed)
+                            * damper.kind.stroke_per_acceleration(table.omega)
+                    }
+                    None => of.moved[k * loads + l] + pushed,
                 };
             }
         }
@@ -125,8 +157,12 @@ impl Plan {
 
     /// What one frequency adds to the variances of the points and then of the strokes; NaN at a resonance without damping.
     pub(super) fn at_node(&self, table: &Table, dampers: &[Ride]) -> Vec<f64> {
+        self.at_node_of(table, &self.coupling(table, dampers), dampers)
+    }
+
+    fn at_node_of(&self, table: &Table, coupling: &Coupling, dampers: &[Ride]) -> Vec<f64> {
         let loads = self.problem().loads.len();
-        match self.responses(table, dampers) {
+        match self.responses_of(table, coupling, dampers) {
             Some(responses) => responses
                 .chunks(loads)
                 .map(|each| {
@@ -150,11 +186,29 @@ impl Plan {
         self.rides_at_nodes(&self.rides(dampers))
     }
 
-    pub(super) fn rides_at_nodes(&self, dampers: &[Ride]) -> Judged {
+    fn rides_at_nodes(&self, dampers: &[Ride]) -> Judged {
+        let each = self.nodes.iter().map(|table| self.at_node(table, dampers));
+        self.of_variances(dampers.len(), each)
+    }
+
+    /// The couplings of dampers at all prepared frequencies.
+    pub(super) fn couplings(&self, dampers: &[Ride]) -> Vec<Coupling> {
+        let nodes = self.nodes.iter();
+        nodes.map(|table| self.coupling(table, dampers)).collect()
+    }
+
+    /// Standard deviations where the couplings are known: of dampers that keep their places.
+    pub(super) fn coupled_at_nodes(&self, couplings: &[Coupling], dampers: &[Ride]) -> Judged {
+        let nodes = self.nodes.iter().zip(couplings);
+        let each = nodes.map(|(table, coupling)| self.at_node_of(table, coupling, dampers));
+        self.of_variances(dampers.len(), each)
+    }
+
+    fn of_variances(&self, dampers: usize, each: impl Iterator<Item = Vec<f64>>) -> Judged {
         let points = self.problem().points.len();
-        let mut variances = vec![0.0; points + dampers.len()];
-        for table in &self.nodes {
-            for (sum, value) in variances.iter_mut().zip(self.at_node(table, dampers)) {
+        let mut variances = vec![0.0; points + dampers];
+        for node in each {
+            for (sum, value) in variances.iter_mut().zip(node) {
                 *sum += value;
             }
         }

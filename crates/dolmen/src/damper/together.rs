@@ -3,7 +3,7 @@
 //! The unknowns are the logarithms of what of each damper is tuned: frequency and damping ratio of a mass or a column, both pairs of a
 //! liquid column mass, and where it is wished the coefficient of a dashpot.
 
-use super::ride::Ride;
+use super::ride::{Coupling, Ride};
 use super::spot::DAMPING_MOST;
 use super::{AttachedDamper, DamperError, DamperKind, DesignEnd, Freedom, Goal, Judged, Plan, judge};
 use crate::numeric::{Minimax, Piece, Worst, all_by_differences, minimax};
@@ -73,10 +73,12 @@ pub fn tune_together(
     if options.goal == Goal::LargestPeak {
         return Err(DamperError::NoMap);
     }
+    let rides = plan.rides_of(start)?;
     let mut search = Search {
         plan,
         start,
-        rides: plan.rides_of(start)?,
+        couplings: plan.couplings(&rides),
+        rides,
         options,
     };
     let given = search.unknowns();
@@ -154,6 +156,8 @@ struct Search<'a> {
     plan: &'a Plan,
     start: &'a [AttachedDamper],
     rides: Vec<Ride>,
+    /// They keep their places.
+    couplings: Vec<Coupling>,
     options: &'a TogetherOptions,
 }
 
@@ -244,7 +248,7 @@ impl Search<'_> {
                 kind,
             })
             .collect();
-        let judged = self.plan.rides_at_nodes(&rides);
+        let judged = self.plan.coupled_at_nodes(&self.couplings, &rides);
         let mut values = match self.options.goal {
             Goal::MeanSquare => vec![cost_of(&judged, Goal::MeanSquare).ln()],
             _ => judged.point_rms.iter().map(|rms| rms.ln()).collect(),

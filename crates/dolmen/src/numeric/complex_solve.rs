@@ -4,7 +4,12 @@ use num_complex::Complex64;
 
 /// x of A x = b by elimination with row pivoting, A given row by row and overwritten; `false` if A is singular.
 pub(crate) fn complex_solve(a: &mut [Vec<Complex64>], b: &mut [Complex64]) -> bool {
-    let n = b.len();
+    complex_solve_all(a, &mut [b])
+}
+
+/// The same for several b.
+pub(crate) fn complex_solve_all(a: &mut [Vec<Complex64>], right: &mut [&mut [Complex64]]) -> bool {
+    let n = a.len();
     for j in 0..n {
         let Some(pivot) = (j..n).reduce(|best, i| match a[i][j].norm_sqr() > a[best][j].norm_sqr() {
             true => i,
@@ -13,7 +18,7 @@ pub(crate) fn complex_solve(a: &mut [Vec<Complex64>], b: &mut [Complex64]) -> bo
             return false;
         };
         a.swap(j, pivot);
-        b.swap(j, pivot);
+        right.iter_mut().for_each(|b| b.swap(j, pivot));
         if a[j][j] == Complex64::ZERO || !a[j][j].is_finite() {
             return false;
         }
@@ -23,13 +28,17 @@ pub(crate) fn complex_solve(a: &mut [Vec<Complex64>], b: &mut [Complex64]) -> bo
             for (target, source) in below[0][j..].iter_mut().zip(&above[j][j..]) {
                 *target -= factor * source;
             }
-            let known = b[j];
-            b[i] -= factor * known;
+            for b in &mut *right {
+                let known = b[j];
+                b[i] -= factor * known;
+            }
         }
     }
-    for i in (0..n).rev() {
-        let known: Complex64 = a[i][i + 1..].iter().zip(&b[i + 1..]).map(|(a, x)| a * x).sum();
-        b[i] = (b[i] - known) / a[i][i];
+    for b in right {
+        for i in (0..n).rev() {
+            let known: Complex64 = a[i][i + 1..].iter().zip(&b[i + 1..]).map(|(a, x)| a * x).sum();
+            b[i] = (b[i] - known) / a[i][i];
+        }
     }
     true
 }
@@ -43,9 +52,11 @@ mod tests {
         let i = Complex64::I;
         let one = Complex64::ONE;
         let mut a = vec![vec![Complex64::ZERO, one], vec![2.0 * i, i]];
-        let mut b = vec![one, 3.0 * i];
-        assert!(complex_solve(&mut a, &mut b));
-        assert!((b[0] - one).norm() < 1e-15 && (b[1] - one).norm() < 1e-15);
+        let (mut b, mut twice) = ([one, 3.0 * i], [2.0 * one, 6.0 * i]);
+        assert!(complex_solve_all(&mut a, &mut [&mut b, &mut twice]));
+        for (x, exact) in [(b, one), (twice, 2.0 * one)] {
+            assert!((x[0] - exact).norm() < 1e-15 && (x[1] - exact).norm() < 1e-15);
+        }
         assert!(!complex_solve(&mut [vec![Complex64::ZERO]], &mut [one]));
     }
 }

@@ -23,7 +23,7 @@ mod student;
 pub use assignment::assignment;
 pub(crate) use bounded_least_squares::{BoundedFit, BoundedStop, bounded_least_squares};
 pub use chi_squared::{chi_squared_above, chi_squared_quantile};
-pub(crate) use complex_solve::complex_solve;
+pub(crate) use complex_solve::{complex_solve, complex_solve_all};
 pub(crate) use crossing::{COEFFICIENTS_MOST, first_descent, polynomial, polynomial_most};
 pub use error::NumericError;
 pub use fisher::fisher_quantile;

@@ -1,9 +1,13 @@
 //! A piece of a stack shaken along one direction: how far it reaches, and how it then moves.
 
-use super::limit_pieces::Piece;
+use super::StackLoads;
+use super::limit_acts::acts;
+use super::limit_options::Holding;
+use super::limit_pieces::{Growing, Piece, pieces};
 use super::limit_programme::{Answer, Within, rough};
 use super::limit_region::Nearest;
 use crate::stability::StabilityError;
+use crate::structure::stack::Stack;
 
 /// Acceleration over gravity that a rough solution, which misses 1e-6 at most, shows to be beyond rest. Chosen here.
 const CLEAR: f64 = 1e-3;
@@ -51,7 +55,7 @@ pub(super) fn along(piece: &Piece, way: [f64; 2]) -> Result<Along, StabilityErro
 }
 
 /// Whether a piece stands, as [`along`] finds it: by rough solutions where both ways reach clearly beyond rest.
-pub(super) fn stands_along(piece: &Piece, way: [f64; 2]) -> Result<bool, StabilityError> {
+fn stands_along(piece: &Piece, way: [f64; 2]) -> Result<bool, StabilityError> {
     let mut programme = piece.programme_by(Within::Line(way), rough())?;
     let is_clear = [way.map(|part| -part), way].into_iter().all(
         |towards| matches!(programme.support(towards), Ok(Answer::Reaches(support)) if support.bound > CLEAR),
@@ -60,6 +64,26 @@ pub(super) fn stands_along(piece: &Piece, way: [f64; 2]) -> Result<bool, Stabili
         true => Ok(true),
         false => Ok(along(piece, way)?.found.stands),
     }
+}
+
+/// Whether forces in the joints balance weight and static loads beyond a doubt, with shaking along either sense of one direction.
+///
+/// # Errors
+/// Those of [`limit_analysis`](super::limit_analysis()).
+pub(crate) fn stands_by_limit_analysis(
+    stack: &Stack,
+    loads: &StackLoads,
+    direction: [f64; 2],
+) -> Result<bool, StabilityError> {
+    let way = unit(direction)?;
+    let loads = loads.on_blocks(stack)?;
+    let acts = acts(stack, Holding::FrictionOnly);
+    for piece in &pieces(stack, &loads, &acts, Growing::Shaking, false) {
+        if !stands_along(piece, way)? {
+            return Ok(false);
+        }
+    }
+    Ok(true)
 }
 
 /// The direction as a unit vector.

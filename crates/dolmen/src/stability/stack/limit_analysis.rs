@@ -7,14 +7,14 @@
 //! | μ | `friction_static` | static friction | – |
 //! | C | – | cohesion × area of the joint, shared alike by its corners | N |
 
+use super::Threshold;
 use super::limit_acts::acts;
-use super::limit_along::{along, stands_along, unit};
+use super::limit_along::{along, unit};
 use super::limit_mechanism::{falling, moving_with, swaying};
 use super::limit_options::{Holding, LimitAnalysis, LimitAnalysisResult, LimitAnalysisStatus, Shaking};
 use super::limit_pieces::{Growing, Piece, pieces};
 use super::limit_programme::{ACCELERATION_MOST, Within};
 use super::limit_region::nearest;
-use super::{StackLoads, Threshold};
 use crate::stability::StabilityError;
 use crate::structure::stack::Stack;
 
@@ -66,26 +66,6 @@ pub fn limit_analysis(stack: &Stack, options: &LimitAnalysis) -> Result<LimitAna
         Moving::SwaysWith(piece, velocities) => moving_with(stack, &piece, &velocities),
     };
     Ok(result)
-}
-
-/// Whether forces in the joints balance weight and static loads beyond a doubt, with shaking along either sense of one direction.
-///
-/// # Errors
-/// Those of [`limit_analysis`].
-pub(crate) fn stands_by_limit_analysis(
-    stack: &Stack,
-    loads: &StackLoads,
-    direction: [f64; 2],
-) -> Result<bool, StabilityError> {
-    let way = unit(direction)?;
-    let loads = loads.on_blocks(stack)?;
-    let acts = acts(stack, Holding::FrictionOnly);
-    for piece in &pieces(stack, &loads, &acts, Growing::Shaking, false) {
-        if !stands_along(piece, way)? {
-            return Ok(false);
-        }
-    }
-    Ok(true)
 }
 
 /// The piece that moves first.
@@ -180,7 +160,7 @@ fn analysed(stack: &Stack, options: &LimitAnalysis) -> Result<(LimitAnalysisResu
 #[cfg(test)]
 mod tests {
     use super::super::towers::{P10, p20, shifted, tower};
-    use super::super::{StackLimits, SwayingForces, Wind, stack_limits};
+    use super::super::{StackLimits, StackLoads, SwayingForces, Wind, stack_limits};
     use super::*;
     use crate::numeric::Random;
     use crate::structure::stack::{Block, Body, JointMaterial, Placement, Solid, Tie};

@@ -42,8 +42,8 @@ pub use cuts::{Cut, Cuts, cuts};
 pub use demand::{
     Comparison, DemandComparison, DemandVerdict, SpectralDemand, StackDemand, compare_with_demand,
 };
+pub(crate) use limit_along::stands_by_limit_analysis;
 pub use limit_analysis::limit_analysis;
-pub(crate) use limit_analysis::stands_by_limit_analysis;
 pub use limit_options::{
     Holding, LimitAnalysis, LimitAnalysisResult, LimitAnalysisStatus, Shaking, SwayingForces,
 };
