@@ -101,7 +101,8 @@ fn learned(whole: &[Range<usize>], order: usize) -> Vec<Range<usize>> {
         let run = run.start..run.end.min(run.start + left);
         left -= run.len();
         taken.push(run);
-        if left == 0 {
+        // what is cut to less is too short to learn from
+        if left <= 2 * order {
             break;
         }
     }
@@ -228,6 +229,20 @@ mod tests {
         fill_lost(&mut holed, &lost).unwrap();
         for (a, b) in whole.iter().zip(&holed) {
             approx::assert_abs_diff_eq!(a, b, epsilon = 3e-2);
+        }
+    }
+
+    #[test]
+    fn holds_what_is_left_of_a_run_to_learn_from_is_never_shorter_than_the_predictor() {
+        let mut random = Random::new(11, 0);
+        let whole: Vec<f64> = (0..2 * LEARNED_MOST).map(|_| random.normal()).collect();
+        // the first run leaves so many samples to learn from
+        for left in [1, 31, ORDER, 2 * ORDER, 2 * ORDER + 1] {
+            let mut holed = whole.clone();
+            let lost = LEARNED_MOST - left..LEARNED_MOST - left + 1;
+            holed[lost.start] = f64::NAN;
+            fill_lost(&mut holed, &[lost.clone()]).unwrap();
+            assert!(holed[lost.start].abs() < 1.0, "{left}: {}", holed[lost.start]); // white noise: its mean
         }
     }
 
