@@ -420,6 +420,7 @@ fn stated_mode(row: StatedModeRow) -> KeptMode {
         frequency_sd_hz: row.frequency_sd_hz,
         damping_ratio: row.damping_ratio,
         damping_ratio_sd: row.damping_ratio_sd,
+        accepted: false,
     }
 }
 
@@ -430,6 +431,7 @@ fn identified(row: ModeRow) -> KeptMode {
         frequency_sd_hz: row.frequency_sd_hz,
         damping_ratio: row.damping_ratio,
         damping_ratio_sd: row.damping_ratio_sd,
+        accepted: row.is_accepted,
     }
 }
 

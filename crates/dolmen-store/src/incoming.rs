@@ -511,6 +511,7 @@ pub(crate) fn analysis(rows: &mut Rows, modes: &Modes, key: &AnalysisKey, (who, 
             damping_ratio: mode.damping_ratio.and_then(finite),
             damping_ratio_sd: mode.damping_ratio_sd.and_then(finite),
             phase_collinearity: finite(mode.phase_collinearity),
+            is_accepted: !mode.is_found(),
         });
         for (point, (channel, part)) in modes.channels.iter().zip(&mode.shape).enumerate() {
             let sd = mode.shape_sd.as_ref().and_then(|sd| sd.get(point).copied());

@@ -99,7 +99,7 @@ impl Store {
     pub fn observed(&mut self, name: &str) -> Result<BTreeMap<String, Vec<ObservedMode>>, StoreError> {
         let database = self.database.as_mut();
         refuse_unknown(database, name)?;
-        let columns = "v.name as survey, m.position as mode, m.frequency_hz, m.frequency_sd_hz, m.damping_ratio, m.damping_ratio_sd, \
+        let columns = "v.name as survey, m.position as mode, m.frequency_hz, m.frequency_sd_hz, m.damping_ratio, m.damping_ratio_sd, m.is_accepted, \
              q.channel, q.real_part, q.imaginary_part, q.position as point";
         let modes = "join mode m on m.analysis = (select n.hash from survey_analysis sa join analysis n on n.hash = sa.analysis \
                where sa.survey = v.hash order by n.at_us desc, n.hash limit 1) \
@@ -124,6 +124,7 @@ impl Store {
                 damping_ratio_sd: row.take("damping_ratio_sd")?,
                 degrees_of_freedom: f64::INFINITY,
                 direction: None,
+                accepted: row.take::<Option<bool>>("is_accepted")?.unwrap_or(false),
                 shape: Vec::new(),
             };
             let channel: Option<String> = row.take("channel")?;

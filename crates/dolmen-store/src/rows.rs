@@ -105,7 +105,7 @@ rows! {
     SurveyAnalysisRow in "survey_analysis" by "survey, analysis" { survey: String, analysis: String }
     ModeRow in "mode" by "analysis, position" {
         analysis: String, position: i64, frequency_hz: f64, frequency_sd_hz: Option<f64>, damping_ratio: Option<f64>,
-        damping_ratio_sd: Option<f64>, phase_collinearity: Option<f64>,
+        damping_ratio_sd: Option<f64>, phase_collinearity: Option<f64>, is_accepted: bool,
     }
     ModePointRow in "mode_point" by "analysis, mode, position" {
         analysis: String, mode: i64, position: i64, channel: String, real_part: f64, imaginary_part: f64, sd: Option<f64>,

@@ -14,6 +14,7 @@ const APPLICATION: i64 = 0x646F_6C6D;
 const FILES: &[&str] = &[
     include_str!("sql/0001_surveys.sql"),
     include_str!("sql/0002_arrivals.sql"),
+    include_str!("sql/0003_accepted_modes.sql"),
 ];
 
 pub(crate) struct Sqlite(Connection);

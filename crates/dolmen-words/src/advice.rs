@@ -61,6 +61,10 @@ messages! {
             en: "; add the delay to the begins of the station of each (a channel among others of one file: as a station of its own), and they are in them",
             ko: ". 각 station의 begins에 지연을 더하면(한 파일의 채널이면 별도의 station으로) 함께 분석된다",
         },
+        Accept => {
+            en: "; if you know one to be a mode, accept = [its frequency in Hz] in the modal table of the record takes it, marked as accepted by you",
+            ko: ". 모드임이 확실하면 기록의 modal 항목에 accept = [진동수(Hz)]를 쓴다. 사용자가 채택한 모드로 표시된다",
+        },
         ExchangeNames => {
             en: "; if they were, exchange their names in the project file and compare again",
             ko: ". 그렇다면 프로젝트 파일에서 이름을 서로 바꾸고 다시 비교한다",
@@ -198,13 +202,15 @@ impl Advice for Note {
             Self::FilteredAbove { .. } => says(Advised::LowerDecimation),
             Self::ClockDrift { .. } => says(Advised::GiveRates),
             Self::LateClocks { .. } => says(Advised::AddDelays),
+            Self::InSpells { .. } | Self::Narrow { .. } => says(Advised::Accept),
+            Self::PeaksWithoutMode { peaks } if peaks.iter().any(|of| of.refusal.is_some()) => {
+                says(Advised::Accept)
+            }
             Self::BlockRowsBounded { .. }
             | Self::FewBlocks { .. }
             | Self::Tones { .. }
-            | Self::Narrow { .. }
             | Self::TonesOnModes { .. }
             | Self::Harmonics { .. }
-            | Self::InSpells { .. }
             | Self::LightModes { .. }
             | Self::NoDamping { .. }
             | Self::ClosePairs { .. }
@@ -212,6 +218,9 @@ impl Advice for Note {
             | Self::NotFitted { .. }
             | Self::FromPeaks { .. }
             | Self::HiddenPairs { .. }
+            | Self::Accepted { .. }
+            | Self::AcceptedAlready { .. }
+            | Self::NothingToAccept { .. }
             | Self::PeaksWithoutMode { .. }
             | Self::NotPicked { .. }
             | Self::OneQuantity { .. }

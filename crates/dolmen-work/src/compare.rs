@@ -158,6 +158,7 @@ pub fn surveyed(survey: &Survey, found: Option<&SurveyAnswer>) -> Surveyed {
 fn stated(direction: &str, mode: &SurveyMode) -> ObservedMode {
     let twists = mode.kind == ModeKind::Torsion;
     ObservedMode {
+        accepted: false,
         frequency_hz: mode.frequency.value,
         frequency_sd_hz: mode.frequency.cov.map(|_| mode.frequency.standard_deviation()),
         damping_ratio: mode.damping_ratio.as_ref().map(|zeta| zeta.value),

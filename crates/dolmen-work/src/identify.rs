@@ -317,6 +317,7 @@ fn options(source: &RecordSource, channels: &[Channel]) -> Result<Identify, Work
         references: references(&source.modal.references, channels).within(|| source.file.clone())?,
         inputs: inputs(&source.modal.inputs, channels).within(|| source.file.clone())?,
         pick_hz: source.modal.pick_hz.clone(),
+        accept_hz: source.modal.accept_hz.clone(),
         harmonics: source.modal.harmonics.unwrap_or(defaults.harmonics),
         frequency_low_hz: source.modal.frequency_low_hz,
         frequency_high_hz: source.modal.frequency_high_hz,

@@ -194,6 +194,7 @@ fn watch_surveys(
                 temperature_c: survey.temperature_c,
                 frequencies_hz: survey.modes.iter().map(|mode| mode.frequency_hz).collect(),
                 frequency_sds_hz: survey.modes.iter().map(|mode| mode.frequency_sd_hz).collect(),
+                accepted: survey.modes.iter().map(|mode| mode.accepted).collect(),
             })
             .collect(),
         left_out,

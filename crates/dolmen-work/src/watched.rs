@@ -2,7 +2,7 @@
 
 use crate::sensor_alarms::SensorAlarm;
 use crate::watched_log::WatchedLog;
-use dolmen::monitoring::Watched;
+use dolmen::monitoring::{Track, Watched};
 use dolmen_project::{LogKind, Project, WorkPart};
 use std::sync::Arc;
 
@@ -46,9 +46,18 @@ pub struct WatchedSurvey {
     pub frequencies_hz: Vec<f64>,
     /// Their standard deviations, Hz, where they are known.
     pub frequency_sds_hz: Vec<Option<f64>>,
+    /// Which of them the user insists on though a test refused them.
+    pub accepted: Vec<bool>,
 }
 
 impl WatchAnswer {
+    /// In how many surveys the user insists on the mode that is followed.
+    pub fn accepted_in(&self, track: &Track) -> usize {
+        let both = track.modes.iter().zip(&self.surveys);
+        both.filter(|(at, survey)| at.is_some_and(|at| survey.accepted.get(at) == Some(&true)))
+            .count()
+    }
+
     /// Confirmed alarms that no repair and no inspection answered.
     pub fn open_alarms(&self) -> usize {
         self.watched

@@ -5,14 +5,17 @@
 //! ```
 //! Prints what went wrong seed by seed, then: modes with enough energy (10 dB over all else in the best combination of the channels, and a
 //! damping ratio that so long a record may show to 30 %) that were found, within 2 % and of like shape; modes that are none; channels left out
-//! though nothing is wrong with them; tones on modes that are named; how often the 95 % intervals hold the truth, and how wide they are.
+//! though nothing is wrong with them; peaks that were refused, by the test that did, at modes with enough energy that were missed, at weaker ones and
+//! elsewhere; tones on modes that are named; how often the 95 % intervals hold the truth, and how wide they are.
 #![allow(clippy::print_stdout, reason = "an example: its output is what it is for")]
 
 use dolmen::modal::{
-    Identify, Method, ModalAnalysis, Mode, Note, UnkindMode, UnkindPlan, UnkindRecord, assurance, identify,
+    Identify, Method, ModalAnalysis, Mode, Note, Refusal, UnkindMode, UnkindPlan, UnkindRecord, assurance,
+    identify,
 };
 use dolmen::signal::{Record, cut, fill_lost};
 use dolmen_linalg::Complex64;
+use std::collections::BTreeMap;
 use std::error::Error;
 
 /// Tones below this share of the mode that they stand on change nothing that is seen.
@@ -138,6 +141,8 @@ struct Total {
     false_tones: usize,
     held: [usize; 2],
     known: usize,
+    /// Refused peaks by reason: at missed modes with enough energy, at weaker ones, elsewhere.
+    refused_peaks: BTreeMap<&'static str, [usize; 3]>,
     errors: Vec<[f64; 2]>,
     widths: Vec<[f64; 2]>,
 }
@@ -175,6 +180,7 @@ impl Total {
                 self.weak_found += 1;
             }
         }
+        self.count_refused(made, analysis);
         let tones = named_hz(&analysis.notes);
         let is_named = |hz: f64| tones.iter().any(|named| (named / hz - 1.0).abs() < 0.01);
         let doubted = doubted_hz(&analysis.notes);
@@ -229,6 +235,24 @@ impl Total {
         said
     }
 
+    /// Why peaks of the spectrum are no modes.
+    fn count_refused(&mut self, made: &UnkindRecord, analysis: &ModalAnalysis) {
+        let peaks = analysis.notes.iter().flat_map(|note| match note {
+            Note::PeaksWithoutMode { peaks } => peaks.as_slice(),
+            _ => &[],
+        });
+        for peak in peaks {
+            let is_here = |of: &&UnkindMode| (of.mode.frequency_hz / peak.frequency_hz - 1.0).abs() < 0.03;
+            let here: Vec<&UnkindMode> = made.modes.iter().filter(is_here).collect();
+            let place = match here.iter().any(|of| of.has_enough_energy()) {
+                true => 0,
+                false if !here.is_empty() => 1,
+                false => 2,
+            };
+            self.refused_peaks.entry(reason(peak.refusal)).or_default()[place] += 1;
+        }
+    }
+
     fn measure(&mut self, truth: &UnkindMode, mode: &Mode, said: &mut Vec<String>) {
         let (f, zeta) = (truth.mode.frequency_hz, truth.mode.damping_ratio);
         let (Some(found), Some(sd_hz), Some(sd)) =
@@ -272,6 +296,11 @@ impl Total {
             "false modes: {} in {} records",
             self.false_modes, self.false_records
         );
+        for (reason, [missed, weak, elsewhere]) in &self.refused_peaks {
+            println!(
+                "peaks refused, {reason}: {missed} at modes with enough energy, {weak} at weaker ones, {elsewhere} elsewhere"
+            );
+        }
         println!("good channels left out: {}", self.good_channels);
         let [named, of] = self.tones_on_modes;
         println!(
@@ -298,6 +327,23 @@ impl Total {
                 at(&widths, 0.5),
             );
         }
+    }
+}
+
+fn reason(refusal: Option<Refusal>) -> &'static str {
+    match refusal {
+        None => "unsaid",
+        Some(Refusal::NoPole) => "no pole",
+        Some(Refusal::OutOfRange { .. }) => "out of range",
+        Some(Refusal::Damping { .. }) => "damping",
+        Some(Refusal::Complex { .. }) => "complex shape",
+        Some(Refusal::Scattered { .. }) => "scatter",
+        Some(Refusal::FewOrders { .. }) => "few orders",
+        Some(Refusal::SplitsOff) => "part of another mode",
+        Some(Refusal::Blend { .. }) => "several in one",
+        Some(Refusal::Machine) => "machine",
+        Some(Refusal::Narrow { .. }) => "narrow",
+        Some(Refusal::InSpells) => "in spells",
     }
 }
 

@@ -61,3 +61,60 @@ fn refuses_inputs_that_are_no_channel_or_of_another_method() {
         other.stderr
     );
 }
+
+/// Numbers of the figure whose head holds these words, by column.
+fn figure_with(scratch: &Scratch, folder: &str, head: &str) -> Vec<Vec<f64>> {
+    let files = std::fs::read_dir(scratch.path().join(folder)).unwrap();
+    let texts = files.filter_map(|file| std::fs::read_to_string(file.unwrap().path()).ok());
+    let is_of = |text: &String| !text.contains("<svg") && text.lines().next().unwrap_or("").contains(head);
+    let text = texts
+        .filter(is_of)
+        .find(|text| text.lines().count() > 20)
+        .unwrap_or_else(|| panic!("no figure has {head}"));
+    let rows = text.lines().skip(1).map(|row| {
+        let cells = row.split(',').map(|cell| cell.parse().unwrap());
+        cells.collect()
+    });
+    rows.collect()
+}
+
+#[test]
+fn holds_the_report_draws_responses_and_coherence_with_their_numbers() {
+    let scratch = Scratch::with_examples("driven_responses");
+    let said = scratch.dolmen(&format!("report examples/{PROJECT} -o r.html --figures en"));
+    assert_eq!(said.status, 0, "{}", said.stderr);
+    let page = std::fs::read_to_string(scratch.path().join("r.html")).unwrap();
+    for words in [
+        "Frequency response to G",
+        "Coherence with the inputs",
+        "comes out at",
+    ] {
+        assert!(page.contains(words), "{words}");
+    }
+    let coherence = figure_with(&scratch, "en", "coherence of ");
+    assert!(
+        coherence
+            .iter()
+            .all(|row| row[1..].iter().all(|c| (0.0..=1.0).contains(c)))
+    );
+    // the input shakes more than the wind does: about the first mode most of the motion follows it
+    let about: Vec<f64> = coherence
+        .iter()
+        .filter(|row| (2.2..2.7).contains(&row[0]))
+        .map(|row| row[row.len() - 1])
+        .collect();
+    let mean = about.iter().sum::<f64>() / about.len() as f64;
+    assert!(mean > 0.7, "{mean}");
+    // the roof answers most near the first mode of the held base
+    let response = figure_with(&scratch, "en", "phase of ");
+    let low = response.iter().filter(|row| (0.5..4.0).contains(&row[0]));
+    let top = low
+        .max_by(|a, b| a[a.len() - 2].total_cmp(&b[b.len() - 2]))
+        .unwrap();
+    assert!((top[0] / HELD_HZ[0] - 1.0).abs() < 0.1, "{top:?}");
+    let korean = scratch.dolmen(&format!(
+        "report examples/{PROJECT} -o k.html --figures ko --language ko"
+    ));
+    assert_eq!(korean.status, 0, "{}", korean.stderr);
+    assert!(!figure_with(&scratch, "ko", "기여도 함수").is_empty());
+}

@@ -1,6 +1,7 @@
 //! The command as a user meets it, the listings of the docs, and the layout of the source.
 #![allow(clippy::unwrap_used, reason = "helpers of tests: a panic is a failed test")]
 
+mod accepted_modes;
 mod answers;
 mod brief;
 mod building_studies;

@@ -303,6 +303,8 @@ pub(super) struct ModalRaw {
     pub(super) inputs: Option<Vec<At<String>>>,
     /// Frequencies at which modes are picked by hand, Hz; all modes if not given.
     pub(super) pick_hz: Option<Vec<At<f64>>>,
+    /// Frequencies of modes that the user insists on, Hz: what stands within 3 % of each and the tests refused becomes a mode, marked as accepted.
+    pub(super) accept: Option<Vec<At<f64>>>,
     /// Modes that look like machines: "flag" if not given.
     pub(super) harmonics: Option<HarmonicsRaw>,
 }

@@ -188,10 +188,13 @@ pub(super) fn modal(reader: &mut Reader, raw: &ModalRaw, path: &str) -> ModalCho
     }
     let [damping_least, damping_most] = damping_range(reader, raw, path);
     inputs_and_method(reader, raw, path);
-    let picks = raw.pick_hz.iter().flatten().enumerate();
-    let pick_hz = picks
-        .filter_map(|(i, pick)| reader.within(Some(pick), &format!("{path}.pick_hz[{i}]"), 0.0, RATE_MOST_HZ))
-        .collect();
+    let mut frequencies = |given: &Option<Vec<At<f64>>>, key: &str| -> Vec<f64> {
+        let each = given.iter().flatten().enumerate();
+        each.filter_map(|(i, hz)| reader.within(Some(hz), &format!("{path}.{key}[{i}]"), 0.0, RATE_MOST_HZ))
+            .collect()
+    };
+    let pick_hz = frequencies(&raw.pick_hz, "pick_hz");
+    let accept_hz = frequencies(&raw.accept, "accept");
     let mut count = |raw: &Option<At<i64>>, key: &str, least| {
         reader.count(raw.as_ref(), &format!("{path}.{key}"), least, COUNT_MOST)
     };
@@ -200,6 +203,7 @@ pub(super) fn modal(reader: &mut Reader, raw: &ModalRaw, path: &str) -> ModalCho
         references: names(&raw.references),
         inputs: names(&raw.inputs),
         pick_hz,
+        accept_hz,
         harmonics: raw.harmonics.map(|harmonics| match harmonics {
             HarmonicsRaw::Flag => Harmonics::Flag,
             HarmonicsRaw::Remove => Harmonics::Remove,

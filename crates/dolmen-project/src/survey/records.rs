@@ -100,6 +100,8 @@ pub struct ModalChoice {
     pub inputs: Vec<String>,
     /// Frequencies at which modes are picked by hand, Hz; empty: all modes.
     pub pick_hz: Vec<f64>,
+    /// Frequencies of modes that the user insists on, Hz.
+    pub accept_hz: Vec<f64>,
     /// What becomes of modes that look like machines.
     pub harmonics: Option<Harmonics>,
 }

@@ -15,6 +15,7 @@ messages! {
             ko: "변화는 기온의 영향을 뺀 상대 변화와 95 % 신뢰구간의 반폭이다. p는 우연만으로 이러한 변화가 나타날 확률, 전체 p는 모든 모드 중 하나라도 그렇게 나타날 확률(Holm)이며, 발견 가능은 {power}의 확률로 발견되는 최소 변화, 강성은 전체가 같은 비율로 변하였다고 볼 때의 변화이다.",
         },
         Mode => { en: "Mode", ko: "모드" },
+        NumberAccepted { number: usize } => { en: "{number} (accepted)", ko: "{number}(채택)" },
         Number { number: usize } => { en: "{number}", ko: "{number}" },
         Before => { en: "before", ko: "이전" },
         After => { en: "after", ko: "이후" },
@@ -88,7 +89,10 @@ fn table(change: &SurveyChange) -> Table {
 fn row((i, mode): (usize, &ModeChange)) -> Vec<Cell> {
     let explained = mode.explained_by_temperature;
     let mut row = vec![
-        Cell::words(Frequencies::Number { number: i + 1 }),
+        Cell::words(match mode.from.accepted || mode.to.accepted {
+            true => Frequencies::NumberAccepted { number: i + 1 },
+            false => Frequencies::Number { number: i + 1 },
+        }),
         Cell::number(frequency(&mode.from)),
         Cell::number(frequency(&mode.to)),
         Cell::Number(explained.map(|share| percent(share, 2))),

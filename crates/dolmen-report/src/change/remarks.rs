@@ -25,6 +25,14 @@ messages! {
             en: "Paired by frequency alone, since fewer than two sensors are in both surveys: {all}.",
             ko: "두 조사에 공통인 센서가 두 개 미만이어서 진동수만으로 짝지은 모드: {all}.",
         },
+        AcceptedBefore { all: Values } => {
+            en: "Accepted by the user in the survey before, where no test found them: {all}.",
+            ko: "이전 조사에서 판정 기준으로 찾지 못하여 사용자가 채택한 모드: {all}.",
+        },
+        AcceptedAfter { all: Values } => {
+            en: "Accepted by the user in the survey after, where no test found them: {all}.",
+            ko: "이후 조사에서 판정 기준으로 찾지 못하여 사용자가 채택한 모드: {all}.",
+        },
         Doubtful { all: Values } => {
             en: "Another pairing is nearly as good: {all} may not be the same mode in both surveys.",
             ko: "다른 짝도 거의 같은 정도로 가능하다: {all} 모드는 두 조사에서 같은 모드가 아닐 수 있다.",
@@ -59,7 +67,17 @@ pub(super) fn remarks(change: &SurveyChange) -> Vec<Remarks> {
     said.extend(by_frequency.map(|all| Remarks::ByFrequency { all }));
     let doubtful = paired(change, |mode| mode.pair.doubtful());
     said.extend(doubtful.map(|all| Remarks::Doubtful { all }));
+    let before = change.modes.iter().map(|mode| &mode.from).chain(&change.lost);
+    said.extend(accepted(before).map(|all| Remarks::AcceptedBefore { all }));
+    let after = change.modes.iter().map(|mode| &mode.to).chain(&change.new);
+    said.extend(accepted(after).map(|all| Remarks::AcceptedAfter { all }));
     said
+}
+
+/// Frequencies of those that the user insists on; `None` if there are none.
+fn accepted<'a>(modes: impl Iterator<Item = &'a ObservedMode>) -> Option<Values> {
+    let all: Vec<ObservedMode> = modes.filter(|mode| mode.accepted).cloned().collect();
+    (!all.is_empty()).then(|| frequencies(&all))
 }
 
 /// Frequencies before of the pairs of a kind; `None` if there are none.

@@ -2,7 +2,8 @@
 
 use super::words::{Modal, say};
 use super::{
-    ShapePanel, likeness, mode_shapes, moving_shapes, sensor_shapes, singular_values, stabilization,
+    ShapePanel, likeness, mode_shapes, moving_shapes, response_coherence, response_magnitudes, sensor_shapes,
+    singular_values, stabilization,
 };
 use dolmen::structure::{Convention, MeasuredMode};
 use dolmen_project::{Project, Quantity, Structure};
@@ -36,6 +37,18 @@ pub fn identification(answer: &IdentifyAnswer, language: Language) -> Vec<Figure
         if let Some(record) = &survey.records {
             add("singular-values", singular_values(&record.analysis, language));
             add("stabilization", stabilization(&record.analysis, language));
+            let analysis = &record.analysis;
+            let responses = analysis.driven.as_ref().and_then(|of| of.responses.as_ref());
+            if let (Some(of), Some(driven)) = (responses, &analysis.driven) {
+                for input in 0..driven.inputs.len() {
+                    let number = input + 1;
+                    add(
+                        &format!("response-{number}"),
+                        response_magnitudes(analysis, (of, input), language),
+                    );
+                }
+                add("coherence", response_coherence(analysis, of, language));
+            }
             if !record.analysis.modes.modes.is_empty() {
                 add("mode-shapes", sensor_shapes(&record.analysis.modes, language));
             }

@@ -36,7 +36,7 @@ const NUMBER_STEPS: f64 = 4.0;
 const BEYOND_POLES: f64 = 1.12;
 
 /// Width of plots, px.
-const WIDTH_PX: f64 = 680.0;
+pub(super) const WIDTH_PX: f64 = 680.0;
 
 /// Singular values of the spectral matrix in dB over frequency, with the chosen modes marked.
 pub fn singular_values(analysis: &ModalAnalysis, language: Language) -> String {
@@ -81,7 +81,7 @@ pub fn singular_values(analysis: &ModalAnalysis, language: Language) -> String {
             format!("{} {}", say(Modal::SingularValue, language), rank + 1),
         );
     }
-    mode_key(&mut plot, language);
+    mode_key(&mut plot, &analysis.modes, language);
     plot.svg(say(Titles::SingularValues, language))
 }
 
@@ -163,7 +163,7 @@ pub fn stabilization(analysis: &ModalAnalysis, language: Language) -> String {
         Key::Line(Line::new(GREY, 1.1).faint(0.55)),
         say(Modal::FirstSingularValue, language),
     );
-    mode_key(&mut plot, language);
+    mode_key(&mut plot, &analysis.modes, language);
     plot.svg(say(Titles::StabilisationDiagram, language))
 }
 
@@ -383,7 +383,7 @@ fn bars(modes: &Modes, language: Language) -> String {
 }
 
 /// Where the frequency axis ends: a little above the highest mode looked for, never above the spectrum.
-fn end_hz(analysis: &ModalAnalysis) -> f64 {
+pub(super) fn end_hz(analysis: &ModalAnalysis) -> f64 {
     let most = analysis.spectrum.frequency_hz.last().copied().unwrap_or(1.0);
     let range = analysis.settings.range_hz[1];
     if range.is_finite() {
@@ -394,7 +394,7 @@ fn end_hz(analysis: &ModalAnalysis) -> f64 {
 }
 
 /// Lines at the modes with bands of ± their standard deviation, numbered above the plot.
-fn mark_modes(plot: &mut Plot, modes: &Modes) {
+pub(super) fn mark_modes(plot: &mut Plot, modes: &Modes) {
     let (low, high) = (plot.y.from, plot.y.to);
     let px = |hz: f64| (hz - plot.x.from) / (plot.x.to - plot.x.from) * (plot.width - plot.left - plot.right);
     // Numbers of neighbours would cover each other: they step up.
@@ -415,7 +415,10 @@ fn mark_modes(plot: &mut Plot, modes: &Modes) {
         if let Some(sd) = mode.frequency_sd_hz {
             plot.block([frequency - sd, low], [frequency + sd, high], GREEN, 0.25);
         }
-        plot.upright(frequency, Line::new(GREEN, 1.1));
+        let line = Line::new(GREEN, 1.1);
+        // what the user insists on and no test found
+        let line = if mode.is_found() { line } else { line.dashed() };
+        plot.upright(frequency, line);
         let label = Label::new((m + 1).to_string(), Anchor::Middle)
             .bold()
             .coloured(GREEN);
@@ -423,8 +426,12 @@ fn mark_modes(plot: &mut Plot, modes: &Modes) {
     }
 }
 
-fn mode_key(plot: &mut Plot, language: Language) {
+pub(super) fn mode_key(plot: &mut Plot, modes: &Modes, language: Language) {
     plot.key(Key::Line(Line::new(GREEN, 1.6)), say(Modal::ChosenMode, language));
+    if modes.modes.iter().any(|mode| !mode.is_found()) {
+        let dashed = Line::new(GREEN, 1.6).dashed();
+        plot.key(Key::Line(dashed), say(Modal::AcceptedMode, language));
+    }
 }
 
 /// Points of one line in dB up to `end_hz`, thinned so that each peak stays: the largest of every few.

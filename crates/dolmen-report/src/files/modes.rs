@@ -26,10 +26,11 @@ pub(super) fn mode_files(survey: &str, modes: &Modes) -> Vec<NamedFile> {
     [csv].into_iter().chain(universal).collect()
 }
 
-/// One row a mode: frequency and damping ratio with standard deviations, then real and imaginary part of each channel.
+/// One row a mode: frequency and damping ratio with standard deviations, whether the user insists on it though no test found it, then real and imaginary part of each channel.
 fn csv(modes: &Modes) -> String {
-    let mut text =
-        String::from("mode,frequency_hz,frequency_sd_hz,damping_ratio,damping_ratio_sd,phase_collinearity");
+    let mut text = String::from(
+        "mode,frequency_hz,frequency_sd_hz,damping_ratio,damping_ratio_sd,phase_collinearity,accepted",
+    );
     for channel in &modes.channels {
         let name = channel.name.replace('"', "\"\"");
         let _ = write!(text, ",\"{name} re\",\"{name} im\"");
@@ -39,13 +40,14 @@ fn csv(modes: &Modes) -> String {
     for (i, mode) in modes.modes.iter().enumerate() {
         let _ = write!(
             text,
-            "{},{},{},{},{},{}",
+            "{},{},{},{},{},{},{}",
             i + 1,
             mode.frequency_hz,
             known(mode.frequency_sd_hz),
             known(mode.damping_ratio),
             known(mode.damping_ratio_sd),
-            mode.phase_collinearity
+            mode.phase_collinearity,
+            !mode.is_found()
         );
         for z in &mode.shape {
             let _ = write!(text, ",{},{}", z.re, z.im);
@@ -112,7 +114,10 @@ fn universal(survey: &str, modes: &Modes) -> Option<String> {
     for (i, mode) in modes.modes.iter().enumerate() {
         text.push_str(DELIMITER);
         text.push_str("    55\n");
-        let first = format!("{survey} mode {}", i + 1);
+        let first = match mode.is_found() {
+            true => format!("{survey} mode {}", i + 1),
+            false => format!("{survey} mode {} (accepted by the user)", i + 1),
+        };
         let known =
             |value: Option<f64>| value.map_or_else(|| "NONE".to_owned(), |value| format!("{value:.6}"));
         let lines = [

@@ -5,7 +5,8 @@ use super::with::with;
 use crate::modal::{decay_remarks, setup_remarks};
 use dolmen::blocks::JointFactor;
 use dolmen::modal::{
-    Agreement, AtAmplitude, Decay, Driven, DrivenMode, MergedMode, Method, Mode, ModeDecay, Modes, Settings,
+    Accepted, Agreement, AtAmplitude, Decay, Driven, DrivenMode, MergedMode, Method, Mode, ModeDecay, Modes,
+    RefusedPeak, Settings,
 };
 use dolmen::signal::Channel;
 use dolmen::structure::building::{PlanMode, PlanSolution};
@@ -146,6 +147,15 @@ fn decay(decay: &Decay) -> Value {
     })
 }
 
+/// Why a mode is one that the user insists on.
+fn accepted(frequency_hz: f64, of: &Accepted) -> Value {
+    let refused = RefusedPeak {
+        frequency_hz,
+        refusal: of.refusal,
+    };
+    json!({ "asked_hz": of.asked_hz, "refused": refused.to_string() })
+}
+
 /// Identified modes; shapes as [re, im] a channel.
 fn identified(modes: &Modes) -> Value {
     let finite = |x: f64| x.is_finite().then_some(x);
@@ -168,6 +178,7 @@ fn identified(modes: &Modes) -> Value {
             "kurtosis_sd": mode.kurtosis.map(|k| k.deviation),
             "harmonic": mode.harmonic(),
             "window_bias": mode.window_bias,
+            "accepted": mode.accepted.map(|of| accepted(mode.frequency_hz, &of)),
         })
     };
     let channel =

@@ -148,7 +148,8 @@ fn mode(mode: &WatchedMode, answer: &WatchAnswer) -> Value {
     json!({
         "frequency_hz": mode.track.frequency_hz,
         "direction": mode.track.direction,
-        "found": mode.track.found(),
+        "found": mode.track.found() - answer.accepted_in(&mode.track),
+        "accepted": answer.accepted_in(&mode.track),
         "weather": weather.map(|weather| match weather.known {
             WeatherKnown::Temperature => "temperature",
             WeatherKnown::TemperatureAndFrost => "temperature_and_frost",

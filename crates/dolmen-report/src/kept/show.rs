@@ -4,7 +4,7 @@ use super::moment::moment;
 use crate::brief_rows::BriefText;
 use crate::document::{Block, Cell, Column, Document, Table, TextStyle, document_text, heading_text};
 use dolmen_words::message::Both;
-use dolmen_words::{Digits, Quantity, Unit, messages};
+use dolmen_words::{Digits, Quantity, Unit, Values, messages};
 use dolmen_work::kept::{KeptMode, KeptStructure, KeptSurvey};
 
 /// Frequencies of a survey that a row shows.
@@ -39,6 +39,10 @@ messages! {
         Identified { method: String, version: String } => {
             en: "{method}, Dolmen {version}",
             ko: "{method}, Dolmen {version} 식별",
+        },
+        IdentifiedAndAccepted { method: String, version: String, accepted: Values } => {
+            en: "{method}, Dolmen {version}; accepted by the user: {accepted}",
+            ko: "{method}, Dolmen {version} 식별. 사용자 채택: {accepted}",
         },
         Stated => { en: "stated", ko: "기재값" },
         Nothing => { en: "–", ko: "–" },
@@ -136,9 +140,18 @@ fn facts(kept: &KeptStructure) -> Block<'static> {
 fn modes(survey: &KeptSurvey) -> (&[KeptMode], Cell) {
     match survey.analyses.first() {
         Some(analysis) => {
-            let of = Shown::Identified {
-                method: analysis.method.clone(),
-                version: analysis.version.clone(),
+            let (method, version) = (analysis.method.clone(), analysis.version.clone());
+            let accepted = analysis.modes.iter().filter(|mode| mode.accepted);
+            let accepted =
+                accepted.map(|mode| Quantity::new(mode.frequency_hz, Unit::si("Hz"), Digits::Significant(4)));
+            let accepted: Vec<Quantity> = accepted.collect();
+            let of = match accepted.is_empty() {
+                true => Shown::Identified { method, version },
+                false => Shown::IdentifiedAndAccepted {
+                    method,
+                    version,
+                    accepted: Values(accepted),
+                },
             };
             (&analysis.modes, Cell::words(of))
         }

@@ -1,9 +1,10 @@
 //! What a measured input shows beside the modes: the same modes with the ground as it gives way, and what follows the input.
 
-use super::tables::nth;
-use super::values::{percent, plain};
-use crate::document::{Block, Cell, Column, Document, Table};
-use dolmen::modal::{Driven, DrivenMode};
+use super::tables::nth_of;
+use super::values::{fixed, percent, plain};
+use crate::document::{Block, Cell, Column, Document, Figure, Series, Table};
+use crate::figures::{response_coherence, response_magnitudes};
+use dolmen::modal::{Driven, DrivenMode, FrequencyResponses, ModalAnalysis, Mode};
 use dolmen_words::{Digits, Quantity, Unit, messages};
 
 messages! {
@@ -21,6 +22,23 @@ messages! {
             en: "Together: the mode of like shape that the record has without regard to the input, structure and ground as one. Follows the input: share of the motion at the frequency of the held base, by coherence; the rest comes from wind, people, traffic and noise.",
             ko: "지반과 함께: 입력을 고려하지 않고 같은 기록에서 찾은, 형상이 닮은 모드(구조물과 지반의 연성계). 입력을 따르는 비율: 고정 기초 고유진동수에서 입력과 상관된 운동의 비율(기여도 함수)이며 나머지는 바람, 사람, 교통, 잡음이다.",
         },
+        Responses { input: String, segments: usize } => {
+            en: "Frequency response functions of the channels to {input} (H₁ from {segments} segments).",
+            ko: "{input}에 대한 채널별 주파수 응답 함수(구간 {segments}개의 H₁).",
+        },
+        ResponsesMeaning => {
+            en: "Lines mark the modes of the held base, near which the peaks lie. Noise of a channel does not bias H₁; noise of the input makes it smaller.",
+            ko: "선은 고정 기초의 모드이며 피크는 그 근처에 있다. 채널의 잡음은 H₁에 편의를 주지 않고, 입력의 잡음은 H₁을 작게 만든다.",
+        },
+        Coherence => { en: "Coherence of the channels with the inputs.", ko: "채널별 입력과의 기여도 함수." },
+        CoherenceMeaning { segments: usize, chance: Quantity } => {
+            en: "1 where all motion of a channel follows the inputs. A channel that follows nothing comes out at {chance} on average, by chance ({segments} segments).",
+            ko: "1이면 그 채널의 운동이 모두 입력을 따른다. 입력과 무관한 채널도 우연히 평균 {chance}의 값을 갖는다(구간 {segments}개).",
+        },
+        FrequencyOfLine => { en: "frequency", ko: "진동수" },
+        Modulus { channel: String, input: String } => { en: "|{channel} / {input}|", ko: "|{channel} / {input}| 크기" },
+        Phase { channel: String, input: String } => { en: "phase of {channel} / {input}", ko: "{channel} / {input} 위상" },
+        CoherenceOf { channel: String } => { en: "coherence of {channel}", ko: "{channel} 기여도 함수" },
         Mode => { en: "Mode", ko: "모드" },
         Held => { en: "base held", ko: "기초 고정" },
         Together => { en: "together", ko: "지반과 함께" },
@@ -30,7 +48,8 @@ messages! {
 }
 
 /// What is held, and each mode beside that of structure and ground together.
-pub(super) fn section(document: &mut Document<'_>, driven: &Driven) {
+pub(super) fn section<'a>(document: &mut Document<'a>, driven: &'a Driven, analysis: &'a ModalAnalysis) {
+    let modes = &analysis.modes.modes;
     document.paragraph(Drivens::Taken {
         inputs: driven.inputs.clone(),
         lags: driven.lags,
@@ -47,11 +66,70 @@ pub(super) fn section(document: &mut Document<'_>, driven: &Driven) {
             Column::numbers(Drivens::Ratio, Unit::ratio()),
             Column::numbers(Drivens::Follows, Unit::percent()),
         ],
-        rows: driven.modes.iter().enumerate().map(row).collect(),
+        rows: driven.modes.iter().zip(modes).enumerate().map(row).collect(),
+    }));
+    responses(document, driven, analysis);
+}
+
+/// Response functions and coherence, line by line.
+fn responses<'a>(document: &mut Document<'a>, driven: &'a Driven, analysis: &'a ModalAnalysis) {
+    let Some(of) = &driven.responses else { return };
+    for (input, name) in driven.inputs.iter().enumerate() {
+        let caption = Drivens::Responses {
+            input: name.clone(),
+            segments: of.segments,
+        };
+        let caption = vec![caption.into(), Drivens::ResponsesMeaning.into()];
+        let figure = Figure::new(caption, move |language| {
+            response_magnitudes(analysis, (of, input), language)
+        });
+        document.charted(figure.with_series(move || of_input(of, (input, name))));
+    }
+    let meaning = Drivens::CoherenceMeaning {
+        segments: of.segments,
+        chance: fixed(driven.inputs.len() as f64 / of.segments as f64, 2),
+    };
+    let caption = vec![Drivens::Coherence.into(), meaning.into()];
+    let figure = Figure::new(caption, move |language| {
+        response_coherence(analysis, of, language)
+    });
+    document.charted(figure.with_series(move || {
+        let each = of.outputs.iter().map(|output| {
+            let name = Drivens::CoherenceOf {
+                channel: output.channel.clone(),
+            };
+            Series::numbers(name, "", output.coherence.iter().copied())
+        });
+        std::iter::once(lines(of)).chain(each).collect()
     }));
 }
 
-fn row((at, mode): (usize, &DrivenMode)) -> Vec<Cell> {
+fn lines(of: &FrequencyResponses) -> Series {
+    Series::numbers(Drivens::FrequencyOfLine, "Hz", of.frequency_hz.iter().copied())
+}
+
+/// Modulus and phase of every channel over an input.
+fn of_input(of: &FrequencyResponses, (input, name): (usize, &str)) -> Vec<Series> {
+    let mut all = vec![lines(of)];
+    for output in &of.outputs {
+        let Some(h1) = output.h1.get(input) else { continue };
+        let (channel, input) = (output.channel.clone(), name.to_owned());
+        let modulus = Drivens::Modulus {
+            channel: channel.clone(),
+            input: input.clone(),
+        };
+        all.push(Series::numbers(modulus, "", h1.iter().map(|h| h.norm())));
+        let phase = Drivens::Phase { channel, input };
+        all.push(Series::numbers(
+            phase,
+            "°",
+            h1.iter().map(|h| h.arg().to_degrees()),
+        ));
+    }
+    all
+}
+
+fn row((at, (mode, of)): (usize, (&DrivenMode, &Mode))) -> Vec<Cell> {
     let together = mode.with_base_hz.map(|(hz, sd_si)| Quantity {
         sd_si,
         ..Quantity::new(hz, Unit::si("Hz"), Digits::Significant(5))
@@ -60,7 +138,7 @@ fn row((at, mode): (usize, &DrivenMode)) -> Vec<Cell> {
         .with_base_hz
         .map(|(hz, _)| plain((mode.frequency_hz / hz * 1e3).round() / 1e3));
     vec![
-        nth(at),
+        nth_of(at, of),
         Cell::number(Quantity::new(
             mode.frequency_hz,
             Unit::si("Hz"),

@@ -40,6 +40,14 @@ messages! {
             en: "{modes} modes were found in {minutes} minutes of {channels}, {how}: {values} (± standard deviation).",
             ko: "{minutes}분, {channels}의 기록에서 모드 {modes}개를 {how} 찾았다: {values}(± 표준편차).",
         },
+        Accepted { values: Values } => {
+            en: "Accepted by the user, not found by the tests: {values} (± standard deviation). With the record stands what refused it.",
+            ko: "사용자가 채택한 모드로, 판정 기준으로 찾은 것이 아니다: {values}(± 표준편차). 기준에서 제외된 이유는 기록 항목에 있다.",
+        },
+        AcceptedSeveral { values: Values } => {
+            en: "Accepted by the user, not found by the tests: {values} (± standard deviation). With the record stands what refused each.",
+            ko: "사용자가 채택한 모드로, 판정 기준으로 찾은 것이 아니다: {values}(± 표준편차). 각각이 기준에서 제외된 이유는 기록 항목에 있다.",
+        },
         OneChannel => { en: "1 channel", ko: "1채널" },
         Channels { count: usize } => { en: "{count} channels", ko: "{count}채널" },
         ByHand => {
@@ -88,6 +96,7 @@ pub(crate) fn findings(survey: &SurveyAnswer) -> Vec<Finding> {
     let mut all: Vec<Finding> = survey.records.iter().flat_map(of_record).collect();
     if let Some(setups) = &survey.setups {
         all.push(of_setups(setups));
+        all.extend(accepted(&setups.modes().modes));
         all.extend(setups.records.iter().flat_map(doubts));
     }
     all
@@ -114,8 +123,9 @@ fn of_record(record: &RecordAnswer) -> Vec<Finding> {
         (false, None) => Found::ByItself,
     }
     .into();
-    let values = frequencies(&modes.modes);
-    let first = match modes.modes.len() {
+    let found: Vec<&Mode> = modes.modes.iter().filter(|mode| mode.is_found()).collect();
+    let values = frequencies(&found);
+    let first = match found.len() {
         0 => Finding::key(Tone::Unknown, Found::None { minutes, channels }),
         1 => Finding::key(
             Tone::Plain,
@@ -138,12 +148,24 @@ fn of_record(record: &RecordAnswer) -> Vec<Finding> {
         ),
     };
     let mut all = vec![first];
+    all.extend(accepted(&modes.modes));
     all.extend(doubts(record));
     all
 }
 
-fn frequencies(modes: &[Mode]) -> Values {
-    Values(modes.iter().map(frequency).collect())
+fn frequencies(modes: &[&Mode]) -> Values {
+    Values(modes.iter().map(|mode| frequency(mode)).collect())
+}
+
+/// The modes that the user insists on.
+fn accepted(modes: &[Mode]) -> Option<Finding> {
+    let all: Vec<&Mode> = modes.iter().filter(|mode| !mode.is_found()).collect();
+    let values = frequencies(&all);
+    match all.len() {
+        0 => None,
+        1 => Some(Finding::key(Tone::Warn, Found::Accepted { values })),
+        _ => Some(Finding::key(Tone::Warn, Found::AcceptedSeveral { values })),
+    }
 }
 
 /// What sensors say against each other, and the likely fix.
@@ -244,12 +266,16 @@ fn doubts(record: &RecordAnswer) -> Vec<Finding> {
     // channels that were left out for their clock: what is found is of the others alone
     let of_clocks = |note: &&Note| matches!(note, Note::ClockDrift { .. } | Note::LateClocks { .. });
     let clocks = record.analysis.notes.iter().filter(of_clocks);
+    let nothing = |note: &&Note| matches!(note, Note::NothingToAccept { .. });
+    let in_vain = record.analysis.notes.iter().filter(nothing);
+    all.extend(in_vain.map(|note| Finding::key(Tone::Warn, note_words(note))));
     all.extend(clocks.map(|note| Finding::key(Tone::Warn, note_words(note))));
     all
 }
 
 fn of_setups(setups: &SetupsAnswer) -> Finding {
-    let modes = &setups.modes().modes;
+    let modes = setups.modes().modes.iter().filter(|mode| mode.is_found());
+    let modes: Vec<&Mode> = modes.collect();
     let sensors = setups.merged.modes.channels.len();
     if modes.is_empty() {
         let found = Found::SetupsNone {
@@ -268,7 +294,7 @@ fn of_setups(setups: &SetupsAnswer) -> Finding {
         setups: setups.records.len(),
         modes: modes.len(),
         sensors,
-        values: frequencies(modes),
+        values: frequencies(&modes),
         differing,
     };
     Finding::key(tone, found).with_code("setups")

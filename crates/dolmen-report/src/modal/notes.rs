@@ -4,7 +4,7 @@ use super::clocks::{Clocks, drifting, late};
 use super::faults::fault_words;
 use super::refused::refused_words;
 use super::steady::{in_spells_words, on_mode_words, steady_words, tone_words};
-use super::values::{all_hertz, fixed, hertz, percent};
+use super::values::{all_hertz, fixed, hertz, percent, plain};
 use dolmen::modal::Note;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, Values, messages};
 
@@ -30,9 +30,9 @@ messages! {
             en: "The spectrum has lines of one phase for the whole record, or too steady for random forces, at {tones}: machines.",
             ko: "{tones}에 기록 전체에서 위상이 일정하거나 세기가 너무 일정한 스펙트럼 선이 있다. 기계 진동이다.",
         },
-        Narrow { least: Quantity, peaks: Vec<Sentence> } => {
-            en: "The spectrum has peaks narrower than a mode with a damping ratio of {least}, or steadier than modes are, at {peaks}: machines that run for a part of the time, or modes damped less than that; damping_least in the modal options of the survey admits them.",
-            ko: "{peaks}에 감쇠비 {least}인 모드보다 폭이 좁거나 모드보다 세기가 일정한 스펙트럼 피크가 있다. 일부 시간만 가동한 기계 진동이거나 감쇠가 그보다 작은 모드이다. 모드라면 조사의 modal 항목에서 damping_least로 하한을 낮춘다.",
+        Narrow { least: Quantity, peaks: Vec<Sentence>, first: Quantity } => {
+            en: "The spectrum has peaks narrower than a mode with a damping ratio of {least}, or steadier than modes are, at {peaks}: machines that run for a part of the time, or modes damped less than that; damping_least in the modal options of the survey admits them, and accept = [{first}] the one at that frequency.",
+            ko: "{peaks}에 감쇠비 {least}인 모드보다 폭이 좁거나 모드보다 세기가 일정한 스펙트럼 피크가 있다. 일부 시간만 가동한 기계 진동이거나 감쇠가 그보다 작은 모드이다. 모드라면 조사의 modal 항목에서 damping_least로 하한을 낮추거나 accept = [{first}]처럼 진동수를 지정한다.",
         },
         TonesOnModes { tones: Vec<Sentence> } => {
             en: "Machines run on modes, at {tones}: their sines keep one phase for the whole record; the damping ratio of such a mode comes out too low, and its shape is the machine's too: measure while the machine rests.",
@@ -46,13 +46,13 @@ messages! {
             en: "The motion at {steady} is too steady for random forces (3 is random, 1.5 a sine): machines, not to be trusted as modes.",
             ko: "{steady}의 운동은 불규칙 외력에 의한 것으로 보기에는 세기가 너무 일정하다(불규칙 3, 정현파 1.5). 기계 진동이며 모드로 신뢰할 수 없다.",
         },
-        InSpells { modes: Vec<Sentence> } => {
-            en: "Left out, since nothing stands there while the structure is quiet: {modes}. Footsteps, other blows that follow each other, or a machine that ran for a while.",
-            ko: "구조물이 조용한 동안에는 나타나지 않아 모드에서 제외하였다: {modes}. 발걸음처럼 잇따르는 충격이나 잠시 가동한 기계의 진동이다.",
+        InSpells { modes: Vec<Sentence>, first: Quantity } => {
+            en: "Left out, since nothing stands there while the structure is quiet: {modes}. Footsteps, other blows that follow each other, or a machine that ran for a while. If you know one to be a mode, accept = [{first}] in the modal table of the record takes it.",
+            ko: "구조물이 조용한 동안에는 나타나지 않아 모드에서 제외하였다: {modes}. 발걸음처럼 잇따르는 충격이나 잠시 가동한 기계의 진동이다. 모드임이 확실하면 기록의 modal 항목에 accept = [{first}]처럼 진동수를 지정한다.",
         },
-        InSpellsAndMore { modes: Vec<Sentence>, more: usize } => {
-            en: "Left out, since nothing stands there while the structure is quiet: {modes}, and {more} more. Footsteps, other blows that follow each other, or a machine that ran for a while.",
-            ko: "구조물이 조용한 동안에는 나타나지 않아 모드에서 제외하였다: {modes} 외 {more}개. 발걸음처럼 잇따르는 충격이나 잠시 가동한 기계의 진동이다.",
+        InSpellsAndMore { modes: Vec<Sentence>, more: usize, first: Quantity } => {
+            en: "Left out, since nothing stands there while the structure is quiet: {modes}, and {more} more. Footsteps, other blows that follow each other, or a machine that ran for a while. If you know one to be a mode, accept = [{first}] in the modal table of the record takes it.",
+            ko: "구조물이 조용한 동안에는 나타나지 않아 모드에서 제외하였다: {modes} 외 {more}개. 발걸음처럼 잇따르는 충격이나 잠시 가동한 기계의 진동이다. 모드임이 확실하면 기록의 modal 항목에 accept = [{first}]처럼 진동수를 지정한다.",
         },
         NoDamping { at: Values } => {
             en: "No damping ratio is given for the peaks at {at}: another mode cuts their sides, they decay too fast to fit, or what decays has another frequency than the peak; the subspace methods tell close modes apart.",
@@ -91,9 +91,29 @@ messages! {
             en: "Two singular values of the spectrum rise at {at}, where one mode was found: it may be two that lie close, and then its frequency, damping and shape are of both; ssi-cov and ssi-data tell close modes apart.",
             ko: "{at}에서 스펙트럼의 특이값 두 개가 함께 솟지만 모드는 하나만 찾았다. 가까운 두 모드일 수 있으며, 그렇다면 진동수, 감쇠비, 모드형상은 둘이 섞인 것이다. ssi-cov와 ssi-data가 가까운 모드를 구별한다.",
         },
-        PeaksWithoutMode { peaks: Vec<Sentence> } => {
-            en: "The spectrum has peaks that are no modes, each with the test that refused it: {peaks}.",
-            ko: "스펙트럼에 모드로 보지 않은 피크가 있다. 괄호 안은 그 이유이다: {peaks}.",
+        PeaksWithoutMode { peaks: Vec<Sentence>, first: Quantity } => {
+            en: "The spectrum has peaks that are no modes, each with the test that refused it: {peaks}. If you know one to be a mode, accept = [{first}] (its frequency, Hz) in the modal table of the record takes it, marked as accepted by you.",
+            ko: "스펙트럼에 모드로 보지 않은 피크가 있다. 괄호 안은 그 이유이다: {peaks}. 모드임이 확실하면 기록의 modal 항목에 accept = [{first}](진동수, Hz)를 쓴다. 사용자가 채택한 모드로 표시된다.",
+        },
+        PeaksUnsaid { peaks: Vec<Sentence> } => {
+            en: "The spectrum has peaks that are no modes: {peaks}.",
+            ko: "스펙트럼에 모드로 보지 않은 피크가 있다: {peaks}.",
+        },
+        Accepted { modes: Vec<Sentence> } => {
+            en: "Accepted by the user, not found by the tests; in brackets what refused each: {modes}.",
+            ko: "사용자가 채택한 모드로, 판정 기준으로 찾은 것이 아니다. 괄호 안은 기준에서 제외된 이유이다: {modes}.",
+        },
+        AcceptedAlready { at: Values } => {
+            en: "The modes at {at} were found anyway: they need no accept.",
+            ko: "{at} 모드는 판정 기준으로도 찾았으므로 accept가 필요하지 않다.",
+        },
+        NothingToAccept { asked: Quantity, within: Quantity } => {
+            en: "accept = [{asked}] takes nothing: within {within} no mode, no peak of the spectrum and no group of poles stands there. Correct it, or leave it out.",
+            ko: "accept = [{asked}]에 해당하는 것이 없다. ± {within} 안에 모드도 스펙트럼 피크도 극점군도 없다. 값을 고치거나 뺀다.",
+        },
+        NothingToAcceptBut { asked: Quantity, within: Quantity, nearest: Values } => {
+            en: "accept = [{asked}] takes nothing: within {within} no mode, no peak of the spectrum and no group of poles stands there; the nearest are at {nearest}. Correct it, or leave it out.",
+            ko: "accept = [{asked}]에 해당하는 것이 없다. ± {within} 안에 모드도 스펙트럼 피크도 극점군도 없다. 가장 가까운 것은 {nearest}이다. 값을 고치거나 뺀다.",
         },
         NotPicked { at: Values } => {
             en: "Modes that were found and not picked: {at}.",
@@ -148,6 +168,7 @@ pub(super) fn note_words(note: &Note) -> Sentence {
         } => Notes::Narrow {
             least: percent(*damping_ratio_least, 2),
             peaks: peaks.iter().map(tone_words).collect(),
+            first: first_of(peaks.first().map(|of| of.frequency_hz)),
         },
         Note::TonesOnModes { tones } => Notes::TonesOnModes {
             tones: tones.iter().map(on_mode_words).collect(),
@@ -163,12 +184,14 @@ pub(super) fn note_words(note: &Note) -> Sentence {
             let mut strongest = modes.clone();
             strongest.sort_by(|a, b| b.stands_out.total_cmp(&a.stands_out));
             Notes::InSpellsAndMore {
+                first: first_of(strongest.first().map(|of| of.frequency_hz)),
                 modes: strongest[..SPELLS_SHOWN].iter().map(in_spells_words).collect(),
                 more: modes.len() - SPELLS_SHOWN,
             }
         }
         Note::InSpells { modes } => Notes::InSpells {
             modes: modes.iter().map(in_spells_words).collect(),
+            first: first_of(modes.first().map(|of| of.frequency_hz)),
         },
         Note::NoDamping { frequency_hz } => Notes::NoDamping {
             at: all_hertz(frequency_hz),
@@ -195,9 +218,37 @@ pub(super) fn note_words(note: &Note) -> Sentence {
         Note::HiddenPairs { frequency_hz } => Notes::HiddenPairs {
             at: all_hertz(frequency_hz),
         },
+        // peaks of setups identified as one have no whole shape that could be a mode's
+        Note::PeaksWithoutMode { peaks } if peaks.iter().all(|of| of.refusal.is_none()) => {
+            Notes::PeaksUnsaid {
+                peaks: peaks.iter().map(refused_words).collect(),
+            }
+        }
         Note::PeaksWithoutMode { peaks } => Notes::PeaksWithoutMode {
             peaks: peaks.iter().map(refused_words).collect(),
+            first: first_of(peaks.first().map(|of| of.frequency_hz)),
         },
+        Note::Accepted { modes } => Notes::Accepted {
+            modes: modes.iter().map(refused_words).collect(),
+        },
+        Note::AcceptedAlready { frequency_hz } => Notes::AcceptedAlready {
+            at: all_hertz(frequency_hz),
+        },
+        Note::NothingToAccept {
+            asked_hz,
+            within_hz,
+            nearest_hz,
+        } => {
+            let (asked, within) = (plain(*asked_hz), hertz(*within_hz));
+            match nearest_hz.is_empty() {
+                true => Notes::NothingToAccept { asked, within },
+                false => Notes::NothingToAcceptBut {
+                    asked,
+                    within,
+                    nearest: all_hertz(nearest_hz),
+                },
+            }
+        }
         Note::NotPicked { frequency_hz } => Notes::NotPicked {
             at: all_hertz(frequency_hz),
         },
@@ -238,6 +289,11 @@ pub(super) fn note_words(note: &Note) -> Sentence {
         },
     }
     .into()
+}
+
+/// The number that `accept` takes.
+fn first_of(frequency_hz: Option<f64>) -> Quantity {
+    plain(frequency_hz.map_or(0.0, |hz| (hz * 1e3).round() / 1e3))
 }
 
 fn degrees(angle: f64) -> Quantity {

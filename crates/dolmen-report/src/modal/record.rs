@@ -86,7 +86,7 @@ pub(super) fn section<'a>(document: &mut Document<'a>, survey: Sentence, record:
         decay::section(document, of);
     }
     if let Some(of) = &analysis.driven {
-        driven::section(document, of);
+        driven::section(document, of, analysis);
     }
     for note in &analysis.notes {
         document.note(note_words(note));

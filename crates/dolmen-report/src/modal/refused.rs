@@ -41,6 +41,14 @@ messages! {
             en: "{at} (several modes in one, damping ratio {damping})",
             ko: "{at}(여러 모드가 합쳐진 것, 감쇠비 {damping})",
         },
+        Narrow { at: Quantity, least: Quantity } => {
+            en: "{at} (narrower or steadier than a mode with a damping ratio of {least}; damping_least lowers the bound)",
+            ko: "{at}(감쇠비 {least}인 모드보다 폭이 좁거나 세기가 일정하다. damping_least로 하한을 낮출 수 있다)",
+        },
+        InSpells { at: Quantity } => {
+            en: "{at} (nothing stands there while the structure is quiet)",
+            ko: "{at}(구조물이 조용한 동안에는 나타나지 않는다)",
+        },
         Machine { at: Quantity } => { en: "{at} (a machine)", ko: "{at}(기계 진동)" },
     }
 }
@@ -90,6 +98,11 @@ pub(super) fn refused_words(peak: &RefusedPeak) -> Sentence {
             damping: percent(damping_ratio, 1),
         },
         Some(Refusal::Machine) => Refused::Machine { at },
+        Some(Refusal::Narrow { least }) => Refused::Narrow {
+            at,
+            least: percent(least, 3),
+        },
+        Some(Refusal::InSpells) => Refused::InSpells { at },
     }
     .into()
 }

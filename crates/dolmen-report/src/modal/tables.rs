@@ -55,6 +55,11 @@ messages! {
             ko: "입력을 계측한 관측기/칼만필터 동정법(OKID)",
         },
         Mode => { en: "Mode", ko: "모드" },
+        NthAccepted { number: usize } => { en: "{number} (accepted)", ko: "{number}(채택)" },
+        AcceptedMeaning => {
+            en: "“Accepted” is a mode that the user insists on and the tests refused.",
+            ko: "‘채택’은 판정 기준에서 제외되었으나 사용자가 채택한 모드이다.",
+        },
         Nth { number: usize } => { en: "{number}", ko: "{number}" },
         Frequency => { en: "frequency", ko: "고유진동수" },
         Damping => { en: "damping ratio", ko: "감쇠비" },
@@ -110,6 +115,14 @@ pub(super) fn nth(index: usize) -> Cell {
     Cell::words(Tables::Nth { number: index + 1 })
 }
 
+/// "3", or "3 (accepted)" of a mode that the user insists on.
+pub(super) fn nth_of(index: usize, mode: &Mode) -> Cell {
+    match mode.is_found() {
+        true => nth(index),
+        false => Cell::words(Tables::NthAccepted { number: index + 1 }),
+    }
+}
+
 /// Frequency and damping ratio of a mode; a damping ratio that is not known has no number.
 pub(super) fn frequency_and_damping(mode: &Mode) -> [Cell; 2] {
     let unknown = || Cell::words(Tables::Unknown);
@@ -127,7 +140,10 @@ pub(super) fn first_columns() -> Vec<Column> {
 }
 
 /// The modes of one identification under its own caption.
-pub(super) fn modes_table(modes: &Modes, caption: Vec<Sentence>) -> Table {
+pub(super) fn modes_table(modes: &Modes, mut caption: Vec<Sentence>) -> Table {
+    if modes.modes.iter().any(|mode| !mode.is_found()) {
+        caption.push(Tables::AcceptedMeaning.into());
+    }
     let mut columns = first_columns();
     let mut rows: Vec<Vec<Cell>> = modes.modes.iter().enumerate().map(first_cells).collect();
     for (head, unit, cell) in own_columns(modes.method) {
@@ -150,7 +166,7 @@ pub(super) fn modes_table(modes: &Modes, caption: Vec<Sentence>) -> Table {
 
 fn first_cells((at, mode): (usize, &Mode)) -> Vec<Cell> {
     let [frequency, damping] = frequency_and_damping(mode);
-    vec![nth(at), frequency, damping]
+    vec![nth_of(at, mode), frequency, damping]
 }
 
 /// A column: its head, its unit, and what stands in it of each mode.

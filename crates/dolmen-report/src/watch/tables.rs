@@ -15,6 +15,10 @@ messages! {
             ko: "조사 {surveys}회에서 추적한 모드. 잔차 변동은 측정 잡음과 기온 영향을 뺀 나머지이며, 발견 가능은 중간 시점의 급변이 80 %의 확률로 발견되는 크기이다. 이동평균이 자체 편차의 {average}배를 벗어나거나 최근 5회 중 3회가 ±3을 벗어나면 경보가 확정된다.",
         },
         Mode => { en: "Mode", ko: "모드" },
+        NumberAccepted { number: usize, surveys: usize } => {
+            en: "{number} (accepted in {surveys})",
+            ko: "{number}(채택 {surveys}회)",
+        },
         Number { number: usize } => { en: "{number}", ko: "{number}" },
         Frequency => { en: "frequency", ko: "고유진동수" },
         FoundIn => { en: "found in", ko: "확인된 조사" },
@@ -93,18 +97,28 @@ fn modes(answer: &WatchAnswer) -> Table {
             counts(Listed::Outliers),
             counts(Listed::NotJudged),
         ],
-        rows: answer.watched.modes.iter().enumerate().map(mode).collect(),
+        rows: answer
+            .watched
+            .modes
+            .iter()
+            .enumerate()
+            .map(|of| mode(answer, of))
+            .collect(),
     }
 }
 
-fn mode((i, mode): (usize, &WatchedMode)) -> Vec<Cell> {
+fn mode(answer: &WatchAnswer, (i, mode): (usize, &WatchedMode)) -> Vec<Cell> {
+    let (number, surveys) = (i + 1, answer.accepted_in(&mode.track));
     let weather = mode.weather.as_ref();
     let count = |count: usize| Cell::number(plain(count as f64, 0));
     let not_judged = mode.judged.judged.iter().filter(|judged| judged.score.is_err());
     vec![
-        Cell::words(Listed::Number { number: i + 1 }),
+        Cell::words(match surveys {
+            0 => Listed::Number { number },
+            _ => Listed::NumberAccepted { number, surveys },
+        }),
         Cell::number(hertz(mode.track.frequency_hz)),
-        count(mode.track.found()),
+        count(mode.track.found() - surveys),
         Cell::Number(weather.and_then(|weather| Some(percent(weather.per_c?.0, 3)))),
         Cell::Number(weather.map(|weather| percent(weather.disturbance.sd, 2))),
         Cell::Number(weather.map(|weather| plain(weather.disturbance.correlation, 2))),

@@ -39,6 +39,8 @@ pub struct KeptMode {
     pub damping_ratio: Option<f64>,
     /// Its standard deviation.
     pub damping_ratio_sd: Option<f64>,
+    /// Whether the user insists on it though a test refused it.
+    pub accepted: bool,
 }
 
 /// Modes that were identified from the records of a survey.

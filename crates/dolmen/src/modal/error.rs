@@ -135,6 +135,14 @@ pub enum ModalError {
     /// A channel is dead or holds the same signal as another.
     #[error("{0}")]
     Channel(ChannelFault),
+    /// The user insists on a mode of a free decay, of which no test refuses any.
+    #[error(
+        "no test refuses a mode of a free decay (era), so that {given_hz} Hz cannot be accepted: leave it out"
+    )]
+    AcceptedOfDecay {
+        /// The frequency, Hz.
+        given_hz: f64,
+    },
     /// Two frequencies picked by hand are one mode.
     #[error(
         "pick_hz {given_hz} is the mode at {found_hz:.4} Hz, which another pick names already: leave one of them out"
@@ -323,6 +331,7 @@ impl ModalError {
             | Self::Option { .. }
             | Self::NoPeak { .. }
             | Self::Channel(_)
+            | Self::AcceptedOfDecay { .. }
             | Self::PickedTwice { .. }
             | Self::MadeMode { .. }
             | Self::Compared { .. }

@@ -1,5 +1,7 @@
 //! From a record to its modes: spectrum, machines told from modes, subspace method, clusters, and every choice told.
 
+use super::accept::{accepted, candidates, put_in, taken_out};
+use super::candidate::Candidate;
 use super::decay::of_decay;
 use super::driven::of_driven;
 use super::likelihood::refined;
@@ -9,9 +11,9 @@ use super::quality::leave_out_late_clocks;
 use super::quality::leave_out_other_clocks;
 use super::quality::leave_out_spells;
 use super::quality::note_hidden_pairs;
+use super::quality::{Diagram, remark};
+use super::quality::{SetAside, note_tones_on_modes, of_steady, split_tones, test_for_machines};
 use super::quality::{doubt_channels, to_one_quantity};
-use super::quality::{note_tones_on_modes, split_tones, test_for_machines};
-use super::quality::{refusal, remark};
 use super::quality::{unequal, widen};
 use super::settings::choose;
 use super::shared_steps::{check, judge_channels, judged, modes_of, note_blends, note_filter};
@@ -21,9 +23,9 @@ use super::spectrum::FractionScatter;
 use super::spectrum::Plscf;
 use super::spectrum::keeping_most;
 use super::spectrum::plscf;
-use super::subspace::AllOrders;
+use super::subspace::{AllOrders, Deviations};
 use super::subspace::{ssi_cov, ssi_data};
-use super::{Method, ModalError, Modes, Note, Propagation};
+use super::{Method, ModalError, Modes, Note, Propagation, Refusal};
 use crate::signal::{Record, leave_out};
 
 /// Modes of an ambient record, found without a hand on it: spectrum, a subspace method at all orders, clusters; or the peaks
@@ -55,18 +57,23 @@ pub fn identify(record: &Record, options: &Identify) -> Result<ModalAnalysis, Mo
         return of_driven((record, options), notes, &identify);
     }
     let mut peaks = spectrum(record, options)?;
-    let tones_hz = split_tones(record, &mut peaks, options, &mut notes)?;
+    let set_aside = split_tones(record, &mut peaks, options, &mut notes)?;
+    let mut refused = set_aside.peaks.clone();
     let mut analysis = match options.method {
         Method::Fdd | Method::Efdd | Method::Fsdd => of_peaks(peaks, record, options),
         Method::Era => of_decay(record, options, peaks)?,
         Method::SsiCov | Method::SsiData | Method::Bayoma | Method::Plscf | Method::Okid => {
-            of_poles(record, options, (peaks, &tones_hz), &mut notes)?
+            of_poles(record, options, (peaks, &set_aside), (&mut refused, &mut notes))?
         }
     };
     if options.method != Method::Era {
         let all = (0..record.channels().len()).collect();
+        let before = analysis.modes.modes.clone();
         test_for_machines(&[(record, all)], options, &mut analysis.modes, &mut notes)?;
+        refused.extend(taken_out(&before, &analysis.modes.modes, of_steady));
+        let before = analysis.modes.modes.clone();
         leave_out_spells(record, &mut analysis.modes, &mut notes);
+        refused.extend(taken_out(&before, &analysis.modes.modes, |_| Refusal::InSpells));
         leave_out_other_clocks(record, &mut analysis.modes, &mut notes);
         if let Some(alone) = of_one_clock(record, options, &analysis.modes, &notes) {
             return Ok(alone);
@@ -77,10 +84,27 @@ pub fn identify(record: &Record, options: &Identify) -> Result<ModalAnalysis, Mo
     if let Some(alone) = of_one_clock(record, options, &analysis.modes, &notes) {
         return Ok(alone);
     }
+    let seen = set_aside
+        .peaks
+        .iter()
+        .map(|of| &of.mode)
+        .chain(&analysis.fdd_modes.modes);
+    let seen_hz: Vec<f64> = seen.map(|mode| mode.frequency_hz).collect();
+    let insisted = accepted(options, &analysis.modes.modes, (&refused, &seen_hz), &mut notes);
     let not_picked_hz = pick(options, &mut analysis.modes)?;
     wanted(options, &analysis.modes)?;
+    // what the user insists on says nothing of the channels
+    let mut of_channels = Vec::new();
+    doubt_channels(&analysis.modes, &mut of_channels);
+    put_in(record, options, insisted, &mut analysis.modes, &mut notes)?;
     note_tones_on_modes(record, (&analysis.modes, &analysis.fdd_modes), &mut notes);
-    let why = |peak_hz: f64| refusal(&analysis, peak_hz, &options.clustering);
+    let diagram = Diagram {
+        stabilization: &analysis.stabilization,
+        clusters: &analysis.clusters,
+        clustering: &options.clustering,
+        duration_s: analysis.modes.duration_s,
+    };
+    let why = |peak_hz: f64| diagram.refusal(peak_hz);
     remark(
         &analysis.modes,
         (&analysis.fdd_modes, &why),
@@ -95,7 +119,7 @@ pub fn identify(record: &Record, options: &Identify) -> Result<ModalAnalysis, Mo
         let prominence_db = options.fdd.prominence_db;
         note_hidden_pairs(&analysis.modes, &analysis.spectrum, prominence_db, &mut notes);
     }
-    doubt_channels(&analysis.modes, &mut notes);
+    notes.extend(of_channels);
     analysis.notes = notes;
     Ok(analysis)
 }
@@ -119,9 +143,10 @@ fn of_one_clock(record: &Record, options: &Identify, modes: &Modes, notes: &[Not
 fn of_poles(
     record: &Record,
     options: &Identify,
-    (peaks, tones_hz): (FddResult, &[f64]),
-    notes: &mut Vec<Note>,
+    (peaks, set_aside): (FddResult, &SetAside),
+    (refused, notes): (&mut Vec<Candidate>, &mut Vec<Note>),
 ) -> Result<ModalAnalysis, ModalError> {
+    let tones_hz: &[f64] = &set_aside.tones_hz;
     let few = (options.method == Method::Plscf && options.references.is_empty())
         .then(|| keeping_most(&peaks.seen_at_peaks()));
     let with_few = Identify {
@@ -134,6 +159,17 @@ fn of_poles(
     settings.references_keep = few.map(|few| few.kept);
     let criteria = options.criteria.within(settings.range_hz);
     let mut hankel_singular_values = Vec::new();
+    let mut judge = |all: &AllOrders<'_>, deviations: &mut dyn Deviations| {
+        let (stabilization, clusters) = judged(all, deviations, &criteria, &options.clustering)?;
+        let diagram = Diagram {
+            stabilization: &stabilization,
+            clusters: &clusters,
+            clustering: &options.clustering,
+            duration_s: record.duration_s(),
+        };
+        *refused = candidates(options, (&peaks.modes, &set_aside.peaks), &diagram, deviations)?;
+        Ok::<_, ModalError>((stabilization, clusters))
+    };
     let (stabilization, clusters) = if options.method == Method::Plscf {
         let found = plscf(
             record,
@@ -155,12 +191,7 @@ fn of_poles(
             order_most: found.order_most,
             order_step: found.references.len(),
         };
-        judged(
-            &all,
-            &mut FractionScatter::new(&found),
-            &criteria,
-            &options.clustering,
-        )?
+        judge(&all, &mut FractionScatter::new(&found))?
     } else {
         let ssi = settings.ssi();
         let found = match options.method {
@@ -168,12 +199,7 @@ fn of_poles(
             _ => ssi_cov(record, &ssi)?,
         };
         hankel_singular_values.clone_from(&found.singular_values);
-        judged(
-            &AllOrders::of(&found),
-            &mut Propagation::new(&found),
-            &criteria,
-            &options.clustering,
-        )?
+        judge(&AllOrders::of(&found), &mut Propagation::new(&found))?
     };
     note_blends(&clusters, notes);
     let mut modes = modes_of(&clusters, record.duration_s());
@@ -182,6 +208,7 @@ fn of_poles(
     }
     let unequal = unequal(record, settings.time_blocks);
     widen(&mut modes, unequal.widening);
+    widen(refused.iter_mut().map(|of| &mut of.mode), unequal.widening);
     settings.time_blocks_effective = unequal.time_blocks;
     Ok(ModalAnalysis {
         modes: Modes {

@@ -1,5 +1,7 @@
 //! Modes from ambient vibration: frequency, damping ratio and shape, each with its standard deviation.
 
+mod accept;
+mod candidate;
 mod correlations;
 mod decay;
 mod driven;
@@ -26,7 +28,9 @@ mod synthetic;
 mod unkind;
 
 pub use decay::{AtAmplitude, Decay, Decrement, Era, FreeDecay, ModeDecay, decrement, era};
-pub use driven::{Driven, DrivenMode, MadeOnGround};
+pub use driven::{
+    Driven, DrivenMode, FrequencyResponse, FrequencyResponses, MadeOnGround, frequency_responses,
+};
 pub use error::ModalError;
 pub use identify::identify;
 pub use indicators::{assurance, phase_collinearity, phase_deviation};
@@ -35,7 +39,7 @@ pub use modes::{Method, Mode, Modes};
 pub use notes::{LateClock, Note, Tone, ToneOnMode};
 pub use options::{Harmonics, Identify};
 pub use quality::{InSpells, Kurtosis, band_kurtosis};
-pub use refusal::{Refusal, RefusedPeak};
+pub use refusal::{Accepted, Refusal, RefusedPeak};
 pub use sensor_placement::{PlacedSensors, SensorPlacement};
 pub use sensors::{SensorDoubt, doubt_sensors};
 pub use settings::Settings;

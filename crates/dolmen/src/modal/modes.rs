@@ -1,7 +1,7 @@
 //! What every method of identification returns.
 
 use super::indicators::{normalized, phase_collinearity};
-use super::{Kurtosis, ModalError};
+use super::{Accepted, Kurtosis, ModalError};
 use crate::signal::{Channel, Processing};
 use dolmen_linalg::Complex64;
 use std::f64::consts::PI;
@@ -94,6 +94,8 @@ pub struct Mode {
     /// Relative bias that the window of the spectrum would have given to the damping ratio, and that was taken out;
     /// `None` for methods without a window.
     pub window_bias: Option<f64>,
+    /// Where the user insists on it though a test refused it: it counts among no modes found.
+    pub accepted: Option<Accepted>,
 }
 
 /// All modes found in one record, by frequency.
@@ -124,6 +126,11 @@ impl Mode {
         }
         self.shape = normalized(&shape);
         self.phase_collinearity = phase_collinearity(&self.shape);
+    }
+
+    /// Whether the tests found it: `false` where the user insists on it.
+    pub fn is_found(&self) -> bool {
+        self.accepted.is_none()
     }
 
     /// Whether the motion near its frequency is too steady for random forces: a machine's, not a mode's.

@@ -187,6 +187,25 @@ pub enum Note {
         /// Each with what refused it.
         peaks: Vec<RefusedPeak>,
     },
+    /// Modes that the user insists on though a test refused them.
+    Accepted {
+        /// Each with what refused it.
+        modes: Vec<RefusedPeak>,
+    },
+    /// Modes that the user insists on and that were found anyway.
+    AcceptedAlready {
+        /// Their frequencies, Hz.
+        frequency_hz: Vec<f64>,
+    },
+    /// Nothing stands at a frequency that the user insists on: no mode, no peak and no group of poles.
+    NothingToAccept {
+        /// The frequency, Hz.
+        asked_hz: f64,
+        /// How far off it may lie, Hz.
+        within_hz: f64,
+        /// The nearest mode or peak below and above, where there is one, Hz.
+        nearest_hz: Vec<f64>,
+    },
     /// Modes that were found and not picked by hand.
     NotPicked {
         /// Their frequencies, Hz.
@@ -382,6 +401,35 @@ impl std::fmt::Display for Note {
                     "the spectrum has peaks that are no modes, each with what refused it: {}",
                     all.join("; ")
                 )
+            }
+            Note::Accepted { modes } => {
+                let all: Vec<String> = modes.iter().map(ToString::to_string).collect();
+                write!(
+                    f,
+                    "accepted by the user, not found; each with what refused it: {}",
+                    all.join("; ")
+                )
+            }
+            Note::AcceptedAlready { frequency_hz } => {
+                write!(f, "the modes at ")?;
+                list(f, frequency_hz)?;
+                write!(f, " Hz were found anyway: they need no acceptance")
+            }
+            Note::NothingToAccept {
+                asked_hz,
+                within_hz,
+                nearest_hz,
+            } => {
+                write!(
+                    f,
+                    "nothing can be accepted at {asked_hz:.3} ± {within_hz:.3} Hz: no mode, no peak of the spectrum and no group of poles stands there"
+                )?;
+                if nearest_hz.is_empty() {
+                    return Ok(());
+                }
+                write!(f, "; the nearest are at ")?;
+                list(f, nearest_hz)?;
+                write!(f, " Hz")
             }
             Note::NotPicked { frequency_hz } => {
                 write!(f, "modes that were found and not picked: ")?;

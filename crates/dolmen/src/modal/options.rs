@@ -44,6 +44,11 @@ pub struct Identify {
     pub pick_hz: Vec<f64>,
     /// How far from a picked frequency its mode may lie, relative; default 0.02.
     pub pick_within: f64,
+    /// Frequencies of modes that the user insists on, Hz: what stands there and was refused becomes a mode that carries the reason; where nothing
+    /// does, a note says what is there instead.
+    pub accept_hz: Vec<f64>,
+    /// How far from such a frequency what was refused may lie, relative; default 0.03, as far as a peak may lie from its mode.
+    pub accept_within: f64,
     /// What becomes of a mode whose motion is too steady for random forces; default `Flag`.
     pub harmonics: Harmonics,
     /// The spectrum that is looked at first.
@@ -69,6 +74,8 @@ impl Default for Identify {
             modes_wanted: None,
             pick_hz: Vec::new(),
             pick_within: 0.02,
+            accept_hz: Vec::new(),
+            accept_within: 0.03,
             harmonics: Harmonics::Flag,
             fdd: Fdd::default(),
             criteria: Criteria::default(),

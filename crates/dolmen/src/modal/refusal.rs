@@ -49,8 +49,24 @@ pub enum Refusal {
         /// Damping ratio.
         damping_ratio: f64,
     },
-    /// A mode was found there and taken for a machine.
+    /// A machine makes it.
     Machine,
+    /// Narrower, or steadier, than a mode of this damping ratio.
+    Narrow {
+        /// The least damping ratio of a mode.
+        least: f64,
+    },
+    /// Nothing stands there while the structure is quiet.
+    InSpells,
+}
+
+/// Why a mode is one that no test found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Accepted {
+    /// The frequency that the user insists on, Hz.
+    pub asked_hz: f64,
+    /// The test that refused what stands there; `None` where the modes are the peaks themselves.
+    pub refusal: Option<Refusal>,
 }
 
 /// A peak of the first singular value that is no mode, and why.
@@ -107,6 +123,12 @@ impl std::fmt::Display for RefusedPeak {
                 )
             }
             Some(Refusal::Machine) => write!(f, " (a machine)"),
+            Some(Refusal::Narrow { least }) => write!(
+                f,
+                " (narrower or steadier than a mode with a damping ratio of {:.3} %)",
+                100.0 * least
+            ),
+            Some(Refusal::InSpells) => write!(f, " (nothing stands there while the structure is quiet)"),
         }
     }
 }

@@ -95,6 +95,19 @@ pub(super) fn check(record: &Record, options: &Identify) -> Result<(), ModalErro
     if let Some(picked) = options.pick_hz.iter().find(|f| !(**f > 0.0 && **f < nyquist_hz)) {
         return refused("pick_hz", *picked, "above 0 and below half the sampling rate");
     }
+    if let Some(asked) = options
+        .accept_hz
+        .iter()
+        .find(|f| !(**f > 0.0 && **f < nyquist_hz))
+    {
+        return refused("accept_hz", *asked, "above 0 and below half the sampling rate");
+    }
+    if let (Method::Era, Some(asked)) = (options.method, options.accept_hz.first()) {
+        return Err(ModalError::AcceptedOfDecay { given_hz: *asked });
+    }
+    if !(options.accept_within > 0.0 && options.accept_within < 0.5) {
+        return refused("accept_within", options.accept_within, "above 0 and below 0.5");
+    }
     if !(options.pick_within > 0.0 && options.pick_within < 0.5) {
         return refused("pick_within", options.pick_within, "above 0 and below 0.5");
     }
@@ -149,28 +162,34 @@ pub(super) fn modes_of(clusters: &[Cluster], duration_s: f64) -> Vec<Mode> {
     clusters
         .iter()
         .filter(|c| c.fate == Fate::Mode)
-        .map(|c| Mode {
-            frequency_hz: c.medoid.frequency_hz,
-            frequency_sd_hz: sd(c, |d| d.frequency_sd_hz, c.frequency_spread_hz),
-            frequency_changes_hz: c
-                .deviation
-                .as_ref()
-                .map_or_else(Vec::new, |d| d.frequency_changes_hz.clone()),
-            damping_ratio: Some(c.medoid.damping_ratio),
-            damping_ratio_sd: sd(c, |d| d.damping_ratio_sd, c.damping_ratio_spread),
-            shape: c.medoid.shape.clone(),
-            shape_sd: c
-                .deviation
-                .as_ref()
-                .map(|d| d.shape_sd.clone())
-                .filter(|sd| !sd.is_empty()),
-            phase_collinearity: c.medoid.phase_collinearity,
-            cycles: c.medoid.frequency_hz * duration_s,
-            orders: c.orders.clone(),
-            kurtosis: None,
-            window_bias: None,
-        })
+        .map(|c| mode_of(c, duration_s))
         .collect()
+}
+
+/// The mode that a group of poles is.
+pub(super) fn mode_of(c: &Cluster, duration_s: f64) -> Mode {
+    Mode {
+        frequency_hz: c.medoid.frequency_hz,
+        frequency_sd_hz: sd(c, |d| d.frequency_sd_hz, c.frequency_spread_hz),
+        frequency_changes_hz: c
+            .deviation
+            .as_ref()
+            .map_or_else(Vec::new, |d| d.frequency_changes_hz.clone()),
+        damping_ratio: Some(c.medoid.damping_ratio),
+        damping_ratio_sd: sd(c, |d| d.damping_ratio_sd, c.damping_ratio_spread),
+        shape: c.medoid.shape.clone(),
+        shape_sd: c
+            .deviation
+            .as_ref()
+            .map(|d| d.shape_sd.clone())
+            .filter(|sd| !sd.is_empty()),
+        phase_collinearity: c.medoid.phase_collinearity,
+        cycles: c.medoid.frequency_hz * duration_s,
+        orders: c.orders.clone(),
+        kurtosis: None,
+        window_bias: None,
+        accepted: None,
+    }
 }
 
 /// Scatter between blocks of time and scatter between orders, together: which order is looked at is as much chance as

@@ -89,6 +89,7 @@ pub fn made_history(of: &MadeHistory) -> History {
                 damping_ratio_sd: None,
                 degrees_of_freedom: f64::INFINITY,
                 direction: None,
+                accepted: false,
                 shape: shape(mode, &mut random),
             });
         }

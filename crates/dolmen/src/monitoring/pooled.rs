@@ -72,6 +72,7 @@ fn mode(surveys: &[HistorySurvey], track: &Track) -> Option<ObservedMode> {
         frequency_sd_hz: sd_of_median(&of(|mode| mode.frequency_sd_hz), read.len()),
         damping_ratio_sd: sd_of_median(&of(|mode| mode.damping_ratio_sd), zetas.len()),
         damping_ratio: (!zetas.is_empty()).then(|| middle_mean(zetas)),
+        accepted: read.iter().any(|mode| mode.accepted),
         ..nearest.clone()
     })
 }
@@ -123,6 +124,7 @@ mod tests {
                     damping_ratio_sd: None,
                     degrees_of_freedom: f64::INFINITY,
                     direction: None,
+                    accepted: false,
                     shape: Vec::new(),
                 })
                 .collect(),

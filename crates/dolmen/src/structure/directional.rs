@@ -180,6 +180,7 @@ mod tests {
             orders: vec![],
             kurtosis: None,
             window_bias: None,
+            accepted: None,
         };
         let (x, y) = ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0]);
         Modes {

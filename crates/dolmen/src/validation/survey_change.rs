@@ -27,6 +27,7 @@ fn survey(
             damping_ratio_sd: None,
             degrees_of_freedom,
             direction: None,
+            accepted: false,
             shape: Vec::new(),
         }],
     }

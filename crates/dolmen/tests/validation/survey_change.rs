@@ -19,6 +19,7 @@ fn mode(frequency_hz: f64, sd_hz: f64, degrees_of_freedom: f64) -> ObservedMode 
         damping_ratio_sd: None,
         degrees_of_freedom,
         direction: None,
+        accepted: false,
         shape: Vec::new(),
     }
 }

@@ -135,6 +135,7 @@ mod tests {
             damping_ratio_sd: None,
             degrees_of_freedom: f64::INFINITY,
             direction: None,
+            accepted: false,
             shape: ["a", "b", "c"]
                 .iter()
                 .zip(shape)

@@ -87,7 +87,7 @@ impl Default for SurveyChangeOptions {
 ///     temperature_c: Some(15.0),
 ///     modes: vec![ObservedMode {
 ///         frequency_hz, frequency_sd_hz: Some(0.01), damping_ratio: None, damping_ratio_sd: None,
-///         degrees_of_freedom: f64::INFINITY, direction: None, shape: Vec::new(),
+///         degrees_of_freedom: f64::INFINITY, direction: None, accepted: false, shape: Vec::new(),
 ///     }],
 /// };
 /// let found = survey_change(&survey("2019", 2.0), &survey("2024", 1.94), &[], &SurveyChangeOptions::default())?;

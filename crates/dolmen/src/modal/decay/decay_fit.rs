@@ -218,6 +218,7 @@ impl Fit {
             orders: vec![order],
             kurtosis: None,
             window_bias: None,
+            accepted: None,
         }
     }
 }

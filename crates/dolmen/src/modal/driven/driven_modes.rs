@@ -1,5 +1,7 @@
 //! What a measured input shows beside the modes.
 
+use super::responses::FrequencyResponses;
+
 /// What a measured input shows beside the modes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Driven {
@@ -9,6 +11,8 @@ pub struct Driven {
     pub lags: usize,
     /// Noise taken for granted in every channel, over its standard deviation.
     pub noise: f64,
+    /// How each channel follows the inputs, line by line; `None` where the record is too short to tell.
+    pub responses: Option<FrequencyResponses>,
     /// Each mode, by frequency.
     pub modes: Vec<DrivenMode>,
 }

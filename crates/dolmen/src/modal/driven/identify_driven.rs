@@ -3,10 +3,12 @@
 use super::driven_modes::{Driven, DrivenMode};
 use super::observer::{Fit, Measured, coefficients_of, observe};
 use super::realization::{Realization, Realize, realize};
+use super::responses::{FrequencyResponses, InputsAt, frequency_responses};
+use crate::modal::accept::{accepted, candidates, put_in};
 use crate::modal::indicators::largest;
 use crate::modal::modal_analysis::{ModalAnalysis, of_peaks};
 use crate::modal::options::Identify;
-use crate::modal::quality::to_one_quantity;
+use crate::modal::quality::{Diagram, to_one_quantity};
 use crate::modal::settings::{Settings, choose};
 use crate::modal::shared_steps::{judged, modes_of, note_blends, pick, spectrum, wanted};
 use crate::modal::subspace::{AllOrders, Clustering, Criteria};
@@ -67,6 +69,9 @@ pub(crate) fn of_driven(
         inputs: Vec::new(),
         references: Vec::new(),
         method: Method::SsiCov,
+        // the frequencies that are named are those of the held base
+        pick_hz: Vec::new(),
+        accept_hz: Vec::new(),
         ..options.clone()
     };
     let peaks = spectrum(&outputs, &free)?;
@@ -102,6 +107,18 @@ pub(crate) fn of_driven(
         order_step: 2,
     };
     let (stabilization, clusters) = judged(&all, &mut found, &criteria, &clustering)?;
+    let diagram = Diagram {
+        stabilization: &stabilization,
+        clusters: &clusters,
+        clustering: &clustering,
+        duration_s: record.duration_s(),
+    };
+    // a peak of the spectrum is one of structure and ground together: what stands there is told by the poles alone
+    let no_peaks = Modes {
+        modes: Vec::new(),
+        ..peaks.modes.clone()
+    };
+    let refused = candidates(options, (&no_peaks, &[]), &diagram, &mut found)?;
     note_blends(&clusters, &mut notes);
     let mut analysis = of_peaks(peaks, &outputs, &free);
     analysis.modes = Modes {
@@ -119,6 +136,12 @@ pub(crate) fn of_driven(
     analysis.hankel_singular_values = found.singular_values;
     analysis.settings = settings;
     to_one_quantity(&mut analysis.modes, &mut notes);
+    let poles_hz: Vec<f64> = analysis
+        .clusters
+        .iter()
+        .map(|group| group.medoid.frequency_hz)
+        .collect();
+    let insisted = accepted(options, &analysis.modes.modes, (&refused, &poles_hz), &mut notes);
     let not_picked_hz = pick(options, &mut analysis.modes)?;
     if !not_picked_hz.is_empty() {
         notes.push(Note::NotPicked {
@@ -126,6 +149,7 @@ pub(crate) fn of_driven(
         });
     }
     wanted(options, &analysis.modes)?;
+    put_in(&outputs, &free, insisted, &mut analysis.modes, &mut notes)?;
     let together = ambient(record, &free).map_or_else(|_| None, |of| Some(of.modes));
     let of_mode = |mode: &Mode| DrivenMode {
         frequency_hz: mode.frequency_hz,
@@ -135,11 +159,16 @@ pub(crate) fn of_driven(
             .and_then(|all| alike(mode, &analysis.modes, all)),
     };
     let modes: Vec<DrivenMode> = analysis.modes.modes.iter().map(of_mode).collect();
-    refuse_unrelated(&modes)?;
+    let of_found = modes
+        .iter()
+        .zip(&analysis.modes.modes)
+        .filter(|(_, mode)| mode.is_found());
+    refuse_unrelated(of_found.map(|(of, _)| of))?;
     analysis.driven = Some(Driven {
         inputs: names,
         lags,
         noise,
+        responses: responses(&slower, &options.inputs, &analysis.modes),
         modes,
     });
     analysis.notes = notes;
@@ -233,8 +262,8 @@ fn refuse_alike(record: &Record, inputs: &[usize], [low_hz, high_hz]: [f64; 2]) 
 }
 
 /// Refuses inputs that no mode follows: the modes would be those of structure and ground together, under the name of a held base.
-fn refuse_unrelated(modes: &[DrivenMode]) -> Result<(), ModalError> {
-    let shares: Option<Vec<f64>> = modes.iter().map(|mode| mode.explained).collect();
+fn refuse_unrelated<'a>(modes: impl Iterator<Item = &'a DrivenMode>) -> Result<(), ModalError> {
+    let shares: Option<Vec<f64>> = modes.map(|mode| mode.explained).collect();
     let most = shares.and_then(|of| of.into_iter().reduce(f64::max));
     match most {
         Some(share) if share < FOLLOWS_LEAST => Err(ModalError::InputsUnrelated { share }),
@@ -249,36 +278,37 @@ fn averaged(record: &Record, wished: usize) -> Result<CrossSpectra, ModalError> 
 
 /// Multiple coherence of the channel that moves most with the inputs, at the mode's frequency.
 fn explained(record: &Record, inputs: &[usize], (mode, channels): (&Mode, &[Channel])) -> Option<f64> {
-    const SEGMENTS_AN_INPUT: usize = 8; // with fewer a coherence of nothing is above 1/8
-    let width_hz = mode.damping_ratio.unwrap_or(0.01) * mode.frequency_hz;
-    let rate_hz = record.sampling_rate_hz();
-    let fine = (2.0 * rate_hz / width_hz).ceil() as usize;
-    let spectra = averaged(record, fine.min(2 * record.length() / (9 * inputs.len()))).ok()?;
+    let spectra = averaged(record, segment_for(record, inputs, width_hz(mode))).ok()?;
     if spectra.segments < SEGMENTS_AN_INPUT * inputs.len() {
         return None;
     }
     let name = &channels[largest(&mode.shape)?].name;
     let at = record.channels().iter().position(|c| c.name == *name)?;
     let line = (mode.frequency_hz / spectra.resolution_hz).round() as usize;
-    let n = inputs.len();
-    let of_inputs = ComplexMatrix::from_fn(n, n, |i, j| spectra.density(inputs[i], inputs[j], line));
-    let across: Vec<Complex64> = inputs.iter().map(|&i| spectra.density(i, at, line)).collect();
-    let power = spectra.density(at, at, line).re;
-    let of = hermitian_eigen(&of_inputs).ok()?;
-    let mut seen = 0.0;
-    for (k, value) in of.values.iter().enumerate() {
-        let along: Complex64 = of
-            .vectors
-            .column(k)
-            .iter()
-            .zip(&across)
-            .map(|(v, s)| v.conj() * s)
-            .sum();
-        if *value > 1e-9 * of.values[n - 1] {
-            seen += along.norm_sqr() / value;
-        }
-    }
-    Some((seen / power).clamp(0.0, 1.0))
+    let of_inputs = InputsAt::of(&spectra, inputs, line).ok()?;
+    Some(of_inputs.followed_by(&spectra, at).1)
+}
+
+/// Segments that each input needs: with fewer a coherence of nothing is above 1/8.
+const SEGMENTS_AN_INPUT: usize = 8;
+
+/// Half of the half-power width of a mode, Hz.
+fn width_hz(mode: &Mode) -> f64 {
+    mode.damping_ratio.unwrap_or(0.01) * mode.frequency_hz
+}
+
+/// Samples of a segment that tells a mode so wide, or of as many segments as coherence needs.
+fn segment_for(record: &Record, inputs: &[usize], width_hz: f64) -> usize {
+    let fine = (2.0 * record.sampling_rate_hz() / width_hz).ceil() as usize;
+    fine.min(2 * record.length() / (9 * inputs.len()))
+}
+
+/// How each channel follows the inputs, fine enough for the narrowest mode as far as the record allows.
+fn responses(record: &Record, inputs: &[usize], modes: &Modes) -> Option<FrequencyResponses> {
+    let narrowest = modes.modes.iter().map(width_hz).reduce(f64::min)?;
+    let segment = segment_for(record, inputs, narrowest).clamp(8, record.length().max(8));
+    let found = frequency_responses(record, inputs, segment).ok()?;
+    (found.segments >= SEGMENTS_AN_INPUT * inputs.len()).then_some(found)
 }
 
 /// The mode of like shape that the record has without regard to the inputs: the ground gives way, so that it is no higher.

@@ -2,6 +2,7 @@
 
 use crate::numeric::Random;
 use crate::signal::{Channel, Quantity, Record, SignalError, low_pass};
+use dolmen_linalg::Complex64;
 use std::f64::consts::{PI, TAU};
 
 /// Storeys, t and N/m; footing, t and N/m.
@@ -43,6 +44,28 @@ impl MadeOnGround {
         let (sum, product) = (a + b, a * b - k2 * k2 / (m1 * m2));
         let root = (sum * sum - 4.0 * product).sqrt();
         [sum - root, sum + root].map(|twice| (0.5 * twice).sqrt() / TAU)
+    }
+
+    /// Acceleration of floor and roof over that of the ground, in closed form.
+    ///
+    /// ```text
+    /// H = 1 + ω² (K − ω² M + iω C)⁻¹ M 1
+    /// ```
+    pub fn response(frequency_hz: f64) -> [Complex64; 2] {
+        let omega = TAU * frequency_hz;
+        let ([m1, m2], [k1, k2]) = (MASS_KG, STIFFNESS);
+        let [a, b] = of_mass_and_stiffness();
+        let spring = Complex64::new(1.0, omega * b); // K + iω b K
+        let mass = Complex64::new(omega * omega, -omega * a); // ω² M − iω a M
+        let d11 = spring * (k1 + k2) - mass * m1;
+        let d12 = -spring * k2;
+        let d22 = spring * k2 - mass * m2;
+        let det = d11 * d22 - d12 * d12;
+        let square = omega * omega;
+        [
+            Complex64::ONE + square * (d22 * m1 - d12 * m2) / det,
+            Complex64::ONE + square * (d11 * m2 - d12 * m1) / det,
+        ]
     }
 
     /// Channels "ground", "floor", "roof": absolute accelerations, m/s², at 100 Hz.
@@ -124,11 +147,7 @@ impl MadeOnGround {
 /// ```
 /// C is that of modes damped alike in the frame that is held: C = a M + b K with 2 ζ ω = a + b ω² for both.
 fn acceleration([x, v]: &[[f64; 3]; 2], [waves, w1, w2]: [f64; 3]) -> [f64; 3] {
-    let [f1, f2] = MadeOnGround::held_hz().map(|f| TAU * f);
-    let (a, b) = (
-        2.0 * MadeOnGround::DAMPING * f1 * f2 / (f1 + f2),
-        2.0 * MadeOnGround::DAMPING / (f1 + f2),
-    );
+    let [a, b] = of_mass_and_stiffness();
     let ([m1, m2], [k1, k2]) = (MASS_KG, STIFFNESS);
     let [r1, r2] = [x[1] + b * v[1], x[2] + b * v[2]];
     let on_1 = w1 - (k1 + k2) * r1 + k2 * r2 - a * m1 * v[1];
@@ -137,6 +156,13 @@ fn acceleration([x, v]: &[[f64; 3]; 2], [waves, w1, w2]: [f64; 3]) -> [f64; 3] {
     let shear = k1 * r1 + a * (m1 * v[1] + m2 * v[2]);
     let u = (waves + shear - GROUND * x[0] - GROUND_DAMPING * v[0]) / FOOTING_KG;
     [u, on_1 / m1 - u, on_2 / m2 - u]
+}
+
+/// a, 1/s, and b, s.
+fn of_mass_and_stiffness() -> [f64; 2] {
+    let [f1, f2] = MadeOnGround::held_hz().map(|f| TAU * f);
+    let twice = 2.0 * MadeOnGround::DAMPING / (f1 + f2);
+    [twice * f1 * f2, twice]
 }
 
 fn runge_kutta(state: &mut [[f64; 3]; 2], (now, next): ([f64; 3], [f64; 3]), step_s: f64) {

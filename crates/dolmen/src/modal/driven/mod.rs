@@ -6,7 +6,9 @@ mod identify_driven;
 mod made;
 mod observer;
 mod realization;
+mod responses;
 
 pub use driven_modes::{Driven, DrivenMode};
 pub(super) use identify_driven::of_driven;
 pub use made::MadeOnGround;
+pub use responses::{FrequencyResponse, FrequencyResponses, frequency_responses};

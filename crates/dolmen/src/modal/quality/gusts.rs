@@ -61,7 +61,7 @@ fn of_shares(share: impl Iterator<Item = f64> + Clone) -> Unequal {
 }
 
 /// Widens every deviation that comes from the blocks.
-pub(crate) fn widen(modes: &mut [Mode], widening: f64) {
+pub(crate) fn widen<'a>(modes: impl IntoIterator<Item = &'a mut Mode>, widening: f64) {
     let by = widening.max(1.0).sqrt();
     for mode in modes {
         mode.frequency_sd_hz = mode.frequency_sd_hz.map(|sd| by * sd);

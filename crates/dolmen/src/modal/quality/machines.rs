@@ -5,27 +5,38 @@ use super::in_spells::InSpells;
 use super::lines::{FineLines, LineTest};
 use super::remarks::{USUAL_LEAST, explained};
 use super::spells::{in_spells, note_spells};
+use crate::modal::candidate::Candidate;
 use crate::modal::options::{Harmonics, Identify};
 use crate::modal::spectrum::FddResult;
-use crate::modal::{Method, ModalError, Mode, Modes, Note, Tone, ToneOnMode};
+use crate::modal::{Method, ModalError, Mode, Modes, Note, Refusal, Tone, ToneOnMode};
 use crate::signal::Record;
 
 /// Power of a sine over that of the mode under it up to which both are told apart. Chosen here: beyond, the skirts of the sine pass for a mode.
 const STRENGTH_MOST: f64 = 15.0;
 
+/// Peaks that were taken for something else than modes.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct SetAside {
+    /// Frequencies of machines, and of what nobody can tell from one, Hz.
+    pub(crate) tones_hz: Vec<f64>,
+    /// Each peak as a mode, with the reason.
+    pub(crate) peaks: Vec<Candidate>,
+}
+
 /// Takes the peaks out that are narrower than a mode damped by the least, where the lines are fine enough to tell, or too steady for random
-/// forces; returns their frequencies, Hz. Those of one phase for the whole record, or too steady, are machines; of the rest nobody can say.
+/// forces; returns them. Those of one phase for the whole record, or too steady, are machines; of the rest nobody can say.
 pub(crate) fn split_tones(
     record: &Record,
     peaks: &mut FddResult,
     options: &Identify,
     notes: &mut Vec<Note>,
-) -> Result<Vec<f64>, ModalError> {
+) -> Result<SetAside, ModalError> {
     let width_hz = std::mem::take(&mut peaks.spectrum.half_power_width_hz);
     let prominence_db = std::mem::take(&mut peaks.spectrum.prominence_db);
     let modes = std::mem::take(&mut peaks.modes.modes);
     let mut lines = FineLines::new(record);
     let (mut taken, mut spells): (Vec<Taken>, Vec<InSpells>) = (Vec::new(), Vec::new());
+    let mut set_aside: Vec<Candidate> = Vec::new();
     for ((mode, width_hz), prominence_db) in modes.into_iter().zip(width_hz).zip(prominence_db) {
         let damping_ratio_least = options
             .criteria
@@ -48,6 +59,10 @@ pub(crate) fn split_tones(
                 || is_steady_at(record, &mode, [damping_ratio_least, damping_ratio])?);
         if let Some(found) = found.filter(|_| !is_steady) {
             spells.push(found);
+            set_aside.push(Candidate {
+                mode,
+                refusal: Some(Refusal::InSpells),
+            });
         } else if damping_ratio < damping_ratio_least || looks_steady || is_sine {
             let tone = Tone {
                 frequency_hz: mode.frequency_hz,
@@ -60,6 +75,16 @@ pub(crate) fn split_tones(
                 is_machine: is_steady || is_sine,
                 damping_ratio_least,
             });
+            let refusal = match is_steady || is_sine {
+                true => Refusal::Machine,
+                false => Refusal::Narrow {
+                    least: damping_ratio_least,
+                },
+            };
+            set_aside.push(Candidate {
+                mode,
+                refusal: Some(refusal),
+            });
         } else {
             peaks.modes.modes.push(mode);
             peaks.spectrum.half_power_width_hz.push(width_hz);
@@ -68,7 +93,7 @@ pub(crate) fn split_tones(
     }
     let line_hz = peaks.spectrum.frequency_hz.get(1).copied().unwrap_or(0.0);
     let taken = strongest(taken, SKIRT_LINES * line_hz);
-    let frequency_hz = taken.iter().map(|of| of.tone.frequency_hz).collect();
+    let tones_hz = taken.iter().map(|of| of.tone.frequency_hz).collect();
     let (machines, narrow): (Vec<Taken>, Vec<Taken>) = taken.into_iter().partition(|of| of.is_machine);
     let widest = |most: f64, of: &Taken| most.max(of.damping_ratio_least);
     let damping_ratio_least = narrow.iter().fold(0.0, widest);
@@ -85,7 +110,10 @@ pub(crate) fn split_tones(
             damping_ratio_least,
         });
     }
-    Ok(frequency_hz)
+    Ok(SetAside {
+        tones_hz,
+        peaks: set_aside,
+    })
 }
 
 /// A peak that was taken out.
@@ -198,6 +226,14 @@ pub(crate) fn test_for_machines(
     }
     leave_out_steady_light(options, modes, notes);
     Ok(())
+}
+
+/// What refused a mode that was taken out for the steadiness of its motion.
+pub(crate) fn of_steady(mode: &Mode) -> Refusal {
+    match mode.harmonic() {
+        true => Refusal::Machine,
+        false => Refusal::Narrow { least: USUAL_LEAST },
+    }
 }
 
 /// Leaves out what is damped so little as only machines and the lightest structures are, and has the steadiness of a machine rather than the

@@ -84,7 +84,7 @@ pub(crate) fn explained(peak: &Mode, modes: &[Mode]) -> bool {
 }
 
 /// A line of the spectrum lies so near its mode.
-pub(super) fn near(frequency_hz: f64, peak_hz: f64) -> bool {
+pub(crate) fn near(frequency_hz: f64, peak_hz: f64) -> bool {
     const NEAR: f64 = 0.03;
     (frequency_hz / peak_hz - 1.0).abs() <= NEAR
 }

@@ -208,6 +208,7 @@ mod tests {
             orders: Vec::new(),
             kurtosis: None,
             window_bias: None,
+            accepted: None,
         }
     }
 

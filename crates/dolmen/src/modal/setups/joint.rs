@@ -4,9 +4,10 @@ use super::merge_setups::{MergeSetups, MergedSetups};
 use super::one_shaking::{Setup, stacked};
 use super::pairing::{ObservedMode, pair_modes};
 use super::places::{Places, Seat};
+use crate::modal::accept::{accepted, candidates, join, taken_out};
 use crate::modal::quality::doubt_channels;
 use crate::modal::quality::remark;
-use crate::modal::quality::{split_tones, test_for_machines};
+use crate::modal::quality::{Diagram, of_steady, split_tones, test_for_machines};
 use crate::modal::settings::{Settings, choose};
 use crate::modal::shared_steps::{
     check, judge_channels, judged, modes_of, note_blends, note_filter, pick, spectrum, wanted,
@@ -158,16 +159,30 @@ pub fn joint_setups(
     )?;
     let channels = records.iter().map(|r| r.channels().len()).sum::<usize>() as f64 / records.len() as f64;
     let past = channels / references.len() as f64;
+    let clustering = Clustering {
+        // the past of those that stay alone: where it is a third of all, deviations are up to three times as large
+        deviation_over_floor_most: past.sqrt() * options.clustering.deviation_over_floor_most,
+        ..options.clustering.clone()
+    };
+    let mut deviations = Propagation::new(&found);
     let (stabilization, clusters) = judged(
         &AllOrders::of(&found),
-        &mut Propagation::new(&found),
+        &mut deviations,
         &options.criteria.within(settings.range_hz),
-        &Clustering {
-            // the past of those that stay alone: where it is a third of all, deviations are up to three times as large
-            deviation_over_floor_most: past.sqrt() * options.clustering.deviation_over_floor_most,
-            ..options.clustering.clone()
-        },
+        &clustering,
     )?;
+    let diagram = Diagram {
+        stabilization: &stabilization,
+        clusters: &clusters,
+        clustering: &clustering,
+        duration_s,
+    };
+    // no setup shows the whole shape of a peak: what stands there is told by the poles alone
+    let no_peaks = Modes {
+        modes: Vec::new(),
+        ..peaks.clone()
+    };
+    let mut refused = candidates(&options, (&no_peaks, &[]), &diagram, &mut deviations)?;
     note_blends(&clusters, &mut notes);
     let mut modes = Modes {
         modes: modes_of(&clusters, duration_s),
@@ -178,11 +193,18 @@ pub fn joint_setups(
     };
     let places_of = |seats: &Vec<Seat>| seats.iter().map(|s| s.place).collect();
     let seen: Vec<(&Record, Vec<usize>)> = records.iter().zip(seats.iter().map(places_of)).collect();
+    let before = modes.modes.clone();
     test_for_machines(&seen, &options, &mut modes, &mut notes)?;
+    refused.extend(taken_out(&before, &modes.modes, of_steady));
+    let peaks_hz: Vec<f64> = peaks.modes.iter().map(|mode| mode.frequency_hz).collect();
+    let insisted = accepted(&options, &modes.modes, (&refused, &peaks_hz), &mut notes);
     let not_picked_hz = pick(&options, &mut modes)?;
     wanted(&options, &modes)?;
+    let mut of_channels = Vec::new();
+    doubt_channels(&modes, &mut of_channels);
+    join(insisted, &mut modes.modes, &mut notes);
     remark(&modes, (&peaks, &|_| None), not_picked_hz, &mut notes);
-    doubt_channels(&modes, &mut notes);
+    notes.extend(of_channels);
     Ok(JointSetups {
         modes,
         references,
@@ -208,7 +230,7 @@ fn peaks_of_all(
         notes.extend(judge_channels(record)?);
         note_filter(record, options, notes);
         let mut peaks = spectrum(record, options)?;
-        tones_hz.extend(split_tones(record, &mut peaks, options, notes)?);
+        tones_hz.extend(split_tones(record, &mut peaks, options, notes)?.tones_hz);
         match &mut all {
             None => all = Some(peaks.modes),
             Some(all) => {

@@ -210,6 +210,7 @@ mod tests {
             orders: vec![8],
             kurtosis: None,
             window_bias: None,
+            accepted: None,
         };
         Modes {
             modes: made.modes.iter().map(mode).collect(),

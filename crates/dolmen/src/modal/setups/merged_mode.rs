@@ -180,6 +180,7 @@ impl Growing {
             orders: first.orders.clone(),
             kurtosis: first.kurtosis,
             window_bias: first.window_bias,
+            accepted: self.members.iter().find_map(|m| m.accepted),
         };
         let merged = MergedMode {
             frequency_hz: self.members.iter().map(|m| m.frequency_hz).collect(),

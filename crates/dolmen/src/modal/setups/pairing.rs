@@ -83,6 +83,8 @@ pub struct ObservedMode {
     pub degrees_of_freedom: f64,
     /// The direction that it is known to move in, or "torsion": modes of two different ones are never a pair. `None`: not known.
     pub direction: Option<String>,
+    /// Whether the user insists on it though a test refused it.
+    pub accepted: bool,
     /// Its shape; empty if only the frequency is known.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub shape: Vec<ObservedPoint>,
@@ -113,6 +115,7 @@ impl ObservedMode {
                 }
             },
             direction: None,
+            accepted: !mode.is_found(),
             shape: points
                 .map(|(channel, component)| ObservedPoint {
                     channel: channel.clone(),
@@ -393,6 +396,7 @@ mod tests {
             damping_ratio_sd: None,
             degrees_of_freedom: f64::INFINITY,
             direction: None,
+            accepted: false,
             shape: points
                 .map(|(c, x)| ObservedPoint {
                     channel: Channel::named(format!("s{c}")),

@@ -175,6 +175,7 @@ pub(crate) fn peaks_of(
             orders: Vec::new(),
             kurtosis: None,
             window_bias: None,
+            accepted: None,
         });
     }
     Ok(FddResult {
