@@ -241,7 +241,7 @@ mod tests {
             let mut holed = whole.clone();
             let lost = LEARNED_MOST - left..LEARNED_MOST - left + 1;
             holed[lost.start] = f64::NAN;
-            fill_lost(&mut holed, &[lost.clone()]).unwrap();
+            fill_lost(&mut holed, std::slice::from_ref(&lost)).unwrap();
             assert!(holed[lost.start].abs() < 1.0, "{left}: {}", holed[lost.start]); // white noise: its mean
         }
     }
