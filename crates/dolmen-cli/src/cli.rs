@@ -1,7 +1,8 @@
-//! What can be typed: the verbs and their flags, with the help that clap prints.
+//! What can be typed, with the help that clap prints.
 
 use crate::cli_follow::Follow;
-use crate::cli_language::{day, positive, zone};
+use crate::cli_language::{day, positive};
+use crate::cli_motion::{GroundMotionVerb, Motion};
 use crate::cli_portfolio::{Rank, Score};
 use crate::cli_survey;
 use crate::cli_tune::Tune;
@@ -16,7 +17,7 @@ use std::path::PathBuf;
 #[command(name = "dolmen", version, max_term_width = 110, propagate_version = true)]
 #[command(
     after_help = "Exit status of check, simulate and report: 1 where the judgement is red (unstable, below demand, fallen, beyond its room, \
-                        damage state 3), else 0. Other verbs: 0 when done, whatever they found. Of all: 2 bad input, 3 a computation did not \
+                        damage state 3), else 0. Of watch: 1 where an alarm is open or a tilt or crack is beyond its limit. Other verbs: 0 when done, whatever they found. Of all: 2 bad input, 3 a computation did not \
                         converge, ended undecided or was stopped.\nStart with `dolmen demo`, or `dolmen new flagpole DIR` and `dolmen check DIR`."
 )]
 pub(crate) struct Cli {
@@ -100,10 +101,13 @@ pub(crate) struct New {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Kind {
     /// Stone flagpole: a chain of links on rotational joints
+    #[value(alias = "chain")]
     Flagpole,
     /// Timber gate: a frame of rigid storeys
+    #[value(alias = "frame")]
     Gate,
     /// Stone pagoda: a stack of blocks
+    #[value(alias = "stack")]
     Pagoda,
     /// Stone arch: voussoirs on abutments
     Arch,
@@ -173,6 +177,9 @@ pub(crate) struct Identify {
     /// Only this survey; all without it
     #[arg(long, value_name = "NAME")]
     pub(crate) survey: Option<String>,
+    /// Write the stiffness into the project file where one survey determines it, with its standard deviation; all else stays as it is
+    #[arg(long)]
+    pub(crate) write: bool,
     /// Write the figures (SVG) and the result (JSON) into this folder
     #[arg(long, short, value_name = "DIR")]
     pub(crate) output: Option<PathBuf>,
@@ -252,7 +259,7 @@ pub(crate) struct Simulate {
     /// Contact points of a joint of a stack: 16 is exact in rocking and 3 % off in twisting; 4 is faster and too stiff in both
     #[arg(long, value_enum, default_value_t = Points::P16)]
     pub(crate) points: Points,
-    /// Time step, s, of springs if two laws are run; the longest stable one times .9 without it, with --law rigid 1e-3, and 2e-4 where friction_kinetic is below friction; of a building that of the histories
+    /// Time step, s, of springs if two laws are run; the longest stable one times 0.9 without it, with --law rigid 1e-3, and 2e-4 where friction_kinetic is below friction; of a building that of the histories
     #[arg(long, value_name = "S", value_parser = positive)]
     pub(crate) step: Option<f64>,
     /// Length of the run, s; without it the motion and 2 s more for a stack, then until it rests, 20 s more for a frame or chain, 60 s for a
@@ -332,158 +339,6 @@ pub(crate) struct StudyWhere {
     /// Folder of the results, one below it a study; studies/ beside the project file without it
     #[arg(long, short, value_name = "DIR")]
     pub(crate) output: Option<PathBuf>,
-}
-
-#[derive(Debug, Args)]
-pub(crate) struct GroundMotionVerb {
-    /// Files of acceleration (AT2, COSMOS, CSMIP, K-NET, ESM, SAC, miniSEED, CSV), one a component: x, y, z in this order, or
-    /// named as in y=FILE; --motion-file says the same
-    #[arg(conflicts_with_all = ["motion_file", "name"])]
-    pub(crate) files: Vec<String>,
-    #[command(flatten)]
-    pub(crate) motion: Motion,
-    /// Compute the response spectrum, 200 periods from .02 to 4 s
-    #[arg(long)]
-    pub(crate) spectrum: bool,
-    /// Damping ratio of spectra
-    #[arg(long, value_name = "RATIO", default_value_t = 0.05)]
-    pub(crate) damping: f64,
-    /// Match the first component to a demand spectrum, .1 to 3 s, by wavelets: KDS 17 10 00 of --zone, --years and --site, or
-    /// Eurocode 8 of --ground-acceleration and --site
-    #[arg(long = "match", requires = "site")]
-    pub(crate) matched: bool,
-    /// Site of the demand: S1 to S5 (KDS), A to E (Eurocode 8)
-    #[arg(long, default_value = "", requires = "matched")]
-    pub(crate) site: String,
-    /// Seismic zone of KDS 17 10 00: 1 (I) or 2 (II)
-    #[arg(long, default_value_t = 1, value_parser = zone, requires = "matched", conflicts_with = "ground_acceleration")]
-    pub(crate) zone: u8,
-    /// Return period of KDS 17 10 00, years
-    #[arg(
-        long,
-        default_value_t = 2400,
-        requires = "matched",
-        conflicts_with = "ground_acceleration"
-    )]
-    pub(crate) years: u32,
-    /// Design ground acceleration on rock of Eurocode 8, g
-    #[arg(long, value_name = "G", requires = "matched")]
-    pub(crate) ground_acceleration: Option<f64>,
-    /// Type of the spectrum of Eurocode 8: 1 or 2
-    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u8).range(1..=2), requires = "ground_acceleration")]
-    pub(crate) spectrum_type: u8,
-    /// Make a motion instead of reading one; its peak is --peak, its step --sample-step (.01 s without)
-    #[arg(long, value_enum, conflicts_with_all = ["files", "motion_file", "name"])]
-    pub(crate) make: Option<Shape>,
-    /// Period of a pulse, s
-    #[arg(long, value_name = "S", default_value_t = 1.0, allow_negative_numbers = true)]
-    pub(crate) period: f64,
-    /// Half cycles of a near-fault pulse, above 1
-    #[arg(long, default_value_t = 1.5)]
-    pub(crate) gamma: f64,
-    /// Phase of a near-fault pulse, degrees
-    #[arg(
-        long,
-        value_name = "DEG",
-        default_value_t = 0.0,
-        allow_negative_numbers = true
-    )]
-    pub(crate) phase: f64,
-    /// Length of noise, s
-    #[arg(long, value_name = "S", default_value_t = 20.0)]
-    pub(crate) duration: f64,
-    /// Seed of noise: the same seed gives the same bits
-    #[arg(long, default_value_t = 1)]
-    pub(crate) seed: u64,
-    /// Write the motion into this file: .csv (all components) or .at2 (one)
-    #[arg(long, value_name = "FILE")]
-    pub(crate) convert: Option<PathBuf>,
-    /// Write figures (SVG), spectrum (CSV) and result (JSON) into this folder
-    #[arg(long, short, value_name = "DIR")]
-    pub(crate) output: Option<PathBuf>,
-}
-
-/// Motions that can be made.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Shape {
-    /// Half a sine: leaves a velocity
-    HalfSine,
-    /// One sine: leaves a displacement
-    Sine,
-    /// One cosine: leaves nothing
-    Cosine,
-    /// Ricker's wavelet, even
-    Ricker,
-    /// Ricker's wavelet, odd
-    RickerOdd,
-    /// Mavroeidis and Papageorgiou's pulse of near faults
-    NearFault,
-    /// Seeded noise of firm ground (Clough and Penzien) under an envelope
-    Noise,
-}
-
-#[derive(Clone, Debug, Args)]
-#[command(next_help_heading = "Motion of the ground")]
-pub(crate) struct Motion {
-    /// A motion of the project file ([motion.NAME]), or one that Dolmen carries with it, along x: el-centro-1940-ns
-    #[arg(
-        long = "motion",
-        id = "name",
-        value_name = "NAME",
-        conflicts_with = "motion_file"
-    )]
-    pub(crate) motion: Option<String>,
-    /// Files of acceleration (AT2, COSMOS, CSMIP, K-NET, ESM, SAC, miniSEED, CSV), one a component: x, y, z in this order, or
-    /// named as in y=FILE
-    #[arg(long, value_name = "FILE", num_args = 1..=3)]
-    pub(crate) motion_file: Vec<String>,
-    /// Unit of the numbers in the files where they do not say it: g, gal, m/s2
-    #[arg(long, value_name = "UNIT")]
-    pub(crate) unit: Option<String>,
-    /// Time between the samples of the files where they do not say it, s
-    #[arg(long, value_name = "S")]
-    pub(crate) sample_step: Option<f64>,
-    /// The channel to read of a file of several, by name or number
-    #[arg(long, value_name = "NAME", conflicts_with = "x_azimuth")]
-    pub(crate) channel: Option<String>,
-    /// What the numbers are multiplied by to be in the unit: what one count of a recorder is worth
-    #[arg(long, value_name = "FACTOR", default_value_t = 1.0)]
-    pub(crate) factor: f64,
-    /// Cut components that begin at one time to the shortest
-    #[arg(long)]
-    pub(crate) shortest: bool,
-    /// Pass over the peak that a header states where it is not that of the samples
-    #[arg(long)]
-    pub(crate) ignore_stated_peak: bool,
-    /// Turn channels that say which way they point so that x points this way, degrees from north, clockwise: 90 is x to the east
-    #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
-    pub(crate) x_azimuth: Option<f64>,
-    /// Take off the polynomial of this degree that fits the acceleration best: 0 the mean
-    #[arg(long, value_name = "DEGREE")]
-    pub(crate) baseline: Option<usize>,
-    /// Take off what lies below this frequency, Hz (Butterworth of order 4, zero phase)
-    #[arg(long, value_name = "HZ")]
-    pub(crate) high_pass: Option<f64>,
-    /// Keep only the first seconds of the motion
-    #[arg(long, value_name = "S")]
-    pub(crate) keep_first: Option<f64>,
-    /// Bring the motion to zero within so many seconds at both ends
-    #[arg(long, value_name = "S")]
-    pub(crate) taper: Option<f64>,
-    /// Turn the motion by so many degrees from x towards y
-    #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
-    pub(crate) turn: Option<f64>,
-    /// Multiply all components by this factor
-    #[arg(
-        long,
-        value_name = "FACTOR",
-        conflicts_with = "peak",
-        allow_negative_numbers = true
-    )]
-    pub(crate) scale: Option<f64>,
-    /// Multiply all components by the one factor that brings the largest horizontal peak to this: "0.3 g"
-    #[arg(long, value_name = "ACCELERATION")]
-    pub(crate) peak: Option<String>,
 }
 
 /// How far the equations of a chain go.

@@ -10,20 +10,36 @@ use crate::wrong::Noted;
 use anyhow::Result;
 use dolmen_folder::{Found, Outputs};
 use dolmen_report::files::identification_files;
-use dolmen_report::identification_text;
-use dolmen_report::json::identification_json;
-use dolmen_work::{IdentifyOptions, identify};
+use dolmen_report::json::{identification_json, written_back_json};
+use dolmen_report::{identification_text, written_back_text};
+use dolmen_work::{IdentifyOptions, identify, write_back};
 
 pub(crate) fn run(options: &Options, manner: &Manner) -> Result<Outcome> {
     let found = Found::open(&options.project, manner.access())?;
     let how = IdentifyOptions {
         survey: options.survey.clone(),
     };
-    let answer = identify(&found.opened, &how, &found.files, &Terminal::new(manner.quiet))?;
+    let mut answer = identify(&found.opened, &how, &found.files, &Terminal::new(manner.quiet))?;
+    let written = options
+        .write
+        .then(|| write_back(&found.opened, &answer, &found.files));
+    if let Some(Ok(written)) = &written {
+        answer.project = written.opened.project.clone();
+    }
     if manner.json {
-        say_json(&identification_json(&answer))?;
+        let mut value = identification_json(&answer);
+        if let Some(Ok(written)) = &written {
+            value["written"] = written_back_json(written);
+        }
+        say_json(&value)?;
     } else {
         say(&identification_text(&answer, manner.style()))?;
+    }
+    if let Some(written) = written.transpose()? {
+        dolmen_folder::rewrite(&found.file, written.opened.text.as_bytes())?;
+        if !manner.json {
+            say(&written_back_text(&answer.file, &written, manner.style()))?;
+        }
     }
     if let Some(folder) = &options.output {
         Outputs::of(manner.access(), &found)

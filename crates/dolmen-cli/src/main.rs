@@ -10,6 +10,7 @@ mod check;
 mod cli;
 mod cli_follow;
 mod cli_language;
+mod cli_motion;
 mod cli_portfolio;
 mod cli_survey;
 mod cli_tune;

@@ -1,6 +1,6 @@
 //! `dolmen motion`: ground motions read, measured, matched, made and written.
 
-use crate::cli::{GroundMotionVerb as Options, Shape};
+use crate::cli_motion::{GroundMotionVerb as Options, Shape};
 use crate::manner::Manner;
 use crate::note::note;
 use crate::outcome::Outcome;

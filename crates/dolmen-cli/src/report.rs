@@ -218,11 +218,11 @@ pub(crate) fn demo(options: &Demo, manner: &Manner) -> Result<Outcome> {
             manner,
         )?;
         if !manner.quiet {
-            let name = &answer.project.name;
+            let (name, language) = (&answer.project.name, manner.language());
             say(&format!(
                 "{}: {}\n",
-                manner.language().pick(name.english(), name.korean()),
-                project_line(&answer)
+                language.pick(name.english(), name.korean()),
+                project_line(&answer, language)
             ))?;
         }
         answers.push(answer);

@@ -1,6 +1,7 @@
 //! From flags to the options of the verbs.
 
-use crate::cli::{Motion, Points, Rotations, Simulate};
+use crate::cli::{Points, Rotations, Simulate};
+use crate::cli_motion::Motion;
 use crate::manner::Manner;
 use anyhow::Result;
 use dolmen::blocks::ContactRule;

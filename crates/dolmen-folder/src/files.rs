@@ -3,7 +3,7 @@
 use crate::wrong::{Lying, PathError};
 use anyhow::Result;
 use dolmen_records::FileError;
-use dolmen_words::said_by_system;
+use dolmen_words::{composed, nearest, said_by_system};
 use std::fs;
 use std::io::{Read as _, Write as _};
 use std::path::{Path, PathBuf};
@@ -50,21 +50,59 @@ fn not_a_file(there: &fs::Metadata) -> Option<Lying> {
     }
 }
 
-/// All bytes of a regular file, if they are not too many.
+/// Names of what lies beside a file.
+fn beside(path: &Path) -> Vec<String> {
+    let folder = folder_of(path);
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+    entries
+        .filter_map(|entry| entry.file_name().into_string().ok())
+        .collect()
+}
+
+/// A file whose name is the same letters composed otherwise: macOS writes Hangul in parts (NFD), Windows and Linux whole (NFC).
+fn composed_alike(path: &Path) -> Option<PathBuf> {
+    let wanted = composed(path.file_name()?.to_str()?);
+    let found = beside(path).into_iter().find(|name| composed(name) == wanted)?;
+    Some(path.with_file_name(found))
+}
+
+fn absent(path: &Path) -> FileError {
+    let shown = path.display().to_string();
+    let name = path.file_name().map(|name| name.to_string_lossy().into_owned());
+    let (name, beside) = (name.unwrap_or_default(), beside(path));
+    match nearest(&name, beside.iter().map(String::as_str)) {
+        Some(near) => FileError::Misspelt {
+            shown,
+            near: near.to_owned(),
+        },
+        None => FileError::Absent { shown },
+    }
+}
+
+/// All bytes of a regular file, if they are not too many. A file whose name is composed otherwise (NFC, NFD) is that file.
 pub fn read(path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
     let shown = || path.display().to_string();
     let unreadable = |why: std::io::Error| FileError::Unreadable {
         shown: shown(),
         why: said_by_system(&why),
     };
+    let (found, there) = match fs::metadata(path) {
+        Ok(there) => (path.to_owned(), there),
+        Err(why) if why.kind() == std::io::ErrorKind::NotFound => {
+            let found = composed_alike(path).ok_or_else(|| absent(path))?;
+            let there = fs::metadata(&found).map_err(unreadable)?;
+            (found, there)
+        }
+        Err(why) => return Err(unreadable(why)),
+    };
     // before it is opened: opening a pipe waits for a writer
-    if let Some(what) = not_a_file(&fs::metadata(path).map_err(unreadable)?) {
+    if let Some(what) = not_a_file(&there) {
         return Err(FileError::NotAFile {
             shown: shown(),
             what: what.into(),
         });
     }
-    let file = fs::File::open(path).map_err(unreadable)?;
+    let file = fs::File::open(found).map_err(unreadable)?;
     let bytes = file.metadata().map_err(unreadable)?.len();
     let too_large = |bytes: u64| FileError::TooLarge {
         shown: shown(),
@@ -105,6 +143,25 @@ pub fn read_text(path: &Path, most: u64) -> Result<String> {
         }
         .into()
     })
+}
+
+/// Writes new bytes to a file of the user that is there, whole or not at all; who may read and write it stays as it was.
+///
+/// # Errors
+/// As [`write`]; a file that is not to be written to.
+pub fn rewrite(path: &Path, bytes: &[u8]) -> Result<()> {
+    let failed = |why: std::io::Error| {
+        anyhow::Error::new(PathError::CannotWrite {
+            path: path.display().to_string(),
+            why,
+        })
+    };
+    let kept = fs::metadata(path).map_err(failed)?.permissions();
+    if kept.readonly() {
+        return Err(failed(std::io::ErrorKind::PermissionDenied.into()));
+    }
+    write(path, bytes)?;
+    fs::set_permissions(path, kept).map_err(failed)
 }
 
 /// Writes `bytes` to `path` whole or not at all: a temporary file beside it, then a rename. A link is followed; a device or a pipe is written to

@@ -14,7 +14,7 @@ mod wrong;
 
 pub use access::Access;
 pub use arriving::{Inbox, InboxLook, Look, move_into, quarantine, quarantined};
-pub use files::{fill_fresh, free_folder, fresh_folder, read, read_text, start, write};
+pub use files::{fill_fresh, free_folder, fresh_folder, read, read_text, rewrite, start, write};
 pub use open::{Folder, Found};
 pub use outputs::Outputs;
 pub use portfolio::{ProjectsBelow, portfolio};

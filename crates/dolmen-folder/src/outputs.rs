@@ -12,7 +12,7 @@ use dolmen_report::files::{NamedFile, is_marked};
 use dolmen_work::study::fingerprint;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
 /// The list of what Dolmen wrote into a folder.
 const LIST: &str = ".dolmen-files";
@@ -28,6 +28,20 @@ const KNOWN_BYTES_MOST: u64 = 4 << 30;
 pub struct Outputs {
     inputs: BTreeSet<PathBuf>,
     force: bool,
+}
+
+/// The path that is meant once its folders are made: `..` behind a folder that is not there yet leads back to where it would stand.
+fn settled(path: &Path) -> PathBuf {
+    let mut settled = PathBuf::new();
+    for part in path.components() {
+        match part {
+            Component::ParentDir if !settled.as_os_str().is_empty() && !settled.exists() => {
+                settled.pop();
+            }
+            part => settled.push(part),
+        }
+    }
+    settled
 }
 
 /// What stands where a file is to be written.
@@ -72,6 +86,7 @@ impl Outputs {
     }
 
     fn standing(&self, path: &Path) -> Standing {
+        let path = &settled(path);
         let Ok(there) = fs::metadata(path) else {
             return Standing::Free;
         };
@@ -105,6 +120,7 @@ impl Outputs {
 
     /// Writes one file, whole or not at all.
     pub fn file(&self, path: &Path, bytes: &[u8]) -> Result<()> {
+        let path = &settled(path);
         self.refuse(path)?;
         if is_marked(bytes) || fs::metadata(path).is_ok_and(|there| !there.is_file()) {
             clear_parts(folder_of(path));
@@ -115,6 +131,7 @@ impl Outputs {
 
     /// Writes files into a folder. One that would replace somebody's is put beside it, and that is an error once all are written.
     pub fn folder(&self, folder: &Path, files: &[NamedFile]) -> Result<()> {
+        let folder = &settled(folder);
         let mut by_folder: BTreeMap<PathBuf, Vec<(PathBuf, &[u8])>> = BTreeMap::new();
         let mut beside = Vec::new();
         for file in files {

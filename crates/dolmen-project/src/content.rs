@@ -13,14 +13,14 @@ use super::study::StudyPart;
 use super::survey::{ChangePart, Survey, WatchPart};
 use dolmen::assess::demand::DriftLimit;
 use dolmen_words::Sentence;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
 /// What the file models: its `kind`.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Structure {
     /// `kind = "chain"`: rigid links on rotational springs.
-    Chain(ChainPart),
+    Chain(Box<ChainPart>),
     /// `kind = "frame"`: rigid storeys on lateral springs.
     Frame(FramePart),
     /// `kind = "stack"`: blocks of stone on each other.
@@ -135,6 +135,21 @@ pub struct Project {
     pub spans: BTreeMap<String, Range<usize>>,
 }
 
+impl Structure {
+    /// Its own numbers: weights, lengths, stiffnesses.
+    pub fn inputs(&self) -> Vec<&Quantity> {
+        let mut all = Vec::new();
+        match self {
+            Structure::Chain(chain) => chain.inputs(&mut all),
+            Structure::Frame(frame) => frame.inputs(&mut all),
+            Structure::Stack(stack) => stack.inputs(&mut all),
+            Structure::Building(building) => building.inputs(&mut all),
+            Structure::Survey => {}
+        }
+        all
+    }
+}
+
 impl Project {
     /// Every number of the file that a result may depend on: the structure's, then the surveys'.
     pub fn inputs(&self) -> Vec<&Quantity> {
@@ -147,16 +162,15 @@ impl Project {
 
     /// The structure's own numbers: weights, lengths, stiffnesses.
     pub fn structure_inputs(&self) -> Vec<&Quantity> {
-        let mut all = Vec::new();
-        match &self.structure {
-            Structure::Chain(chain) => chain.inputs(&mut all),
-            Structure::Frame(frame) => frame.inputs(&mut all),
-            Structure::Stack(stack) => stack.inputs(&mut all),
-            Structure::Building(building) => building.inputs(&mut all),
-            Structure::Survey => {}
-        }
+        let mut all = self.structure.inputs();
         self.loads.inputs(&mut all);
         all
+    }
+
+    /// The surveys that numbers of the structure were identified from.
+    pub fn identified_from(&self) -> BTreeSet<&str> {
+        let all = self.structure.inputs();
+        all.into_iter().filter_map(|of| of.survey.as_deref()).collect()
     }
 
     /// The input at a path, `links[1].weight`.

@@ -55,11 +55,11 @@ messages! {
         },
         DampingHigh { path: String, value: Quantity } => {
             en: "{path} is {value}, twice or more what structures have (0.005 to 0.1): did you mean a tenth of it? 2 % is 0.02",
-            ko: "{path}이(가) {value}로 구조물의 값(0.005~0.1)보다 크다. 10분의 1이 아닌가? 2 %는 0.02이다",
+            ko: "{path}이(가) {value}(으)로 구조물의 값(0.005~0.1)보다 크다. 10분의 1이 아닌가? 2 %는 0.02이다",
         },
         DampingLow { path: String, value: Quantity } => {
             en: "{path} is {value}, far below what structures have (0.005 to 0.1): was it divided by 100 twice? 2 % is 0.02",
-            ko: "{path}이(가) {value}로 구조물의 값(0.005~0.1)보다 훨씬 작다. 100으로 두 번 나눈 것이 아닌가? 2 %는 0.02이다",
+            ko: "{path}이(가) {value}(으)로 구조물의 값(0.005~0.1)보다 훨씬 작다. 100으로 두 번 나눈 것이 아닌가? 2 %는 0.02이다",
         },
         FrictionLow { path: String, value: Quantity } => {
             en: "{path} is {value}, and stone on stone has 0.4 to 0.8: did you mean ten times as much?",
@@ -81,6 +81,10 @@ messages! {
         SurveysDiffer { path: String, measured: Quantity, others: Quantity } => {
             en: "{path}: frequency {measured}, where the other surveys have {others} for the same mode: is it in rad/s, or a period in s?",
             ko: "{path}: 진동수 {measured}, 같은 모드의 다른 조사는 {others}이다. rad/s이거나 초 단위의 주기가 아닌가?",
+        },
+        Warm { path: String, given: Quantity } => {
+            en: "{path} = {given} is hotter than air gets: is it °F? (°F − 32) × 5/9 is °C",
+            ko: "{path} = {given}은(는) 기온으로 볼 수 없게 높다. 화씨(°F)인가? (°F − 32) × 5/9가 섭씨이다",
         },
         LargeTilt { path: String, degrees: Quantity } => {
             en: "{path} is a tilt of {degrees}°: is it in degrees? A bare number is horizontal / vertical: \"1/177\", \"0.32 deg\", \"5.65 mm/m\"",

@@ -52,6 +52,8 @@ pub(super) enum EvidenceRaw {
     Test,
     /// Published.
     Literature,
+    /// Follows from a survey of this structure: `dolmen identify --write`.
+    Identified,
     /// Nobody has measured it.
     Assumed,
 }
@@ -85,6 +87,8 @@ pub(super) struct QuantityTable {
     pub(super) sd: Option<At<f64>>,
     /// Where it comes from.
     pub(super) source: Option<EvidenceRaw>,
+    /// source = "identified": the survey that it follows from.
+    pub(super) survey: Option<At<String>>,
     /// Where cov or sd comes from, if not from the same source.
     pub(super) cov_source: Option<EvidenceRaw>,
     /// Anything to add.

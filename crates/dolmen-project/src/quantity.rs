@@ -9,17 +9,20 @@ pub enum Evidence {
     Test,
     /// Published.
     Literature,
+    /// Follows from vibration of this structure: a survey led to it.
+    Identified,
     /// Nobody has measured it: results that rest on it say so.
     Assumed,
 }
 
 impl Evidence {
-    /// The word in the file: "measured", "test", "literature", "assumed".
+    /// The word in the file: "measured", "test", "literature", "identified", "assumed".
     pub fn word(self) -> &'static str {
         match self {
             Evidence::Measured => "measured",
             Evidence::Test => "test",
             Evidence::Literature => "literature",
+            Evidence::Identified => "identified",
             Evidence::Assumed => "assumed",
         }
     }
@@ -41,6 +44,8 @@ pub struct Quantity {
     pub source: Option<Evidence>,
     /// Where the cov comes from: `source` if the file says nothing else; `None` without a cov or a source.
     pub cov_source: Option<Evidence>,
+    /// The survey that it was identified from; `None` unless it was.
+    pub survey: Option<String>,
     /// Anything the author added.
     pub note: Option<String>,
     /// Where it stands in the file, parts counted from 1: `links[1].weight`.

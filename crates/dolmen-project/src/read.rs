@@ -12,6 +12,7 @@ use super::file_names::NamesRaw;
 use super::file_number::At;
 use super::foreign::foreign_keys;
 use super::frame::frame;
+use super::identified::without_survey;
 use super::limits::limits;
 use super::loads::{judge_loads, loads};
 use super::measure::{Bound, Measure};
@@ -264,7 +265,7 @@ fn of_raw(
     let mut structure = match kind {
         Some(KindRaw::Chain) => chain(&mut reader, &raw, gravity_m_s2).map(|mut part| {
             lean_chain(&mut reader, raw.as_surveyed.as_ref(), &surveys, &mut part);
-            Structure::Chain(part)
+            Structure::Chain(Box::new(part))
         }),
         Some(KindRaw::Frame) => {
             let mut surveyed: Vec<String> = Vec::new();
@@ -292,6 +293,11 @@ fn of_raw(
     if !reader.has_wrong_units {
         judge_loads(&mut reader, &loads);
         slips::judge(&mut reader, gravity.as_ref(), structure.as_ref(), &surveys);
+    }
+    if let Some(structure) = &structure {
+        let names: Vec<&str> = surveys.iter().map(|survey| survey.name.as_str()).collect();
+        let faults = without_survey(&structure.inputs(), &names, |path| reader.place(path));
+        faults.into_iter().for_each(|fault| reader.fault(fault));
     }
     buildable(&mut reader, structure.as_mut());
     if reader.faults.is_empty() {

@@ -5,6 +5,7 @@ use super::doubted::Doubted;
 use super::error::Fault;
 use super::file::{KindRaw, UnitsRaw};
 use super::file_number::{At, EvidenceRaw, NumberRaw, QuantityRaw};
+use super::identified::identified_from;
 use super::measure::{Bound, Measure};
 use super::quantity::{Evidence, Quantity};
 use super::units::{Dimension, Unit, UnitError, is_angle, parse_unit, split_number, tilt_ratio};
@@ -247,7 +248,7 @@ impl<'f> Reader<'f> {
             );
             return None;
         }
-        if unit.dimension == measure.dimension() {
+        if let Some(unit) = unit.measuring(measure.dimension()) {
             return Some(unit);
         }
         let needed = measure.dimension();
@@ -454,6 +455,7 @@ impl<'f> Reader<'f> {
             cov: None,
             source: None,
             cov_source: None,
+            survey: None,
             note: None,
             path: path.to_owned(),
             written: number.written,
@@ -465,6 +467,10 @@ impl<'f> Reader<'f> {
         if let Some(table) = table {
             quantity.source = table.source.map(evidence).or(quantity.source);
             quantity.note.clone_from(&table.note);
+            match identified_from(table, path, at) {
+                Ok(survey) => quantity.survey = survey,
+                Err(fault) => self.fault(*fault),
+            }
             quantity.cov = match (&table.cov, &table.sd) {
                 (Some(_), Some(sd)) => {
                     let message = WrongNumber::HasBothCovAnd {
@@ -536,6 +542,7 @@ fn evidence(raw: EvidenceRaw) -> Evidence {
         EvidenceRaw::Measured => Evidence::Measured,
         EvidenceRaw::Test => Evidence::Test,
         EvidenceRaw::Literature => Evidence::Literature,
+        EvidenceRaw::Identified => Evidence::Identified,
         EvidenceRaw::Assumed => Evidence::Assumed,
     }
 }

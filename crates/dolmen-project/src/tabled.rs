@@ -139,7 +139,8 @@ pub(super) fn tabled(text: &str, files: &dyn Files) -> Result<Vec<Tabled>, Vec<F
         let rows = match read_sheet(&bytes, file, word("sheet")) {
             Ok(rows) => rows,
             Err(why) => {
-                faults.push(at(key, format!("{file} {why}").into()));
+                let (file, why) = (file.to_owned(), said(&why));
+                faults.push(at(key, WrongTable::Sheet { file, why }.into()));
                 continue;
             }
         };
@@ -246,10 +247,13 @@ fn list(
         text.push_str("{ ");
         let path = format!("{key}[{number}]");
         for (at, cell) in row.iter().enumerate() {
+            let head = heads.get(at).and_then(Option::as_ref);
             if cell.value == SheetValue::Empty {
+                // where a value is missing, its cell is what must be filled
+                places.extend(head.map(|(name, _)| (format!("{path}.{name}"), cell.place.clone())));
                 continue;
             }
-            let Some((name, unit)) = heads.get(at).and_then(Option::as_ref) else {
+            let Some((name, unit)) = head else {
                 let message = WrongTable::CellStandsUnderNo {
                     file: file.to_string(),
                     place: cell.place.to_string(),
@@ -315,7 +319,7 @@ fn checked_unit(
         ));
     };
     let needed = measure.dimension();
-    let read = parse_unit(unit).ok().filter(|read| read.dimension == needed);
+    let read = parse_unit(unit).ok().and_then(|read| read.measuring(needed));
     let Some(read) = read else {
         let said = WrongTable::ColumnNeedsButIts {
             name: name.to_string(),
@@ -353,9 +357,21 @@ fn written(name: &str, value: &SheetValue, unit: Option<&str>) -> String {
             Some(unit) => quoted(&format!("{number} {unit}")),
             None => number.to_string(),
         },
+        // a spreadsheet keeps numbers as text where a cell was formatted so
+        SheetValue::Text(text) if !is_words && is_number(text) => match unit {
+            Some(unit) => quoted(&format!("{} {unit}", text.trim())),
+            None => text.trim().to_owned(),
+        },
         SheetValue::Text(text) => quoted(text),
         SheetValue::Empty => quoted(""),
     }
+}
+
+fn is_number(text: &str) -> bool {
+    let text = text.trim();
+    text.starts_with(|sign: char| sign.is_ascii_digit() || sign == '-')
+        && text.ends_with(|sign: char| sign.is_ascii_digit())
+        && text.parse::<f64>().is_ok()
 }
 
 fn quoted(text: &str) -> String {

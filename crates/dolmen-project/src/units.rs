@@ -129,6 +129,19 @@ pub(super) struct Unit {
     pub(super) dimension: Dimension,
 }
 
+impl Unit {
+    /// The unit as one of what is needed: itself, or that of a unit weight, kN/m³, as a density; `None` where it measures something else.
+    pub(super) fn measuring(self, needed: Dimension) -> Option<Unit> {
+        match (needed, self.dimension) {
+            (Dimension::DENSITY, Dimension::STRESS_PER_LENGTH) => Some(Unit {
+                factor: self.factor / STANDARD_GRAVITY_M_S2,
+                dimension: needed,
+            }),
+            (_, own) => (own == needed).then_some(self),
+        }
+    }
+}
+
 /// Why a text is not a unit.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum UnitError {

@@ -53,6 +53,13 @@ pub enum FileError {
         /// The file, as a user would look for it.
         shown: String,
     },
+    /// There is none of this name, but one of a name like it beside it.
+    Misspelt {
+        /// The file, as a user would look for it.
+        shown: String,
+        /// The name of that beside it.
+        near: String,
+    },
     /// There are no files here, only text.
     TextAlone,
 }

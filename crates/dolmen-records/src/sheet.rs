@@ -162,8 +162,32 @@ fn of_xlsx(bytes: &[u8], sheet: Option<&str>) -> Result<Vec<Vec<SheetCell>>, She
             place: format!("{}:{}", corner(*start), corner(*end)),
         });
     }
+    refuse_far(&mut book, &name)?;
     refuse_formula(&book.worksheet_formula(&name).map_err(unreadable)?)?;
     cells(&book.worksheet_range(&name).map_err(unreadable)?)
+}
+
+/// Refuses a sheet with a cell far from the others before room is made for all between: one at XFD1048576 would take half a terabyte.
+fn refuse_far(book: &mut Xlsx<Cursor<&[u8]>>, name: &str) -> Result<(), SheetError> {
+    let mut most = (0, 0);
+    let mut far = |(row, column): (u32, u32)| {
+        most = (most.0.max(row as usize + 1), most.1.max(column as usize + 1));
+        let (rows, columns) = most;
+        match rows > ROWS_MOST || columns > COLUMNS_MOST {
+            true => Err(SheetError::TooMany { rows, columns }),
+            false => Ok(()),
+        }
+    };
+    let mut each = book.worksheet_cells_reader(name).map_err(unreadable)?;
+    while let Some(cell) = each.next_cell().map_err(unreadable)? {
+        far(cell.get_position())?;
+    }
+    drop(each);
+    let mut each = book.worksheet_cells_reader(name).map_err(unreadable)?;
+    while let Some(cell) = each.next_formula().map_err(unreadable)? {
+        far(cell.get_position())?;
+    }
+    Ok(())
 }
 
 fn of_ods(bytes: &[u8], sheet: Option<&str>) -> Result<Vec<Vec<SheetCell>>, SheetError> {
@@ -313,6 +337,21 @@ mod tests {
         }
         sheet.write_string(3, 1, "몸돌").unwrap();
         sheet.write_number(3, 2, 950.0).unwrap();
+    }
+
+    #[test]
+    fn refuses_a_cell_far_from_the_others_without_room_for_all_between() {
+        let far = book(|sheet| {
+            heads(sheet);
+            sheet.write_string(1_048_575, 16_383, "x").unwrap();
+        });
+        assert_eq!(
+            read_sheet(&far, "stones.xlsx", None).unwrap_err(),
+            SheetError::TooMany {
+                rows: 1_048_576,
+                columns: 16_384
+            }
+        );
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! What every brief and every full answer on a terminal has: what decides, how much more there is, the notes on the file.
 
-use crate::document::{Finding, TextStyle, findings_text, heading_text, wrapped};
+use crate::document::{Finding, TextStyle, Tone, findings_text, heading_text, wrapped};
 use dolmen_project::{Project, Warning};
 use dolmen_words::{Language, Sentence, messages};
 
@@ -26,20 +26,38 @@ fn said(message: Brief, language: Language) -> String {
     Sentence::from(message).text(language)
 }
 
-/// The findings that decide, and how much more there is. `above`: lines that the headline takes beyond its first.
+/// The findings that decide, in their order, and how much more there is; where there is no room for all, those to act on. `above`: lines that the headline takes beyond its first.
 pub(crate) fn brief_text(all: &[Finding], project: &Project, above: usize, style: TextStyle) -> String {
-    let most = LINES_MOST.saturating_sub(above);
-    let mut out = String::new();
-    let mut shown = 0;
-    for finding in all.iter().filter(|finding| finding.is_key) {
-        let lines = findings_text([finding], style);
-        if out.lines().count() + lines.lines().count() > most.saturating_sub(1) {
+    let mut left = LINES_MOST.saturating_sub(above + 1);
+    let key: Vec<&Finding> = all.iter().filter(|finding| finding.is_key).collect();
+    let mut by_weight: Vec<usize> = (0..key.len()).collect();
+    by_weight.sort_by_key(|&i| (i > 0, rank(key[i].tone)));
+    let mut shown = vec![false; key.len()];
+    for i in by_weight {
+        let lines = findings_text([key[i]], style).lines().count();
+        if lines > left {
             break;
         }
-        out += &lines;
-        shown += 1;
+        left -= lines;
+        shown[i] = true;
     }
-    out + &more_text(project, all.len() - shown, style)
+    let shown: Vec<&Finding> = key
+        .into_iter()
+        .zip(shown)
+        .filter(|of| of.1)
+        .map(|of| of.0)
+        .collect();
+    let count = shown.len();
+    findings_text(shown, style) + &more_text(project, all.len() - count, style)
+}
+
+/// In what order findings are given the lines that there are: the first whatever it is, then those to act on.
+fn rank(tone: Tone) -> u8 {
+    match tone {
+        Tone::Bad => 0,
+        Tone::Warn | Tone::Unknown => 1,
+        Tone::Plain | Tone::Good => 2,
+    }
 }
 
 fn more_text(project: &Project, findings: usize, style: TextStyle) -> String {

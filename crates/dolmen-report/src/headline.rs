@@ -46,6 +46,10 @@ messages! {
         WordRatio { word: Both, ratio: Quantity } => { en: "{word} ({ratio})", ko: "{word}({ratio})" },
         WordFalls { word: Both } => { en: "{word} (it falls)", ko: "{word}(붕괴)" },
         WordDamage { word: Both, state: usize } => { en: "{word} (DS{state})", ko: "{word}(DS{state})" },
+        WordRuns { word: Both, state: usize, runs: usize, all: usize } => {
+            en: "{word} (DS{state} in {runs} of {all} runs)",
+            ko: "{word}(DS{state}, 해석 {all}회 중 {runs}회)",
+        },
         WordRoom { word: Both, part: String, ratio: Quantity } => {
             en: "{word} (room of {part}: {ratio})",
             ko: "{word}({part} 여유 공간: {ratio})",
@@ -74,6 +78,7 @@ messages! {
             ko: "{word}(지진 없이도 서 있지 못함)",
         },
         WordOpen { word: Both } => { en: "{word} (the run is not whole)", ko: "{word}(해석 미완료)" },
+        Alarm => { en: "over the years: an open alarm, or a tilt or crack beyond its limit", ko: "경년 변화: 조치되지 않은 경보가 있거나 기울기·균열이 한계를 넘음" },
         Assumed { assumed: usize, all: usize } => {
             en: "assumed inputs: {assumed} of {all}",
             ko: "가정한 입력: {all}개 중 {assumed}개",
@@ -117,7 +122,7 @@ fn parts(judged: &VersionJudgement) -> Vec<Sentence> {
     let mut all = Vec::new();
     let contradicted = match &judged.evidence {
         Evidence::Contradicted(of) => Some(contradicted(of)),
-        Evidence::Agrees { .. } | Evidence::NotMeasured { .. } => None,
+        Evidence::Agrees { .. } | Evidence::NotCompared { .. } | Evidence::NotMeasured { .. } => None,
     };
     let is_unknown = matches!(judged.weight, Some(Weight::Unknown { .. }));
     all.extend(
@@ -230,6 +235,12 @@ fn word(of: &EarthquakeFinding) -> Headline {
         (DecidedBy::DamageState(state), _) => Headline::WordDamage {
             word,
             state: usize::from(*state),
+        },
+        (DecidedBy::DamageOfRuns { state, runs, all }, _) => Headline::WordRuns {
+            word,
+            state: usize::from(*state),
+            runs: *runs,
+            all: *all,
         },
         (DecidedBy::Strength, _) => Headline::WordTie { word },
         (DecidedBy::NoLimit, _) => Headline::WordNoLimit { word },

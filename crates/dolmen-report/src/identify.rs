@@ -2,10 +2,11 @@
 
 use crate::brief::{all_findings_text, brief_text, notes_text};
 use crate::check::project_text;
-use crate::document::{Finding, TextStyle, document_text, wrapped};
+use crate::document::{Finding, TextStyle, Tone, document_text, wrapped};
 use crate::{identification, modal};
 use dolmen_words::{Sentence, messages};
 use dolmen_work::answer::IdentifyAnswer;
+use dolmen_work::can_be_written;
 use dolmen_work::surveyed::SurveyAnswer;
 
 messages! {
@@ -32,6 +33,9 @@ pub fn identification_text(answer: &IdentifyAnswer, style: TextStyle) -> String 
     }
     let mut all: Vec<Finding> = answer.surveys.iter().flat_map(modal::findings).collect();
     all.extend(identification::findings(&answer.project, &answer.surveys));
+    if can_be_written(answer) && answer.project.identified_from().is_empty() {
+        all.push(Finding::key(Tone::Plain, identification::Written::CanBe));
+    }
     if !style.is_full {
         return out + &brief_text(&all, &answer.project, 0, style);
     }

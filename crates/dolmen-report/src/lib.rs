@@ -53,6 +53,7 @@ pub mod xlsx;
 pub use check::check_text;
 pub use document::TextStyle;
 pub use headline::simulation_headline_text;
+pub use identification::written_back_text;
 pub use identify::identification_text;
 pub use motion::motion_report_text;
 pub use rank::rank_text;

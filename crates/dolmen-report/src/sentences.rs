@@ -27,6 +27,7 @@ pub fn sentences() -> Vec<Template> {
     groups.push(dolmen_work::loads::Governed::TEMPLATES);
     groups.extend(check::TEMPLATES);
     groups.push(headline::TEMPLATES);
+    groups.push(text::PROJECT_LINE);
     groups.push(dolmen_project::Warned::TEMPLATES);
     groups.push(dolmen_project::Doubted::TEMPLATES);
     groups.extend(dolmen_project::ERRORS);

@@ -10,6 +10,11 @@ const DEVICES: [&str; 4] = ["con", "prn", "aux", "nul"];
 /// Names that Windows keeps for ports, followed by one digit.
 const PORTS: [&str; 2] = ["com", "lpt"];
 
+/// A name in composed form (NFC): what looks the same is the same.
+pub fn composed(name: &str) -> String {
+    name.nfc().collect()
+}
+
 /// A name as that of a file or folder, the same on Linux, macOS and Windows: never empty, never a path, never a device.
 ///
 /// Letters, digits, spaces within, `-`, `_`, `+`, `,`, `=`, `(`, `)` and dots within stay as they are, in composed form (NFC); every other

@@ -78,10 +78,44 @@ pub fn ending(text: &str) -> Option<Ending> {
             8 => Ending::Rieul,
             _ => Ending::Consonant,
         },
-        '1' | '7' | '8' | 'l' | 'L' | 'r' | 'R' => Ending::Rieul, // 일, 칠, 팔, 엘, 알
-        '0' | '3' | '6' | 'm' | 'M' | 'n' | 'N' => Ending::Consonant, // 영, 삼, 육, 엠, 엔
+        last if last.is_ascii_alphabetic() => ending_of_latin(read),
+        '1' | '7' | '8' => Ending::Rieul,     // 일, 칠, 팔
+        '0' | '3' | '6' => Ending::Consonant, // 영, 삼, 육
         _ => Ending::Vowel,
     })
+}
+
+/// Ending of a word in Latin letters: a letter alone and capitals by the names of letters (엘, 알, 엠, 엔), else as a loanword is spelt:
+/// 스톤, 프레임, 푸팅, 블록, 캡, 볼; but 로거, 루프, 샤프트.
+fn ending_of_latin(read: &str) -> Ending {
+    let start = read
+        .rfind(|c: char| !c.is_ascii_alphabetic())
+        .map_or(0, |at| at + read[at..].chars().next().map_or(0, char::len_utf8));
+    let word = &read[start..];
+    let is_spelt = word.len() == 1 || word.bytes().all(|letter| letter.is_ascii_uppercase());
+    let word = word.to_ascii_lowercase();
+    if is_spelt {
+        return match word.as_bytes().last() {
+            Some(b'l' | b'r') => Ending::Rieul,
+            Some(b'm' | b'n') => Ending::Consonant,
+            _ => Ending::Vowel,
+        };
+    }
+    let before = |end: &str| word.strip_suffix(end).and_then(|rest| rest.chars().last());
+    let is_vowel = |letter: char| "aeiou".contains(letter);
+    if ["l", "le"].iter().any(|end| word.ends_with(end)) {
+        return Ending::Rieul;
+    }
+    let is_closed = ["n", "m", "ng", "ne", "me", "ck"]
+        .iter()
+        .any(|end| word.ends_with(end))
+        || ["k", "p", "c"]
+            .iter()
+            .any(|end| before(end).is_some_and(is_vowel));
+    match is_closed {
+        true => Ending::Consonant,
+        false => Ending::Vowel,
+    }
 }
 
 #[cfg(test)]
@@ -98,6 +132,13 @@ mod tests {
             ("기울기 1/210(으)로 본다", "기울기 1/210로 본다"),
             ("‘복발’을(를) 받친다", "‘복발’을 받친다"),
             ("지대석과 지주와(과) 초석", "지대석과 지주와 초석"),
+            ("‘keystone’이(가)", "‘keystone’이"),
+            ("footing이(가)", "footing이"),
+            ("logger은(는)", "logger는"),
+            ("crown bowl(으)로", "crown bowl로"),
+            ("roof이(가) cap을(를)", "roof가 cap을"),
+            ("KDS은(는) x이(가) SPM과 n을(를)", "KDS는 x가 SPM과 n을"),
+            ("2023-04-13와(과) 292.3(으)로", "2023-04-13과 292.3으로"),
         ] {
             assert_eq!(particles(written, None), chosen);
         }

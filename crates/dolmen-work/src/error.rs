@@ -54,6 +54,18 @@ pub enum WorkError {
         /// What the project says.
         unit: String,
     },
+    /// No survey determines the stiffness that the file could hold.
+    NothingToWrite,
+    /// Several surveys determine it.
+    SeveralToWrite {
+        /// Their names.
+        surveys: Vec<String>,
+    },
+    /// A value stands in a table beside the project file.
+    NotInTheFile {
+        /// Its path.
+        path: String,
+    },
     /// The photographs of a report are too large together.
     TooManyPhotos {
         /// The limit, MiB.

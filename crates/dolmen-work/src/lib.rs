@@ -57,6 +57,7 @@ mod version;
 pub mod watch;
 pub mod watched;
 pub mod watched_log;
+mod write_back;
 mod wrong;
 
 pub use change_fault::ChangeFault;
@@ -74,4 +75,5 @@ pub use tilt_left_out::TiltLeftOut;
 pub use told::{Sayable, complaint, did_not_converge, told, told_both, told_by, told_in};
 pub use undamped::{IdentifiedDamping, Undamped};
 pub use validate::validate;
+pub use write_back::{WrittenBack, can_be_written, write_back};
 pub use wrong::ERRORS;

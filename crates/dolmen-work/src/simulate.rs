@@ -117,7 +117,7 @@ fn evidence(version: &Version<'_>) -> Result<Evidence, WorkError> {
         return Ok(Evidence::none());
     }
     let check = kinds::check(version.project, &mut Quantity::nominal)?;
-    Ok(check.map_or_else(Evidence::none, |check| Evidence::of(surveys, &check, None)))
+    Ok(check.map_or_else(Evidence::none, |check| Evidence::of(version.project, &check)))
 }
 
 impl PreparedSimulation<'_> {

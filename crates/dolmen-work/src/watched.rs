@@ -2,7 +2,7 @@
 
 use crate::sensor_alarms::SensorAlarm;
 use crate::watched_log::WatchedLog;
-use dolmen::monitoring::{Track, Watched};
+use dolmen::monitoring::{ANSWERED_DAYS, Track, Watched};
 use dolmen_project::{LogKind, Project, WorkPart};
 use std::sync::Arc;
 
@@ -51,6 +51,12 @@ pub struct WatchedSurvey {
 }
 
 impl WatchAnswer {
+    /// Whether a day is so far behind the last survey that a work dated so answers nothing: planned, or a slip.
+    pub fn is_far_ahead(&self, day: f64) -> bool {
+        let last = self.surveys.last();
+        last.is_some_and(|last| day > last.day + ANSWERED_DAYS)
+    }
+
     /// In how many surveys the user insists on the mode that is followed.
     pub fn accepted_in(&self, track: &Track) -> usize {
         let both = track.modes.iter().zip(&self.surveys);

@@ -227,7 +227,7 @@ fn holds_a_table_without_the_ground_is_unknown_and_says_what_to_write() {
     let gone = scratch.dolmen("check examples/p10");
     assert_eq!(gone.status, 2, "{}", gone.stdout);
     assert!(
-        gone.stderr.contains("site.file = \"spectrum.csv\": cannot read"),
+        gone.stderr.contains("site.file = \"spectrum.csv\": there is no"),
         "{}",
         gone.stderr
     );

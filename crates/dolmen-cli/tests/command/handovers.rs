@@ -93,7 +93,7 @@ fn refuses_a_photograph_that_cannot_be_shown_with_its_key_and_line() {
         (Some(&b"%PDF-1.7"[..]), "is no JPEG or PNG image"),
         (Some(&png[..200]), "is cut short"),
         (Some(&large[..]), "is an image of 20000 × 20000 pixels"),
-        (None, "cannot read"),
+        (None, "there is no"),
     ] {
         let told = told(bytes);
         assert!(

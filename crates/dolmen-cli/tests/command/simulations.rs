@@ -129,7 +129,7 @@ fn refuses_motions_and_options_that_cannot_be() {
             "--motion-file x=record.csv x=record.csv --unit gal",
             "given twice",
         ),
-        ("--motion-file nothing.at2", "cannot read nothing.at2"),
+        ("--motion-file nothing.at2", "there is no nothing.at2"),
         ("--motion el-centro-1940-ns --peak 0.3", "has no unit"),
         (
             "--motion el-centro-1940-ns --step 0.1",
@@ -187,7 +187,7 @@ fn holds_a_report_shows_the_limits_and_the_motion_in_both_languages() {
         ("ko", ["접합면별 한계", "지진응답 시뮬레이션", "붕괴 없음", "2단"]),
     ] {
         let answer = scratch.dolmen(&format!("{words} {language}"));
-        assert_eq!(answer.status, 0, "{}", answer.stderr);
+        assert_eq!(answer.status, 1, "{}", answer.stderr); // the worst of its runs with small differences decides
         let page = fs::read_to_string(scratch.path().join("page.html")).unwrap();
         for said in said {
             assert!(page.contains(said), "{language}: {said}");

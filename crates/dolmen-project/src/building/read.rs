@@ -330,6 +330,9 @@ fn whole_storey(
 ) -> Option<StoreyStiffnessPart> {
     reader.mark(path, &raw.span);
     let given = &raw.value;
+    if let Some(centre) = &given.centre {
+        reader.mark(&format!("{path}.centre"), &centre.span);
+    }
     let centre = given
         .centre
         .as_ref()

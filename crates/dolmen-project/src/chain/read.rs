@@ -142,7 +142,10 @@ pub(crate) fn chain(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) -> Op
     let joints = match raw.joints.as_ref() {
         None => None,
         Some(joints) => match &joints.value {
-            OrUnknown::Unknown => Some(None),
+            OrUnknown::Unknown => {
+                reader.mark("joints", &joints.span);
+                Some(None)
+            }
             OrUnknown::Known(list) => {
                 let as_many = one_each(reader, list, &joints.span, "joints", ("links", count));
                 let mut all = Vec::with_capacity(list.len());

@@ -163,6 +163,7 @@ fn directions(
             continue;
         };
         let path = format!("direction.{name}.stiffness");
+        reader.mark(&path, &stiffness.span);
         let stiffness = match &stiffness.value {
             OrUnknown::Unknown => None,
             OrUnknown::Known(list) => {

@@ -8,12 +8,18 @@ use crate::wrong::WrongLoads;
 const SPEED_M_S: (f64, f64) = (8.0, 95.0);
 /// Peak velocity pressure, Pa: of such gusts.
 const PRESSURE_PA: (f64, f64) = (40.0, 6000.0);
-/// Force coefficient: a streamlined section to a lattice.
-const COEFFICIENT: (f64, f64) = (0.2, 4.0);
+/// Force coefficient: a smooth round section in a storm to a lattice.
+const COEFFICIENT: (f64, f64) = (0.4, 4.0);
+/// A force from the side or a weight of a load, N: a rope of the hand to a building.
+const FORCE_N: (f64, f64) = (1.0, 5e7);
+/// Factor of the weight in a combination: codes have 0.8 to 1.5.
+const WEIGHT_FACTOR: (f64, f64) = (0.5, 2.0);
 /// Density of air, kg/m³: at 4000 m in summer, at the sea in deep frost.
 const DENSITY_KG_M3: (f64, f64) = (0.7, 1.5);
 
 pub(crate) fn judge_loads(reader: &mut Reader, loads: &LoadsPart) {
+    forces(reader, loads);
+    combinations(reader, loads);
     let WindPart::Given(wind) = &loads.wind else {
         return;
     };
@@ -48,5 +54,35 @@ pub(crate) fn judge_loads(reader: &mut Reader, loads: &LoadsPart) {
             density: wind.air_density_kg_m3.to_string(),
         };
         reader.slip("wind.density", message, WrongLoads::AirHasKgM3);
+    }
+}
+
+fn forces(reader: &mut Reader, loads: &LoadsPart) {
+    let each = loads.loads.iter().flat_map(|load| {
+        let components = load.components.iter().flatten();
+        load.force.iter().chain(&load.weight).chain(components)
+    });
+    let (least, most) = FORCE_N;
+    for of in each.filter(|of| of.value != 0.0 && !(least..=most).contains(&of.value.abs())) {
+        let message = WrongLoads::IsNoLoad {
+            path: of.path.clone(),
+            written: of.written.clone(),
+        };
+        reader.slip(&of.path, message, WrongLoads::LoadsAre);
+    }
+}
+
+fn combinations(reader: &mut Reader, loads: &LoadsPart) {
+    let (least, most) = WEIGHT_FACTOR;
+    for of in &loads.combinations {
+        let Some(name) = of.name.as_ref().filter(|_| !(least..=most).contains(&of.weight)) else {
+            continue;
+        };
+        let path = format!("combination.{name}.weight");
+        let message = WrongLoads::WeightFactor {
+            path: path.clone(),
+            factor: of.weight.to_string(),
+        };
+        reader.slip(&path, message, WrongLoads::FactorsOfWeight);
     }
 }

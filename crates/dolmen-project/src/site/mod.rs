@@ -5,6 +5,7 @@ mod motion;
 mod part;
 mod place;
 mod read;
+mod slips;
 
 pub(crate) use file::{MotionRaw, SiteRaw};
 pub(crate) use motion::motions;

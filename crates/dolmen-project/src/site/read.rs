@@ -3,6 +3,7 @@
 use super::file::{CodeRaw, GroundRaw, HazardRaw, SiteRaw, SoilRaw, ZoneRaw};
 use super::part::{HazardPart, HazardSource, SitePart};
 use super::place::is_place_alone;
+use super::slips::judge_site;
 use crate::error::Fault;
 use crate::file_number::At;
 use crate::measure::{Bound, Measure};
@@ -157,6 +158,7 @@ pub(crate) fn site(reader: &mut Reader, raw: Option<&At<SiteRaw>>) -> Option<Sit
         ));
         return None;
     }
+    judge_site(reader, &part);
     Some(part)
 }
 

@@ -274,7 +274,10 @@ pub struct SupportMovementPart {
 
 /// Whether the file says of a value that it was measured or tested.
 fn is_measured(value: &Quantity) -> bool {
-    matches!(value.source, Some(Evidence::Measured | Evidence::Test))
+    matches!(
+        value.source,
+        Some(Evidence::Measured | Evidence::Test | Evidence::Identified)
+    )
 }
 
 /// Blocks, lowest first, the joints between them, and what ties and holds them.

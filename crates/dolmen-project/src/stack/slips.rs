@@ -28,6 +28,8 @@ const STIFFNESS_RATIO: (f64, f64) = (0.01, 2.0);
 /// Strength of a bond, Pa: lime mortar has 1e4 to 1e6.
 const STRENGTH_MOST_PA: f64 = 2e7;
 
+/// Tilt of a stone on its bed: 11°, more than any pagoda leans. Ours.
+const TILT_MOST: f64 = 0.2;
 /// Span and depth of an arch, m: a model to the longest spans of stone, 146 m.
 const ARCH_SPAN_M: (f64, f64) = (0.03, 200.0);
 /// Length of a wall, m.
@@ -50,6 +52,7 @@ pub(crate) fn judge_stack(reader: &mut Reader, stack: &StackPart) {
     judge_sizes(reader, stack);
     judge_extents(reader, stack);
     judge_order(reader, stack);
+    judge_tilts(reader, stack);
     if let Some(made) = &stack.made {
         judge_made(reader, made);
     }
@@ -105,6 +108,18 @@ fn judge_order(reader: &mut Reader, stack: &StackPart) {
 }
 
 /// An arch or wall larger or smaller than any.
+/// Tilts that no stone stands at.
+fn judge_tilts(reader: &mut Reader, stack: &StackPart) {
+    let tilts = stack.blocks.iter().flat_map(|block| block.tilt.iter().flatten());
+    for tilt in tilts.filter(|tilt| tilt.value.abs() > TILT_MOST) {
+        let message = StackSlip::LeansFar {
+            path: tilt.path.clone(),
+            written: tilt.written.clone(),
+        };
+        reader.slip(&tilt.path, message, StackSlip::IsItInDegrees);
+    }
+}
+
 fn judge_made(reader: &mut Reader, made: &MadePart) {
     let bounds = match made {
         MadePart::Arch(arch) => vec![

@@ -2,13 +2,16 @@
 
 use super::part::{ModeKind, Survey, SurveyMode};
 use super::records::{ChannelSource, RecordSource};
+use super::watch::date_of;
 use crate::doubted::Doubted;
 use crate::reader::Reader;
 use crate::usual_numbers::{hertz, metres, ratio};
-use crate::wrong::WrongRecords;
+use crate::wrong::{WrongRecords, WrongSurvey};
 
 /// Distance of a sensor from the middle of the others, m; none stands so far away on one structure. Ours.
 const AWAY_MOST_M: f64 = 500.0;
+/// Air about a structure, °C; hotter was measured only in deserts.
+const WARM_MOST_C: f64 = 45.0;
 /// A tilt of 5.7°: towers at their end lean by less.
 const TILT_MOST: f64 = 0.1;
 /// A frequency over the median of the same mode of the other surveys, either way. Ours: damage to collapse halves one.
@@ -20,6 +23,18 @@ const RATE_HZ: [f64; 2] = [5.0, 20_000.0];
 
 pub(crate) fn doubt_surveys(reader: &mut Reader, surveys: &[Survey]) {
     for survey in surveys {
+        date(reader, &survey.name);
+        if let Some(temperature_c) = survey.temperature_c.filter(|of| *of > WARM_MOST_C) {
+            let path = format!("survey.{}.temperature_c", survey.name);
+            let given = ratio(temperature_c);
+            reader.doubt(
+                &path,
+                Doubted::Warm {
+                    path: path.clone(),
+                    given,
+                },
+            );
+        }
         for source in survey.records.iter().chain(&survey.setups) {
             let path = format!("survey.{}.records", survey.name);
             sensors(reader, source, &path);
@@ -45,6 +60,44 @@ pub(crate) fn doubt_surveys(reader: &mut Reader, surveys: &[Survey]) {
             }
         }
         modes(reader, survey, surveys);
+    }
+}
+
+/// A name that looks like a date, and is none that can be read.
+fn date(reader: &mut Reader, name: &str) {
+    let parts: Vec<&str> = name.splitn(3, ['-', '.', '/']).map(str::trim).collect();
+    let is_number = |text: &str, most: usize| {
+        (1..=most).contains(&text.len()) && text.bytes().all(|byte| byte.is_ascii_digit())
+    };
+    let starts_with_day = |text: &str| text.starts_with(|sign: char| sign.is_ascii_digit());
+    // the winter of two years: 2022-23
+    let is_season = |one: &str, two: &str| {
+        let numbers = one.parse::<u32>().ok().zip(two.parse::<u32>().ok());
+        numbers.is_some_and(|(year, next)| (year + 1) % 100 == next)
+    };
+    let looks_like = match parts.as_slice() {
+        [one] => one.len() == 8 && is_number(one, 8),
+        [one, two] => {
+            one.len() == 4 && is_number(one, 4) && two.len() == 2 && is_number(two, 2) && !is_season(one, two)
+        }
+        [one, two, rest] => one.len() > 1 && is_number(one, 4) && is_number(two, 2) && starts_with_day(rest),
+        _ => false,
+    };
+    let is_read = date_of(name).is_some_and(|[year, month, day]| {
+        let days = match month {
+            2 if year % 4 == 0 && (year % 100 != 0 || year % 400 == 0) => 29,
+            2 => 28,
+            4 | 6 | 9 | 11 => 30,
+            _ => 31,
+        };
+        let has_all = parts.len() == 2 || day > 0;
+        (1900..=2100).contains(&year) && month > 0 && day <= days && has_all
+    });
+    if looks_like && !is_read {
+        let message = WrongSurvey::LooksLikeADate {
+            name: name.to_owned(),
+        };
+        reader.slip(&format!("survey.{name}"), message, WrongSurvey::WriteTheYearFirst);
     }
 }
 

@@ -37,6 +37,20 @@ pub(super) fn logs(reader: &mut Reader, raw: Option<&BTreeMap<String, At<LogRaw>
         let fault = Fault::new(span, &format!("watch.log.{}", second.name), wrong);
         reader.fault(fault.allowed(WrongLog::OneTemperature));
     }
+    for (at, log) in logs.iter().enumerate() {
+        let same = |other: &&LogPart| other.file == log.file && other.column == log.column;
+        if let Some(first) = logs[..at].iter().find(same) {
+            let span = raw
+                .and_then(|raw| raw.get(&log.name))
+                .map_or(0..0, |given| given.span.clone());
+            let path = format!("watch.log.{}", log.name);
+            let wrong = WrongLog::SameColumn {
+                path: path.clone(),
+                first: first.name.clone(),
+            };
+            reader.fault(Fault::new(span, &path, wrong).allowed(WrongLog::OwnColumn));
+        }
+    }
     logs
 }
 

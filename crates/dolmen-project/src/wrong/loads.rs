@@ -192,6 +192,19 @@ messages! {
             en: "{path} = {written} is outside what bodies have",
             ko: "{path} = {written}은(는) 물체의 풍력계수 범위를 벗어난다",
         },
+        IsNoLoad { path: String, written: String } => {
+            en: "{path} = {written} is no load of a structure",
+            ko: "{path} = {written}은(는) 구조물에 작용하는 하중으로 볼 수 없다",
+        },
+        LoadsAre => {
+            en: "a banner in a storm pulls with 0.5 to 5 kN, snow on a roof weighs 1 to 100 kN: is it N, kN or MN?",
+            ko: "폭풍 때 현수막은 0.5~5 kN으로 당기고 지붕의 눈은 1~100 kN이다. 단위가 N, kN, MN 중 무엇인가?",
+        },
+        WeightFactor { path: String, factor: String } => {
+            en: "{path} = {factor}: no code multiplies the weight so",
+            ko: "{path} = {factor}: 자중에 이런 계수를 곱하는 기준은 없다",
+        },
+        FactorsOfWeight => { en: "codes have 0.9 to 1.4", ko: "기준의 계수는 0.9~1.4이다" },
         SquarePrismHasOctagon => {
             en: "a square prism has 2.0, an octagon 1.3 to 1.45, a circle 0.7 to 1.2",
             ko: "정사각기둥 2.0, 팔각기둥 1.3~1.45, 원기둥 0.7~1.2이다",

@@ -47,6 +47,14 @@ messages! {
             en: "keep one: it explains the other logs and is the temperature of the surveys",
             ko: "하나만 남긴다. 온도 기록은 다른 기록을 설명하고 조사의 기온으로 쓰인다",
         },
+        SameColumn { path: String, first: String } => {
+            en: "{path} reads the same column of the same file as {first}",
+            ko: "{path}이(가) {first}와(과) 같은 파일의 같은 열을 읽는다",
+        },
+        OwnColumn => {
+            en: "each log needs a column of its own: look at the column of both",
+            ko: "기록마다 다른 열을 지정해야 한다. 두 기록의 column을 확인한다",
+        },
         OutOfBounds { path: String } => {
             en: "{path} is beyond what can be meant",
             ko: "{path}이(가) 있을 수 있는 범위를 벗어났다",

@@ -73,6 +73,24 @@ messages! {
             ko: "{path}의 단위가 두 번 있다. \"{text}\"와 unit = \"{unit}\"",
         },
         HasBothCovAnd { path: String } => { en: "{path} has both cov and sd", ko: "{path}에 cov와 sd가 모두 있다" },
+        IdentifiedFromWhat { path: String } => {
+            en: "{path} is identified, but from which survey is not said",
+            ko: "{path}의 출처가 identified인데 어느 조사에서 추정했는지 없다",
+        },
+        SurveyBeside => {
+            en: "write survey = \"NAME\" beside it; `dolmen identify --write` does",
+            ko: "survey = \"이름\"을 함께 쓴다. `dolmen identify --write`가 써 준다",
+        },
+        SurveyWithoutSource { path: String } => {
+            en: "{path} names a survey, but is not said to be identified from it",
+            ko: "{path}에 survey가 있는데 출처가 identified가 아니다",
+        },
+        SourceIdentified => { en: "write source = \"identified\", or take survey out", ko: "source = \"identified\"를 쓰거나 survey를 삭제한다" },
+        IdentifiedFromNone { path: String, survey: String } => {
+            en: "{path} is identified from survey \"{survey}\", which the file does not have",
+            ko: "{path}을(를) 추정한 조사 \"{survey}\"이(가) 파일에 없다",
+        },
+        SurveysOfFile { known: String } => { en: "it has: {known}", ko: "파일에 있는 조사: {known}" },
         CovOrSd => { en: "keep one of them: cov = sd / value", ko: "둘 중 하나만 남긴다. cov = sd / value" },
         HasScatter { path: String, written: String } => {
             en: "{path} = {written} has a scatter",

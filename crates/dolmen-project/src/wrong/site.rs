@@ -1,7 +1,7 @@
 //! What is wrong with a site or a motion.
 
 use dolmen_words::message::Both;
-use dolmen_words::messages;
+use dolmen_words::{Quantity, messages};
 
 messages! {
     /// What is wrong with a site or a motion.
@@ -17,6 +17,24 @@ messages! {
         WriteFilesXRecord => {
             en: "write files = {{ x = \"record.at2\" }}, or built_in = \"el-centro-1940-ns\"",
             ko: "files = {{ x = \"record.at2\" }} 또는 built_in = \"el-centro-1940-ns\"를 쓴다",
+        },
+        GroundUnlikely { given: Quantity } => {
+            en: "site.ground_acceleration is {given} g, which no map of a code has",
+            ko: "site.ground_acceleration이 {given} g이다. 기준의 지진구역 지도에 없는 값이다",
+        },
+        GroundOfMaps => { en: "maps have 0.02 to 0.5 g: is it in g?", ko: "지도의 값은 0.02~0.5 g이다. g 단위인가?" },
+        ImportanceUnlikely { given: Quantity } => {
+            en: "site.importance_factor = {given} is none of a code",
+            ko: "site.importance_factor = {given}은(는) 기준에 없는 값이다",
+        },
+        ImportanceOfCode => { en: "EN 1998-1 has 0.8 to 1.4", ko: "EN 1998-1의 값은 0.8~1.4이다" },
+        PlateauUnlikely { given: Quantity } => {
+            en: "the spectrum of the site is largest at {given} g, which no code asks for",
+            ko: "부지 스펙트럼의 최댓값이 {given} g이다. 이런 값을 요구하는 기준은 없다",
+        },
+        UnitOfSpectrum => {
+            en: "design spectra have 0.1 to 3 g: is the unit g, m/s2 or gal?",
+            ko: "설계 스펙트럼의 최댓값은 0.1~3 g이다. 단위가 g, m/s2, gal 중 무엇인가?",
         },
         NeedsXYOr => { en: "needs x, y or z", ko: "x, y 또는 z가 필요하다" },
         WriteXRecordAt2 => { en: "write {{ x = \"record.at2\" }}", ko: "{{ x = \"record.at2\" }}와 같이 쓴다" },

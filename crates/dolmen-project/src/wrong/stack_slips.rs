@@ -13,6 +13,14 @@ messages! {
             en: "list the stones lowest first, or say with on what each stands on",
             ko: "석재를 아래에서부터 쓰거나 각 석재가 놓인 곳을 on으로 밝힌다",
         },
+        LeansFar { path: String, written: String } => {
+            en: "{path} = {written} leans further than any stone stands",
+            ko: "{path} = {written}은(는) 석재가 설 수 없을 만큼 큰 기울기이다",
+        },
+        IsItInDegrees => {
+            en: "a bare number is horizontal / vertical: \"1/177\", \"0.32 deg\", \"5.65 mm/m\". Is it in degrees?",
+            ko: "단위 없는 수는 수평/수직 비이다: \"1/177\", \"0.32 deg\", \"5.65 mm/m\". 도(°) 단위인가?",
+        },
         ButItIsTo { path: String, written: String, least: String, most: String } => {
             en: "{path} = {written}, but it is {least} to {most} m",
             ko: "{path} = {written}인데, 보통 {least}~{most} m이다",

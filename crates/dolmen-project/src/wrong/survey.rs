@@ -13,6 +13,14 @@ messages! {
             en: "keep modes: each mode there has its own frequency",
             ko: "modes만 남긴다. 각 모드에 진동수가 있다",
         },
+        LooksLikeADate { name: String } => {
+            en: "survey \"{name}\": the name looks like a date, but no day is read from it, so that compare and watch would leave the survey out or put it in a wrong place",
+            ko: "조사 \"{name}\": 이름이 날짜처럼 보이나 날짜로 읽을 수 없다. compare와 watch에서 빠지거나 순서가 틀어진다",
+        },
+        WriteTheYearFirst => {
+            en: "write year, month and day, 2024-06-05, with a month to 12, a day that the month has and a year from 1900 to 2100",
+            ko: "2024-06-05처럼 연-월-일로 쓴다. 월은 12까지, 일은 그 달에 있는 날, 연도는 1900~2100이어야 한다",
+        },
         HasNoSetupsTo { path: String } => {
             en: "{path} has no setups to put together",
             ko: "{path}에 합칠 측정 배치(setups)가 없다",

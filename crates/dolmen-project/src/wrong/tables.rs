@@ -39,6 +39,7 @@ messages! {
             en: "name the column in the first row, or clear the cell",
             ko: "첫 행에 열 이름을 쓰거나 셀을 비운다",
         },
+        Sheet { file: String, why: Both } => { en: "{file} {why}", ko: "{file}: {why}" },
         CellRowIsEmpty { file: String, place: String } => {
             en: "{file}, cell {place}: the row is empty",
             ko: "{file}, {place} 셀: 빈 행이다",

@@ -192,7 +192,7 @@ error: links[2].weight.source = "guess" is not known
   --> project.toml:7:40
    |
  7 |   { weight = { value = 15.13, source = "guess" }, length = 2.61, centroid = 1.18 },
-   |                                        ^^^^^^^ must be "measured", "test", "literature" or "assumed"
+   |                                        ^^^^^^^ must be "measured", "test", "literature", "identified" or "assumed"
 "##;
     assert_eq!(refused(&text), said.trim_start_matches('\n'));
 }

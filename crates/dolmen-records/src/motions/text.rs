@@ -2,7 +2,7 @@
 
 use super::{MotionError, MotionFormat, MotionOptions};
 use crate::records::{
-    Column, Header, Layout, Pick, Reading, RecordError, RecordOptions, TimeColumn, read_csv,
+    Column, Header, Layout, LostSamples, Pick, Reading, RecordError, RecordOptions, TimeColumn, read_csv,
 };
 use crate::seismic::Raw;
 use crate::unit::Unit;
@@ -62,6 +62,7 @@ fn read_columns(bytes: &[u8], options: &MotionOptions) -> Result<Reading, Record
         column,
     });
     let mut told = RecordOptions {
+        lost_samples: LostSamples::Refuse,
         sampling_rate_hz: options.time_step_s.map(|step| 1.0 / step),
         picks: pick.into_iter().collect(),
         header: Header::Detect,

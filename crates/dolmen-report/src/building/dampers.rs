@@ -46,7 +46,7 @@ messages! {
         },
         ToFloor { coefficient: Quantity, floor: usize, x: Quantity, y: Quantity } => {
             en: "{coefficient} to floor {floor} at x = {x}, y = {y}",
-            ko: "{floor}층 x = {x}, y = {y}에 연결, 감쇠계수 {coefficient}",
+            ko: "{floor}번 바닥 x = {x}, y = {y}에 연결, 감쇠계수 {coefficient}",
         },
     }
 }

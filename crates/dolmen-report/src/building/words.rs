@@ -11,7 +11,7 @@ messages! {
     pub(crate) enum Words in "building.words" {
         Name { name: String } => { en: "{name}", ko: "{name}" },
         Number { number: usize } => { en: "{number}", ko: "{number}" },
-        Numbered { floor: String } => { en: "{floor}", ko: "{floor}층" },
+        Numbered { floor: String } => { en: "{floor}", ko: "{floor}번" },
         Named { floor: String } => { en: "‘{floor}’", ko: "‘{floor}’" },
         Liquid { damper: String } => { en: "{damper} liquid", ko: "{damper} 액체" },
         Turned { degrees: Quantity } => { en: "{degrees}° from x", ko: "x축에서 {degrees}°" },
@@ -31,7 +31,7 @@ pub(crate) fn number(number: usize) -> Sentence {
     Words::Number { number }.into()
 }
 
-/// A floor in a sentence: "3", "3층", or its name in quotes.
+/// A floor in a sentence: "3", "3번", or its name in quotes.
 pub(crate) fn floor_words(name: &str) -> Sentence {
     let floor = name.to_owned();
     match name.bytes().all(|b| b.is_ascii_digit()) {

@@ -32,6 +32,10 @@ messages! {
             en: "the largest drift of a centre of mass is {ratio} of the height of the storey below floor {floor}, {direction}° from x (its outline is not known: corners drift more where it twists; give sides or outline).",
             ko: "최대 층간변위(질량 중심)는 {floor} 바닥 아래에서 층고의 {ratio}이며 방향은 x축에서 {direction}°이다. 평면 외곽선이 없으며, 비틀리면 모서리의 층간변위가 더 크다(sides 또는 outline 입력 필요).",
         },
+        TiltLeftOut { survey: String, tilt: String } => {
+            en: "the building starts plumb: the tilt of survey {survey} ({tilt}) is not in it, and what leans drifts further to that side.",
+            ko: "건물은 연직 상태에서 시작하며 {survey} 조사의 실측 기울기({tilt})를 반영하지 않았다. 기울어진 건물은 그 방향으로 더 변위한다.",
+        },
         And { first: Sentence, next: Sentence } => { en: "{first} {next}", ko: "{first} {next}" },
         Top { list: Vec<Sentence> } => {
             en: "Of what it would move without dampers: {list}.",
@@ -41,6 +45,10 @@ messages! {
             en: "More than without dampers: {list}.",
             ko: "제진장치가 없을 때보다 큰 값: {list}.",
         },
+        MoreOf { list: Vec<Sentence>, others: usize } => {
+            en: "More than without dampers: {list} and {others} more.",
+            ko: "제진장치가 없을 때보다 큰 값: {list} 외 {others}개.",
+        },
         Share { what: Sentence, ratio: Quantity } => { en: "{what} {ratio}", ko: "{what} {ratio}" },
         Grows => {
             en: "a displacement is largest where the run ends, and may grow on: give a longer --duration.",
@@ -48,6 +56,9 @@ messages! {
         },
     }
 }
+
+/// How many of what moves more than without dampers are written out, the worst first; JSON has all.
+const GROWN_MOST: usize = 4;
 
 /// How each moved, what must be known first.
 pub(crate) fn findings(simulations: &[&BuildingSimulation]) -> Vec<Finding> {
@@ -90,6 +101,13 @@ pub(super) fn alarms(simulation: &BuildingSimulation) -> Vec<(Tone, Sentence)> {
         };
         all.push((Tone::Bad, said.into()));
     }
+    if let Some(left_out) = simulation.tilt_left_out.clone() {
+        let said = Moved::TiltLeftOut {
+            survey: left_out.survey,
+            tilt: left_out.written,
+        };
+        all.push((Tone::Warn, said.into()));
+    }
     if simulation.history.grows_at_the_end() {
         all.push((Tone::Unknown, Moved::Grows.into()));
     }
@@ -109,10 +127,18 @@ pub(super) fn of_all(simulation: &BuildingSimulation) -> (Tone, Sentence) {
         of.into_iter().map(|of| share(of).into()).collect()
     };
     let top = list(against.iter().filter(is_top).collect(), 3);
-    let more = list(against.iter().filter(is_more).collect(), 4);
+    let mut grown: Vec<&Against> = against.iter().filter(is_more).collect();
+    grown.sort_by(|a, b| b.ratio.total_cmp(&a.ratio));
+    let others = grown.len().saturating_sub(GROWN_MOST);
+    grown.truncate(GROWN_MOST);
+    let more = list(grown, 4);
     let tone = if more.is_empty() { Tone::Plain } else { Tone::Warn };
     let top = (!top.is_empty()).then_some(Moved::Top { list: top });
-    let more = (!more.is_empty()).then_some(Moved::More { list: more });
+    let more = match (more.is_empty(), others) {
+        (true, _) => None,
+        (false, 0) => Some(Moved::More { list: more }),
+        (false, others) => Some(Moved::MoreOf { list: more, others }),
+    };
     let said = top
         .into_iter()
         .chain(more)

@@ -46,7 +46,7 @@ messages! {
         },
         BeyondSmall { name: String, rotation: Quantity, most: Quantity } => {
             en: "‘{name}’ leaned by {rotation}, beyond the {most} up to which the equations of small rotations hold: counted as fallen; --rotations large follows it.",
-            ko: "‘{name}’의 회전각이 {rotation}로, 소회전 방정식의 범위 {most}을(를) 넘어 전도로 본다. --rotations large로 다시 해석한다.",
+            ko: "‘{name}’의 회전각이 {rotation}(으)로, 소회전 방정식의 범위 {most}을(를) 넘어 전도로 본다. --rotations large로 다시 해석한다.",
         },
         Leans { survey: String, tilt: String, lean: Quantity } => {
             en: "It leans as survey {survey} found it, tilt {tilt}, in the plane of the motion by all directions together: {lean}; as_surveyed = \"none\" leaves that out.",

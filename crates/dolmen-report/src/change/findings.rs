@@ -5,6 +5,7 @@ use super::quantities::{bare_percent, hertz, percent};
 use super::temperature::known;
 use crate::document::{Finding, Tone};
 use dolmen::assess::{Difference, ModeChange, SurveyChange};
+use dolmen_project::{Project, Survey, date_of};
 use dolmen_words::{Quantity, Sentence, messages};
 
 messages! {
@@ -32,6 +33,10 @@ messages! {
             en: "From survey {from} to {to} {changed} of {tested} changed beyond chance ({alpha} for all together): {each}. Damping follows the strength of the motion too; at equal strength, joints or cracks that rub do this before any frequency moves.",
             ko: "{from} 조사에서 {to} 조사까지 {tested} 중 {changed}개가 유의하게 변하였다(전체 유의수준 {alpha}): {each}. 감쇠비는 진동의 세기에 따라서도 변하나, 세기가 같다면 접합면이나 균열의 마찰로 진동수보다 먼저 변할 수 있다.",
         },
+        Undated { surveys: Vec<String> } => {
+            en: "Surveys whose names say no date were not looked at: {surveys}. Begin a name with its date, 2024-06-05, or name two surveys with --from and --to.",
+            ko: "이름에 날짜가 없어 보지 않은 조사: {surveys}. 이름을 2024-06-05처럼 날짜로 시작하거나 --from과 --to로 두 조사를 지정한다.",
+        },
         OneRatio => { en: "1 damping ratio", ko: "감쇠비 1개" },
         Ratios { count: usize } => { en: "{count} damping ratios", ko: "감쇠비 {count}개" },
         DampingOf { frequency: Quantity, change: Quantity, half: Quantity } => {
@@ -39,6 +44,20 @@ messages! {
             ko: "{frequency} {change} ± {half}",
         },
     }
+}
+
+/// Surveys that were left out for want of a date.
+pub(crate) fn undated(project: &Project, change: &SurveyChange) -> Option<Finding> {
+    let is_usable = |survey: &&Survey| {
+        survey.records.is_some()
+            || !survey.setups.is_empty()
+            || survey.modes.values().any(|modes| !modes.is_empty())
+    };
+    let compared = [&change.from, &change.to];
+    let left = project.surveys.iter().filter(is_usable);
+    let left = left.filter(|survey| date_of(&survey.name).is_none() && !compared.contains(&&survey.name));
+    let surveys: Vec<String> = left.map(|survey| survey.name.clone()).collect();
+    (!surveys.is_empty()).then(|| Finding::key(Tone::Warn, Found::Undated { surveys }))
 }
 
 /// The findings, the doubts first: what follows them rests on the pairs that were made.

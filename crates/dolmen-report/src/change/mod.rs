@@ -9,7 +9,7 @@ mod quantities;
 mod remarks;
 mod temperature;
 
-pub(crate) use findings::findings;
+pub(crate) use findings::{findings, undated};
 
 use crate::document::Document;
 use crate::figures::survey_changes;

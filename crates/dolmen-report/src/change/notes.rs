@@ -13,7 +13,7 @@ messages! {
         },
         BeyondTheLine { temperature: Quantity, coldest: Quantity, warmest: Quantity } => {
             en: "{temperature} lies beyond the {coldest} to {warmest} that the coefficients were fitted to: a line need not hold there.",
-            ko: "{temperature}은(는) 계수를 추정한 기온 범위 {coldest}–{warmest}를 벗어나므로 직선 관계가 성립하지 않을 수 있다.",
+            ko: "{temperature}은(는) 계수를 추정한 기온 범위 {coldest}–{warmest}을(를) 벗어나므로 직선 관계가 성립하지 않을 수 있다.",
         },
         LineScatters { frequency: Quantity, scatter: Quantity, stated: Quantity } => {
             en: "At {frequency} the earlier surveys lie {scatter} about their line over temperature and state {stated}: the structure may have changed between them, and a change of that size is not seen here.",

@@ -42,7 +42,7 @@ messages! {
         },
         BeyondItsLimit { survey: String, tilt: Sentence, limit: Sentence } => {
             en: "The tilt that survey {survey} measured, {tilt} by all directions together, is beyond the limit of {limit} that the file sets (tilt_limit).",
-            ko: "{survey} 조사의 실측 기울기는 모든 방향을 합하여 {tilt}로, 파일에서 정한 한계(tilt_limit) {limit}을(를) 넘는다.",
+            ko: "{survey} 조사의 실측 기울기는 모든 방향을 합하여 {tilt}(으)로, 파일에서 정한 한계(tilt_limit) {limit}을(를) 넘는다.",
         },
         SevereDamage { survey: String, found: Vec<Sentence> } => {
             en: "Survey {survey} found severe damage, which is not in the model: {found}.",
@@ -108,8 +108,8 @@ fn tilt(of: &TiltCheck, check: &Check) -> Finding {
     let (tilt, direction, survey) = (one_in(of.tilt), of.direction.clone(), of.survey.clone());
     let Some(uplift) = of.uplift_tilt else {
         return match check {
-            Check::Frame(_) | Check::Building(_) => Finding::new(
-                Tone::Unknown,
+            Check::Frame(_) | Check::Building(_) => Finding::key(
+                Tone::Warn,
                 Measured::TiltUnused {
                     tilt,
                     direction,
@@ -190,7 +190,7 @@ mod tests {
     use dolmen_words::Language;
 
     #[test]
-    fn holds_a_tilt_beyond_the_limit_is_bad_and_one_without_limit_unknown() {
+    fn holds_a_tilt_beyond_the_limit_is_bad_and_one_that_is_not_used_amber() {
         let of = |ratio: f64, uplift_tilt| {
             let of = TiltCheck {
                 survey: "s".into(),
@@ -206,7 +206,7 @@ mod tests {
             beyond.tone == Tone::Bad && said.contains("1/5.00") && said.contains("1/10.0"),
             "{said}"
         );
-        assert_eq!(of(0.2, None).tone, Tone::Unknown);
+        assert_eq!(of(0.2, None).tone, Tone::Warn);
         assert_eq!(of(-0.001, Some(0.1)).tone, Tone::Good);
         let opens = of(0.05, Some(0.1)).sentence.text(Language::English);
         assert!(opens.contains("have begun to open"), "{opens}");

@@ -18,19 +18,19 @@ messages! {
     pub(crate) enum Variants in "check.variants" {
         Same { variant: Both, factor: Quantity, verdict: Both } => {
             en: "Variant “{variant}” leaves the load factor at {factor}: {verdict}.",
-            ko: "대안 ‘{variant}’에서 하중배율은 {factor}로 같다: {verdict}.",
+            ko: "대안 ‘{variant}’에서 하중배율은 {factor}(으)로 같다: {verdict}.",
         },
         SameIn { variant: Both, direction: String, factor: Quantity, verdict: Both } => {
             en: "Variant “{variant}” ({direction}) leaves the load factor at {factor}: {verdict}.",
-            ko: "대안 ‘{variant}’({direction})에서 하중배율은 {factor}로 같다: {verdict}.",
+            ko: "대안 ‘{variant}’({direction})에서 하중배율은 {factor}(으)로 같다: {verdict}.",
         },
         Changes { variant: Both, from: Quantity, to: Quantity, verdict: Both } => {
             en: "Variant “{variant}” changes the load factor from {from} to {to}: {verdict}.",
-            ko: "대안 ‘{variant}’에서 하중배율이 {from}에서 {to}로 바뀐다: {verdict}.",
+            ko: "대안 ‘{variant}’에서 하중배율이 {from}에서 {to}(으)로 바뀐다: {verdict}.",
         },
         ChangesIn { variant: Both, direction: String, from: Quantity, to: Quantity, verdict: Both } => {
             en: "Variant “{variant}” ({direction}) changes the load factor from {from} to {to}: {verdict}.",
-            ko: "대안 ‘{variant}’({direction})에서 하중배율이 {from}에서 {to}로 바뀐다: {verdict}.",
+            ko: "대안 ‘{variant}’({direction})에서 하중배율이 {from}에서 {to}(으)로 바뀐다: {verdict}.",
         },
         Loaded { variant: Both, to: Quantity, from: Quantity, verdict: Both } => {
             en: "Variant “{variant}” bears {to} times its wind and static loads, the structure as it is {from} times: {verdict}.",
@@ -200,6 +200,7 @@ fn dot(row: &Row, language: Language) -> VariantDot {
     VariantDot {
         name: row.named(language),
         load_factor: row.load_factor,
+        verdict: row.verdict,
         margins: row.margins.clone(),
     }
 }

@@ -78,7 +78,7 @@ fn answers(answer: &ProjectReport) -> Option<Block<'static>> {
         asked => tone(asked.colour()),
     };
     let of_evidence = match &headline.evidence {
-        Evidence::NotMeasured { .. } => Tone::Unknown,
+        Evidence::NotCompared { .. } | Evidence::NotMeasured { .. } => Tone::Unknown,
         measured => tone(measured.colour()),
     };
     Some(Block::Answers(vec![

@@ -117,6 +117,8 @@ pub struct VariantDot {
     pub name: String,
     /// λ; `None` if unknown.
     pub load_factor: Option<f64>,
+    /// The verdict on it, with wind and static loads.
+    pub verdict: Verdict,
     /// Margin of each joint or storey, lowest first; `None` for one that no stiffness can save.
     pub margins: Vec<Option<f64>>,
 }
@@ -142,7 +144,7 @@ pub fn variants_compared(variants: &[VariantDot], language: Language) -> String 
             plot.sized_dot([*margin, row - 0.2], Shape::Ring, 4.0, GREY);
         }
         if let Some(load_factor) = variant.load_factor {
-            let verdict = Verdict::of_load_factor(load_factor);
+            let verdict = variant.verdict;
             let at = [load_factor, row + 0.14];
             plot.sized_dot(at, verdict_shape(verdict), 6.0, verdict_colour(verdict));
             let label = Label::new(number::beside_one(load_factor, 4), Anchor::Start).bold();

@@ -222,7 +222,7 @@ messages! {
         ExactLimit => { en: "exact limit M", ko: "정확한 한계 M" },
         Demand => { en: "demand of the site", ko: "부지의 설계 요구" },
         ModeOfNumber { number: usize } => { en: "mode {number}", ko: "{number}차 모드" },
-        Floor { floor: usize } => { en: "floor {floor}", ko: "{floor}층" },
+        Floor { floor: usize } => { en: "floor {floor}", ko: "{floor}번 바닥" },
         DemandAtDamping { percent: String } => { en: "demand of the site, {percent} % damping", ko: "부지의 설계 요구, 감쇠비 {percent} %" },
         DisplacementsEnlarged { times: String } => { en: "residual displacements × {times}", ko: "잔류 변위 {times}배 확대" },
         OpeningAndSlip { opening: String, slip: String } => { en: "opening {opening}, slip {slip}", ko: "벌어짐 {opening}, 미끄러짐 {slip}" },

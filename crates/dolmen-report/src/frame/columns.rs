@@ -19,11 +19,11 @@ messages! {
         },
         DoNotStand { storey: usize, count: usize, given: Quantity, least: Quantity } => {
             en: "the columns of storey {storey} ({count}) do not stand by their weight alone: their bed has {given}, and {least} is the least. Joints, walls and braces hold them up.",
-            ko: "{storey}층의 자립 기둥 {count}개는 자중만으로 서 있지 못한다. 지반반력계수가 {given}으로 한계값 {least} 이하이다. 접합부·벽체·가새가 기둥을 지지한다.",
+            ko: "{storey}층의 자립 기둥 {count}개는 자중만으로 서 있지 못한다. 지반반력계수가 {given}(으)로 한계값 {least} 이하이다. 접합부·벽체·가새가 기둥을 지지한다.",
         },
         LessThanBeds { storey: usize, given: Quantity, beds: Quantity } => {
             en: "storey {storey} has a stiffness of {given}, less than the beds of its columns alone would give, {beds}: the bed stiffness is too high, or the columns do not bear on their whole feet.",
-            ko: "{storey}층의 강성은 {given}으로 기둥의 주각 지압면만으로 얻어지는 {beds}보다 작다. bed_stiffness가 너무 크거나 기둥이 전면 접촉하지 않은 것이다.",
+            ko: "{storey}층의 강성은 {given}(으)로 기둥의 주각 지압면만으로 얻어지는 {beds}보다 작다. bed_stiffness가 너무 크거나 기둥이 전면 접촉하지 않은 것이다.",
         },
     }
 }

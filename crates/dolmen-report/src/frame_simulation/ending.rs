@@ -25,7 +25,7 @@ messages! {
         },
         DriftLimit { name: String, most: Quantity, at: Quantity } => {
             en: "‘{name}’ leaned by more than {most} of its height at {at}, beyond what small drifts can tell of: count it as fallen.",
-            ko: "‘{name}’의 층간변위가 {at}에 층고의 {most}를 넘었다. 미소변형 모델의 범위를 벗어났으므로 붕괴로 본다.",
+            ko: "‘{name}’의 층간변위가 {at}에 층고의 {most}을(를) 넘었다. 미소변형 모델의 범위를 벗어났으므로 붕괴로 본다.",
         },
         Within { most: Quantity } => {
             en: "No storey leaned by more than {most} of its height.",
@@ -50,7 +50,7 @@ messages! {
         },
         AloneRocked { of: Sentence, count: usize, uplift: Quantity, at: Quantity, drift: Quantity, rotation: Quantity, share: Quantity } => {
             en: "{of}, on its {count} columns alone, without joints and walls: they lift off at {uplift}, first at {at}, and rock without falling; heads drift by up to {drift}, columns lean by {rotation}, {share} of the lean at which they fall.",
-            ko: "{of}, 접합부와 벽체 없이 기둥 {count}개만으로는 {uplift}에서 주각이 들리고({at}에 처음) 전도되지 않고 흔들린다. 주두의 최대 변위는 {drift}, 기둥의 최대 회전각은 {rotation}으로 전도 회전각의 {share}이다.",
+            ko: "{of}, 접합부와 벽체 없이 기둥 {count}개만으로는 {uplift}에서 주각이 들리고({at}에 처음) 전도되지 않고 흔들린다. 주두의 최대 변위는 {drift}, 기둥의 최대 회전각은 {rotation}(으)로 전도 회전각의 {share}이다.",
         },
         AloneFell { of: Sentence, count: usize, uplift: Quantity, lifted: Quantity, at: Quantity } => {
             en: "{of}, on its {count} columns alone, without joints and walls: they lift off at {uplift}, first at {lifted}, and have fallen at {at}. Joints and walls must hold the frame.",

@@ -4,7 +4,7 @@ use super::imprint::Imprint;
 use super::words::{judgement_sign, thresholds};
 use crate::check::title;
 use crate::engineer::Given;
-use crate::headline::{headline, worse as worse_words};
+use crate::headline::{Headline, headline, worse as worse_words};
 use crate::stack;
 use dolmen::stability::Verdict;
 use dolmen_project::{Quantity, Structure};
@@ -59,12 +59,20 @@ pub(crate) fn project_name(answer: &ProjectReport, language: Language) -> &str {
     language.pick(answer.project.name.english(), answer.project.name.korean())
 }
 
+/// Whether something was judged: a model, or surveys over the years that leave an alarm open.
+pub(crate) fn has_headline(answer: &ProjectReport) -> bool {
+    answer.state().is_some() || judge(&answer.answers).is_alarming
+}
+
 /// A project in the list: the sign of the worst colour, the words of its headline, why, and variants that are worse.
 pub(crate) fn headline_line(answer: &ProjectReport, language: Language) -> String {
     let judgement = judge(&answer.answers);
     let mut all = Vec::new();
     all.extend(judgement.headline().map(|of| headline(of, language)));
     all.extend(worse(answer, &judgement, language));
+    if judgement.is_alarming {
+        all.push(Sentence::from(Headline::Alarm).text(language));
+    }
     format!("{} {}", judgement_sign(&judgement), all.join("; "))
 }
 

@@ -1,6 +1,6 @@
 //! The page: head, verdict, findings, sections, method, evidence.
 
-use super::front::{Banner, banner, closing, headline_line, kind_words, project_name, sources};
+use super::front::{Banner, banner, closing, has_headline, headline_line, kind_words, project_name, sources};
 use super::given;
 use super::imprint::{Imprint, NotReported};
 use super::method::method;
@@ -76,7 +76,7 @@ fn contents(answers: &[ProjectReport], others: &[NotReported], language: Languag
             ol { @for (i, answer) in answers.iter().enumerate() {
                 li {
                     a href=(format!("#report-{}", i + 1)) { (project_name(answer, language)) }
-                    @if answer.state().is_some() { ": " (headline_line(answer, language)) }
+                    @if has_headline(answer) { ": " (headline_line(answer, language)) }
                 }
             } }
             @for other in others {

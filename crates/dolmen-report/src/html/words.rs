@@ -57,6 +57,7 @@ pub(crate) fn evidence_word(evidence: Option<Evidence>, language: Language) -> &
         Some(Evidence::Measured) => language.pick("measured", "실측"),
         Some(Evidence::Test) => language.pick("test", "시험"),
         Some(Evidence::Literature) => language.pick("literature", "문헌"),
+        Some(Evidence::Identified) => language.pick("identified", "계측 진동에서 추정"),
         Some(Evidence::Assumed) => language.pick("assumed", "가정"),
         None => language.pick("not stated", "출처 미기재"),
     }

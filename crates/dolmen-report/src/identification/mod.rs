@@ -11,8 +11,11 @@ mod plan;
 mod seen;
 mod solutions;
 mod words;
+mod written;
 
 pub(crate) use findings::findings;
+pub(crate) use written::Written;
+pub use written::written_back_text;
 
 use crate::document::{Block, Document};
 use crate::figures::measured_modes;
@@ -41,7 +44,7 @@ messages! {
 }
 
 /// The sentences on stiffness from vibration as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 12] = [
+pub(crate) const TEMPLATES: [&[Template]; 13] = [
     findings::Found::TEMPLATES,
     place::Place::TEMPLATES,
     words::Words::TEMPLATES,
@@ -54,6 +57,7 @@ pub(crate) const TEMPLATES: [&[Template]; 12] = [
     joint_tables::Tables::TEMPLATES,
     notes::Notes::TEMPLATES,
     left_out::Left::TEMPLATES,
+    Written::TEMPLATES,
 ];
 
 /// The section of all surveys that lead to a stiffness.

@@ -86,7 +86,7 @@ messages! {
         },
         DeviationsAssumed { frequency: Quantity, shape: Quantity } => {
             en: "Data without a standard deviation were given {frequency} of a frequency and {shape} of the largest displacement of a mode, an assumption.",
-            ko: "표준편차가 없는 자료에는 고유진동수의 {frequency}, 모드별 최대 변위의 {shape}를 표준편차로 가정하였다.",
+            ko: "표준편차가 없는 자료에는 고유진동수의 {frequency}, 모드별 최대 변위의 {shape}을(를) 표준편차로 가정하였다.",
         },
         NoInterval { misfit: Sentence } => {
             en: "The best set is off by {misfit}; without standard deviations of the modes no interval can be given.",

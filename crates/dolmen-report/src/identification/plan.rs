@@ -136,7 +136,7 @@ messages! {
         },
         WhatRepeated { frequency: Quantity } => {
             en: "No stiffness is sought: {frequency} stands twice. Where sway and twist couple, two modes never have one frequency: give more digits.",
-            ko: "{frequency}가 두 번 주어져 강성을 추정하지 않았다. 병진과 비틀림이 연성되면 두 모드의 고유진동수가 같을 수 없으므로 자릿수를 더 주어야 한다.",
+            ko: "{frequency}이(가) 두 번 주어져 강성을 추정하지 않았다. 병진과 비틀림이 연성되면 두 모드의 고유진동수가 같을 수 없으므로 자릿수를 더 주어야 한다.",
         },
         WhatElse => {
             en: "No stiffness is sought: its equations could not be solved with these numbers. Check masses, centres and frequencies.",

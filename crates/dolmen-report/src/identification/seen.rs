@@ -27,7 +27,7 @@ messages! {
         },
         MassesScatter { most: Quantity, adds: Quantity } => {
             en: "The deviations of the stiffness are of the frequencies alone, masses taken as exact; 1 % more mass is 1 % more of every k; the file gives them a scatter of up to {most}, which adds up to ± {adds} to every interval (95 %, all off together).",
-            ko: "강성의 표준편차는 진동수에서만 비롯한 것이며 질량은 정확하다고 보았다. 질량이 1 % 크면 모든 k가 1 % 크다. 파일에 준 질량의 변동계수는 최대 {most}이며, 모든 질량이 함께 벗어나면 각 구간에 최대 ± {adds}가 더해진다(95 %).",
+            ko: "강성의 표준편차는 진동수에서만 비롯한 것이며 질량은 정확하다고 보았다. 질량이 1 % 크면 모든 k가 1 % 크다. 파일에 준 질량의 변동계수는 최대 {most}이며, 모든 질량이 함께 벗어나면 각 구간에 최대 ± {adds}이(가) 더해진다(95 %).",
         },
     }
 }

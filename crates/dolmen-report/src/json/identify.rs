@@ -12,6 +12,7 @@ use dolmen::signal::Channel;
 use dolmen::structure::building::{PlanMode, PlanSolution};
 use dolmen_words::advice::Advice;
 use dolmen_words::{Language, Sentence};
+use dolmen_work::WrittenBack;
 use dolmen_work::answer::IdentifyAnswer;
 use dolmen_work::building::PlanAnswer;
 use dolmen_work::stack::FactorsAnswer;
@@ -24,6 +25,14 @@ pub fn identification_json(answer: &IdentifyAnswer) -> Value {
         "project": project(&answer.project, &answer.file),
         "surveys": answer.surveys.iter().map(survey).collect::<Vec<_>>(),
     })
+}
+
+/// What was written into the project file, by its place.
+pub fn written_back_json(written: &WrittenBack) -> Value {
+    let each = written.numbers.iter().map(|(path, number)| {
+        json!({ "path": path, "value": number.value, "sd": number.sd, "unit": number.unit, "before": number.before })
+    });
+    json!({ "survey": written.survey, "numbers": each.collect::<Vec<_>>() })
 }
 
 fn survey(survey: &SurveyAnswer) -> Value {

@@ -48,7 +48,7 @@ fn weight(weight: Weight) -> Value {
 
 fn finding(finding: &EarthquakeFinding) -> Value {
     let damage_state = match &finding.decided_by {
-        DecidedBy::DamageState(state) => Some(state),
+        DecidedBy::DamageState(state) | DecidedBy::DamageOfRuns { state, .. } => Some(state),
         _ => None,
     };
     json!({
@@ -63,7 +63,7 @@ fn finding(finding: &EarthquakeFinding) -> Value {
 
 fn evidence(evidence: &Evidence) -> Value {
     let (survey, calibrated_to) = match evidence {
-        Evidence::Agrees { survey } => (Some(survey), None),
+        Evidence::Agrees { survey } | Evidence::NotCompared { survey } => (Some(survey), None),
         Evidence::Contradicted(of) => (Some(&of.survey), None),
         Evidence::NotMeasured { calibrated_to } => (None, calibrated_to.as_ref()),
     };

@@ -84,6 +84,7 @@ fn repeats(of: &Repeats) -> Value {
     };
     json!({
         "runs": of.runs.len(),
+        "is_stopped": of.is_stopped,
         "undecided": of.undecided,
         "seed": of.seed,
         "friction_share": of.differences.friction_share,

@@ -28,7 +28,7 @@ messages! {
         },
         Falls { part: Sentence, drift: Quantity, most: Quantity } => {
             en: "{part} drifts {drift} of its height, beyond the {most} up to which small drifts can tell: it falls.",
-            ko: "{part}의 층간변위비가 {drift}로, 미소변형 모델의 범위 {most}을(를) 넘는다. 붕괴로 본다.",
+            ko: "{part}의 층간변위비가 {drift}(으)로, 미소변형 모델의 범위 {most}을(를) 넘는다. 붕괴로 본다.",
         },
         BedEdge { part: Sentence, moment: Quantity, most: Quantity, ratio: Quantity } => {
             en: "{part} has a moment of {moment}, and its bed stands on its edge at {most}: capacity over demand {ratio}.",

@@ -117,7 +117,7 @@ messages! {
         },
         TooSoft { frequency: Quantity, least: Quantity } => {
             en: "its lowest frequency is {frequency}, and the gust factor of KDS 41 12 00 that is held here is for more than {least}: below it the resonant part comes on top. Use code = \"EN 1991-1-4\", whose Annex B holds it, or give the gust of a wind study",
-            ko: "1차 고유진동수가 {frequency}이며, 여기에 구현된 KDS 41 12 00의 가스트영향계수는 {least}를 넘는 강체 구조물용이다. 그 이하에서는 공진 성분이 더해진다. 부속서 B가 있는 code = \"EN 1991-1-4\"를 쓰거나 풍동실험·풍하중 평가의 돌풍 값을 준다",
+            ko: "1차 고유진동수가 {frequency}이며, 여기에 구현된 KDS 41 12 00의 가스트영향계수는 {least}을(를) 넘는 강체 구조물용이다. 그 이하에서는 공진 성분이 더해진다. 부속서 B가 있는 code = \"EN 1991-1-4\"를 쓰거나 풍동실험·풍하중 평가의 돌풍 값을 준다",
         },
         Height { height: Quantity, most: Quantity } => {
             en: "its top is at {height}, and the profile of the code ends at {most}",

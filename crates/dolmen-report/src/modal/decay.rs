@@ -11,7 +11,7 @@ messages! {
     pub(crate) enum Decays in "modal.decay" {
         Explained { explained: Quantity } => {
             en: "The poles found explain {explained} of the motion.",
-            ko: "찾은 극점이 운동의 {explained}를 설명한다.",
+            ko: "찾은 극점이 운동의 {explained}을(를) 설명한다.",
         },
         Caption => {
             en: "Frequency and damping by the size of the swings.",

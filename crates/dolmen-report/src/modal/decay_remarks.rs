@@ -32,11 +32,11 @@ messages! {
         },
         NotWhite { unexplained: Quantity } => {
             en: "What is left is not white: the structure is still shaken; {unexplained} of the motion is unexplained.",
-            ko: "남은 운동이 백색잡음이 아니다. 구조물이 아직 가진되고 있으며 운동의 {unexplained}는 설명되지 않는다.",
+            ko: "남은 운동이 백색잡음이 아니다. 구조물이 아직 가진되고 있으며 운동의 {unexplained}은(는) 설명되지 않는다.",
         },
         Peaks { peaks: Values, unexplained: Quantity } => {
             en: "What is left is not white, with peaks at {peaks}: the structure is still shaken; {unexplained} of the motion is unexplained.",
-            ko: "남은 운동이 백색잡음이 아니며 {peaks}에 피크가 있다. 구조물이 아직 가진되고 있으며 운동의 {unexplained}는 설명되지 않는다.",
+            ko: "남은 운동이 백색잡음이 아니며 {peaks}에 피크가 있다. 구조물이 아직 가진되고 있으며 운동의 {unexplained}은(는) 설명되지 않는다.",
         },
         Deviations { said: Sentence, times: Quantity } => {
             en: "{said} Deviations are up to {times} times those in white noise.",

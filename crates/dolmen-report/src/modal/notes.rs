@@ -69,7 +69,7 @@ messages! {
         Pair { low: Quantity, high: Quantity } => { en: "{low}–{high}", ko: "{low}–{high}" },
         FilteredAbove { passed: Quantity, asked: Quantity } => {
             en: "Modes are sought up to {passed}, not to frequency_high_hz = {asked}: above it the filter cuts with which the record was brought to its rate; lower decimate_factor to see more.",
-            ko: "모드는 frequency_high_hz = {asked}가 아니라 {passed}까지 탐색하였다. 그 위는 샘플링 주파수를 낮출 때 쓴 필터가 자르므로, 더 높은 모드를 보려면 decimate_factor를 줄여야 한다.",
+            ko: "모드는 frequency_high_hz = {asked}이(가) 아니라 {passed}까지 탐색하였다. 그 위는 샘플링 주파수를 낮출 때 쓴 필터가 자르므로, 더 높은 모드를 보려면 decimate_factor를 줄여야 한다.",
         },
         Blends { blends: Vec<Sentence> } => {
             en: "Left out, since low orders alone show it and it is damped far above the modes: {blends}: several modes that this record does not tell apart; a longer record or more sensors may.",

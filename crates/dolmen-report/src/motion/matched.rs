@@ -34,7 +34,7 @@ messages! {
         Highest => { en: "highest", ko: "최대" },
         Fails { most: Quantity, short: Quantity } => {
             en: "NOT MATCHED: more than {most} off in the mean or {short} short somewhere; take a longer seed, or one of another kind.",
-            ko: "부합하지 않음: 평균 오차가 {most}를 넘거나 {short}를 넘게 모자라는 주기가 있다. 더 긴 기록이나 특성이 다른 기록을 사용한다.",
+            ko: "부합하지 않음: 평균 오차가 {most}을(를) 넘거나 {short}을(를) 넘게 모자라는 주기가 있다. 더 긴 기록이나 특성이 다른 기록을 사용한다.",
         },
     }
 }

@@ -22,11 +22,11 @@ messages! {
         OfStructures { count: usize, all: usize } => { en: "{count} of {all} structures", ko: "구조물 {all}기 중 {count}기" },
         ByRate { structures: Sentence, state: Both } => {
             en: "{structures} by the annual rate of {state}, the worst first.",
-            ko: "{structures}를 {state}의 연간 초과율 기준으로 나쁜 순서대로 나열하였다.",
+            ko: "{structures}을(를) {state}의 연간 초과율 기준으로 나쁜 순서대로 나열하였다.",
         },
         ByCapacity { structures: Sentence, state: Both } => {
             en: "{structures} by the capacity for {state}, the worst first: the peak of the ground that half of the motions need.",
-            ko: "{structures}를 {state}의 저항능력(지반운동의 절반이 그 상태에 이르게 하는 최대지반가속도) 기준으로 나쁜 순서대로 나열하였다.",
+            ko: "{structures}을(를) {state}의 저항능력(지반운동의 절반이 그 상태에 이르게 하는 최대지반가속도) 기준으로 나쁜 순서대로 나열하였다.",
         },
         NoHazard => { en: "The hazard of the sites is not given.", ko: "부지의 지진재해도가 주어지지 않았다." },
         NotByRate { why: Sentence } => { en: "NOT BY RATE: {why}", ko: "초과율 기준 아님: {why}" },

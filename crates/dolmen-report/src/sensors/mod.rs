@@ -93,6 +93,11 @@ fn findings(answer: &SensorsAnswer) -> Vec<Block<'static>> {
             1 => Planned::SeesOne {
                 share: percent(least),
             },
+            modes if most > ALIKE => Planned::TellsApartByFrequency {
+                modes,
+                mac: Quantity::ratio(most, 2),
+                share: percent(least),
+            },
             modes => Planned::TellsApart {
                 modes,
                 mac: Quantity::ratio(most, 2),
@@ -103,6 +108,9 @@ fn findings(answer: &SensorsAnswer) -> Vec<Block<'static>> {
     }
     all
 }
+
+/// MAC of two modes above which records hardly tell their shapes apart, as findings on modes have it.
+const ALIKE: f64 = 0.5;
 
 fn takes_back(answer: &SensorsAnswer, other: usize, at: usize) -> bool {
     let back = answer.modes.get(other).and_then(PlannedMode::taken_for);

@@ -26,11 +26,11 @@ messages! {
         Peak => { en: "peak as it acts", ko: "적용 최대" },
         ReadStrong { component: String, peak: Quantity, by_gravity: Quantity, by_gal: Quantity } => {
             en: "PROBABLY A SLIP: {component} is read with a peak of {peak}, which hardly any record has. In m/s² the file would have {by_gravity}, in gal {by_gal}: give its unit with --unit.",
-            ko: "입력 오류 의심: {component} 성분을 최대 {peak}로 읽었으며 이런 기록은 거의 없다. 파일이 m/s² 단위라면 {by_gravity}, gal 단위라면 {by_gal}이다. --unit으로 단위를 준다.",
+            ko: "입력 오류 의심: {component} 성분을 최대 {peak}(으)로 읽었으며 이런 기록은 거의 없다. 파일이 m/s² 단위라면 {by_gravity}, gal 단위라면 {by_gal}이다. --unit으로 단위를 준다.",
         },
         ReadWeak { component: String, peak: Quantity, by_metres: Quantity, by_gal: Quantity } => {
             en: "PROBABLY A SLIP: {component} is read with a peak of {peak}, which nobody would feel. If the numbers read as gal are m/s², it is {by_metres}, if they are g, {by_gal}: give their unit with --unit.",
-            ko: "입력 오류 의심: {component} 성분을 최대 {peak}로 읽었으며 이는 느낄 수 없는 크기이다. gal로 읽은 값이 m/s²라면 {by_metres}, g라면 {by_gal}이다. --unit으로 단위를 준다.",
+            ko: "입력 오류 의심: {component} 성분을 최대 {peak}(으)로 읽었으며 이는 느낄 수 없는 크기이다. gal로 읽은 값이 m/s²라면 {by_metres}, g라면 {by_gal}이다. --unit으로 단위를 준다.",
         },
         ActsStrong { peak: Quantity } => {
             en: "PROBABLY A SLIP: a motion of {peak} acts, more than in nearly all records ever made. Is the factor or the unit of the peak right (1 g is 9.81 m/s² or 981 gal)?",
@@ -42,7 +42,7 @@ messages! {
         },
         Step { component: String, step: Quantity, swings: Quantity } => {
             en: "PROBABLY A SLIP: with a step of {step} {component} swings at {swings} on average, and earthquakes swing at 0.5 to 25 Hz. Is the step in s, and not a rate in Hz or in ms?",
-            ko: "입력 오류 의심: 표본 간격 {step}에서 {component} 성분은 평균 {swings}로 진동하며 지진동은 0.5~25 Hz이다. 표본 간격이 초 단위가 맞는가(표본화 진동수 Hz 또는 ms가 아닌가)?",
+            ko: "입력 오류 의심: 표본 간격 {step}에서 {component} 성분은 평균 {swings}(으)로 진동하며 지진동은 0.5~25 Hz이다. 표본 간격이 초 단위가 맞는가(표본화 진동수 Hz 또는 ms가 아닌가)?",
         },
         TurnRadians { degrees: Quantity, meant: Quantity } => {
             en: "PROBABLY A SLIP: it is turned by {degrees}°, a round part of π. If that is in radians, write {meant}.",

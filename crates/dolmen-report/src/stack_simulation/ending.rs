@@ -57,7 +57,7 @@ messages! {
         },
         StillMoving { at: Quantity, block: String, left: Quantity } => {
             en: "it still moved at the end of the run, {at}; '{block}' is not at rest, {left} of the way from its plumb line to the edge that carries it is left; no verdict. Give a longer --duration.",
-            ko: "해석이 끝난 {at}에도 ‘{block}’이(가) 정지하지 않아 판정하지 않는다. 무게중심선에서 지지면 가장자리까지의 거리는 처음의 {left}가 남았다. --duration을 늘려 다시 해석한다.",
+            ko: "해석이 끝난 {at}에도 ‘{block}’이(가) 정지하지 않아 판정하지 않는다. 무게중심선에서 지지면 가장자리까지의 거리는 처음의 {left}이(가) 남았다. --duration을 늘려 다시 해석한다.",
         },
         NotConverged { at: Quantity, nearest: Quantity } => {
             en: "the run found no solution at {at}; no velocities obey the law of every joint, nearest {nearest}; all values are of the part before, and there is no verdict. Try half the step.",

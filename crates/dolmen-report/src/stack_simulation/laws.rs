@@ -91,7 +91,7 @@ pub(super) fn finding(runs: &StackRuns) -> Option<Finding> {
 }
 
 fn state(run: &StackSimulation) -> usize {
-    usize::from(run.damage.state.number())
+    usize::from(run.counted_damage().number())
 }
 
 /// What each law found, if both were run.

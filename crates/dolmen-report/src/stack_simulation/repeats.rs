@@ -20,6 +20,10 @@ messages! {
             en: "{said} Runs without a verdict, left out: {runs}.",
             ko: "{said} 판정에 이르지 못하여 제외한 해석: {runs}회.",
         },
+        Stopped { said: Sentence, runs: usize } => {
+            en: "It was stopped before {runs} of the runs were made. {said}",
+            ko: "반복 해석 {runs}회를 하기 전에 중단되었다. {said}",
+        },
         None { runs: usize } => {
             en: "None of {runs} runs with small differences came to a verdict.",
             ko: "작은 차이를 준 반복 해석 {runs}회 모두 판정에 이르지 못하였다.",
@@ -56,7 +60,10 @@ pub(super) fn finding(repeats: &Repeats) -> Finding {
         0 => Finding::key(tone, said),
         runs => {
             let said = said.into();
-            Finding::key(tone, Repeated::Undecided { said, runs })
+            match repeats.is_stopped {
+                true => Finding::key(Tone::Warn, Repeated::Stopped { said, runs }),
+                false => Finding::key(tone, Repeated::Undecided { said, runs }),
+            }
         }
     }
 }

@@ -19,8 +19,12 @@ messages! {
             ko: "{scans} 중 {fell}건이 ‘{state}’ 상태에 이르렀으며, 그 최소 가속도는 {least}이다.",
         },
         Median { state: Sentence, theta: Quantity, beta: Quantity } => {
-            en: "Half of the scans reach “{state}” by {theta} (scatter of the logarithm β = {beta}).",
-            ko: "증분해석의 절반이 {theta}까지 ‘{state}’ 상태에 이른다(대수 표준편차 β = {beta}).",
+            en: "The curve fitted to them (lognormal) has its median for “{state}” at {theta}, scatter of the logarithm β = {beta}.",
+            ko: "적합한 대수정규 취약도 곡선에서 ‘{state}’ 상태의 중앙값은 {theta}, 대수 표준편차는 β = {beta}이다.",
+        },
+        MedianBeyond { state: Sentence, theta: Quantity, beta: Quantity } => {
+            en: "Less than half of them reached “{state}”: the median of the curve fitted to them (lognormal), {theta} with a scatter of the logarithm of β = {beta}, is an extrapolation.",
+            ko: "‘{state}’ 상태에 이른 것이 절반에 못 미친다. 적합한 대수정규 취약도 곡선의 중앙값 {theta}(대수 표준편차 β = {beta})은 외삽값이다.",
         },
     }
 }
@@ -94,10 +98,29 @@ fn median(answer: &StudyAnswer) -> Option<Finding> {
     };
     let mut worst = one.states.iter().rev();
     let (of, fit) = worst.find_map(|own| Some((own.state, own.by_acceleration.as_ref().ok()?)))?;
-    let said = Found::Median {
-        state: state(answer, of),
-        theta: g(answer, fit.curve.theta()),
-        beta: Quantity::ratio(fit.curve.beta(), 2),
-    };
-    Some(Finding::key(Tone::Plain, said))
+    let (name, theta) = (state(answer, of), g(answer, fit.curve.theta()));
+    let beta = Quantity::ratio(fit.curve.beta(), 2);
+    let usable = answer.capacities();
+    let usable: Vec<_> = usable.iter().filter(|scan| scan.verdict.is_usable()).collect();
+    let reached = usable
+        .iter()
+        .filter(|scan| scan.first_m_s2.is_some_and(|first| first[of].is_reached()));
+    Some(match 2 * reached.count() < usable.len() {
+        true => Finding::key(
+            Tone::Warn,
+            Found::MedianBeyond {
+                state: name,
+                theta,
+                beta,
+            },
+        ),
+        false => Finding::key(
+            Tone::Plain,
+            Found::Median {
+                state: name,
+                theta,
+                beta,
+            },
+        ),
+    })
 }

@@ -18,6 +18,7 @@ pub use crate::stack_simulation::simulation_text;
 pub use crate::tune::{together_text, tune_text};
 pub use change::change_text;
 pub(crate) use grown::GROWN;
+pub(crate) use project_line::TEMPLATES as PROJECT_LINE;
 pub use project_line::project_line;
 pub(crate) use simulation::TEMPLATES as SIMULATION_INPUTS;
 pub use simulation::simulation_inputs_text;

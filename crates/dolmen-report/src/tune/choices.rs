@@ -14,11 +14,11 @@ messages! {
     pub(crate) enum Choices in "tune.choices" {
         InFile { mass: Quantity, floor: usize, x: Quantity, y: Quantity, direction: Sentence } => {
             en: "In the file it has {mass} on floor {floor} at x = {x}, y = {y}, along {direction}.",
-            ko: "입력: {floor}층 x = {x}, y = {y}, 질량 {mass}, {direction} 방향.",
+            ko: "입력: {floor}번 바닥 x = {x}, y = {y}, 질량 {mass}, {direction} 방향.",
         },
         InVariant { variant: String, mass: Quantity, floor: usize, x: Quantity, y: Quantity, direction: Sentence } => {
             en: "In variant {variant} it has {mass} on floor {floor} at x = {x}, y = {y}, along {direction}.",
-            ko: "대안 {variant}의 입력: {floor}층 x = {x}, y = {y}, 질량 {mass}, {direction} 방향.",
+            ko: "대안 {variant}의 입력: {floor}번 바닥 x = {x}, y = {y}, 질량 {mass}, {direction} 방향.",
         },
         Mode { mode: usize, frequency: Quantity, circular: Quantity, damping: Quantity, modal_mass: Quantity, ratio: Quantity } => {
             en: "Mode {mode} at {frequency} ({circular}), damping ratio {damping}; modal mass {modal_mass} at the damper, mass ratio {ratio}.",

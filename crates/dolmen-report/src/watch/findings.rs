@@ -41,7 +41,7 @@ messages! {
         },
         Stepped { frequency: Quantity, by: Quantity, half: Quantity, after: String, before: String, chance: Sentence, stiffness: Quantity, cause: Sentence } => {
             en: "{frequency} changed by {by} ± {half} between {after} and {before} ({chance}){cause}; if all stiffness changed alike, by {stiffness}.",
-            ko: "{frequency} 모드는 {after}와 {before} 사이에 {by} ± {half} 변하였다({chance}){cause}. 전체가 같은 비율로 변하였다면 강성 변화는 {stiffness}이다.",
+            ko: "{frequency} 모드는 {after}와(과) {before} 사이에 {by} ± {half} 변하였다({chance}){cause}. 전체가 같은 비율로 변하였다면 강성 변화는 {stiffness}이다.",
         },
         Drifted { frequency: Quantity, by: Quantity, half: Quantity, since: String, yearly: Quantity, chance: Sentence } => {
             en: "{frequency} drifts by {yearly} a year since about {since}, {by} ± {half} so far ({chance}).",
@@ -61,7 +61,7 @@ messages! {
         },
         LastApart { last: String, frequency: Quantity, change: Quantity, usual: Quantity, times: Quantity } => {
             en: "The last survey, {last}, has {frequency}: {change} from the median of those before it, {usual}, and {times} times the standard deviations of both. With so few surveys that gives no alarm, and the weather may do it; look at it with `dolmen compare`.",
-            ko: "마지막 조사 {last}의 고유진동수는 {frequency}로, 이전 조사의 중앙값 {usual}에서 {change} 변하였으며 표준편차의 {times}배이다. 조사가 적어 경보로 판정하지 않으며 기상의 영향일 수 있다. `dolmen compare`로 살펴본다.",
+            ko: "마지막 조사 {last}의 고유진동수는 {frequency}(으)로, 이전 조사의 중앙값 {usual}에서 {change} 변하였으며 표준편차의 {times}배이다. 조사가 적어 경보로 판정하지 않으며 기상의 영향일 수 있다. `dolmen compare`로 살펴본다.",
         },
         Missed { frequency: Quantity, least: Quantity } => {
             en: "Beside that, a lasting step of {least} would have been seen with 80 % probability, in the mode that shows least ({frequency}).",
@@ -94,6 +94,10 @@ messages! {
         Jumped { from: Quantity, to: Quantity, survey: String, mac: Quantity } => {
             en: "{from} ended and {to} began on {survey} with a like shape (MAC {mac}): perhaps one mode that jumped.",
             ko: "{survey}에 {from} 모드가 사라지고 모드형상이 비슷한(MAC {mac}) {to} 모드가 나타났다. 한 모드가 급변한 것일 수 있다.",
+        },
+        FarAhead { date: String, last: String } => {
+            en: "The work of {date} in [watch] is dated more than a year after the last survey, {last}: no survey shows what it did, and alarms before it stay open until one does. Is the year right?",
+            ko: "[watch]의 {date} 작업은 마지막 조사 {last}보다 1년 넘게 뒤여서 그 효과를 보여 주는 조사가 없다. 다음 조사까지 이전 경보는 그대로 둔다. 연도가 맞는가?",
         },
         Rate { share: Quantity } => {
             en: "Confirmed false alarms come at the stated mean rate; over these years at least one with {share} probability.",
@@ -133,6 +137,7 @@ pub(crate) fn findings(answer: &WatchAnswer) -> Vec<Finding> {
         true => (alarms, Vec::new()),
         false => (Vec::new(), alarms),
     };
+    all.extend(far_ahead(answer));
     all.extend(last_survey(answer));
     all.extend(changes(answer));
     all.extend(after);
@@ -219,9 +224,22 @@ fn alarms(answer: &WatchAnswer) -> Vec<Finding> {
     all
 }
 
+/// Works that are dated far behind the last survey.
+fn far_ahead(answer: &WatchAnswer) -> Vec<Finding> {
+    let last = name(answer, answer.surveys.len().saturating_sub(1));
+    let far = answer.works.iter().filter(|(day, _)| answer.is_far_ahead(*day));
+    let said = far.map(|(_, work)| Found::FarAhead {
+        date: work.date.clone(),
+        last: last.clone(),
+    });
+    said.map(|said| Finding::key(Tone::Warn, said)).collect()
+}
+
 /// Whether a mode changed, or its last surveys lie off, and no repair and no inspection followed.
 fn has_unanswered(answer: &WatchAnswer) -> bool {
-    let answers = |(_, work): &&(f64, WorkPart)| matches!(work.kind, WorkKind::Repair | WorkKind::Inspection);
+    let answers = |(day, work): &&(f64, WorkPart)| {
+        matches!(work.kind, WorkKind::Repair | WorkKind::Inspection) && !answer.is_far_ahead(*day)
+    };
     let answered_until = answer.works.iter().rev().find(answers).map(|(day, _)| *day);
     let is_open = |survey: usize| {
         let day = answer.surveys.get(survey).map(|of| of.day);

@@ -21,7 +21,7 @@ messages! {
     pub(crate) enum Logged in "watch.logs" {
         Beyond { label: Both, now: Quantity, limit: Quantity } => {
             en: "{label}: {now}, beyond its limit of {limit}.",
-            ko: "{label}: {now}로 한계 {limit}를 넘었다.",
+            ko: "{label}: {now}(으)로 한계 {limit}을(를) 넘었다.",
         },
         LeansBeyond { now: Quantity, limit: Quantity } => {
             en: "The logs of x and y together: it leans by {now} mm/m, beyond its limit of {limit} mm/m.",
@@ -61,7 +61,7 @@ messages! {
         },
         Jumped { label: Both, by: Quantity, after: String, before: String } => {
             en: "{label}: it jumped by {by} between {after} and {before}, and no work says why. A trend may be of its making: look what happened, and enter it into works of [watch].",
-            ko: "{label}: {after}와 {before} 사이에 {by}만큼 급변하였으나 해당하는 보수나 사건이 없다. 추세가 이 급변 때문일 수 있으므로 원인을 확인하여 [watch]의 works에 기록한다.",
+            ko: "{label}: {after}와(과) {before} 사이에 {by}만큼 급변하였으나 해당하는 보수나 사건이 없다. 추세가 이 급변 때문일 수 있으므로 원인을 확인하여 [watch]의 works에 기록한다.",
         },
         Stuck { label: Both, since: String } => {
             en: "SENSOR: {label} reads one value since {since}: look at the sensor. What followed is left out.",

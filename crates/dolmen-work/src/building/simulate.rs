@@ -3,6 +3,7 @@
 use super::{BuildingSimulation, WatchedPoint};
 use crate::error::WorkError;
 use crate::motion::MotionAnswer;
+use crate::tilt_left_out::TiltLeftOut;
 use crate::version::Version;
 use dolmen::damper::{AttachedDamper, damped_building_history};
 use dolmen::dynamics::{
@@ -74,6 +75,7 @@ pub(crate) fn simulate(
         history,
         without_dampers,
         points,
+        tilt_left_out: TiltLeftOut::of(&version.project.surveys),
     }))
 }
 

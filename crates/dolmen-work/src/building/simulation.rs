@@ -1,6 +1,7 @@
 //! What `dolmen simulate` found of a building, with what went in.
 
 use crate::motion::MotionAnswer;
+use crate::tilt_left_out::TiltLeftOut;
 use dolmen::assess::demand::DriftLimit;
 use dolmen::dynamics::{
     BuildingHistory, BuildingPeaks, Peak, ResultantDrift, VibratingBuilding, WatchedHistory,
@@ -107,6 +108,8 @@ pub struct BuildingSimulation {
     pub without_dampers: Option<Box<BuildingHistory>>,
     /// Points of the file.
     pub points: Vec<WatchedPoint>,
+    /// A surveyed tilt that the run does not start from.
+    pub tilt_left_out: Option<TiltLeftOut>,
 }
 
 impl BuildingSimulation {
@@ -195,9 +198,13 @@ impl BuildingSimulation {
         add(storeys
             .map(|(storey, axis)| {
                 let name = &self.floors[storey];
+                let floor = match name.bytes().all(|byte| byte.is_ascii_digit()) {
+                    true => format!("{name}번"),
+                    false => name.clone(),
+                };
                 let words = [
                     format!("{DRIFT} {} below floor {name}", axes[axis]),
-                    format!("{name} 바닥 아래 {} 방향 층간변위", axes[axis]),
+                    format!("{floor} 바닥 아래 {} 방향 층간변위", axes[axis]),
                 ];
                 (
                     words,

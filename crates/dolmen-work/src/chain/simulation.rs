@@ -55,6 +55,11 @@ impl ChainSimulation {
         matches!(self.history.outcome, ChainOutcome::Fell { .. })
     }
 
+    /// Whether it falls without any shaking: its springs do not hold it, and no friction does.
+    pub fn falls_by_itself(&self) -> bool {
+        self.first_frequency_hz.is_none() && !self.model.has_friction()
+    }
+
     /// When the run ended, s, if that is before the motion did and no link had fallen: there is no verdict.
     pub fn ended_before_the_motion_s(&self) -> Option<f64> {
         let (motion, _) = self.motion.as_ref()?;

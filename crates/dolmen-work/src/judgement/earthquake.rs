@@ -32,6 +32,15 @@ pub enum DecidedBy {
     Fall,
     /// The state of damage, 0 to 4.
     DamageState(u8),
+    /// The worst state of damage of runs with differences that nobody can measure.
+    DamageOfRuns {
+        /// The state, 0 to 4.
+        state: u8,
+        /// How many runs reached it.
+        runs: usize,
+        /// Of how many.
+        all: usize,
+    },
     /// The drift of a storey over that up to which its model holds.
     Drift,
     /// A tie that broke.
@@ -155,6 +164,7 @@ impl DecidedBy {
             DecidedBy::CodeDemand => "code_demand",
             DecidedBy::Fall => "fall",
             DecidedBy::DamageState(_) => "damage_state",
+            DecidedBy::DamageOfRuns { .. } => "damage_of_runs",
             DecidedBy::Drift => "drift",
             DecidedBy::Strength => "strength",
             DecidedBy::BedEdge => "bed_edge",
@@ -214,14 +224,18 @@ pub(super) fn of_parts(parts: &[PartLimit], motion: Option<&str>) -> Vec<Earthqu
             ..EarthquakeFinding::new(Earthquake::NotDecided, DecidedBy::BedUnknown, motion)
         });
     }
-    match found.is_empty() {
-        true => vec![EarthquakeFinding::new(
+    // storeys that nothing limits are not decided by the room of a damper
+    let drifts = || parts.iter().filter(|part| part.limited == Limited::Drift);
+    let is_unlimited =
+        drifts().next().is_some() && drifts().all(|part| part.capacity.is_none() && !part.falls());
+    if found.is_empty() || is_unlimited {
+        found.push(EarthquakeFinding::new(
             Earthquake::NotDecided,
             DecidedBy::NoLimit,
             motion,
-        )],
-        false => found,
+        ));
     }
+    found
 }
 
 fn of_part(part: &PartLimit, motion: Option<&str>) -> EarthquakeFinding {
@@ -296,6 +310,24 @@ mod tests {
         assert_eq!(word(std::slice::from_ref(&strong)), Earthquake::Above);
         assert_eq!(word(&[strong.clone(), unknown.clone()]), Earthquake::NotDecided);
         assert_eq!(word(&[strong, unknown, weak]), Earthquake::BelowDemand);
+    }
+
+    #[test]
+    fn holds_a_damper_with_room_does_not_decide_for_storeys_without_a_limit() {
+        let part = |part, limited, demand, capacity| PartLimit {
+            part,
+            direction: None,
+            limited,
+            demand,
+            capacity,
+            taken: 0.0,
+        };
+        let damper = |stroke_m| part(Part::Damper("tank".into()), Limited::Room, stroke_m, Some(0.2));
+        let roof = |allowed| part(Part::BelowFloor("roof".into()), Limited::Drift, 0.0139, allowed);
+        let word = |parts: &[PartLimit]| Earthquake::worst(&of_parts(parts, None));
+        assert_eq!(word(&[roof(None), damper(0.0)]), Earthquake::NotDecided);
+        assert_eq!(word(&[roof(None), damper(0.3)]), Earthquake::BelowDemand);
+        assert_eq!(word(&[roof(Some(0.02)), damper(0.0)]), Earthquake::Above);
     }
 
     #[test]

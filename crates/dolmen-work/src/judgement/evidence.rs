@@ -4,7 +4,7 @@ use super::colour::Colour;
 use crate::building::BuildingAnswer;
 use crate::state::{Check, FREQUENCY_RATIO_MOST};
 use crate::survey_dates::date;
-use dolmen_project::{Evidence as Source, ModeKind, Survey, SurveyMode};
+use dolmen_project::{Evidence as Source, ModeKind, Project, Survey, SurveyMode};
 use dolmen_words::Language;
 
 /// Standard deviations of a measured frequency within which a model may differ from it. Chosen here: 1 in 400 by chance.
@@ -20,6 +20,11 @@ pub enum Evidence {
     },
     /// The latest survey has another frequency than the model.
     Contradicted(MeasuredFrequency),
+    /// A survey measured frequencies, but the model has none to hold against them: its stiffness is not known.
+    NotCompared {
+        /// The survey.
+        survey: String,
+    },
     /// No survey measured what the model can be compared with, or that one is what its stiffness was identified from.
     NotMeasured {
         /// The survey that the stiffness was identified from.
@@ -64,34 +69,40 @@ impl Evidence {
     /// What the latest survey that measured a frequency says of a model, in the worst direction.
     ///
     /// Surveys whose names begin with a date come after those without, and of the same date the last of the file is the latest.
-    /// `calibrated_to` names the survey that the stiffness was identified from, which is no evidence for it.
-    pub fn of(surveys: &[Survey], check: &Check, calibrated_to: Option<&str>) -> Evidence {
-        let measured = surveys.iter().filter(|survey| {
+    /// A survey that stiffness was identified from says nothing for it where it agrees, and contradicts it like any other where it does not.
+    pub fn of(project: &Project, check: &Check) -> Evidence {
+        let measured = project.surveys.iter().filter(|survey| {
             let mut directions = survey.modes.values();
             directions.any(|modes| lowest_measured(modes).is_some())
         });
-        let used = |survey: &&Survey| calibrated_to.is_none_or(|used| used != survey.name);
-        let latest = measured.filter(used).max_by_key(|survey| date(&survey.name));
-        let Some(latest) = latest else {
-            return Evidence::of_frequencies(Vec::new(), calibrated_to);
+        let Some(latest) = measured.max_by_key(|survey| date(&survey.name)) else {
+            return Evidence::none();
         };
-        Evidence::of_frequencies(
-            measured_frequencies(std::slice::from_ref(latest), check),
-            calibrated_to,
-        )
+        let measured = measured_frequencies(std::slice::from_ref(latest), check);
+        if measured.is_empty() {
+            return Evidence::NotCompared {
+                survey: latest.name.clone(),
+            };
+        }
+        match Evidence::of_frequencies(measured) {
+            Evidence::Agrees { survey } if project.identified_from().contains(survey.as_str()) => {
+                Evidence::NotMeasured {
+                    calibrated_to: Some(survey),
+                }
+            }
+            found => found,
+        }
     }
 
     /// What the frequencies of one survey say.
-    fn of_frequencies(measured: Vec<MeasuredFrequency>, calibrated_to: Option<&str>) -> Evidence {
+    fn of_frequencies(measured: Vec<MeasuredFrequency>) -> Evidence {
         let survey = measured.first().map(|of| of.survey.clone());
         let differing = measured.into_iter().filter(|of| !of.agrees());
         let worst = differing.max_by(|a, b| a.apart().total_cmp(&b.apart()));
         match (worst, survey) {
             (Some(worst), _) => Evidence::Contradicted(worst),
             (None, Some(survey)) => Evidence::Agrees { survey },
-            (None, None) => Evidence::NotMeasured {
-                calibrated_to: calibrated_to.map(str::to_owned),
-            },
+            (None, None) => Evidence::NotMeasured { calibrated_to: None },
         }
     }
 
@@ -109,7 +120,9 @@ impl Evidence {
     pub fn colour(&self) -> Colour {
         match self {
             Evidence::Contradicted(_) => Colour::Amber,
-            Evidence::Agrees { .. } | Evidence::NotMeasured { .. } => Colour::Green,
+            Evidence::Agrees { .. } | Evidence::NotCompared { .. } | Evidence::NotMeasured { .. } => {
+                Colour::Green
+            }
         }
     }
 
@@ -118,6 +131,7 @@ impl Evidence {
         match self {
             Evidence::Agrees { .. } => "agrees",
             Evidence::Contradicted(_) => "contradicted",
+            Evidence::NotCompared { .. } => "not compared",
             Evidence::NotMeasured { .. } => "not measured",
         }
     }
@@ -127,9 +141,16 @@ impl Evidence {
         let word = match self {
             Evidence::Agrees { .. } => language.pick("agrees", "계측과 일치"),
             Evidence::Contradicted(_) => language.pick("contradicted", "계측과 불일치"),
+            Evidence::NotCompared { .. } => language.pick("not compared", "비교 불가"),
             Evidence::NotMeasured { .. } => language.pick("not measured", "계측 없음"),
         };
         match self {
+            Evidence::NotCompared { survey } => language.pick(
+                format!(
+                    "{word} with survey {survey}: the model has no frequency, its stiffness is not given"
+                ),
+                format!("{word}({survey} 조사의 고유진동수는 있으나 모델의 강성이 주어지지 않음)"),
+            ),
             Evidence::NotMeasured {
                 calibrated_to: Some(survey),
             } => language.pick(
@@ -243,7 +264,7 @@ mod tests {
             (2.3, Some(f64::NAN), "contradicted", Colour::Amber),
             (f64::NAN, None, "contradicted", Colour::Amber),
         ] {
-            let found = Evidence::of_frequencies(vec![measured(measured_hz, sd_hz)], None);
+            let found = Evidence::of_frequencies(vec![measured(measured_hz, sd_hz)]);
             assert_eq!(found.key(), word, "{measured_hz} {sd_hz:?}");
             assert_eq!(found.colour(), colour, "{measured_hz} {sd_hz:?}");
         }
@@ -253,10 +274,12 @@ mod tests {
     fn holds_the_worst_direction_decides_and_nothing_compared_is_not_measured() {
         let all = vec![measured(2.0, None), measured(3.0, None), measured(2.5, None)];
         assert_eq!(
-            Evidence::of_frequencies(all, None),
+            Evidence::of_frequencies(all),
             Evidence::Contradicted(measured(3.0, None))
         );
-        let none = Evidence::of_frequencies(Vec::new(), Some("2009"));
+        let none = Evidence::NotMeasured {
+            calibrated_to: Some("2009".into()),
+        };
         assert_eq!(none.words(Language::English), "not measured (calibrated to 2009)");
         assert_eq!(none.colour(), Colour::Green);
     }

@@ -10,6 +10,7 @@ use crate::answer::{Answer, CheckAnswer};
 use crate::building::{BuildingSimulation, TogetherAnswer, TogetherChoice, TuneAnswer};
 use crate::chain::ChainSimulation;
 use crate::frame::FrameSimulation;
+use crate::inventory::InventoryLine;
 use crate::loads::Governing;
 use crate::simulation::{SimulateAnswer, Simulation};
 use crate::stack::{StackRuns, StackSimulation};
@@ -66,6 +67,8 @@ pub struct Judgement {
     pub versions: Vec<VersionJudgement>,
     /// Whether every run that was asked for came to its end.
     pub is_done: bool,
+    /// Whether its surveys over the years leave an alarm open, or a tilt or crack beyond its limit.
+    pub is_alarming: bool,
 }
 
 impl VersionJudgement {
@@ -128,6 +131,7 @@ impl Judgement {
         let mut judgement = Judgement {
             versions: Vec::new(),
             is_done,
+            is_alarming: false,
         };
         judgement.add(variant, found);
         judgement
@@ -147,6 +151,9 @@ impl Judgement {
             }
             self.add(run.variant(), found);
             self.is_done &= is_done;
+            if let Simulation::Chain(run) = run {
+                self.add_weight(run);
+            }
         }
         if let Evidence::Contradicted(_) = simulated.evidence
             && let Some(version) = self.versions.iter_mut().find(|of| of.variant.is_none())
@@ -163,9 +170,20 @@ impl Judgement {
         }
     }
 
+    /// A chain that falls without any shaking is unstable, whatever the motion did.
+    fn add_weight(&mut self, run: &ChainSimulation) {
+        let mut versions = self.versions.iter_mut();
+        if run.falls_by_itself()
+            && let Some(version) = versions.find(|version| version.variant == run.variant)
+        {
+            version.weight = Some(Weight::Unstable);
+        }
+    }
+
     /// The worst colour of all versions: that of banner, index and exit.
     pub fn colour(&self) -> Colour {
-        Colour::worst(self.versions.iter().map(VersionJudgement::colour))
+        let alarm = self.is_alarming.then_some(Colour::Red);
+        Colour::worst(self.versions.iter().map(VersionJudgement::colour).chain(alarm))
     }
 
     /// The version that the headline judges: the structure as it is, else the first that was judged.
@@ -212,6 +230,7 @@ pub fn judge(answers: &[Answer]) -> Judgement {
     let mut judgement = Judgement {
         versions: Vec::new(),
         is_done: true,
+        is_alarming: false,
     };
     for answer in answers {
         if let Answer::Check(checked) = answer {
@@ -229,11 +248,14 @@ pub fn judge(answers: &[Answer]) -> Judgement {
                     judgement.add(of.variant.as_deref(), of_together(of));
                 }
             }
+            Answer::Watch(watched) => {
+                let line = InventoryLine::watched(String::new(), watched);
+                judgement.is_alarming |= line.is_alarming();
+            }
             // judged above, or no verdict on a structure
             Answer::Check(_)
             | Answer::Identify(_)
             | Answer::Compare(_)
-            | Answer::Watch(_)
             | Answer::Study(_)
             | Answer::Score(_)
             | Answer::Rank(_)
@@ -246,8 +268,7 @@ pub fn judge(answers: &[Answer]) -> Judgement {
 /// The versions of a check, each with its weight and what its site asks.
 fn of_check(checked: &CheckAnswer) -> Vec<VersionJudgement> {
     let as_it_is = checked.state.as_ref().map(|state| {
-        let calibrated_to = None;
-        let evidence = Evidence::of(&checked.project.surveys, &state.check, calibrated_to);
+        let evidence = Evidence::of(&checked.project, &state.check);
         version((None, &*checked.project), state, evidence)
     });
     let own = |name: &str| checked.project.variants.iter().find(|own| own.name == name);
@@ -267,6 +288,7 @@ pub fn judge_check(checked: &CheckAnswer) -> Judgement {
     Judgement {
         versions: of_check(checked),
         is_done: true,
+        is_alarming: false,
     }
 }
 
@@ -275,6 +297,7 @@ pub fn judge_simulation(simulated: &SimulateAnswer) -> Judgement {
     let mut judgement = Judgement {
         versions: Vec::new(),
         is_done: true,
+        is_alarming: false,
     };
     judgement.add_runs(simulated);
     judgement
@@ -301,7 +324,9 @@ pub fn judge_frame_run(run: &FrameSimulation) -> Judgement {
 /// The judgement of one simulated chain.
 pub fn judge_chain_run(run: &ChainSimulation) -> Judgement {
     let is_done = run.falls() || run.is_whole();
-    Judgement::of_run(run.variant.as_deref(), of_chain(run), is_done)
+    let mut judgement = Judgement::of_run(run.variant.as_deref(), of_chain(run), is_done);
+    judgement.add_weight(run);
+    judgement
 }
 
 /// The judgement of one simulated building.
@@ -404,6 +429,7 @@ mod tests {
             let judgement = Judgement {
                 versions: vec![version(None, weight, word)],
                 is_done: true,
+                is_alarming: false,
             };
             let headline = judgement.headline().map(|of| of.words(Language::English));
             assert_eq!(headline.unwrap_or_default().join("; "), words);
@@ -420,6 +446,7 @@ mod tests {
         let judgement = Judgement {
             versions: vec![stable(None), stable(Some("wedged")), falls],
             is_done: true,
+            is_alarming: false,
         };
         let worse: Vec<_> = judgement.worse().map(|of| of.variant.clone()).collect();
         assert_eq!(worse, [Some("loose".to_owned())]);
@@ -434,12 +461,14 @@ mod tests {
             let judgement = Judgement {
                 versions: vec![version(None, Weight::Stable, word)],
                 is_done: false,
+                is_alarming: false,
             };
             assert_eq!(judgement.exit_status(Verb::Simulate), exit);
         }
         let nothing = Judgement {
             versions: Vec::new(),
             is_done: true,
+            is_alarming: false,
         };
         assert_eq!(
             (nothing.colour(), nothing.exit_status(Verb::Check)),

@@ -6,8 +6,8 @@ use crate::chain::ChainSimulation;
 use crate::frame::FrameSimulation;
 use crate::part_limit::PartLimit;
 use crate::simulation::Simulation;
-use crate::stack::{StackRuns, StackSimulation};
-use dolmen::assess::{DamageState, DamageThresholds, JointDamage};
+use crate::stack::{Repeats, StackRuns, StackSimulation};
+use dolmen::assess::{DamageState, JointDamage};
 use dolmen::blocks::Outcome;
 
 /// How a run came to its end.
@@ -33,10 +33,30 @@ pub(super) fn of_simulation(run: &Simulation) -> (Vec<EarthquakeFinding>, bool) 
     }
 }
 
-/// A stack by each law of contact that was run: the worse one decides.
+/// A stack by each law of contact that was run, and again with small differences: the worst one decides.
 pub(super) fn of_stack_runs(runs: &StackRuns) -> (Vec<EarthquakeFinding>, bool) {
-    let is_done = runs.each().all(|run| run.falls() || run.is_whole());
-    (of_stack(&runs.deciding), is_done)
+    let is_stopped = runs.repeats.as_ref().is_some_and(|repeats| repeats.is_stopped);
+    let is_done = !is_stopped && runs.each().all(|run| run.falls() || run.is_whole());
+    let mut found = of_stack(&runs.deciding);
+    let motion = runs.deciding.motion.motion.name();
+    let worst = runs
+        .repeats
+        .as_ref()
+        .and_then(|repeats| of_repeats(repeats, motion));
+    found.extend(worst.filter(|worst| worst.word > Earthquake::worst(&found)));
+    (found, is_done)
+}
+
+/// The worst damage of runs with small differences.
+fn of_repeats(repeats: &Repeats, motion: &str) -> Option<EarthquakeFinding> {
+    let (state, runs) = *repeats.states().last()?;
+    let decided_by = DecidedBy::DamageOfRuns {
+        state: state.number(),
+        runs,
+        all: repeats.runs.len(),
+    };
+    let word = Earthquake::of_damage(state);
+    Some(EarthquakeFinding::new(word, decided_by, Some(motion)))
 }
 
 /// Whether a run of a stack is worse than another: by its word, of equal words by its damage.
@@ -56,13 +76,7 @@ pub(super) fn of_stack(run: &StackSimulation) -> Vec<EarthquakeFinding> {
         _ if run.is_whole() => Ending::Whole,
         _ => Ending::Open,
     };
-    // what is left of a slip is not known before the end; how far a joint rocked is
-    let rocked =
-        |joint: &JointDamage| joint.peak_rocking_ratio >= DamageThresholds::default().severe_rocking_ratio;
-    let state = match ending {
-        Ending::Open if !run.damage.joints.iter().any(rocked) => run.damage.state.min(DamageState::Offset),
-        _ => run.damage.state,
-    };
+    let state = run.counted_damage();
     let is_nan = run.damage.joints.iter().any(has_nan);
     let broke = !run.history.broken_ties.is_empty();
     let found = of_damage(ending, state, is_nan, broke);
@@ -122,7 +136,7 @@ pub(super) fn of_chain(run: &ChainSimulation) -> Vec<EarthquakeFinding> {
         Some((motion, _)) => {
             let name = motion.motion.name();
             let mut all = under(name, found);
-            all.extend(near_an_edge(ending, &run.parts(), name));
+            all.extend(of_beds(ending, &run.parts(), name));
             all
         }
         // a push alone is no earthquake: that it stands says nothing of one
@@ -133,19 +147,29 @@ pub(super) fn of_chain(run: &ChainSimulation) -> Vec<EarthquakeFinding> {
     }
 }
 
-/// A bed that came near its edge, or stood on it, although nothing fell: the same share counts as near that counts for storeys.
-fn near_an_edge(ending: Ending, parts: &[PartLimit], motion: &str) -> Option<EarthquakeFinding> {
-    let with_edge = parts.iter().filter(|part| part.ratio().is_some()).cloned();
-    let worst = of_parts(&with_edge.collect::<Vec<_>>(), Some(motion))
-        .into_iter()
-        .next()?;
-    let is_near = matches!(worst.word, Earthquake::Near | Earthquake::BelowDemand);
-    (ending == Ending::Whole && worst.decided_by == DecidedBy::BedEdge && is_near).then_some(
-        EarthquakeFinding {
-            word: Earthquake::Near,
-            ..worst
+/// Share of the moment at the edge of a bed, less which a run is off by: a bed that opens bears no more than that moment.
+const AT_THE_EDGE: f64 = 0.99;
+
+/// A bed that came near its edge, or stood on it, although nothing fell: the same share counts as near that counts for storeys. A bed
+/// of no known width was taken as unable to open: that nothing fell says nothing of it then.
+fn of_beds(ending: Ending, parts: &[PartLimit], motion: &str) -> Vec<EarthquakeFinding> {
+    if ending != Ending::Whole {
+        return Vec::new();
+    }
+    let each = of_parts(parts, Some(motion)).into_iter();
+    let counted = each.filter(|of| match of.decided_by {
+        DecidedBy::BedUnknown => true,
+        DecidedBy::BedEdge => matches!(of.word, Earthquake::Near | Earthquake::BelowDemand),
+        _ => false,
+    });
+    let stood = counted.map(|of| EarthquakeFinding {
+        word: match of.ratio {
+            Some(ratio) if ratio >= AT_THE_EDGE => Earthquake::Near,
+            _ => of.word,
         },
-    )
+        ..of
+    });
+    stood.collect()
 }
 
 fn of_fall(ending: Ending, is_nan: bool) -> (Earthquake, DecidedBy) {

@@ -37,6 +37,8 @@ pub struct Repeats {
     pub seed: u64,
     /// Runs that came to a verdict.
     pub runs: Vec<Repeat>,
+    /// Whether it was stopped before all were made.
+    pub is_stopped: bool,
     /// Runs that did not: stopped, without a solution, or refused.
     pub undecided: usize,
 }
@@ -88,6 +90,7 @@ pub(super) fn repeats(
         moves_edges: differences.moves_edges(&run.stack),
         seed: SEED,
         runs: Vec::new(),
+        is_stopped: false,
         undecided: 0,
     };
     found.add(run, Ok(run.history.clone()));
@@ -127,6 +130,7 @@ pub(super) fn repeats(
             None => found.undecided += 1,
         }
     }
+    found.is_stopped = found.undecided > 0 && progress.is_cancelled();
     Ok(found)
 }
 

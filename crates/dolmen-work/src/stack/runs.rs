@@ -57,9 +57,12 @@ impl StackRuns {
         std::iter::once(&self.deciding).chain(&self.other)
     }
 
-    /// The states of damage of deciding and other law, if they differ.
+    /// The states of damage that count, of deciding and other law, if they differ.
     pub fn differing_states(&self) -> Option<[DamageState; 2]> {
-        let states = [self.deciding.damage.state, self.other.as_ref()?.damage.state];
+        let states = [
+            self.deciding.counted_damage(),
+            self.other.as_ref()?.counted_damage(),
+        ];
         (states[0] != states[1]).then_some(states)
     }
 }

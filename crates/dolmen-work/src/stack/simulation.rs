@@ -1,7 +1,7 @@
 //! What `dolmen simulate` found of a stack, with what went in.
 
 use crate::motion::MotionAnswer;
-use dolmen::assess::{DamageThresholds, JointDamage, StackDamage};
+use dolmen::assess::{DamageState, DamageThresholds, JointDamage, StackDamage};
 use dolmen::blocks::{ContactLaw, Outcome, Pose, StackHistory};
 use dolmen::signal::Component;
 use dolmen::stability::stack::StackLimitStates;
@@ -92,6 +92,18 @@ impl StackSimulation {
                     | Outcome::NotConverged { .. }
                     | Outcome::StillMoving { .. }
             )
+    }
+
+    /// The state of damage that counts. What is left of a slip is not known before the end; how far a joint rocked is.
+    pub fn counted_damage(&self) -> DamageState {
+        let severe = DamageThresholds::default().severe_rocking_ratio;
+        let mut joints = self.damage.joints.iter();
+        let is_known =
+            self.falls() || self.is_whole() || joints.any(|joint| joint.peak_rocking_ratio >= severe);
+        match is_known {
+            true => self.damage.state,
+            false => self.damage.state.min(DamageState::Offset),
+        }
     }
 
     /// Names of the two bodies of a joint, the upper first.

@@ -33,6 +33,18 @@ sentences! {
             en: "{place}",
             ko: "{place}",
         },
+        NothingToWrite => {
+            en: "nothing is written: no survey leads to one stiffness that the file can hold. Several solutions, one known only between bounds, directions of a chain that disagree, walls or a matrix of a building, and the springs of a stack are not written; `dolmen identify --full` says what was found",
+            ko: "쓴 것이 없다. 파일에 쓸 수 있는 강성을 하나로 정하는 조사가 없다. 해가 여럿이거나 상·하한만 정해진 강성, 방향마다 다른 체인의 강성, 건물의 벽체나 행렬, 적층 구조의 스프링은 쓰지 않는다. 추정 결과는 `dolmen identify --full`로 본다",
+        },
+        SeveralToWrite { surveys } as { surveys: surveys.join(", ") } => {
+            en: "nothing is written: several surveys determine the stiffness ({surveys}); name one with --survey",
+            ko: "쓴 것이 없다. 강성을 정하는 조사가 여럿이다({surveys}). --survey로 하나를 지정한다",
+        },
+        NotInTheFile { path } => {
+            en: "nothing is written: {path} does not stand in the project file itself; change it in the table that holds it",
+            ko: "쓴 것이 없다. {path}은(는) 프로젝트 파일에 직접 쓴 값이 아니다. 그 값이 있는 표에서 고친다",
+        },
         TooManyPhotos { most } => {
             en: "the photographs of one report hold more than {most} MiB together: save them smaller (3000 pixels across fill a page), or leave some out",
             ko: "보고서 하나의 사진이 모두 합쳐 {most} MiB를 넘는다. 더 작게 저장하거나(너비 3000픽셀이면 한 면에 충분하다) 몇 장을 뺀다",

@@ -111,7 +111,11 @@ fn said_of(slip: &Slip, text: String, files: &Folder) -> Result<String, dolmen_w
         }
     }
     if ["contradict", "measured frequenc"].contains(&slip.says.as_str()) {
-        let state = check(&opened, &CheckOptions::default())?.state.unwrap();
+        let all = CheckOptions {
+            beside_the_verdict: true,
+            ..CheckOptions::default()
+        };
+        let state = check(&opened, &all)?.state.unwrap();
         said += &format!("contradictions: {:?}\n", state.contradictions);
     }
     Ok(said)

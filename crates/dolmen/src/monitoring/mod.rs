@@ -43,7 +43,7 @@ pub use sensors::SensorChange;
 pub use t_squared::SurveyTSquared;
 pub use tilt::{SlopeLimit, TiltJump, TiltReach, TiltSeries, TiltSlope, TiltTrend};
 pub use tracking::{Jumped, Track, Tracked, Tracking, track};
-pub use watch::{StructureAlarm, WatchOptions, Watched, watch};
+pub use watch::{ANSWERED_DAYS, StructureAlarm, WatchOptions, Watched, watch};
 pub use watched_mode::{LastOff, WatchedChange, WatchedMode, WeatherEffect, WorkEffect};
 pub use weather::WeatherKnown;
 pub use whitening::Disturbance;

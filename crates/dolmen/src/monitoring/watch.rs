@@ -15,6 +15,8 @@ use crate::numeric::middle;
 
 /// Surveys that a history needs.
 const SURVEYS_LEAST: usize = 3;
+/// Days after the last survey within which a work answers alarms. Ours: what is dated a year ahead is planned, or its year is a slip.
+pub const ANSWERED_DAYS: f64 = 366.0;
 /// Surveys of one mode from which on a change is sought. Chosen here: with fewer the limit of chance is beyond any change.
 const READINGS_LEAST: usize = 8;
 /// Correlation of temperature and time from which the answer says so; as in the comparison of two surveys.
@@ -149,11 +151,13 @@ pub fn watch(history: &History, options: &WatchOptions) -> Result<Watched, Monit
         })
         .collect::<Result<_, _>>()?;
     let judged: Vec<JudgedMode> = modes.iter().map(|mode| mode.judged.clone()).collect();
+    // what is dated far beyond the last survey is planned, or a slip
+    let answered_until = days[days.len() - 1] + ANSWERED_DAYS;
     let answered = |survey: usize| {
         history
             .works
             .iter()
-            .any(|work| work.answers && work.day >= days[survey])
+            .any(|work| work.answers && work.day >= days[survey] && work.day <= answered_until)
     };
     let mut alarms: Vec<StructureAlarm> = judged
         .iter()

@@ -1,0 +1,53 @@
+//! Numbers that follow from a survey of the file.
+
+use super::error::Fault;
+use super::file_number::{EvidenceRaw, QuantityTable};
+use super::quantity::Quantity;
+use super::wrong::WrongNumber;
+use std::ops::Range;
+
+/// The survey that a number was identified from.
+///
+/// # Errors
+/// One of source = "identified" and survey without the other.
+pub(super) fn identified_from(
+    table: &QuantityTable,
+    path: &str,
+    at: &Range<usize>,
+) -> Result<Option<String>, Box<Fault>> {
+    let is_identified = matches!(table.source, Some(EvidenceRaw::Identified));
+    let path_named = || path.to_owned();
+    match (is_identified, &table.survey) {
+        (true, Some(survey)) => Ok(Some(survey.value.clone())),
+        (true, None) => {
+            let message = WrongNumber::IdentifiedFromWhat { path: path_named() };
+            let fault = Fault::new(at.clone(), path, message);
+            Err(Box::new(fault.help(WrongNumber::SurveyBeside)))
+        }
+        (false, Some(survey)) => {
+            let message = WrongNumber::SurveyWithoutSource { path: path_named() };
+            let fault = Fault::new(survey.span.clone(), path, message);
+            Err(Box::new(fault.help(WrongNumber::SourceIdentified)))
+        }
+        (false, None) => Ok(None),
+    }
+}
+
+/// Numbers that follow from a survey which the file does not have; `place` gives where each stands.
+pub(super) fn without_survey(
+    inputs: &[&Quantity],
+    surveys: &[&str],
+    place: impl Fn(&str) -> Range<usize>,
+) -> Vec<Fault> {
+    let each = inputs.iter().filter_map(|of| Some((of, of.survey.as_deref()?)));
+    let unknown = each.filter(|(_, survey)| !surveys.contains(survey));
+    let faults = unknown.map(|(of, survey)| {
+        let message = WrongNumber::IdentifiedFromNone {
+            path: of.path.clone(),
+            survey: survey.to_owned(),
+        };
+        let known = surveys.join(", ");
+        Fault::new(place(&of.path), &of.path, message).help(WrongNumber::SurveysOfFile { known })
+    });
+    faults.collect()
+}

@@ -1,0 +1,221 @@
+//! Stiffness that one survey determines, written into the project file.
+
+use crate::answer::IdentifyAnswer;
+use crate::building::PlanAnswer;
+use crate::error::WorkError;
+use crate::opened::Opened;
+use crate::surveyed::{StiffnessAnswer, SurveyAnswer};
+use dolmen::structure::Choice;
+use dolmen::structure::building::EccentricityFrom;
+use dolmen_project::{
+    BuildingPart, ChainPart, FramePart, IdentifiedNumber, NewValue, Project, Quantity, StoreyStiffnessPart,
+    Structure, with_values,
+};
+use dolmen_records::Files;
+
+/// A project file with stiffness that a survey determines in it.
+#[derive(Clone, Debug)]
+pub struct WrittenBack {
+    /// The project as it then is, with its text.
+    pub opened: Opened,
+    /// The survey.
+    pub survey: String,
+    /// What was written, by its place in the file.
+    pub numbers: Vec<(String, IdentifiedNumber)>,
+}
+
+/// The project file with the stiffness of the one survey that determines any. The text can be read as a project.
+///
+/// # Errors
+/// [`WorkError::NothingToWrite`], [`WorkError::SeveralToWrite`], [`WorkError::NotInTheFile`], or what is wrong with the project then.
+pub fn write_back(
+    opened: &Opened,
+    answer: &IdentifyAnswer,
+    files: &dyn Files,
+) -> Result<WrittenBack, WorkError> {
+    let each = determined(answer);
+    let surveys: Vec<String> = each.iter().map(|(survey, _)| (*survey).to_owned()).collect();
+    let [(survey, values)] = each.as_slice() else {
+        return Err(match surveys.is_empty() {
+            true => WorkError::NothingToWrite,
+            false => WorkError::SeveralToWrite { surveys },
+        });
+    };
+    let text = with_values(&opened.text, &answer.project, values);
+    let text = text.map_err(|path| WorkError::NotInTheFile { path })?;
+    let opened = Opened::read(text, opened.file.clone(), files)?;
+    let numbers = values.iter().flat_map(|(path, value)| numbers(path, value));
+    Ok(WrittenBack {
+        opened,
+        survey: (*survey).to_owned(),
+        numbers: numbers.collect(),
+    })
+}
+
+/// Whether [`write_back`] has one survey to write from.
+pub fn can_be_written(answer: &IdentifyAnswer) -> bool {
+    determined(answer).len() == 1
+}
+
+/// What each survey determines, but for surveys that determine nothing.
+fn determined(answer: &IdentifyAnswer) -> Vec<(&str, Vec<(String, NewValue)>)> {
+    let surveys = answer.surveys.iter();
+    let each = surveys.map(|survey| (survey.name.as_str(), of_survey(&answer.project, survey)));
+    each.filter(|(_, values)| !values.is_empty()).collect()
+}
+
+fn of_survey(project: &Project, survey: &SurveyAnswer) -> Vec<(String, NewValue)> {
+    match &project.structure {
+        Structure::Chain(chain) => of_chain(chain, survey).unwrap_or_default(),
+        Structure::Frame(frame) => of_frame(frame, survey),
+        Structure::Building(building) => {
+            let plan = survey.plan.as_deref();
+            plan.and_then(|plan| of_plan(building, plan, &survey.name))
+                .unwrap_or_default()
+        }
+        // a factor on the springs moves the joints that close under its weight: no number of it holds by itself
+        Structure::Stack(_) | Structure::Survey => Vec::new(),
+    }
+}
+
+/// The numbers of the one solution; `None` where there are several, or it is known only between bounds.
+fn one_solution(answer: &StiffnessAnswer, unit: &'static str, survey: &str) -> Option<Vec<IdentifiedNumber>> {
+    let found = &answer.solutions;
+    let one = found.solutions.first().filter(|_| found.choice == Choice::One)?;
+    let each = one.stiffness.iter().enumerate();
+    let numbers = each.map(|(part, value)| IdentifiedNumber {
+        value: *value,
+        sd: one.stiffness_sd.as_ref().map(|sd| sd[part]),
+        unit,
+        survey: survey.to_owned(),
+        before: None,
+        note: None,
+    });
+    Some(numbers.collect())
+}
+
+/// Numbers in the place of those of the file, each with what stood there; as a whole where the file has none.
+fn in_place(
+    known: Option<Vec<&Quantity>>,
+    numbers: Vec<IdentifiedNumber>,
+    whole: impl FnOnce(Vec<IdentifiedNumber>) -> (String, NewValue),
+) -> Vec<(String, NewValue)> {
+    match known {
+        Some(known) => {
+            let each = known.into_iter().zip(numbers);
+            each.map(|(before, number)| replaced(before, number)).collect()
+        }
+        None => vec![whole(numbers)],
+    }
+}
+
+fn replaced(before: &Quantity, number: IdentifiedNumber) -> (String, NewValue) {
+    let is_first = before.survey.is_none();
+    let number = IdentifiedNumber {
+        before: is_first.then(|| before.written.clone()),
+        note: match is_first {
+            true => Some(known_before(before)),
+            false => before.note.clone(),
+        },
+        ..number
+    };
+    (before.path.clone(), NewValue::Number(number))
+}
+
+/// What was known of a number: "before: 630 kN*m/rad, literature, cov 0.3; Kim 2018".
+fn known_before(before: &Quantity) -> String {
+    let source = before.source.map(|source| format!(", {}", source.word()));
+    let cov = before
+        .cov
+        .map(|cov| format!(", cov {}", (cov * 1e4).round() / 1e4));
+    let note = before.note.as_ref().map(|note| format!("; {note}"));
+    let known = [source, cov, note].map(Option::unwrap_or_default).concat();
+    format!("before: {}{known}", before.written)
+}
+
+/// A chain has one stiffness for all directions: only where one direction determines it.
+fn of_chain(chain: &ChainPart, survey: &SurveyAnswer) -> Option<Vec<(String, NewValue)>> {
+    let each = survey.stiffness.iter();
+    let mut each = each.filter_map(|answer| one_solution(answer, "N m/rad", &survey.name));
+    let numbers = each.next().filter(|_| each.next().is_none())?;
+    let known = chain.joints.as_ref();
+    let known = known.map(|joints| joints.iter().map(|joint| &joint.stiffness).collect());
+    let whole = |numbers| ("joints".to_owned(), NewValue::Each("stiffness", numbers));
+    Some(in_place(known, numbers, whole))
+}
+
+/// Each direction of a frame by itself, by the convention of the file.
+fn of_frame(frame: &FramePart, survey: &SurveyAnswer) -> Vec<(String, NewValue)> {
+    let own = survey
+        .stiffness
+        .iter()
+        .filter(|answer| answer.convention == Some(frame.convention));
+    let each = own.filter_map(|answer| Some((answer, one_solution(answer, "N/m", &survey.name)?)));
+    let values = each.flat_map(|(answer, numbers)| {
+        let known = frame
+            .directions
+            .iter()
+            .find(|known| known.name == answer.direction);
+        let known = known.and_then(|known| known.stiffness.as_ref());
+        let whole = |numbers| {
+            let path = format!("direction.{}.stiffness", answer.direction);
+            (path, NewValue::Numbers(numbers))
+        };
+        in_place(known.map(|known| known.iter().collect()), numbers, whole)
+    });
+    values.collect()
+}
+
+/// k_x, k_y and k_θ of the one floor, and its centre of rigidity where the modes gave it.
+fn of_plan(building: &BuildingPart, plan: &PlanAnswer, survey: &str) -> Option<Vec<(String, NewValue)>> {
+    let [floor] = building.floors.as_slice() else {
+        return None;
+    };
+    let StoreyStiffnessPart::Whole {
+        x,
+        y,
+        rotation,
+        centre,
+    } = &floor.stiffness
+    else {
+        return None;
+    };
+    let mut accepted = plan.found.accepted();
+    let one = accepted.next().filter(|_| accepted.next().is_none())?;
+    let parts = [(x, "N/m"), (y, "N/m"), (rotation, "N m/rad")];
+    let each = parts.into_iter().enumerate();
+    let mut values: Vec<(String, NewValue)> = each
+        .map(|(part, (before, unit))| {
+            let number = IdentifiedNumber {
+                value: one.stiffness[part],
+                sd: one.stiffness_sd.map(|sd| sd[part]),
+                unit,
+                survey: survey.to_owned(),
+                before: None,
+                note: None,
+            };
+            replaced(before, number)
+        })
+        .collect();
+    if plan.found.eccentricity_from != EccentricityFrom::Stated {
+        let path = centre[0].path.trim_end_matches("[1]").to_owned();
+        let from_origin = [0, 1].map(|axis| plan.centre_of_mass_m[axis] + one.eccentricity_m[axis]);
+        values.push((path, NewValue::Lengths(from_origin.to_vec())));
+    }
+    Some(values)
+}
+
+/// The numbers of a value, by their places.
+fn numbers(path: &str, value: &NewValue) -> Vec<(String, IdentifiedNumber)> {
+    let listed = |all: &[IdentifiedNumber], key: &str| {
+        let each = (1..).zip(all);
+        each.map(|(part, number)| (format!("{path}[{part}]{key}"), number.clone()))
+            .collect()
+    };
+    match value {
+        NewValue::Number(number) => vec![(path.to_owned(), number.clone())],
+        NewValue::Numbers(all) => listed(all, ""),
+        NewValue::Each(key, all) => listed(all, &format!(".{key}")),
+        NewValue::Lengths(_) => Vec::new(),
+    }
+}
