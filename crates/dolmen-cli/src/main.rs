@@ -6,6 +6,7 @@
     reason = "the command prints: it is what prints"
 )]
 
+mod at_work;
 mod check;
 mod cli;
 mod cli_follow;
@@ -90,6 +91,7 @@ fn main() -> ExitCode {
 
 fn run(cli: &Cli, typed: &Typed) -> anyhow::Result<Outcome> {
     let manner = &cli.manner;
+    at_work::speak(manner.language());
     progress::show_work(manner.quiet);
     match &cli.verb {
         Verb::New(options) => examples::run(options, manner),

@@ -1,5 +1,6 @@
 //! Progress on standard error, on a terminal only.
 
+use crate::at_work::AtWork;
 use crate::signals;
 use dolmen_work::{Progress, Stage};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -34,7 +35,7 @@ pub(crate) fn show_work(quiet: bool) {
         let mut silence = SILENCE.lock().unwrap_or_else(PoisonError::into_inner);
         if !silence.is_over {
             let line = styled(ProgressBar::new_spinner(), "{spinner} {msg} {elapsed}");
-            line.set_message("computing");
+            line.set_message(AtWork::Computing.text());
             line.enable_steady_tick(TICK);
             silence.line = Some(line);
         }
@@ -114,17 +115,18 @@ impl Progress for Terminal {
             Stage::Simulating { whole_s } => {
                 signals::watch();
                 shown.whole_s = Some(*whole_s);
-                let template = "{bar:40} {msg} {eta} left; Ctrl-C keeps what is done";
-                self.bar((1e3 * whole_s) as u64, template)
+                let template = "{bar:40} {msg} {eta} ".to_owned() + &AtWork::Left.text();
+                self.bar((1e3 * whole_s) as u64, &template)
             }
             Stage::Runs { about } => {
                 signals::watch();
-                let template = "{bar:40} {pos} of about {len} runs, {eta} left; Ctrl-C keeps what is done";
-                self.bar(*about as u64, template)
+                let (of, runs, left) = (AtWork::RunsOf.text(), AtWork::Runs.text(), AtWork::Left.text());
+                let template = format!("{{bar:40}} {{pos}} {of} {{len}} {runs} {{eta}} {left}");
+                self.bar(*about as u64, &template)
             }
-            Stage::Reading { file } => self.spinner(format!("reading {file}")),
-            Stage::Identifying { file } => self.spinner(format!("modes of {file}")),
-            Stage::Joining => self.spinner("all setups as one".to_owned()),
+            Stage::Reading { file } => self.spinner(AtWork::Reading { file: file.clone() }.text()),
+            Stage::Identifying { file } => self.spinner(AtWork::Identifying { file: file.clone() }.text()),
+            Stage::Joining => self.spinner(AtWork::Joining.text()),
         };
     }
 

@@ -1,5 +1,6 @@
 //! `dolmen validate` and `dolmen doctor`: is what this build computes right, and does it work here.
 
+use crate::at_work::AtWork;
 use crate::examples::{self, Example};
 use crate::outcome::Outcome;
 use crate::say::{say, say_json};
@@ -8,6 +9,7 @@ use anyhow::Result;
 use dolmen::validation::Case;
 use dolmen_project::parse_project;
 use dolmen_report::text::validation_text;
+use dolmen_words::{Digits, Quantity, Unit};
 use dolmen_work::validate;
 use serde_json::json;
 use std::time::Instant;
@@ -47,14 +49,15 @@ fn case_json(case: &Case) -> serde_json::Value {
 /// Checks of this installation, a line each; the first that fails ends it with an error.
 pub(crate) fn doctor() -> Result<Outcome> {
     let started = Instant::now();
-    say(&format!(
-        "dolmen {} on {} {}\n",
-        env!("CARGO_PKG_VERSION"),
-        std::env::consts::OS,
-        std::env::consts::ARCH
-    ))?;
-    let threads = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
-    say(&format!("processors    {threads}\n"))?;
+    let said = |line: AtWork| say(&(line.text() + "\n"));
+    said(AtWork::On {
+        version: env!("CARGO_PKG_VERSION").to_owned(),
+        system: std::env::consts::OS.to_owned(),
+        processor: std::env::consts::ARCH.to_owned(),
+    })?;
+    said(AtWork::Processors {
+        count: std::thread::available_parallelism().map_or(1, std::num::NonZero::get),
+    })?;
 
     let cases = all_cases()?;
     let wrong: Vec<&Case> = cases.iter().filter(|case| !case.agrees()).collect();
@@ -66,19 +69,15 @@ pub(crate) fn doctor() -> Result<Outcome> {
         }
         .into());
     }
-    say(&format!(
-        "numbers       {} published numbers reproduced\n",
-        cases.len()
-    ))?;
+    said(AtWork::Numbers { count: cases.len() })?;
 
     for example in examples::DEMO {
         let text = examples::example_text(example, "project.toml")?;
         parse_project(text, example)?;
     }
-    say(&format!(
-        "examples      {} carried, all readable\n",
-        examples::DEMO.len()
-    ))?;
+    said(AtWork::Examples {
+        count: examples::DEMO.len(),
+    })?;
 
     let folder = std::env::temp_dir().join(format!("dolmen-doctor-{}", std::process::id()));
     dolmen_folder::write(&folder.join("text"), "당간".as_bytes())?;
@@ -93,28 +92,24 @@ pub(crate) fn doctor() -> Result<Outcome> {
         }
         .into());
     }
-    say(&format!(
-        "files         written and read back in {}\n",
-        std::env::temp_dir().display()
-    ))?;
+    said(AtWork::Files {
+        folder: std::env::temp_dir().display().to_string(),
+    })?;
 
     let locale = ["LC_ALL", "LC_CTYPE", "LANG"]
         .iter()
         .find_map(|name| std::env::var(name).ok());
-    match locale {
-        Some(locale) if locale.to_ascii_uppercase().replace('-', "").contains("UTF8") => {
-            say(&format!("terminal      {locale}\n"))?;
-        }
-        Some(locale) => {
-            say(&format!(
-                "terminal      {locale}: not UTF-8, so 한글 and λ may be garbled (reports are not)\n"
-            ))?;
-        }
-        None => say("terminal      no locale set: if 한글 and λ are garbled here, set LANG=C.UTF-8\n")?,
-    }
-    say(&format!(
-        "all is well   ({:.0} ms)\n",
-        1e3 * started.elapsed().as_secs_f64()
-    ))?;
+    let is_utf8 = |locale: &str| locale.to_ascii_uppercase().replace('-', "").contains("UTF8");
+    said(match locale {
+        Some(locale) if is_utf8(&locale) => AtWork::Utf8 { locale },
+        Some(locale) => AtWork::NotUtf8 { locale },
+        None => AtWork::NoLocale,
+    })?;
+    let took = Quantity::new(
+        1e3 * started.elapsed().as_secs_f64(),
+        Unit::si("ms"),
+        Digits::Fixed(0),
+    );
+    said(AtWork::Well { took })?;
     Ok(Outcome::Done)
 }
