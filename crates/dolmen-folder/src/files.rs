@@ -148,7 +148,7 @@ pub fn read_text(path: &Path, most: u64) -> Result<String> {
 /// Writes new bytes to a file of the user that is there, whole or not at all; who may read and write it stays as it was.
 ///
 /// # Errors
-/// As [`write`]; a file that is not to be written to.
+/// As [`write()`]; a file that is not to be written to.
 pub fn rewrite(path: &Path, bytes: &[u8]) -> Result<()> {
     let failed = |why: std::io::Error| {
         anyhow::Error::new(PathError::CannotWrite {
