@@ -11,6 +11,7 @@ use crate::wrong::{CommandError, Noted};
 use crate::{signals, tools};
 use anyhow::{Context as _, Result};
 use dolmen_folder::{Found, StudyFolder, shard};
+use dolmen_report::doubtful_text;
 use dolmen_report::json::{missing_json, shard_json, study_json};
 use dolmen_report::text::{missing_text, shard_text, study_text};
 use dolmen_work::FlagVerb;
@@ -42,6 +43,9 @@ fn each(
     let found = Found::open(project, manner.access())?;
     typed.refuse_foreign(FlagVerb::Study, &[&found.opened.project])?;
     let meant = studies(&found.opened, &place.study)?;
+    if !manner.json {
+        say(&doubtful_text(&found.opened.project, manner.style()))?;
+    }
     let mut worst = Ok(Outcome::Done);
     for study in meant {
         let done = Plan::of(&found.opened, study, &found.files)

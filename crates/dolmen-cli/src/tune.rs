@@ -10,6 +10,7 @@ use crate::wrong::Noted;
 use anyhow::Result;
 use dolmen::damper::Goal;
 use dolmen_folder::{Found, Outputs};
+use dolmen_report::doubtful_text;
 use dolmen_report::files::tune_files;
 use dolmen_report::json::{together_json, tune_json};
 use dolmen_report::text::{together_text, tune_text};
@@ -53,6 +54,7 @@ pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<O
         let of_all: Vec<_> = answers.together.iter().map(together_json).collect();
         say_json(&json!({ "dampers": each, "together": of_all }))?;
     } else {
+        say(&doubtful_text(&found.opened.project, manner.style()))?;
         for answer in &answers.tunings {
             say(&tune_text(answer, manner.style()))?;
         }

@@ -222,3 +222,28 @@ fn holds_what_is_to_be_acted_on_is_never_left_out_for_what_is_well() {
     let (_, words) = example("gate", "new frame gate");
     assert!(!words.contains("error"), "{words}");
 }
+
+#[test]
+fn holds_what_is_probably_a_slip_stands_before_studies_and_in_the_head_of_reports() {
+    let scratch = Scratch::with_examples("slip_everywhere");
+    let file = scratch.path().join("examples/naju_flagpole/project.toml");
+    let text = fs::read_to_string(&file).unwrap();
+    let slip = text.replacen(
+        "damping_ratio = { value = 0.02",
+        "damping_ratio = { value = 0.2",
+        1,
+    );
+    assert_ne!(slip, text);
+    fs::write(&file, slip).unwrap();
+    let study = scratch.dolmen("study missing examples/naju_flagpole --study growth");
+    assert!(
+        study.words().contains("PROBABLY A SLIP"),
+        "{}{}",
+        study.words(),
+        study.stderr
+    );
+    scratch.dolmen("report examples/naju_flagpole -o page.html");
+    let page = fs::read_to_string(scratch.path().join("page.html")).unwrap();
+    let (head, _) = page.split_once("<h2").unwrap();
+    assert!(head.contains("PROBABLY A SLIP"), "{head}");
+}

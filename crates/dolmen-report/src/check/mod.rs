@@ -10,7 +10,8 @@ mod text;
 mod variants;
 
 pub(crate) use findings::findings;
-pub(crate) use project::project_text;
+pub use project::doubtful_text;
+pub(crate) use project::{doubtful, project_text};
 pub(crate) use sampled::sections as scatter_sections;
 pub use text::check_text;
 pub(crate) use variants::{section as variants_section, title};

@@ -73,17 +73,25 @@ pub(crate) fn project_text(project: &Project, file: &str, style: TextStyle) -> S
             source: source.clone(),
         });
     }
-    for doubtful in project
-        .warnings
-        .iter()
-        .filter(|warning| warning.kind == WarningKind::Doubtful)
-    {
-        out += &line(Size::Doubtful {
-            line: doubtful.line,
-            said: doubtful.message.clone(),
-        });
-    }
-    out
+    out + &doubtful_text(project, style)
+}
+
+/// What is probably a slip in the file: to be read before any answer.
+pub(crate) fn doubtful(project: &Project) -> Vec<Sentence> {
+    let warnings = project.warnings.iter();
+    let doubtful = warnings.filter(|warning| warning.kind == WarningKind::Doubtful);
+    let each = doubtful.map(|warning| Size::Doubtful {
+        line: warning.line,
+        said: warning.message.clone(),
+    });
+    each.map(Sentence::from).collect()
+}
+
+/// The same for a terminal; nothing where nothing looks so.
+pub fn doubtful_text(project: &Project, style: TextStyle) -> String {
+    let each = doubtful(project).into_iter();
+    each.map(|said| wrapped(&said.text(style.language), "  ", "    ", style.columns()))
+        .collect()
 }
 
 fn size(project: &Project) -> Sentence {

@@ -2,7 +2,7 @@
 
 use super::imprint::Imprint;
 use super::words::{judgement_sign, thresholds};
-use crate::check::title;
+use crate::check::{doubtful, title};
 use crate::engineer::Given;
 use crate::headline::{Headline, headline, worse as worse_words};
 use crate::stack;
@@ -159,10 +159,10 @@ pub(crate) fn banner(answer: &ProjectReport, state: &State, language: Language) 
     } else {
         inputs.into_iter().filter(structural).count()
     };
-    let mut first: Vec<String> = worse(answer, &judgement, language)
-        .into_iter()
-        .map(|line| format!("{line}."))
-        .collect();
+    let doubtful = doubtful(&answer.project).into_iter();
+    let mut first: Vec<String> = doubtful.map(|said| said.text(language)).collect();
+    let worse = worse(answer, &judgement, language).into_iter();
+    first.extend(worse.map(|line| format!("{line}.")));
     if !shaken.is_empty() {
         let lead = language.pick(
             "Without shaking only. With shaking: ",
