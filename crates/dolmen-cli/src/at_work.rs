@@ -46,7 +46,7 @@ messages! {
 
 static LANGUAGE: OnceLock<Language> = OnceLock::new();
 
-/// What progress is said in from now on.
+/// The language of progress from now on.
 pub(crate) fn speak(language: Language) {
     let _ = LANGUAGE.set(language); // the first stays
 }

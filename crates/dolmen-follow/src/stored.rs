@@ -4,17 +4,16 @@ use crate::clock::now_us;
 use crate::wrong::told;
 use anyhow::Result;
 use dolmen::modal::ObservedMode;
-use dolmen_folder::{Found, fresh_folder, of_folders, write};
+use dolmen_folder::{Found, fresh_folder, write};
 use dolmen_records::{Files as _, RECORD_BYTES_MOST};
 use dolmen_report::kept::store_fault;
 use dolmen_store::{Act, Exported, Incoming, PROJECT_FILE, Search, Store, StoreError, StoredFiles};
-use dolmen_words::message::Both;
 use dolmen_work::inventory::{InventoryLine, worst_first};
 use dolmen_work::kept::{Added, Imported, ListedStructure, Unidentified};
 use dolmen_work::logs::Logs;
 use dolmen_work::sensor_alarms::SensorFaults;
 use dolmen_work::watch::watch_observed;
-use dolmen_work::{Opened, Progress, WorkError, survey_modes, told_by};
+use dolmen_work::{Opened, Progress, WorkError, survey_modes, told_both};
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -64,7 +63,7 @@ pub fn add_project(
                 Ok(None) => {}
                 Err(why) => unidentified.push(Unidentified {
                     survey,
-                    why: in_both(&why),
+                    why: told_both(&why),
                 }),
             }
         }
@@ -168,10 +167,6 @@ pub fn watch_all(store: &mut Store) -> Result<Vec<InventoryLine>> {
     Ok(worst_first(lines))
 }
 
-fn in_both(why: &WorkError) -> Both {
-    Both::of(|language| told_by(why, language, &of_folders))
-}
-
 fn read(store: &mut Store, structure: &str) -> Result<Stored, StoreError> {
     let exported = store.export(structure)?;
     Ok(Stored {
@@ -190,6 +185,6 @@ fn watched(structure: String, stored: &Stored) -> InventoryLine {
     });
     match found {
         Ok(answer) => InventoryLine::watched(structure, &answer),
-        Err(why) => InventoryLine::not_watched(structure, in_both(&why)),
+        Err(why) => InventoryLine::not_watched(structure, told_both(&why)),
     }
 }

@@ -73,7 +73,7 @@ fn of_survey(project: &Project, survey: &SurveyAnswer) -> Vec<(String, NewValue)
             plan.and_then(|plan| of_plan(building, plan, &survey.name))
                 .unwrap_or_default()
         }
-        // a factor on the springs moves the joints that close under its weight: no number of it holds by itself
+        // on other springs other joints close under the weight, so that a factor on them does not give the measured frequency
         Structure::Stack(_) | Structure::Survey => Vec::new(),
     }
 }

@@ -6,7 +6,7 @@
 //! Prints what went wrong seed by seed, then: modes with enough energy (10 dB over all else in the best combination of the channels, and a
 //! damping ratio that so long a record may show to 30 %) that were found, within 2 % and of like shape; modes that are none; channels left out
 //! though nothing is wrong with them; peaks that were refused, by the test that did, at modes with enough energy that were missed, at weaker ones and
-//! elsewhere; tones on modes that are named; how often the 95 % intervals hold the truth, and how wide they are.
+//! elsewhere; tones on modes that the answer names; how often the 95 % intervals hold the truth, and how wide they are.
 #![allow(clippy::print_stdout, reason = "an example: its output is what it is for")]
 
 use dolmen::modal::{

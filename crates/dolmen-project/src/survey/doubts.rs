@@ -5,6 +5,7 @@ use super::records::{ChannelSource, RecordSource};
 use super::watch::date_of;
 use crate::doubted::Doubted;
 use crate::reader::Reader;
+use crate::report::is_day;
 use crate::usual_numbers::{hertz, metres, ratio};
 use crate::wrong::{WrongRecords, WrongSurvey};
 
@@ -84,14 +85,9 @@ fn date(reader: &mut Reader, name: &str) {
         _ => false,
     };
     let is_read = date_of(name).is_some_and(|[year, month, day]| {
-        let days = match month {
-            2 if year % 4 == 0 && (year % 100 != 0 || year % 400 == 0) => 29,
-            2 => 28,
-            4 | 6 | 9 | 11 => 30,
-            _ => 31,
-        };
         let has_all = parts.len() == 2 || day > 0;
-        (1900..=2100).contains(&year) && month > 0 && day <= days && has_all
+        let first = day.max(1); // a month alone has none
+        (1900..=2100).contains(&year) && has_all && is_day(&format!("{year:04}-{month:02}-{first:02}"))
     });
     if looks_like && !is_read {
         let message = WrongSurvey::LooksLikeADate {

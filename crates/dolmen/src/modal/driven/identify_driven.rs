@@ -69,7 +69,7 @@ pub(crate) fn of_driven(
         inputs: Vec::new(),
         references: Vec::new(),
         method: Method::SsiCov,
-        // the frequencies that are named are those of the held base
+        // the user gives frequencies of the held base
         pick_hz: Vec::new(),
         accept_hz: Vec::new(),
         ..options.clone()
@@ -113,7 +113,7 @@ pub(crate) fn of_driven(
         clustering: &clustering,
         duration_s: record.duration_s(),
     };
-    // a peak of the spectrum is one of structure and ground together: what stands there is told by the poles alone
+    // a peak of the spectrum is one of structure and ground together: the poles alone tell what stands there
     let no_peaks = Modes {
         modes: Vec::new(),
         ..peaks.modes.clone()

@@ -177,7 +177,7 @@ pub fn joint_setups(
         clustering: &clustering,
         duration_s,
     };
-    // no setup shows the whole shape of a peak: what stands there is told by the poles alone
+    // no setup shows the whole shape of a peak: the poles alone tell what stands there
     let no_peaks = Modes {
         modes: Vec::new(),
         ..peaks.clone()
