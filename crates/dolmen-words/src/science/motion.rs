@@ -21,6 +21,7 @@ korean_of! {
         DamperError::NoOptimum { what, iterations } => "{what}의 최적값을 {iterations}번 안에 찾지 못했다. 다른 동조값에서 시작한다", what = phrase(what);
     }
     handed on DamperError::Dynamics(why) => why;
+    handed on DamperError::Wind(why) => why;
     handed on DamperError::Linalg(why) => why;
 }
 

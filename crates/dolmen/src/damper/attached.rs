@@ -201,6 +201,21 @@ impl DamperKind {
         }
     }
 
+    /// Own frequencies, Hz: of the mass, then of the liquid; none of a dashpot.
+    pub(super) fn own_frequencies_hz(&self) -> Vec<f64> {
+        match *self {
+            DamperKind::LiquidColumnMass {
+                frequency_hz,
+                liquid_frequency_hz,
+                ..
+            } => vec![frequency_hz, liquid_frequency_hz],
+            DamperKind::TunedMass { frequency_hz, .. } | DamperKind::LiquidColumn { frequency_hz, .. } => {
+                vec![frequency_hz]
+            }
+            DamperKind::Viscous { .. } => Vec::new(),
+        }
+    }
+
     pub(super) fn check(&self) -> Result<(), DamperError> {
         let positive = |argument, given: f64| in_range(argument, given, given > 0.0, "positive");
         let ratio = |argument, given: f64| in_range(argument, given, given >= 0.0, "0 or more");

@@ -1,6 +1,6 @@
 //! A building with dampers of any kind under moving ground, in time.
 
-use super::{AttachedDamper, DampedSystem, DamperError, DamperKind};
+use super::{AttachedDamper, DampedSystem, DamperError};
 use crate::dynamics::{
     BaseDriven, BuildingHistory, BuildingRun, ExponentialSteps, HistoryMethod, LinearSystem,
     VibratingBuilding, shaken,
@@ -39,7 +39,7 @@ pub fn damped_building_history(
     rows.extend(damped.stroke_rows());
     let own = dampers
         .iter()
-        .flat_map(|damper| frequencies_hz(&damper.kind))
+        .flat_map(|damper| damper.kind.own_frequencies_hz())
         .map(|hz| TAU * hz);
     let influence = |axis: usize| {
         let gamma: Vec<f64> = modes.modes.iter().map(|mode| mode.participation[axis]).collect();
@@ -52,7 +52,7 @@ pub fn damped_building_history(
         outputs: Matrix::from_fn(rows.len(), size, |i, j| rows[i][j]),
         highest_rad_s: omegas.iter().copied().chain(own).fold(0.0, f64::max),
     };
-    let swinging = dampers.iter().flat_map(|damper| frequencies_hz(&damper.kind));
+    let swinging = dampers.iter().flat_map(|damper| damper.kind.own_frequencies_hz());
     let slowest_hz = swinging.fold(modes.modes[0].frequency_hz, f64::min);
     let (ground, over) = shaken(building, motion, run, slowest_hz)?;
     let stepping = ExponentialSteps::new(&driven, over.h);
@@ -98,19 +98,4 @@ pub(super) fn in_modes(
         })
         .collect::<Result<_, DamperError>>()?;
     DampedSystem::new(&alone, &in_modes)
-}
-
-/// Own frequencies of a damper, Hz.
-fn frequencies_hz(kind: &DamperKind) -> Vec<f64> {
-    match *kind {
-        DamperKind::LiquidColumnMass {
-            frequency_hz,
-            liquid_frequency_hz,
-            ..
-        } => vec![frequency_hz, liquid_frequency_hz],
-        DamperKind::TunedMass { frequency_hz, .. } | DamperKind::LiquidColumn { frequency_hz, .. } => {
-            vec![frequency_hz]
-        }
-        DamperKind::Viscous { .. } => Vec::new(),
-    }
 }

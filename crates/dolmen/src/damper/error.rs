@@ -1,6 +1,7 @@
 //! Why a damper cannot be designed.
 
 use crate::dynamics::DynamicsError;
+use crate::structure::wind::WindError;
 use dolmen_linalg::LinalgError;
 
 /// Why a damper cannot be designed. Each variant carries the value that was refused.
@@ -104,6 +105,9 @@ pub enum DamperError {
         /// Steps that were made.
         iterations: usize,
     },
+    /// The wind cannot be.
+    #[error(transparent)]
+    Wind(#[from] WindError),
     /// The structure or its loads cannot be.
     #[error(transparent)]
     Dynamics(#[from] DynamicsError),
@@ -129,6 +133,7 @@ impl DamperError {
             | Self::Still { .. }
             | Self::TooManyFrequencies { .. }
             | Self::NoMap
+            | Self::Wind(_)
             | Self::NoOptimum { .. } => false,
         }
     }

@@ -8,6 +8,7 @@ mod damped_spectrum;
 mod design;
 mod error;
 mod goal_cost;
+mod gust_motion;
 mod head_loss;
 mod modal_synthesis;
 mod plan;
@@ -28,6 +29,7 @@ pub use damped_spectrum::{DampedSpectralAnalysis, damped_spectral_analysis};
 pub use design::{Design, DesignEnd, DesignOptions, Freedom, Goal, Place, design};
 pub use error::DamperError;
 pub use goal_cost::{goal_cost, point_values};
+pub use gust_motion::{GustMotion, GustPeak, gust_motion};
 pub use head_loss::{
     ColumnHistory, ColumnRun, EquivalentColumn, HeadLossColumn, equivalent_column, simulate_column,
 };

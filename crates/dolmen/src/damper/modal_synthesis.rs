@@ -121,6 +121,18 @@ impl ModalSynthesis {
         })
     }
 
+    /// Motion of the structure under a unit of a load, with the dampers that stay, n values.
+    pub(super) fn moved(&self, w: f64, input: &RandomInput) -> Result<Vec<Complex64>, DamperError> {
+        let eta = self.loaded(w, input)?;
+        let mut x = vec![Complex64::ZERO; self.degrees_of_freedom()];
+        for (k, eta) in eta.iter().enumerate() {
+            x.iter_mut()
+                .zip(self.shapes.column(k))
+                .for_each(|(x, phi)| *x += eta * *phi);
+        }
+        Ok(x)
+    }
+
     /// What the forces of the dampers that stay add: λ_i − K_i Σ_j g_ij λ_j = K_i z_i − m_a,i e_i.
     fn with_forces(
         &self,

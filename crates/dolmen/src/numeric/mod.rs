@@ -34,7 +34,7 @@ pub(crate) use lyapunov::lyapunov;
 pub(crate) use minimax::{Minimax, Piece, Worst, all_by_differences, by_differences, minimax};
 pub(crate) use normal::{ln_normal_density, normal_hazard};
 pub use normal::{ln_normal_probability, normal_probability, normal_quantile};
-pub(crate) use quadrature::{adaptive_nodes, nodes_15};
+pub(crate) use quadrature::{Node, adaptive_nodes, nodes_15};
 pub use random::Random;
 pub use roots::{Bracketing, bracketed_root};
 pub use statistics::{Interval, clopper_pearson, mean, quantile, variance};

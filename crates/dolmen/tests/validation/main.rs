@@ -25,6 +25,7 @@ mod frame_friction;
 mod frame_laws;
 mod free_columns;
 mod ground_motions;
+mod gusts;
 mod joint_factors;
 mod joint_factors_random;
 mod limit_analysis_microlp;

@@ -10,9 +10,9 @@
 //! | L, f_L, S_L | `length_scale`, `f_l`, `spectrum` | of turbulence at z_s | m, , |
 //! | B², R² | `background`, `resonant` | | |
 
-use super::WindError;
 use super::error::positive;
 use super::pressure::{Profile, Resonance, WindBody, WindPressure, velocity_pressure_pa};
+use super::{Turbulence, TurbulenceSpectrum, WindError};
 use std::f64::consts::PI;
 
 /// Terrain of EN 1991-1-4:2005, table 4.1.
@@ -96,9 +96,7 @@ impl EurocodeWind {
 
     /// q_p alone.
     pub(super) fn peak(&self) -> Result<WindPressure, WindError> {
-        positive("basic_speed_m_s", self.basic_speed_m_s)?;
-        positive("orography", self.orography)?;
-        positive("air_density_kg_m3", self.air_density_kg_m3)?;
+        self.check()?;
         let [roughness_m, lowest_m] = self.terrain.lengths_m();
         let basic_pa = velocity_pressure_pa(self.basic_speed_m_s, self.air_density_kg_m3);
         let scale = self.terrain_factor() * self.orography;
@@ -112,6 +110,31 @@ impl EurocodeWind {
             response_factor: 1.0,
             resonance: Resonance::NotCounted,
         })
+    }
+
+    /// Mean wind and turbulence at a height: see [`Wind::turbulence_at`](super::Wind::turbulence_at).
+    pub(super) fn turbulence_at(&self, height_m: f64) -> Result<Turbulence, WindError> {
+        self.check()?;
+        if height_m > HEIGHT_MOST_M {
+            return Err(WindError::Height {
+                given: height_m,
+                most_m: HEIGHT_MOST_M,
+            });
+        }
+        let [roughness_m, lowest_m] = self.terrain.lengths_m();
+        let z = height_m.max(lowest_m);
+        let log = (z / roughness_m).ln();
+        Ok(Turbulence {
+            mean_speed_m_s: self.terrain_factor() * log * self.orography * self.basic_speed_m_s,
+            intensity: 1.0 / (self.orography * log),
+            length_m: length_scale_m(z, roughness_m),
+        })
+    }
+
+    fn check(&self) -> Result<(), WindError> {
+        positive("basic_speed_m_s", self.basic_speed_m_s)?;
+        positive("orography", self.orography)?;
+        positive("air_density_kg_m3", self.air_density_kg_m3)
     }
 
     /// k_r: 4.5.
@@ -144,10 +167,10 @@ impl EurocodeWind {
         let log = (z_s / roughness_m).ln();
         let turbulence = 1.0 / (self.orography * log);
         let mean_m_s = self.terrain_factor() * log * self.orography * self.basic_speed_m_s;
-        let length_scale = 300.0 * (z_s / 200.0_f64).powf(0.67 + 0.05 * roughness_m.ln()); // B.1
+        let length_scale = length_scale_m(z_s, roughness_m);
         let background = 1.0 / (1.0 + 0.9 * ((b + h) / length_scale).powf(0.63)); // B.3
         let f_l = n * length_scale / mean_m_s;
-        let spectrum = 6.8 * f_l / (1.0 + 10.2 * f_l).powf(5.0 / 3.0); // B.2
+        let spectrum = TurbulenceSpectrum::Kaimal.normalised(f_l); // B.2
         let delta = 2.0 * PI * zeta;
         let admitted = |size_m: f64| admittance(4.6 * size_m / length_scale * f_l); // B.7, B.8
         let resonant = PI * PI / (2.0 * delta) * spectrum * admitted(h) * admitted(b); // B.6
@@ -157,6 +180,11 @@ impl EurocodeWind {
         let peak_factor = (s + 0.6 / s).max(3.0); // B.4
         Ok((1.0 + 2.0 * peak_factor * turbulence * total.sqrt()) / (1.0 + PEAK * turbulence)) // 6.1
     }
+}
+
+/// L(z): B.1.
+fn length_scale_m(z_m: f64, roughness_m: f64) -> f64 {
+    300.0 * (z_m / 200.0).powf(0.67 + 0.05 * roughness_m.ln())
 }
 
 /// R_h(η), R_b(η): 1 as η → 0.

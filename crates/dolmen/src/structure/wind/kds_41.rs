@@ -6,9 +6,9 @@
 //! | K_zr, K_zt, I_w | | height and exposure; topography; importance | |
 //! | γ_D, B_D | `gamma`, `background` | turbulence; size | |
 
-use super::WindError;
 use super::error::positive;
 use super::pressure::{Profile, Resonance, WindBody, WindPressure, velocity_pressure_pa};
+use super::{Turbulence, WindError};
 
 /// Exposure of the ground.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -90,18 +90,8 @@ impl Kds41Wind {
     /// # Source
     /// KDS 41 12 00:2022, chapter 5, after two public programs; the text itself was not at hand.
     pub(super) fn pressure(&self, body: &WindBody) -> Result<WindPressure, WindError> {
-        positive("basic_speed_m_s", self.basic_speed_m_s)?;
-        positive("topography", self.topography)?;
-        positive("importance", self.importance)?;
-        positive("air_density_kg_m3", self.air_density_kg_m3)?;
         let (h, b) = (body.height_m, body.breadth_m);
-        let of = self.exposure.numbers();
-        if h > of.gradient_m {
-            return Err(WindError::Height {
-                given: h,
-                most_m: of.gradient_m,
-            });
-        }
+        let of = self.numbers_up_to(h)?;
         match body.frequency_hz {
             None => return Err(WindError::FrequencyUnknown),
             Some(frequency_hz) if frequency_hz <= STIFF_HZ => {
@@ -112,11 +102,7 @@ impl Kds41Wind {
             }
             Some(_) => {}
         }
-        let by_height = match h > of.lowest_m {
-            true => of.coefficient * h.powf(of.alpha),
-            false => of.at_lowest,
-        };
-        let speed_m_s = self.basic_speed_m_s * by_height * self.topography * self.importance;
+        let speed_m_s = self.speed_m_s(&of, h);
         Ok(WindPressure {
             profile: Profile::Uniform(velocity_pressure_pa(speed_m_s, self.air_density_kg_m3)),
             response_factor: gust_factor(&of, h, b),
@@ -125,16 +111,61 @@ impl Kds41Wind {
     }
 }
 
+impl Kds41Wind {
+    /// Mean wind and turbulence at a height: see [`Wind::turbulence_at`](super::Wind::turbulence_at).
+    pub(super) fn turbulence_at(&self, height_m: f64) -> Result<Turbulence, WindError> {
+        let of = self.numbers_up_to(height_m)?;
+        Ok(Turbulence {
+            mean_speed_m_s: self.speed_m_s(&of, height_m),
+            intensity: intensity(&of, height_m),
+            length_m: length_m(height_m.max(of.lowest_m)),
+        })
+    }
+
+    /// The numbers of the exposure, with every input checked.
+    fn numbers_up_to(&self, height_m: f64) -> Result<Numbers, WindError> {
+        positive("basic_speed_m_s", self.basic_speed_m_s)?;
+        positive("topography", self.topography)?;
+        positive("importance", self.importance)?;
+        positive("air_density_kg_m3", self.air_density_kg_m3)?;
+        let of = self.exposure.numbers();
+        match height_m > of.gradient_m {
+            true => Err(WindError::Height {
+                given: height_m,
+                most_m: of.gradient_m,
+            }),
+            false => Ok(of),
+        }
+    }
+
+    /// V_0 K_zr K_zt I_w, m/s.
+    fn speed_m_s(&self, of: &Numbers, height_m: f64) -> f64 {
+        let by_height = match height_m > of.lowest_m {
+            true => of.coefficient * height_m.powf(of.alpha),
+            false => of.at_lowest,
+        };
+        self.basic_speed_m_s * by_height * self.topography * self.importance
+    }
+}
+
+/// I_H.
+fn intensity(of: &Numbers, height_m: f64) -> f64 {
+    0.1 * (height_m.max(of.lowest_m) / of.gradient_m).powf(-of.alpha - 0.05)
+}
+
+/// L_H, m.
+fn length_m(height_m: f64) -> f64 {
+    match height_m > 30.0 {
+        true => 100.0 * (height_m / 30.0).sqrt(),
+        false => 100.0,
+    }
+}
+
 /// G_D of a stiff structure.
 fn gust_factor(of: &Numbers, h: f64, b: f64) -> f64 {
-    let intensity = 0.1 * (h.max(of.lowest_m) / of.gradient_m).powf(-of.alpha - 0.05);
-    let gamma = (3.0 + 3.0 * of.alpha) / (2.0 + of.alpha) * intensity;
-    let length_m = match h > 30.0 {
-        true => 100.0 * (h / 30.0).sqrt(),
-        false => 100.0,
-    };
+    let gamma = (3.0 + 3.0 * of.alpha) / (2.0 + of.alpha) * intensity(of, h);
     let k = if h >= b { 0.33 } else { -0.33 };
-    let size = 5.1 * (length_m / (h * b).sqrt()).powf(1.3) * (b / h).powf(k);
+    let size = 5.1 * (length_m(h) / (h * b).sqrt()).powf(1.3) * (b / h).powf(k);
     let background = 1.0 - (1.0 + size).powf(-1.0 / 3.0);
     1.0 + 4.0 * gamma * background.sqrt()
 }
