@@ -62,6 +62,8 @@ pub(crate) enum TuneLoad {
     Force,
     /// The same with a corner: gusts
     Wind,
+    /// The turbulent wind of the file, along x or y
+    Gusts,
     /// White-noise acceleration of the base
     Base,
     /// Acceleration of the ground after Clough and Penzien

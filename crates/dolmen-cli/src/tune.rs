@@ -27,6 +27,7 @@ fn options_of(options: &Options) -> TuneOptions {
             Load::Wind => TuneLoad::Wind {
                 corner_hz: options.corner,
             },
+            Load::Gusts => TuneLoad::Gusts,
             Load::Base => TuneLoad::Base,
             Load::Ground => TuneLoad::Ground {
                 ground_hz: options.ground,

@@ -69,7 +69,10 @@ pub use frame::{
     Axial, ColumnsPart, DirectionPart, FootPart, FramePart, FrictionPart, SlipForces, StoreyPart,
 };
 pub use heaviness::Heaviness;
-pub use loads::{CombinationPart, LoadPart, LoadsPart, WindArea, WindGiven, WindPart, WindSpeed};
+pub use loads::{
+    CombinationPart, LoadPart, LoadsPart, WIND_ECCENTRICITY, WindArea, WindGiven, WindInTime, WindPart,
+    WindSpeed,
+};
 pub use names::Names;
 pub use quantity::{Evidence, Pick, Quantity};
 pub use read::{parse_project, parse_project_with};

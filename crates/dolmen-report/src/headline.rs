@@ -5,7 +5,7 @@ use dolmen_words::message::Both;
 use dolmen_words::{Digits, Language, Quantity, Sentence, Template, Unit, messages};
 use dolmen_work::judgement::{
     DecidedBy, Earthquake, EarthquakeFinding, Evidence, Judgement, MeasuredFrequency, VersionJudgement,
-    Weight,
+    Weight, WindFinding, WindLimit,
 };
 
 /// Digits of ratios and frequencies.
@@ -41,6 +41,12 @@ messages! {
         },
         UnderMotion { motion: String, said: Sentence } => { en: "Earthquake {motion}: {said}", ko: "지진 {motion}: {said}" },
         AtOther { said: Sentence } => { en: "Earthquake: {said}", ko: "지진: {said}" },
+        Wind { said: Sentence } => { en: "Wind: {said}", ko: "풍응답: {said}" },
+        WordAcceleration { word: Both, ratio: Quantity } => {
+            en: "{word} (acceleration: {ratio})",
+            ko: "{word}(가속도: {ratio})",
+        },
+        WordDrift { word: Both, ratio: Quantity } => { en: "{word} (drift: {ratio})", ko: "{word}(층간변위: {ratio})" },
         Falls => { en: "it falls", ko: "전도" },
         Word { word: Both } => { en: "{word}", ko: "{word}" },
         WordRatio { word: Both, ratio: Quantity } => { en: "{word} ({ratio})", ko: "{word}({ratio})" },
@@ -131,6 +137,7 @@ fn parts(judged: &VersionJudgement) -> Vec<Sentence> {
             .map(|weight| own_weight(judged, weight, contradicted.clone())),
     );
     all.extend(earthquake(judged));
+    all.extend(wind(judged));
     match (contradicted, &judged.evidence) {
         // said beside the weight
         (Some(_), _) if is_unknown && judged.governed_by.is_none() => {}
@@ -226,6 +233,26 @@ fn earthquake(judged: &VersionJudgement) -> Option<Sentence> {
     )
 }
 
+/// What the wind makes of it against what is allowed; nothing where nothing is limited.
+fn wind(judged: &VersionJudgement) -> Option<Sentence> {
+    let of = WindFinding::deciding(&judged.wind)?;
+    let word = Both::of(|language| of.word.word(language));
+    let said = match (
+        of.limit,
+        of.ratio.map(|ratio| Quantity::beside_one(ratio, DIGITS)),
+    ) {
+        (Some(WindLimit::Acceleration), Some(ratio)) => Headline::WordAcceleration { word, ratio },
+        (Some(WindLimit::Drift), Some(ratio)) => Headline::WordDrift { word, ratio },
+        (Some(WindLimit::Room), Some(ratio)) => Headline::WordRoom {
+            word,
+            part: of.part.clone().unwrap_or_default(),
+            ratio,
+        },
+        (_, None) | (None, _) => Headline::Word { word },
+    };
+    Some(Headline::Wind { said: said.into() }.into())
+}
+
 fn word(of: &EarthquakeFinding) -> Headline {
     let word = Both::of(|language| of.word.word(language));
     let ratio = |ratio: f64| Quantity::beside_one(ratio, DIGITS);
@@ -304,6 +331,7 @@ mod tests {
                     ratio: Some(3.0),
                 },
             ],
+            wind: Vec::new(),
             evidence: Evidence::Contradicted(MeasuredFrequency {
                 survey: "2009".into(),
                 direction: "x".into(),

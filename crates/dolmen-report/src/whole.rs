@@ -100,7 +100,7 @@ fn model<'a>(whole: &mut Document<'a>, answer: &'a ProjectReport, state: &'a Sta
                 loads::Loaded::Stack(&check.stack),
             ));
         }
-        (_, Check::Building(check)) => whole.append(building::sections(check)),
+        (_, Check::Building(check)) => whole.append(building::sections(check, &answer.project.loads)),
         (_, Check::Chain(_) | Check::Frame(_)) => {}
     }
 }

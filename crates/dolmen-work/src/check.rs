@@ -99,6 +99,7 @@ fn state_of(project: &Project, options: &CheckOptions) -> Result<Option<State>, 
     let Some(mut check) = kinds::check(project, &mut Quantity::nominal)? else {
         return Ok(None);
     };
+    kinds::add_wind(&mut check, project, &mut Quantity::nominal)?;
     if options.beside_the_verdict || project.site.is_some() {
         kinds::add_local_mechanisms(&mut check);
     }

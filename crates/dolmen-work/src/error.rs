@@ -237,6 +237,8 @@ pub enum WorkError {
     },
     /// Dampers of what is no building.
     TuneOfOther,
+    /// The wind of the file is to act, and it gives none.
+    TuneWithoutWind,
     /// The building falls by itself.
     BuildingFallsItself,
     /// A damper is tuned to no mode.

@@ -41,6 +41,17 @@ pub(crate) fn add_local_mechanisms(check: &mut Check) {
     }
 }
 
+/// Adds what the wind of the file does to a building in time; other kinds have it in their loads.
+pub(crate) fn add_wind(check: &mut Check, project: &Project, pick: Pick<'_>) -> Result<(), WorkError> {
+    match (&project.structure, check) {
+        (Structure::Building(part), Check::Building(answer)) => match &mut answer.stands {
+            Some(standing) => building::wind::add_wind(standing, project, part, pick),
+            None => Ok(()),
+        },
+        _ => Ok(()),
+    }
+}
+
 /// The load factor, each input with the value that `pick` chooses: of a frame the smallest of its directions;
 /// `None` unless the stiffness is known in every direction, and of stacks.
 pub(crate) fn load_factor(project: &Project, pick: Pick<'_>) -> Result<Option<f64>, WorkError> {

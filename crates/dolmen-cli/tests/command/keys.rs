@@ -7,7 +7,7 @@ use serde_json::Value;
 use std::collections::BTreeSet;
 use std::fs;
 
-const COMMANDS: [&str; 41] = [
+const COMMANDS: [&str; 42] = [
     "check examples/naju_flagpole --samples 20 --sensitivity",
     "check examples/naju_flagpole/wind.toml",
     "check examples/naju_flagpole/one_stone.toml",
@@ -19,6 +19,7 @@ const COMMANDS: [&str; 41] = [
     "check examples/p10",
     "check examples/twisting_floor",
     "check examples/several_dampers",
+    "check examples/tower_in_wind",
     "check examples/palisaden",
     "identify examples/naju_flagpole",
     "identify examples/heunginjimun_gate",

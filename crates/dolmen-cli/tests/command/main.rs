@@ -60,5 +60,6 @@ mod training;
 mod tunings;
 mod untrusted;
 mod verbs;
+mod wind_on_buildings;
 mod workbooks;
 mod written_back;

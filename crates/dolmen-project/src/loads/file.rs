@@ -56,6 +56,17 @@ pub(super) enum TerrainRaw {
     D,
 }
 
+/// How the power of gusts is spread over frequency.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize, JsonSchema)]
+pub(super) enum SpectrumRaw {
+    /// That of EN 1991-1-4, Annex B.
+    #[serde(rename = "kaimal")]
+    Kaimal,
+    /// Von Kármán.
+    #[serde(rename = "von karman")]
+    VonKarman,
+}
+
 /// An area that the wind meets.
 #[derive(Debug, serde::Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -97,6 +108,14 @@ pub(crate) struct WindRaw {
     pub(super) force_coefficient: Option<At<QuantityRaw>>,
     /// Areas other than those of the parts' own widths.
     pub(super) areas: Option<Vec<At<WindAreaRaw>>>,
+    /// Of a building: "kaimal" or "von karman"; that of the code if not given.
+    pub(super) spectrum: Option<At<SpectrumRaw>>,
+    /// Of a building: how far off the middle of the breadth the wind acts, over the breadth, either side; 0.15 if not given.
+    pub(super) eccentricity: Option<At<f64>>,
+    /// Of a building: largest peak acceleration that is allowed on the top floor.
+    pub(super) acceleration_limit: Option<At<QuantityRaw>>,
+    /// Of a building: largest drift of a storey that is allowed, over its height, such as 0.0025.
+    pub(super) drift_limit: Option<At<f64>>,
     /// Where it comes from.
     pub(super) source: Option<String>,
 }

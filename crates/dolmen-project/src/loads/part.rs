@@ -1,7 +1,9 @@
 //! What acts on a structure beside its own weight, checked.
 
 use crate::quantity::{Pick, Quantity};
-use dolmen::structure::wind::{EurocodeTerrain, EurocodeWind, Kds41Exposure, Kds41Wind, Wind};
+use dolmen::structure::wind::{
+    EurocodeTerrain, EurocodeWind, Kds41Exposure, Kds41Wind, TurbulenceSpectrum, Wind,
+};
 
 /// The speed or pressure of a wind, and what it is.
 #[derive(Clone, Debug, PartialEq)]
@@ -45,6 +47,33 @@ pub struct WindArea {
     pub force_coefficient: Option<Quantity>,
 }
 
+/// How a wind on a building is taken in time, and what limits its motion.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WindInTime {
+    /// The spectrum; `None`: that of the code.
+    pub spectrum: Option<TurbulenceSpectrum>,
+    /// How far off the middle of the breadth it acts, over the breadth, either side.
+    pub eccentricity: f64,
+    /// Largest peak acceleration of the top floor, m/s².
+    pub acceleration_limit: Option<Quantity>,
+    /// Largest drift of a storey over its height.
+    pub drift_limit: Option<f64>,
+}
+
+/// Eccentricity of the wind over the breadth where the file gives none: that of ASCE 7-10, figure 27.4-8, case 2.
+pub const WIND_ECCENTRICITY: f64 = 0.15;
+
+impl Default for WindInTime {
+    fn default() -> Self {
+        WindInTime {
+            spectrum: None,
+            eccentricity: WIND_ECCENTRICITY,
+            acceleration_limit: None,
+            drift_limit: None,
+        }
+    }
+}
+
 /// A wind that the file gives.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WindGiven {
@@ -56,6 +85,8 @@ pub struct WindGiven {
     pub force_coefficient: Quantity,
     /// Areas other than those of the parts' own widths.
     pub areas: Vec<WindArea>,
+    /// How it blows on a building, in time.
+    pub in_time: WindInTime,
     /// Where it comes from, in words.
     pub source: Option<String>,
 }
@@ -163,6 +194,7 @@ impl WindGiven {
 
     fn inputs<'a>(&'a self, all: &mut Vec<&'a Quantity>) {
         all.extend([self.speed.quantity(), &self.force_coefficient]);
+        all.extend(&self.in_time.acceleration_limit);
         for area in &self.areas {
             all.push(&area.area);
             all.extend(area.height.iter().chain(&area.force_coefficient));

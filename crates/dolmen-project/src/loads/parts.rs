@@ -19,6 +19,8 @@ const ROUNDING_M: f64 = 1e-9;
 pub(super) struct Parts {
     /// Whether they are the stones of a stack, which forces meet in three dimensions.
     pub(super) are_stones: bool,
+    /// Whether they are the floors of a building, which only wind acts on.
+    pub(super) are_floors: bool,
     pub(super) list: &'static str,
     pub(super) names: Vec<Option<String>>,
     /// Height of the lower and upper end of each above the ground, m.
@@ -32,6 +34,7 @@ pub(super) fn parts(structure: &Structure) -> Option<Parts> {
     match structure {
         Structure::Chain(part) => Some(Parts {
             are_stones: false,
+            are_floors: false,
             list: "links",
             names: part.links.iter().map(|link| link.name.clone()).collect(),
             ends_m: {
@@ -50,7 +53,15 @@ pub(super) fn parts(structure: &Structure) -> Option<Parts> {
                 .collect(),
         }),
         Structure::Stack(part) => Some(stones(part)),
-        Structure::Frame(_) | Structure::Building(_) | Structure::Survey => None,
+        Structure::Building(part) => Some(Parts {
+            are_stones: false,
+            are_floors: true,
+            list: "floors",
+            names: part.floors.iter().map(|floor| floor.name.clone()).collect(),
+            ends_m: Vec::new(),
+            has_width: part.floors.iter().map(|floor| floor.outline.is_some()).collect(),
+        }),
+        Structure::Frame(_) | Structure::Survey => None,
     }
 }
 
@@ -60,6 +71,7 @@ fn stones(part: &StackPart) -> Parts {
     let blocks = built.as_ref().map_or(&[][..], |stack| stack.blocks());
     Parts {
         are_stones: true,
+        are_floors: false,
         list: "blocks",
         names: blocks.iter().map(|block| Some(block.name.clone())).collect(),
         ends_m: blocks

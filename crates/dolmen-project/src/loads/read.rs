@@ -34,19 +34,41 @@ pub(crate) fn loads(reader: &mut Reader, raw: &FileRaw, structure: Option<&Struc
     let Some(structure) = structure else {
         return LoadsPart::none();
     };
-    let Some(parts) = parts(structure) else {
-        for (key, span) in keys {
-            if let Some(span) = span {
-                let fault = Fault::new(span, key, WrongLoads::IsNotReadFor { key: key.to_string() });
-                reader.fault(
-                    fault
-                        .allowed(Common::NoMeaningHere)
-                        .help(WrongLoads::TakeItOutWind),
-                );
-            }
-        }
+    let parts = parts(structure);
+    // a building takes wind alone
+    let read = match &parts {
+        None => 0,
+        Some(parts) if parts.are_floors => 1,
+        Some(_) => keys.len(),
+    };
+    let foreign = keys
+        .iter()
+        .skip(read)
+        .filter_map(|(key, span)| Some((key, span.clone()?)));
+    for (key, span) in foreign {
+        let fault = Fault::new(
+            span,
+            key,
+            WrongLoads::IsNotReadFor {
+                key: (*key).to_owned(),
+            },
+        );
+        reader.fault(
+            fault
+                .allowed(Common::NoMeaningHere)
+                .help(WrongLoads::TakeItOutWind),
+        );
+    }
+    let Some(parts) = parts else {
         return LoadsPart::none();
     };
+    if parts.are_floors {
+        let wind = raw.wind.as_ref().and_then(|raw| wind(reader, raw, &parts));
+        return LoadsPart {
+            wind: wind.unwrap_or(WindPart::NotSaid),
+            ..LoadsPart::none()
+        };
+    }
     let wind = match &raw.wind {
         None => WindPart::NotSaid,
         Some(raw) => wind(reader, raw, &parts).unwrap_or(WindPart::NotSaid),

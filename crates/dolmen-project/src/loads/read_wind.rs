@@ -3,6 +3,7 @@
 use super::file::{MeansRaw, TerrainRaw, WindAreaRaw, WindCodeRaw, WindOrShelteredRaw, WindRaw};
 use super::part::{WindArea, WindGiven, WindPart, WindSpeed};
 use super::parts::{Parts, on_part, part_of};
+use super::read_in_time::in_time;
 use crate::error::Fault;
 use crate::file_number::{At, QuantityRaw};
 use crate::measure::{Bound, Measure};
@@ -35,11 +36,18 @@ pub(super) fn wind(reader: &mut Reader, raw: &At<WindOrShelteredRaw>, parts: &Pa
         Measure::Ratio,
         Bound::Positive,
     );
-    let areas = listed(reader, of.areas.as_deref(), "wind.areas", |reader, raw, path| {
-        area(reader, raw, path, parts)
-    });
-    let areas = areas?;
-    widths_known(reader, &areas, parts);
+    let in_time = in_time(reader, of, &raw.span, parts);
+    let areas = match parts.are_floors {
+        true => Vec::new(),
+        false => {
+            let areas = listed(reader, of.areas.as_deref(), "wind.areas", |reader, raw, path| {
+                area(reader, raw, path, parts)
+            });
+            let areas = areas?;
+            widths_known(reader, &areas, parts);
+            areas
+        }
+    };
     let speed = speed?;
     let of_code = match &speed {
         WindSpeed::Kds41 { .. } => KDS_41_AIR_KG_M3,
@@ -50,6 +58,7 @@ pub(super) fn wind(reader: &mut Reader, raw: &At<WindOrShelteredRaw>, parts: &Pa
         air_density_kg_m3: density.map_or(of_code, |density| density.value),
         force_coefficient: force_coefficient?,
         areas,
+        in_time: in_time?,
         source: of.source.clone(),
     })))
 }

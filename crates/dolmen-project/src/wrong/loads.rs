@@ -35,8 +35,8 @@ messages! {
             ko: "이 종류의 구조물에는 {key}을(를) 쓰지 않는다",
         },
         TakeItOutWind => {
-            en: "take it out: wind and static loads are for kind = \"chain\" and kind = \"stack\"",
-            ko: "삭제한다. 풍하중과 정하중은 kind = \"chain\"과 kind = \"stack\"에만 쓴다",
+            en: "take it out: static loads are for kind = \"chain\" and kind = \"stack\", wind for these and kind = \"building\"",
+            ko: "삭제한다. 정하중은 kind = \"chain\"과 kind = \"stack\"에, 풍하중은 이 둘과 kind = \"building\"에만 쓴다",
         },
         WriteWindSpeedMeans => {
             en: "write wind = {{ speed, means, force_coefficient }}, or wind = \"sheltered\"",
@@ -212,6 +212,34 @@ messages! {
         WindDensityIsKg { density: String } => {
             en: "wind.density is {density} kg/m3",
             ko: "wind.density가 {density} kg/m3이다",
+        },
+        PressureOnBuilding => {
+            en: "wind.pressure says nothing of how gusts come and go, which makes a building swing",
+            ko: "wind.pressure로는 건물을 진동시키는 돌풍의 시간 변화를 알 수 없다",
+        },
+        GustOnBuilding => {
+            en: "wind.means = \"gust\", but a building swings about the mean wind: taken for a mean, a gust would make the force 2 to 3 times what it is",
+            ko: "wind.means = \"gust\"인데 건물의 진동에는 평균 풍속이 필요하다. 가스트를 평균으로 쓰면 풍력이 실제의 2~3배가 된다",
+        },
+        GiveMeanOfCode => {
+            en: "give the 10-minute mean: speed with means = \"10 min\", code = \"EN 1991-1-4\" or \"KDS 41 12 00\" and its terrain",
+            ko: "10분 평균 speed를 means = \"10 min\", code = \"EN 1991-1-4\" 또는 \"KDS 41 12 00\" 및 terrain과 함께 입력한다",
+        },
+        AreasOnBuilding => {
+            en: "wind.areas is not read for a building",
+            ko: "건물에는 wind.areas를 쓰지 않는다",
+        },
+        BreadthOfFloors => {
+            en: "take it out: the wind meets the breadth of the floors over their storeys",
+            ko: "삭제한다. 건물은 바닥의 폭과 층고로 바람을 받는 면적을 정한다",
+        },
+        BreadthUnknown { floor: String } => {
+            en: "wind: the breadth of floors[{floor}] is not known",
+            ko: "wind: floors[{floor}]의 폭을 알 수 없다",
+        },
+        GiveSidesOf { floor: String } => {
+            en: "give floors[{floor}].sides or outline",
+            ko: "floors[{floor}].sides나 outline을 입력한다",
         },
         AirHasKgM3 => { en: "air has 1.2 kg/m3", ko: "공기의 밀도는 1.2 kg/m3이다" },
     }

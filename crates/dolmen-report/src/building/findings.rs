@@ -1,5 +1,6 @@
 //! What a building's check says in plain words.
 
+use super::wind_findings::{beyond_room as beyond_room_in_wind, wind_findings};
 use super::words::{floor_words, millimetres, of_both, significant, stroke_words};
 use crate::document::{Finding, Tone};
 use crate::load_factor::load_factor_finding;
@@ -79,6 +80,7 @@ pub(crate) fn findings(answer: &BuildingAnswer) -> Vec<Finding> {
         all.extend(more_with_dampers(standing).map(|said| Finding::key(Tone::Warn, said)));
         all.extend(beyond_room(standing));
         all.extend(refused(standing).map(|said| Finding::key(Tone::Unknown, said)));
+        all.extend(wind_findings(answer, standing));
     }
     all
 }
@@ -90,7 +92,12 @@ pub(crate) fn variant_findings(variants: &[VariantAnswer]) -> Vec<Finding> {
         Check::Building(answer) => answer.stands.as_deref(),
         Check::Chain(_) | Check::Frame(_) | Check::Stack(_) => None,
     });
-    standing.flat_map(beyond_room).collect()
+    standing
+        .flat_map(|standing| {
+            let in_wind = beyond_room_in_wind(standing);
+            beyond_room(standing).into_iter().chain(in_wind)
+        })
+        .collect()
 }
 
 fn first_storey(answer: &BuildingAnswer, verdict: Verdict) -> Option<Finding> {

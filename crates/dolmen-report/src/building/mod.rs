@@ -5,6 +5,8 @@ mod findings;
 mod modes;
 mod spectrum;
 mod storeys;
+mod wind;
+mod wind_findings;
 mod words;
 
 pub(crate) use dampers::rest;
@@ -15,7 +17,7 @@ pub(crate) use words::{
 };
 
 use crate::document::Document;
-use dolmen_project::BuiltDamper;
+use dolmen_project::{BuiltDamper, LoadsPart};
 use dolmen_words::{Template, messages};
 use dolmen_work::building::BuildingAnswer;
 
@@ -27,7 +29,7 @@ messages! {
 }
 
 /// The sentences on buildings as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 7] = [
+pub(crate) const TEMPLATES: [&[Template]; 9] = [
     words::Words::TEMPLATES,
     findings::Found::TEMPLATES,
     Stability::TEMPLATES,
@@ -35,10 +37,12 @@ pub(crate) const TEMPLATES: [&[Template]; 7] = [
     modes::Modes::TEMPLATES,
     dampers::Dampers::TEMPLATES,
     spectrum::Spectrum::TEMPLATES,
+    wind::InWind::TEMPLATES,
+    wind_findings::Blown::TEMPLATES,
 ];
 
 /// The sections of a building.
-pub(crate) fn sections(answer: &BuildingAnswer) -> Document<'_> {
+pub(crate) fn sections<'a>(answer: &'a BuildingAnswer, loads: &'a LoadsPart) -> Document<'a> {
     let mut document = Document::default();
     document.heading(Stability::Head);
     storeys::section(&mut document, answer);
@@ -46,6 +50,7 @@ pub(crate) fn sections(answer: &BuildingAnswer) -> Document<'_> {
         modes::section(&mut document, standing);
         dampers::section(&mut document, &standing.dampers);
         spectrum::section(&mut document, answer, standing);
+        wind::section(&mut document, answer, standing, loads);
     }
     document
 }

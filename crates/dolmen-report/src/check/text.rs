@@ -166,7 +166,7 @@ fn sections_text(project: &Project, state: &State, style: TextStyle) -> String {
         (Structure::Chain(part), Check::Chain(check)) => chain::sections(part, check),
         (Structure::Frame(part), Check::Frame(directions)) => frame::sections(part, directions),
         (_, Check::Stack(answer)) => stack::sections(answer, &state.spring_fits, Shaking::default()),
-        (_, Check::Building(answer)) => building::sections(answer),
+        (_, Check::Building(of)) => building::sections(of, &project.loads),
         (_, Check::Chain(_) | Check::Frame(_)) => Document::default(),
     };
     let asked = state.demand.as_ref().map(demand::sections).unwrap_or_default();

@@ -6,7 +6,7 @@ use dolmen_project::Names;
 use dolmen_words::message::Both;
 use dolmen_words::{Sentence, messages};
 use dolmen_work::answer::ProjectReport;
-use dolmen_work::judgement::{Colour, Earthquake, Evidence, judge};
+use dolmen_work::judgement::{Colour, Earthquake, Evidence, WindWord, judge};
 
 messages! {
     /// Signatures and the three questions.
@@ -14,6 +14,7 @@ messages! {
         Signatures => { en: "Participating engineers", ko: "참여기술진" },
         Weight => { en: "Does it stand under its own weight and the static loads?", ko: "자중과 정하중을 견디는가" },
         Earthquake => { en: "Does it meet what the earthquake asks?", ko: "지진에 대한 기준을 만족하는가" },
+        Wind => { en: "Does it move no more in the wind than is allowed?", ko: "풍응답이 허용값 이내인가" },
         Evidence => { en: "Is the model the structure?", ko: "모델이 실제와 일치하는가" },
         Word { word: Both } => { en: "{word}", ko: "{word}" },
         ToDo => { en: "What to do", ko: "보수·보강 방안" },
@@ -81,7 +82,12 @@ fn answers(answer: &ProjectReport) -> Option<Block<'static>> {
         Evidence::NotCompared { .. } | Evidence::NotMeasured { .. } => Tone::Unknown,
         measured => tone(measured.colour()),
     };
-    Some(Block::Answers(vec![
+    let wind = headline.wind_word();
+    let of_wind = (wind != WindWord::NotAsked).then(|| {
+        let word = Both::of(|language| wind.word(language));
+        answered(Front::Wind, tone(wind.colour()), word)
+    });
+    let mut all = vec![
         answered(
             Front::Weight,
             tone(weight.colour()),
@@ -97,7 +103,9 @@ fn answers(answer: &ProjectReport) -> Option<Block<'static>> {
             of_evidence,
             Both::of(|language| headline.evidence.words(language)),
         ),
-    ]))
+    ];
+    all.extend(of_wind);
+    Some(Block::Answers(all))
 }
 
 fn tone(colour: Colour) -> Tone {

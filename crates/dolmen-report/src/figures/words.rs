@@ -27,6 +27,7 @@ messages! {
         FactorAndMargins => { en: "Load factor λ and margins k/k_min (–)", ko: "하중배율 λ 및 여유도 k/k_min (–)" },
         Acceleration => { en: "Acceleration (g)", ko: "가속도 (g)" },
         Displacement => { en: "Displacement (mm)", ko: "변위 (mm)" },
+        AccelerationSi => { en: "Peak acceleration (m/s²)", ko: "최대가속도 (m/s²)" },
         Rotation => { en: "Rotation (mrad)", ko: "회전 (mrad)" },
         BaseShear => { en: "Base shear (kN)", ko: "밑면전단력 (kN)" },
         Stroke => { en: "Stroke (mm)", ko: "행정 (mm)" },
@@ -91,6 +92,8 @@ messages! {
         AccelerationOfTheGround => { en: "Acceleration of the ground", ko: "지반 가속도" },
         RotationOfTheTopFloor => { en: "Rotation of the top floor", ko: "최상층의 회전" },
         BaseShear => { en: "Base shear", ko: "밑면전단력" },
+        AccelerationInTheWind => { en: "Peak acceleration in the wind by height", ko: "높이별 풍응답 최대가속도" },
+        DisplacementInTheWind => { en: "Displacement in the wind by height", ko: "높이별 풍응답 변위" },
         TravelOfTheDampers => { en: "Travel of the dampers", ko: "제진장치의 행정" },
         ElevationOfTheChainWithItsJoints => { en: "Elevation of the chain with its joints", ko: "접합면을 표시한 입면도" },
         MomentsOfTheJoints => { en: "Moments of the joints and what the beds pass", ko: "접합면 모멘트와 한계" },
@@ -161,6 +164,13 @@ messages! {
 messages! {
     /// Legends and words in the figures of a structure.
     pub(crate) enum Signs in "figure.sign" {
+        WindAlong { axis: String } => { en: "wind along {axis}", ko: "{axis} 방향 바람" },
+        WindWithoutDampers { axis: String } => {
+            en: "wind along {axis}, without dampers",
+            ko: "{axis} 방향 바람(제진장치 제외)",
+        },
+        WindMean { axis: String } => { en: "wind along {axis}, mean", ko: "{axis} 방향 바람, 평균" },
+        WindPeak { axis: String } => { en: "wind along {axis}, peak", ko: "{axis} 방향 바람, 최댓값" },
         ColumnsAlone => { en: "columns", ko: "기둥" },
         SpringsBeside => { en: "joints and walls, linear", ko: "접합부·벽체(선형)" },
         ColumnsAndSprings => { en: "both", ko: "합계" },

@@ -1,5 +1,6 @@
 //! A building as JSON: its check, its simulation.
 
+use super::building_wind::building_wind;
 use super::judgement::judgement;
 use super::simulation::motion_json;
 use super::with::with;
@@ -7,6 +8,7 @@ use crate::limits::parts_json;
 use dolmen::damper::DamperKind;
 use dolmen::dynamics::{BuildingPeaks, HistoryMethod};
 use dolmen_project::BuiltDamper;
+use dolmen_words::Language;
 use dolmen_work::building::BuildingSimulation;
 use dolmen_work::building::{
     BuildingAnswer, BuildingSpectral, DampedSpectral, MINOR_RATIO, StandingBuilding,
@@ -46,6 +48,8 @@ fn standing(standing: &StandingBuilding) -> Value {
         "dampers": standing.dampers.iter().map(damper).collect::<Vec<_>>(),
         "spectral": standing.spectral.as_ref().map(spectral),
         "spectral_refused": standing.spectral_refused,
+        "wind": standing.wind.as_ref().map(|wind| building_wind(standing, wind)),
+        "wind_refused": standing.wind_refused.as_ref().map(|why| why.text(Language::English)),
         "spectral_with_dampers": standing.damped.as_ref().map(damped),
         "spectral_with_dampers_refused": standing.damped_refused,
         "against_without": standing.against_without().iter().map(|of| json!({

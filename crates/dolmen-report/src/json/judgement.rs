@@ -2,7 +2,9 @@
 
 use crate::headline::headline;
 use dolmen_words::Language;
-use dolmen_work::judgement::{DecidedBy, EarthquakeFinding, Evidence, Judgement, VersionJudgement, Weight};
+use dolmen_work::judgement::{
+    DecidedBy, EarthquakeFinding, Evidence, Judgement, VersionJudgement, Weight, WindFinding, WindLimit,
+};
 use serde_json::{Value, json};
 
 /// The judgement of an answer, the structure as it is first.
@@ -27,6 +29,11 @@ fn version(version: &VersionJudgement) -> Value {
             "word": earthquake.word(Language::English),
             "colour": earthquake.colour().word(),
             "reasons": version.earthquake.iter().map(finding).collect::<Vec<_>>(),
+        },
+        "wind": {
+            "word": version.wind_word().word(Language::English),
+            "colour": version.wind_word().colour().word(),
+            "reasons": version.wind.iter().map(in_wind).collect::<Vec<_>>(),
         },
         "evidence": evidence(&version.evidence),
         "assumed_inputs": version.inputs.assumed,
@@ -58,6 +65,15 @@ fn finding(finding: &EarthquakeFinding) -> Value {
         "part": finding.part,
         "capacity_over_demand": finding.ratio,
         "damage_state": damage_state,
+    })
+}
+
+fn in_wind(finding: &WindFinding) -> Value {
+    json!({
+        "word": finding.word.word(Language::English),
+        "decided_by": finding.limit.map(WindLimit::key),
+        "part": finding.part,
+        "limit_over_peak": finding.ratio,
     })
 }
 

@@ -1,6 +1,7 @@
 //! Answers as JSON: keys are the fields' names with the unit last, values in SI, `null` for what is not known.
 
 mod building;
+mod building_wind;
 mod chain_simulation;
 mod change;
 mod check;

@@ -123,6 +123,10 @@ messages! {
             en: "its top is at {height}, and the profile of the code ends at {most}",
             ko: "최상단 높이 {height}이(가) 기준의 적용 높이 {most}을(를) 넘는다",
         },
+        NotAMean => {
+            en: "a gust or a pressure is given, and turbulence goes with the 10-minute mean of a code",
+            ko: "돌풍이나 압력으로 주어졌으나 난류는 기준에 따른 10분 평균 풍속이 있어야 정해진다",
+        },
         NotPositive { quantity: String, given: Quantity } => {
             en: "{quantity} is {given}, but must be above 0",
             ko: "{quantity} = {given}은(는) 0보다 커야 한다",
@@ -161,6 +165,7 @@ pub(super) fn why_not(error: &WindError, is_stack: bool) -> Sentence {
             height: Quantity::engineering(*given, "m", DIGITS),
             most: Quantity::engineering(*most_m, "m", DIGITS),
         },
+        WindError::NotAMean => WhyNot::NotAMean,
         WindError::NotPositive { quantity, given } => WhyNot::NotPositive {
             quantity: (*quantity).to_owned(),
             given: Quantity::ratio(*given, DIGITS),

@@ -5,7 +5,7 @@ mod on_stones;
 mod section;
 
 pub(crate) use findings::findings;
-pub(crate) use section::{Loaded, sections};
+pub(crate) use section::{Loaded, as_given, sections};
 
 use dolmen_words::Template;
 

@@ -217,7 +217,7 @@ fn chain_section<'a>(
 }
 
 /// What the file says of the wind, and what its code makes of it.
-fn as_given(wind: &WindGiven) -> Shown {
+pub(crate) fn as_given(wind: &WindGiven) -> Shown {
     let coefficient = wind.force_coefficient.written.clone();
     match &wind.speed {
         WindSpeed::Pressure(pressure) => Shown::Pressure {

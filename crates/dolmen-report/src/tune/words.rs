@@ -37,6 +37,10 @@ messages! {
             en: "force of gusts (low pass at {corner}), the same on every floor, at its centre of mass",
             ko: "각 층 질량중심에 동일하게 작용하는 풍하중형 하중(저역통과 {corner})",
         },
+        Gusts => {
+            en: "the turbulent wind of the file on every floor",
+            ko: "각 층에 작용하는 파일의 변동풍",
+        },
         Base => { en: "white-noise acceleration of the base", ko: "백색잡음 지반가속도" },
         Ground { soil: Quantity } => {
             en: "acceleration of the ground after Clough & Penzien, soil at {soil}",
@@ -102,6 +106,7 @@ pub(super) fn load_words(load: TuneLoad) -> Sentence {
         TuneLoad::Wind { corner_hz } => Words::Wind {
             corner: hertz(corner_hz),
         },
+        TuneLoad::Gusts => Words::Gusts,
         TuneLoad::Base => Words::Base,
         TuneLoad::Ground { ground_hz } => Words::Ground {
             soil: hertz(ground_hz),

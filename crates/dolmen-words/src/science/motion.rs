@@ -49,5 +49,6 @@ korean_of! {
     }
     handed on DynamicsError::Building(why) => why;
     handed on DynamicsError::Structure(why) => why;
+    handed on DynamicsError::Wind(why) => why;
     handed on DynamicsError::Linalg(why) => why;
 }

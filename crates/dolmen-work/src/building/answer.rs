@@ -1,10 +1,12 @@
 //! What `dolmen check` found of a building.
 
 use super::simulation::{Against, BeyondRoom};
+use super::wind::BuildingWind;
 use dolmen::dynamics::{LeastFavourable, SpectralMode};
 use dolmen::structure::Building;
 use dolmen::structure::building::{BuildingModes, StoreyFall};
 use dolmen_project::{BuiltDamper, StoreyStiffnessPart};
+use dolmen_words::message::Both;
 
 /// Share of the mass, along x and along y, that the shown modes have at least. Chosen here: what codes ask for.
 const MASS_SHOWN: f64 = 0.9;
@@ -43,6 +45,10 @@ pub struct StandingBuilding {
     pub damped: Option<DampedSpectral>,
     /// Why there is none although there are dampers and a site.
     pub damped_refused: Option<String>,
+    /// In the wind of the file; `None` without one.
+    pub wind: Option<Box<BuildingWind>>,
+    /// Why there is none although the file gives a wind.
+    pub wind_refused: Option<Both>,
 }
 
 /// Largest responses of a building with its dampers by the spectrum of the site: complex modes by CQC, shaking along x and y by the square root

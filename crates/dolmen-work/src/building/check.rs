@@ -67,6 +67,8 @@ fn standing(project: &Project, part: &BuildingPart, pick: Pick<'_>) -> Result<St
         spectral_refused,
         damped,
         damped_refused,
+        wind: None,
+        wind_refused: None,
     })
 }
 

@@ -13,6 +13,7 @@ mod tune_answer;
 mod tune_room;
 mod tune_together;
 mod tuned;
+pub(crate) mod wind;
 
 pub use answer::{
     BuildingAnswer, BuildingSpectral, DampedSpectral, MINOR_RATIO, StandingBuilding, stiffness_word,
@@ -24,3 +25,4 @@ pub use tune_answer::{
     RoomCheck, RowStroke, TogetherAnswer, TogetherChoice, TogetherRow, TuneAnswer, TuneLoad, TunePoint,
 };
 pub use tuned::TuneOptions;
+pub use wind::{BuildingWind, FloorInWind, FloorMet, WIND_DURATION_S, WindAlong, WindMotion};

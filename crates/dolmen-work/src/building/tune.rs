@@ -3,7 +3,7 @@
 use super::tune_answer::{RoomCheck, TuneAnswer};
 use super::tune_room::room_check;
 use super::tune_together::of_all;
-use super::tuned::{TuneOptions, degrees, part_of, placed, points, random_load, site, standing, structure};
+use super::tuned::{TuneOptions, degrees, part_of, placed, points, random_loads, site, standing, structure};
 use crate::answer::TuneAnswers;
 use crate::error::{Within as _, WorkError};
 use crate::opened::Opened;
@@ -147,7 +147,7 @@ impl Of<'_> {
         let load = options.load;
         let problem = DamperProblem {
             structure: structure(building, self.part)?,
-            loads: vec![random_load(building, load, load_direction)],
+            loads: random_loads((self.project, self.part), load, load_direction)?,
             points: rows.collect::<Result<_, _>>()?,
             sites: vec![site],
             fixed: Vec::new(),

@@ -13,6 +13,8 @@ pub enum TuneLoad {
         /// Corner, Hz.
         corner_hz: f64,
     },
+    /// The turbulent wind of the file, along x or along y.
+    Gusts,
     /// White-noise acceleration of the base.
     Base,
     /// Acceleration of the ground after Clough & Penzien, with the frequency of the soil, Hz; its damping .6, the second filter at a tenth.
@@ -33,6 +35,7 @@ impl TuneLoad {
         match self {
             TuneLoad::Force => "force",
             TuneLoad::Wind { .. } => "wind",
+            TuneLoad::Gusts => "gusts",
             TuneLoad::Base => "base",
             TuneLoad::Ground { .. } => "ground",
         }

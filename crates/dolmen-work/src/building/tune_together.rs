@@ -48,15 +48,17 @@ pub(crate) fn of_all(
     let loaded = options
         .load_direction_degrees
         .map_or(directions, |direction| vec![direction]);
+    let mut acting = Vec::new();
+    for direction in &loaded {
+        let direction = PlanDirection::Degrees(*direction);
+        acting.extend(tuned::random_loads((project, part), load, direction)?);
+    }
     let all = All {
         building,
         dampers: &dampers,
         problem: DamperProblem {
             structure: tuned::structure(building, part)?,
-            loads: loaded
-                .iter()
-                .map(|direction| tuned::random_load(building, load, PlanDirection::Degrees(*direction)))
-                .collect(),
+            loads: acting,
             points: rows,
             sites: sites(building, &dampers),
             fixed: Vec::new(),

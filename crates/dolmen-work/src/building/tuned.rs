@@ -1,8 +1,9 @@
 //! A building as those see it who tune its dampers.
 
 use super::tune_answer::{TuneLoad, TunePoint};
+use super::wind::{columns, face};
 use crate::error::WorkError;
-use dolmen::damper::{DamperKind, DamperSite, Goal, PlacedDamper};
+use dolmen::damper::{DamperError, DamperKind, DamperSite, Goal, PlacedDamper};
 use dolmen::dynamics::{LinearSystem, RandomInput, RandomLoad, Spectrum, VibratingBuilding};
 use dolmen::structure::building::{Building, PlanDirection};
 use dolmen_project::{BuildingPart, BuiltDamper, Project, Quantity, Structure};
@@ -122,15 +123,73 @@ pub(crate) fn site(building: &Building, floor: usize) -> Result<DamperSite, Work
     })
 }
 
-pub(crate) fn random_load(building: &Building, load: TuneLoad, direction: PlanDirection) -> RandomLoad {
-    let column = building.ground_column(direction);
-    RandomLoad {
+/// What acts along a direction; several forces, independent of each other, where the wind of the file blows.
+pub(crate) fn random_loads(
+    (project, part): (&Project, &BuildingPart),
+    load: TuneLoad,
+    direction: PlanDirection,
+) -> Result<Vec<RandomLoad>, WorkError> {
+    let vibrating = standing(part)?;
+    if load == TuneLoad::Gusts {
+        return gusts(project, vibrating, direction);
+    }
+    let column = vibrating.building().ground_column(direction);
+    Ok(vec![RandomLoad {
         input: match load.is_base() {
             true => RandomInput::Base(column),
             false => RandomInput::Force(column),
         },
         spectrum: spectrum(load),
-    }
+    }])
+}
+
+/// Part of the variance of the forces on the floors below which a shape of them is left out.
+const SHAPE_LEAST: f64 = 2e-3;
+/// Part of the mass that a mode along the wind moves at least, for its frequency to be that at which the shapes are taken. Our choice.
+const MODE_LEAST: f64 = 0.05;
+
+/// The wind of the file along x or along y, whichever is nearer: the forces on the floors in the shapes in which they are independent at
+/// the frequency of the lowest mode along it.
+fn gusts(
+    project: &Project,
+    vibrating: &VibratingBuilding,
+    direction: PlanDirection,
+) -> Result<Vec<RandomLoad>, WorkError> {
+    let Some(given) = project.loads.wind() else {
+        return Err(WorkError::TuneWithoutWind);
+    };
+    let building = vibrating.building();
+    let [cos, sin] = direction.unit();
+    let axis = usize::from(sin.abs() > cos.abs());
+    let wind = given.build(&mut Quantity::nominal);
+    let spectrum = given.in_time.spectrum.unwrap_or(wind.own_spectrum());
+    let face = face(building, &wind, (spectrum, given.force_coefficient.value), axis)?;
+    let modes = vibrating.modes();
+    let along = modes
+        .modes
+        .iter()
+        .find(|mode| mode.effective_mass[axis] > MODE_LEAST * modes.total_mass[axis]);
+    let frequency_hz = along
+        .or(modes.modes.first())
+        .map_or(1.0, |mode| mode.frequency_hz);
+    let columns = columns(building, axis, 0.0);
+    let shapes = face
+        .independent_shapes(frequency_hz, SHAPE_LEAST)
+        .map_err(DamperError::from)?;
+    let each = shapes.into_iter().map(|shape| {
+        let mut force = vec![0.0; building.coordinates()];
+        for (part, column) in shape.iter().zip(&columns) {
+            force.iter_mut().zip(column).for_each(|(sum, a)| *sum += part * a);
+        }
+        RandomLoad {
+            input: RandomInput::Force(force),
+            spectrum: Spectrum::Gusts {
+                face: Box::new(face.clone()),
+                shape,
+            },
+        }
+    });
+    Ok(each.collect())
 }
 
 /// The points of the file, or the corners of a floor.
@@ -156,7 +215,8 @@ pub(crate) fn points(part: &BuildingPart, floor: usize, corners_m: &[[f64; 2]]) 
 
 fn spectrum(load: TuneLoad) -> Spectrum {
     match load {
-        TuneLoad::Force | TuneLoad::Base => Spectrum::White { density: DENSITY },
+        // the wind of the file has spectra of its own
+        TuneLoad::Force | TuneLoad::Base | TuneLoad::Gusts => Spectrum::White { density: DENSITY },
         TuneLoad::Wind { corner_hz } => Spectrum::LowPass {
             density: DENSITY,
             corner_rad_s: TAU * corner_hz,

@@ -6,6 +6,7 @@ use super::evidence::Evidence;
 use super::exit::{Verb, exit_status};
 use super::runs::{of_building, of_chain, of_frame, of_simulation, of_stack, of_stack_runs};
 use super::weight::Weight;
+use super::wind::{WindFinding, WindWord, of_wind};
 use crate::answer::{Answer, CheckAnswer};
 use crate::building::{BuildingSimulation, TogetherAnswer, TogetherChoice, TuneAnswer};
 use crate::chain::ChainSimulation;
@@ -33,6 +34,8 @@ pub struct VersionJudgement {
     pub with_loads: bool,
     /// What an earthquake asks of it, one a demand, motion and part; empty where nothing is asked.
     pub earthquake: Vec<EarthquakeFinding>,
+    /// What its wind makes of it against what the file allows, of a building; empty where nothing is limited.
+    pub wind: Vec<WindFinding>,
     /// Is the model the structure.
     pub evidence: Evidence,
     /// What the site asks by: the code and the return period, years, if one was chosen; `None` without a site.
@@ -79,6 +82,7 @@ impl VersionJudgement {
             governed_by: None,
             with_loads: false,
             earthquake: Vec::new(),
+            wind: Vec::new(),
             evidence,
             demand_source: None,
             inputs: AssumedInputs::default(),
@@ -90,10 +94,20 @@ impl VersionJudgement {
         Earthquake::worst(&self.earthquake)
     }
 
-    /// The worst colour of the three questions.
+    /// The word on the motion in the wind.
+    pub fn wind_word(&self) -> WindWord {
+        let words = self.wind.iter().map(|finding| finding.word);
+        words.max().unwrap_or(WindWord::NotAsked)
+    }
+
+    /// The worst colour of all questions.
     pub fn colour(&self) -> Colour {
         let weight = self.weight.map(Weight::colour);
-        let others = [self.earthquake_word().colour(), self.evidence.colour()];
+        let others = [
+            self.earthquake_word().colour(),
+            self.wind_word().colour(),
+            self.evidence.colour(),
+        ];
         Colour::worst(weight.into_iter().chain(others))
     }
 
@@ -117,6 +131,12 @@ impl VersionJudgement {
         }
         if earthquake != Earthquake::NotAsked {
             words.push((earthquake.colour(), earthquake.word(language).to_owned()));
+        }
+        let wind = self.wind_word();
+        if wind != WindWord::NotAsked {
+            let word = wind.word(language);
+            let said = language.pick(format!("{word} in wind"), format!("풍응답 {word}"));
+            words.push((wind.colour(), said));
         }
         if self.evidence.is_contradicted() {
             words.push((self.evidence.colour(), self.evidence.words(language)));
@@ -349,6 +369,7 @@ fn version(
         let found = version.earthquake.into_iter();
         version.earthquake = found.map(EarthquakeFinding::if_model_were_right).collect();
     }
+    version.wind = of_wind(project, state, is_contradicted);
     version.with_loads =
         matches!(&state.check, Check::Stack(answer) if !answer.stack.static_loads().is_empty());
     version.governed_by = state.governing_loads().map(Governing::of);

@@ -7,6 +7,7 @@ mod exit;
 mod judge;
 mod runs;
 mod weight;
+mod wind;
 
 pub use colour::Colour;
 pub use earthquake::{DecidedBy, Earthquake, EarthquakeFinding};
@@ -18,3 +19,4 @@ pub use judge::{
 };
 pub(crate) use runs::is_worse_stack_run;
 pub use weight::Weight;
+pub use wind::{WindFinding, WindLimit, WindWord};

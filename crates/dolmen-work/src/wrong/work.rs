@@ -161,6 +161,10 @@ sentences! {
             en: "only buildings have dampers to tune: the file has another kind; start one with kind = \"building\"",
             ko: "감쇠기를 동조하는 것은 building뿐인데 이 파일은 다른 종류이다. kind = \"building\"으로 시작한다",
         },
+        TuneWithoutWind => {
+            en: "--load gusts is the wind of the file, which gives none: write wind = {{ speed, means = \"10 min\", code, terrain, force_coefficient }}, or take --load wind with --corner",
+            ko: "--load gusts는 파일의 바람인데 파일에 바람이 없다. wind = {{ speed, means = \"10 min\", code, terrain, force_coefficient }}를 쓰거나 --load wind와 --corner를 쓴다",
+        },
         BuildingFallsItself => {
             en: "the building falls under its own weight: `dolmen check` says where",
             ko: "건물이 자중으로 쓰러진다. 어디서 쓰러지는지는 `dolmen check`로 본다",

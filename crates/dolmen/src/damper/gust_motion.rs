@@ -9,21 +9,23 @@
 //! | ν, g | `up_crossing_hz`, `peak_factor` | rate of crossing the mean upwards; Davenport's factor | Hz, |
 
 use super::{AttachedDamper, DamperError, DamperKind, ModalSynthesis};
-use crate::dynamics::{DynamicsError, LinearSystem, RandomInput};
+use crate::dynamics::{DynamicsError, LinearSystem, SystemModes};
 use crate::numeric::{Node, adaptive_nodes};
 use crate::structure::wind::GustFace;
 use dolmen_linalg::{Complex64, Matrix, solve};
 use std::f64::consts::TAU;
 
-/// Of each variance of a degree of freedom, of its acceleration and of each stroke. Our choice: standard deviations to 1e-5.
-const TOLERANCE: f64 = 2e-5;
+/// Of the variance of each mode, of its acceleration and of each stroke, by an estimate that errs on the safe side. Our choice: standard
+/// deviations come out to 2e-5.
+const TOLERANCE: f64 = 5e-4;
 const INTERVALS_MOST: usize = 4000;
 /// The integral begins at this part of V/L, the rest is taken as flat: 1e-6 of the variance of the gusts.
 const LOWEST: f64 = 1e-4;
 /// It ends at this multiple of the highest frequency there is, from where densities fall as n^(−5/3 − 2) under a structure that is all mass.
 const HIGHEST: f64 = 100.0;
-/// A mode with less than this part of the largest variance of any needs no peak of its own. Our choice.
-const UNSEEN: f64 = 1e-9;
+/// A mode with less than this part of the largest variance of any needs no peak of its own; below rounding the wind does not move it. Our choice.
+const UNSEEN: f64 = 1e-6;
+const ROUNDING: f64 = 1e-22;
 /// Euler's constant: Davenport (1964), the mean of the largest of a Gaussian process.
 const EULER: f64 = 0.577_215_664_901_532_9;
 
@@ -120,7 +122,7 @@ impl GustMotion {
 /// [`DynamicsError::Entries`] for columns that do not fit.
 ///
 /// # Limits
-/// Variances to 2e-5 of the integral, by rules of 7 and 15 points that agree to it (measured beside closed forms: 1e-6). Gaussian gusts;
+/// Rules of 7 and 15 points agree to 5e-4 of each variance; beside other quadratures variances are within 5e-5. Gaussian gusts;
 /// what [`GustFace::force_density_n2_hz`] leaves out.
 ///
 /// # Source
@@ -147,19 +149,28 @@ pub fn gust_motion(
         of.iter().try_for_each(|column| entries(column.len(), n))?;
     }
     let synthesis = ModalSynthesis::new(structure, n)?.with_fixed(dampers)?;
-    let blown = Blown {
+    let in_modes = |of: &Vec<Vec<f64>>| of.iter().map(|column| synthesis.in_modes(column)).collect();
+    let mut blown = Blown {
+        loads: columns.iter().map(in_modes).collect(),
+        places: dampers
+            .iter()
+            .map(|damper| synthesis.in_modes(&damper.row))
+            .collect(),
+        modes: structure.modes()?,
+        active: Vec::new(),
         synthesis,
         dampers,
         face,
-        columns,
-        n,
     };
-    let nodes = blown.nodes(structure)?;
+    let seen = blown.seen();
+    let are_coupled = !dampers.is_empty() || !blown.synthesis.is_classical();
+    blown.active = (0..n).filter(|j| are_coupled || seen[*j] > 0.0).collect();
+    let nodes = blown.nodes(&seen)?;
+    let forces = face.mean_forces_n();
     columns
         .iter()
         .enumerate()
         .map(|(case, of)| {
-            let forces = face.mean_forces_n();
             let mut load = vec![0.0; n];
             for (force, column) in forces.iter().zip(of) {
                 load.iter_mut().zip(column).for_each(|(sum, a)| *sum += force * a);
@@ -173,64 +184,83 @@ pub fn gust_motion(
         .collect()
 }
 
+/// Everything in the modes of the structure, followed by the strokes of the dampers.
 struct Blown<'a> {
     synthesis: ModalSynthesis,
+    modes: SystemModes,
     dampers: &'a [AttachedDamper],
     face: &'a GustFace,
-    columns: &'a [Vec<Vec<f64>>],
-    n: usize,
+    /// Of each case and strip: Φᵀ of its column.
+    loads: Vec<Vec<Vec<f64>>>,
+    /// Of each damper: its row in the modes.
+    places: Vec<Vec<f64>>,
+    /// Modes that move: all of them where dampers or damping couple them.
+    active: Vec<usize>,
 }
 
 impl Blown<'_> {
-    /// Motion of the structure, then of the dampers, under a unit of force on each strip.
-    fn transfer(&self, case: usize, hz: f64) -> Result<Vec<Vec<Complex64>>, DamperError> {
-        let omega = TAU * hz;
-        let each = self.columns[case].iter();
-        each.map(|column| {
-            let mut x = self.synthesis.moved(omega, &RandomInput::Force(column.clone()))?;
-            let mut liquids = Vec::new();
-            for damper in self.dampers {
-                let place: Complex64 = damper.row.iter().zip(&x).map(|(a, x)| x * *a).sum();
-                let felt = omega * omega * place;
-                match damper.kind {
-                    DamperKind::Viscous { .. } => x.push(place),
-                    _ => x.push(felt * damper.kind.stroke_per_acceleration(omega)),
-                }
-                if let DamperKind::LiquidColumnMass {
-                    length_ratio,
-                    liquid_frequency_hz,
-                    liquid_damping_ratio,
-                    ..
-                } = damper.kind
-                {
-                    let own = TAU * liquid_frequency_hz;
-                    let link = Complex64::new(
-                        own * own - omega * omega,
-                        2.0 * liquid_damping_ratio * own * omega,
-                    );
-                    let carrier = place + x.last().copied().unwrap_or(Complex64::ZERO);
-                    liquids.push(-length_ratio * omega * omega * carrier / link);
-                }
+    /// Motion of the active modes, then of the dampers, under a unit of force on each strip: real and imaginary parts, strips × motions each.
+    fn transfer(&self, case: usize, hz: f64) -> Result<[Matrix; 2], DamperError> {
+        let strips = self.loads[case].len();
+        let mut parts = [(); 2].map(|()| Matrix::zeros(strips, self.size()));
+        for (strip, load) in self.loads[case].iter().enumerate() {
+            let eta = self.synthesis.receptance(TAU * hz, load)?;
+            let moved = self
+                .active
+                .iter()
+                .map(|j| eta[*j])
+                .chain(self.strokes(&eta, TAU * hz));
+            for (i, x) in moved.enumerate() {
+                parts[0][(strip, i)] = x.re;
+                parts[1][(strip, i)] = x.im;
             }
-            // rows of the dampers are over the structure alone, so that the order of what follows is free
-            x.extend(liquids);
-            Ok(x)
-        })
-        .collect()
+        }
+        Ok(parts)
     }
 
-    /// Degrees of freedom of the structure and strokes.
+    /// Strokes of the dampers, then the liquids of columns on springs.
+    fn strokes(&self, eta: &[Complex64], omega: f64) -> Vec<Complex64> {
+        let (mut strokes, mut liquids) = (Vec::new(), Vec::new());
+        for (damper, row) in self.dampers.iter().zip(&self.places) {
+            let place: Complex64 = row.iter().zip(eta).map(|(a, x)| x * *a).sum();
+            let stroke = match damper.kind {
+                DamperKind::Viscous { .. } => place,
+                _ => omega * omega * place * damper.kind.stroke_per_acceleration(omega),
+            };
+            strokes.push(stroke);
+            if let DamperKind::LiquidColumnMass {
+                length_ratio,
+                liquid_frequency_hz,
+                liquid_damping_ratio,
+                ..
+            } = damper.kind
+            {
+                let own = TAU * liquid_frequency_hz;
+                let link = Complex64::new(
+                    own * own - omega * omega,
+                    2.0 * liquid_damping_ratio * own * omega,
+                );
+                liquids.push(-length_ratio * omega * omega * (place + stroke) / link);
+            }
+        }
+        strokes.extend(liquids);
+        strokes
+    }
+
+    /// Active modes and strokes.
     fn size(&self) -> usize {
         let liquids = self.dampers.iter();
         let liquids = liquids.filter(|damper| matches!(damper.kind, DamperKind::LiquidColumnMass { .. }));
-        self.n + self.dampers.len() + liquids.count()
+        self.active.len() + self.dampers.len() + liquids.count()
     }
 
     /// Frequencies of the integral, in ln n.
-    fn nodes(&self, structure: &LinearSystem) -> Result<Vec<Node>, DamperError> {
+    fn nodes(&self, seen: &[f64]) -> Result<Vec<Node>, DamperError> {
         let winds = || self.face.strips.iter().map(|strip| strip.wind);
         let slow = winds().map(|wind| wind.mean_speed_m_s / wind.length_m);
-        let mut stands_out = self.peaks_hz(structure)?;
+        let most = seen.iter().copied().fold(0.0, f64::max);
+        let told: Vec<bool> = seen.iter().map(|seen| *seen > UNSEEN * most).collect();
+        let mut stands_out = self.peaks_hz(&told);
         let gusts =
             winds().map(|wind| wind.mean_speed_m_s / (self.face.coherence_decay.max(1.0) * self.least_m()));
         let highest = stands_out.iter().copied().chain(gusts).fold(0.0, f64::max);
@@ -241,7 +271,7 @@ impl Blown<'_> {
         let breaks: Vec<f64> = stands_out.iter().map(|hz| hz.ln()).collect();
         let mut fault = None;
         let looked = adaptive_nodes(&breaks, TOLERANCE, INTERVALS_MOST, |log| {
-            match self.watched(log.exp()) {
+            match self.watched(log.exp(), &told) {
                 Ok(values) => Some(values),
                 Err(stopped) => {
                     fault = Some(stopped);
@@ -268,29 +298,30 @@ impl Blown<'_> {
         })
     }
 
-    /// Frequencies of modes that the wind makes swing, and of the dampers, Hz, ascending; at least one.
-    fn peaks_hz(&self, structure: &LinearSystem) -> Result<Vec<f64>, DamperError> {
-        let modes = structure.modes()?;
-        let omegas = &modes.angular_frequency_rad_s;
+    /// How much the wind moves each mode: the most of all cases, of the variance of its acceleration in resonance.
+    fn seen(&self) -> Vec<f64> {
+        let omegas = &self.modes.angular_frequency_rad_s;
         let mut seen = vec![0.0_f64; omegas.len()];
-        for columns in self.columns {
-            for (j, seen) in seen.iter_mut().enumerate() {
-                let shape = modes.shapes.column(j);
-                let pushed: Vec<f64> = columns
-                    .iter()
-                    .map(|column| column.iter().zip(shape).map(|(a, phi)| a * phi).sum())
-                    .collect();
-                let density = self.face.force_density_n2_hz(omegas[j] / TAU);
-                // of its acceleration, ω² of that of its displacement: π S/(2 c) with S two-sided
-                *seen =
-                    seen.max(density.form(&pushed, &pushed) / modes.damping[(j, j)].max(f64::MIN_POSITIVE));
+        for (j, seen) in seen.iter_mut().enumerate() {
+            let density = self.face.force_density_n2_hz(omegas[j] / TAU);
+            for loads in &self.loads {
+                let pushed: Vec<f64> = loads.iter().map(|load| load[j]).collect();
+                // ω² of that of its displacement: π S/(2 c) with S two-sided
+                let damping = self.modes.damping[(j, j)].max(f64::MIN_POSITIVE);
+                *seen = seen.max(density.form(&pushed, &pushed) / damping);
             }
         }
         let most = seen.iter().copied().fold(0.0, f64::max);
-        let kept = omegas
-            .iter()
-            .zip(&seen)
-            .filter(|(_, seen)| **seen > UNSEEN * most);
+        // what rounding leaves of a mode across the wind
+        seen.iter()
+            .map(|own| if *own > ROUNDING * most { *own } else { 0.0 })
+            .collect()
+    }
+
+    /// Frequencies of modes that are told apart, and of the dampers, Hz, ascending; at least one.
+    fn peaks_hz(&self, told: &[bool]) -> Vec<f64> {
+        let omegas = &self.modes.angular_frequency_rad_s;
+        let kept = omegas.iter().zip(told).filter(|(_, told)| **told);
         let mut all: Vec<f64> = kept.map(|(omega, _)| omega / TAU).collect();
         for damper in self.dampers {
             all.extend(damper.kind.own_frequencies_hz());
@@ -299,25 +330,25 @@ impl Blown<'_> {
             all.push(omegas[0] / TAU);
         }
         all.sort_by(f64::total_cmp);
-        Ok(all)
+        all
     }
 
-    /// What the integral must hold to the tolerance: variance of each degree of freedom, of its acceleration, and of each stroke.
-    fn watched(&self, hz: f64) -> Result<Vec<f64>, DamperError> {
+    /// What the integral must hold to the tolerance: variance of each mode that is told apart, of its acceleration, and of each stroke.
+    fn watched(&self, hz: f64, told: &[bool]) -> Result<Vec<f64>, DamperError> {
         let density = self.face.force_density_n2_hz(hz);
         let quick = (TAU * hz).powi(4);
         let mut all = Vec::new();
-        for case in 0..self.columns.len() {
-            let transfer = self.transfer(case, hz)?;
-            let pushed = loaded(&transfer, &density);
+        for case in 0..self.loads.len() {
+            let parts = self.transfer(case, hz)?;
+            let pushed = parts.each_ref().map(|part| &density * part);
             for i in 0..self.size() {
-                let own: f64 = transfer
-                    .iter()
-                    .zip(&pushed)
-                    .map(|(x, y)| (y[i] * x[i].conj()).re)
-                    .sum();
+                if self.active.get(i).is_some_and(|mode| !told[*mode]) {
+                    continue;
+                }
+                let each = parts.iter().zip(&pushed);
+                let own: f64 = each.map(|(x, y)| dot(x.column(i), y.column(i))).sum();
                 all.push(hz * own);
-                if i < self.n {
+                if i < self.active.len() {
                     all.push(hz * quick * own);
                 }
             }
@@ -325,38 +356,35 @@ impl Blown<'_> {
         Ok(all)
     }
 
-    /// m_0 to m_3, structure and strokes.
+    /// m_0 to m_3, active modes and strokes.
     fn moments(&self, case: usize, nodes: &[Node]) -> Result<[Matrix; 4], DamperError> {
         let size = self.size();
         let mut moments = [(); 4].map(|()| Matrix::zeros(size, size));
         for node in nodes {
             let hz = node.x.exp();
-            let transfer = self.transfer(case, hz)?;
-            let pushed = loaded(&transfer, &self.face.force_density_n2_hz(hz));
+            let density = self.face.force_density_n2_hz(hz);
             let square = (TAU * hz).powi(2);
-            for i in 0..size {
-                for j in 0..=i {
-                    let own: f64 = transfer
-                        .iter()
-                        .zip(&pushed)
-                        .map(|(x, y)| (y[i] * x[j].conj()).re)
-                        .sum();
-                    let mut value = node.weight * hz * own;
-                    for moment in &mut moments {
-                        moment[(i, j)] += value;
-                        value *= square;
-                    }
-                }
-            }
-        }
-        for moment in &mut moments {
-            for i in 0..size {
-                for j in 0..i {
-                    moment[(j, i)] = moment[(i, j)];
+            for part in self.transfer(case, hz)? {
+                let own = part.transpose_times(&(&density * &part));
+                let mut factor = node.weight * hz;
+                for moment in &mut moments {
+                    let sums = moment.as_mut_slice().iter_mut().zip(own.as_slice());
+                    sums.for_each(|(sum, value)| *sum += factor * value);
+                    factor *= square;
                 }
             }
         }
         Ok(moments)
+    }
+
+    /// Modes into degrees of freedom.
+    fn of_structure(&self, modal: &Matrix) -> Matrix {
+        let n = self.modes.shapes.rows();
+        let shapes = Matrix::from_fn(n, self.active.len(), |i, k| {
+            self.modes.shapes[(i, self.active[k])]
+        });
+        let active = modal.block(0, 0, self.active.len(), self.active.len());
+        &(&shapes * &active) * &shapes.transpose()
     }
 
     fn answer(
@@ -365,36 +393,25 @@ impl Blown<'_> {
         moments: &[Matrix; 4],
         (duration_s, frequencies): (f64, usize),
     ) -> GustMotion {
-        let n = self.n;
+        let first = self.active.len();
         let stretched = |damper: &AttachedDamper| match damper.kind {
-            DamperKind::Viscous { .. } => damper.row.iter().zip(&mean).map(|(a, x)| a * x).sum(),
+            DamperKind::Viscous { .. } => dot(&damper.row, &mean),
             _ => 0.0,
         };
-        let strokes = (n..self.size()).map(|i| {
-            let mean = self.dampers.get(i - n).map_or(0.0, stretched);
+        let strokes = (first..self.size()).map(|i| {
+            let mean = self.dampers.get(i - first).map_or(0.0, stretched);
             GustPeak::of(mean, moments[0][(i, i)], moments[1][(i, i)], duration_s)
         });
         GustMotion {
             strokes: strokes.collect(),
-            mean: mean.clone(),
-            moments: moments.each_ref().map(|moment| moment.block(0, 0, n, n)),
+            moments: moments.each_ref().map(|moment| self.of_structure(moment)),
+            mean,
             duration_s,
             frequencies,
         }
     }
 }
 
-/// X S of the motions under each strip and the cross spectra of the strips.
-fn loaded(transfer: &[Vec<Complex64>], density: &Matrix) -> Vec<Vec<Complex64>> {
-    let size = transfer.first().map_or(0, Vec::len);
-    let strips = transfer.len();
-    let column = |j: usize| {
-        let mut sum = vec![Complex64::ZERO; size];
-        for (k, x) in transfer.iter().enumerate() {
-            let factor = density[(k, j)];
-            sum.iter_mut().zip(x).for_each(|(sum, x)| *sum += factor * x);
-        }
-        sum
-    };
-    (0..strips).map(column).collect()
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }

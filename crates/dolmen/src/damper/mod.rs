@@ -9,6 +9,7 @@ mod design;
 mod error;
 mod goal_cost;
 mod gust_motion;
+mod gust_rms;
 mod head_loss;
 mod modal_synthesis;
 mod plan;

@@ -91,6 +91,11 @@ impl ModalSynthesis {
         self.shapes.rows()
     }
 
+    /// Whether damping leaves the modes apart.
+    pub(super) fn is_classical(&self) -> bool {
+        self.classical
+    }
+
     /// A row over the structure in its modes: Φᵀ a.
     pub(super) fn in_modes(&self, row: &[f64]) -> Vec<f64> {
         (0..self.shapes.columns())
@@ -119,18 +124,6 @@ impl ModalSynthesis {
             RandomInput::Force(_) => 0.0,
             RandomInput::Base(e) => tied.row.iter().zip(e).map(|(a, e)| a * e).sum(),
         })
-    }
-
-    /// Motion of the structure under a unit of a load, with the dampers that stay, n values.
-    pub(super) fn moved(&self, w: f64, input: &RandomInput) -> Result<Vec<Complex64>, DamperError> {
-        let eta = self.loaded(w, input)?;
-        let mut x = vec![Complex64::ZERO; self.degrees_of_freedom()];
-        for (k, eta) in eta.iter().enumerate() {
-            x.iter_mut()
-                .zip(self.shapes.column(k))
-                .for_each(|(x, phi)| *x += eta * *phi);
-        }
-        Ok(x)
     }
 
     /// What the forces of the dampers that stay add: λ_i − K_i Σ_j g_ij λ_j = K_i z_i − m_a,i e_i.

@@ -9,6 +9,7 @@
 //! | a_cl | `felt` | −(absolute acceleration) there, per load: ω² G_cl − e_c | c × l |
 //! | G_pl | `free` | motion of the points without dampers, per load | p × l |
 
+use super::gust_rms::{are_gusts, gust_factor, gust_rms, in_parts};
 use super::{AttachedDamper, DampedSystem, DamperError, DamperSite, ModalSynthesis, PlacedDamper};
 use crate::dynamics::{
     FrequencyIntegral, LinearSystem, RandomInput, RandomLoad, ResponseRow, rms_by_integral, rms_by_lyapunov,
@@ -284,6 +285,18 @@ impl Plan {
                 free[p * loads + l] = along(point, &eta);
             }
         }
+        if are_gusts(&problem.loads) {
+            let factor = gust_factor(&problem.loads, omega)?;
+            return Ok(Table {
+                omega,
+                densities: vec![2.0 * weight; loads],
+                own,
+                to_point,
+                felt: in_parts(&felt, &factor),
+                moved: in_parts(&moved, &factor),
+                free: in_parts(&free, &factor),
+            });
+        }
         Ok(Table {
             omega,
             densities: problem
@@ -458,6 +471,15 @@ pub fn judge(
     dampers: &[AttachedDamper],
 ) -> Result<Judged, DamperError> {
     let damped = DampedSystem::new(structure, dampers)?;
+    if are_gusts(loads) {
+        loads.iter().try_for_each(|load| load.spectrum.check())?;
+        let mut all = gust_rms(structure, loads, points, dampers)?;
+        let stroke_rms_m = all.split_off(points.len());
+        return Ok(Judged {
+            point_rms: all,
+            stroke_rms_m,
+        });
+    }
     let loads: Vec<RandomLoad> = loads.iter().map(|load| damped.load(load)).collect();
     let mut rows: Vec<ResponseRow> = points
         .iter()

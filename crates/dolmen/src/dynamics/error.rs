@@ -184,6 +184,9 @@ pub enum DynamicsError {
     /// The frame cannot be.
     #[error(transparent)]
     Structure(#[from] StructureError),
+    /// A wind cannot be.
+    #[error(transparent)]
+    Wind(#[from] crate::structure::wind::WindError),
     /// A decomposition failed.
     #[error(transparent)]
     Linalg(#[from] LinalgError),
@@ -214,6 +217,7 @@ impl DynamicsError {
             | Self::Unbounded { .. }
             | Self::NotRational
             | Self::Unstable
+            | Self::Wind(_)
             | Self::Integral { .. } => false,
         }
     }

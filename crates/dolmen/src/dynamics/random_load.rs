@@ -3,6 +3,7 @@
 //! All densities are two-sided over the circular frequency: σ² = ∫ S dω from −∞ to ∞, unit² s/rad.
 
 use super::DynamicsError;
+use crate::structure::wind::GustFace;
 use dolmen_linalg::{ComplexMatrix, Matrix};
 use std::f64::consts::TAU;
 
@@ -50,6 +51,13 @@ pub enum Spectrum {
         angular_frequency_rad_s: Vec<f64>,
         /// One each, unit² s/rad.
         density: Vec<f64>,
+    },
+    /// Force of a turbulent wind on the strips of a face, each times its part of a shape: φᵀ S_F φ/4π, N² s/rad.
+    Gusts {
+        /// The face.
+        face: Box<GustFace>,
+        /// φ, one each strip.
+        shape: Vec<f64>,
     },
 }
 
@@ -106,6 +114,11 @@ impl Spectrum {
                     let part = (w - at[above - 1]) / (at[above] - at[above - 1]);
                     density[above - 1] + part * (density[above] - density[above - 1])
                 }
+            }
+            // one-sided over Hz is 4π times two-sided over rad/s; at rest as at the lowest frequency that is told from it
+            Spectrum::Gusts { face, shape } => {
+                let hz = (w.abs() / TAU).max(face.lowest_hz());
+                face.force_density_n2_hz(hz).form(shape, shape) / (2.0 * TAU)
             }
         }
     }
@@ -165,7 +178,7 @@ impl Spectrum {
         }
     }
 
-    pub(super) fn check(&self) -> Result<(), DynamicsError> {
+    pub(crate) fn check(&self) -> Result<(), DynamicsError> {
         let positive = |argument, given: f64| match given > 0.0 && given.is_finite() {
             true => Ok(()),
             false => Err(DynamicsError::Argument {
@@ -222,6 +235,17 @@ impl Spectrum {
                     None => Ok(()),
                 }
             }
+            Spectrum::Gusts { face, shape } => {
+                face.check()?;
+                match shape.len() == face.strips.len() {
+                    true => Ok(()),
+                    false => Err(DynamicsError::Entries {
+                        argument: "shape",
+                        given: shape.len(),
+                        needed: face.strips.len(),
+                    }),
+                }
+            }
         }
     }
 
@@ -240,14 +264,20 @@ impl Spectrum {
                 angular_frequency_rad_s,
                 ..
             } => angular_frequency_rad_s.clone(),
+            Spectrum::Gusts { face, .. } => {
+                let slow = face.strips.iter();
+                let slow = slow.map(|strip| strip.wind.mean_speed_m_s / strip.wind.length_m);
+                let middle = slow.sum::<f64>() / face.strips.len().max(1) as f64;
+                [0.01, 0.1, 1.0].map(|part| part * TAU * middle).to_vec()
+            }
         }
     }
 
-    /// The filter that makes it of white noise; `None` for a table, and no states for white noise itself.
+    /// The filter that makes it of white noise; `None` for a table and for gusts, and no states for white noise itself.
     pub(super) fn filter(&self) -> Option<ShapingFilter> {
         let intensity = |density: f64| (TAU * density).sqrt();
         match self {
-            Spectrum::White { .. } | Spectrum::Table { .. } => None,
+            Spectrum::White { .. } | Spectrum::Table { .. } | Spectrum::Gusts { .. } => None,
             Spectrum::LowPass {
                 density,
                 corner_rad_s,

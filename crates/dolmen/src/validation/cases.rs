@@ -2,7 +2,7 @@
 
 use super::{
     Case, ValidationError, arches, building_motion, choi_2021, chopra_2017, columns, dampers, driven_modes,
-    dry_friction, fragility, free_columns, free_decay, hwang_min_hong, joined, kim_koo_hong_2018,
+    dry_friction, fragility, free_columns, free_decay, gusts, hwang_min_hong, joined, kim_koo_hong_2018,
     local_mechanisms, owen_prieur_2017, park_min_2010, pyoma2, rigid_blocks, second_methods, setups,
     survey_change, watch, wind,
 };
@@ -24,6 +24,7 @@ pub fn cases() -> Result<Vec<Case>, ValidationError> {
         columns::cases()?,
         free_columns::cases()?,
         wind::cases()?,
+        gusts::cases()?,
         park_min_2010::cases()?,
         kim_koo_hong_2018::cases()?,
         rigid_blocks::cases(),

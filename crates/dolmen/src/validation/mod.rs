@@ -16,6 +16,7 @@ mod error;
 mod fragility;
 mod free_columns;
 mod free_decay;
+mod gusts;
 mod hwang_min_hong;
 mod joined;
 mod kim_koo_hong_2018;

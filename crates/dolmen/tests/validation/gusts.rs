@@ -3,8 +3,8 @@
 // PARAMETERS one mass, one strip; two floors; a twisting floor with a tuned mass, a liquid column, a column on a spring and a link.
 // TOLERANCE  5e-5 of own quadrature (the integral is to 2e-5 of a variance); narrow band and Annex B as each test says.
 
-use dolmen::damper::{AttachedDamper, DampedSystem, DamperError, DamperKind, gust_motion};
-use dolmen::dynamics::LinearSystem;
+use dolmen::damper::{AttachedDamper, DampedSystem, DamperError, DamperKind, gust_motion, judge};
+use dolmen::dynamics::{LinearSystem, RandomInput, RandomLoad, Spectrum};
 use dolmen::structure::wind::{
     COHERENCE_DECAY, EurocodeTerrain, EurocodeWind, GustFace, GustStrip, Turbulence, TurbulenceSpectrum,
     Wind, WindBody, WindError,
@@ -321,6 +321,73 @@ fn exact_the_worst_direction_is_that_of_the_principal_axes() {
     };
     let looked = (0..1800).map(|k| along(0.1 * f64::from(k))).fold(0.0, f64::max);
     assert!((worst / looked - 1.0).abs() < 1e-5, "{worst} {looked}");
+}
+
+#[test]
+fn agrees_tuning_with_the_whole_field() {
+    // six masses on springs, a tuned mass on the highest; what tuning uses: shapes of the forces with their cross spectra
+    let n = 6;
+    let k = Matrix::from_fn(n, n, |i, j| match i.abs_diff(j) {
+        0 => 8e7 * if i + 1 == n { 1.0 } else { 2.0 },
+        1 => -8e7,
+        _ => 0.0,
+    });
+    let m = Matrix::from_diagonal(&vec![2e5; n]);
+    let structure = LinearSystem::new(m, k.scaled(0.004), k).unwrap();
+    let strips: Vec<GustStrip> = (0..n)
+        .map(|i| {
+            strip(
+                4.0 * i as f64,
+                4.0 * (i as f64 + 1.0),
+                15.0,
+                mean(18.0 + 2.0 * i as f64),
+            )
+        })
+        .collect();
+    let face = face(strips, COHERENCE_DECAY);
+    let unit = |i: usize| (0..n).map(|j| f64::from(u8::from(i == j))).collect::<Vec<f64>>();
+    let columns: Vec<Vec<f64>> = (0..n).map(unit).collect();
+    let hz = structure.modes().unwrap().angular_frequency_rad_s[0] / TAU;
+    let damper = AttachedDamper {
+        kind: DamperKind::TunedMass {
+            mass_kg: 1e4,
+            frequency_hz: 0.95 * hz,
+            damping_ratio: 0.1,
+        },
+        row: unit(n - 1),
+    };
+    let motion = &gust_motion(
+        &structure,
+        std::slice::from_ref(&damper),
+        &face,
+        &[columns],
+        TEN_MINUTES_S,
+    )
+    .unwrap()[0];
+    let loads: Vec<RandomLoad> = face
+        .independent_shapes(hz, 0.0)
+        .unwrap()
+        .into_iter()
+        .map(|shape| RandomLoad {
+            input: RandomInput::Force(shape.clone()),
+            spectrum: Spectrum::Gusts {
+                face: Box::new(face.clone()),
+                shape,
+            },
+        })
+        .collect();
+    let points = [unit(n - 1), unit(0)];
+    let judged = judge(&structure, &loads, &points, &[damper]).unwrap();
+    for (row, rms) in points.iter().zip(&judged.point_rms) {
+        let whole = motion.displacement(row).rms;
+        assert!((rms / whole - 1.0).abs() < 5e-5, "{rms} {whole}");
+    }
+    let stroke = motion.strokes[0].rms;
+    assert!(
+        (judged.stroke_rms_m[0] / stroke - 1.0).abs() < 0.01,
+        "{:?} {stroke}",
+        judged.stroke_rms_m
+    );
 }
 
 #[test]

@@ -8,7 +8,7 @@
 //! | J | `within` | the coherence averaged over a length, twice | |
 
 use super::{Turbulence, TurbulenceSpectrum, WindError};
-use dolmen_linalg::Matrix;
+use dolmen_linalg::{LinalgError, Matrix, symmetric_eigen};
 
 /// Decay of the coherence across and up the face: C = 10.
 pub const COHERENCE_DECAY: f64 = 10.0;
@@ -64,6 +64,28 @@ impl GustFace {
                 given: self.coherence_decay,
             }),
         }
+    }
+
+    /// A frequency below which densities are flat to 1e-5, Hz.
+    pub(crate) fn lowest_hz(&self) -> f64 {
+        const FLAT: f64 = 1e-6;
+        let slow = self.strips.iter();
+        let slow = slow.map(|strip| FLAT * strip.wind.mean_speed_m_s / strip.wind.length_m);
+        slow.fold(f64::INFINITY, f64::min)
+    }
+
+    /// The shapes, one value a strip, in which the forces on the strips vary independently at a frequency, the strongest first, down to a part of the
+    /// whole variance; each of length 1.
+    ///
+    /// # Errors
+    /// [`LinalgError`] if the decomposition fails.
+    pub fn independent_shapes(&self, frequency_hz: f64, part: f64) -> Result<Vec<Vec<f64>>, LinalgError> {
+        let found = symmetric_eigen(&self.force_density_n2_hz(frequency_hz))?;
+        let whole: f64 = found.values.iter().sum();
+        let mut order: Vec<usize> = (0..found.values.len()).collect();
+        order.sort_by(|a, b| found.values[*b].total_cmp(&found.values[*a]));
+        let strong = order.into_iter().filter(|k| found.values[*k] > part * whole);
+        Ok(strong.map(|k| found.vectors.column(k).to_vec()).collect())
     }
 
     /// Mean force on each strip, N.

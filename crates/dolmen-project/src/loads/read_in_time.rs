@@ -1,0 +1,117 @@
+//! How wind acts on a building in time, from what is written.
+
+use super::file::{MeansRaw, SpectrumRaw, WindRaw};
+use super::part::{WIND_ECCENTRICITY, WindInTime};
+use super::parts::Parts;
+use crate::error::Fault;
+use crate::measure::{Bound, Measure};
+use crate::reader::Reader;
+use crate::wrong::{Common, WrongLoads};
+use dolmen::structure::wind::TurbulenceSpectrum;
+use std::ops::Range;
+
+/// Eccentricity over the breadth: at the edge it is a half.
+const ECCENTRICITY: (f64, f64) = (0.0, 0.5);
+/// Allowable drift over the height: tighter than any, and the drift at which a storey counts as fallen.
+const DRIFT: (f64, f64) = (1e-5, 0.1);
+
+/// The keys of a building; those that only it has are refused elsewhere.
+pub(super) fn in_time(
+    reader: &mut Reader,
+    of: &WindRaw,
+    span: &Range<usize>,
+    parts: &Parts,
+) -> Option<WindInTime> {
+    let before = reader.faults.len();
+    if !parts.are_floors {
+        foreign(reader, of);
+        return (reader.faults.len() == before).then(WindInTime::default);
+    }
+    let mut refuse = |span: Range<usize>, path: &str, message: WrongLoads, help: WrongLoads| {
+        reader.fault(Fault::new(span, path, message).help(help));
+    };
+    if let Some(pressure) = &of.pressure {
+        refuse(
+            pressure.span.clone(),
+            "wind.pressure",
+            WrongLoads::PressureOnBuilding,
+            WrongLoads::GiveMeanOfCode,
+        );
+    }
+    if let Some(means) = of.means.as_ref().filter(|means| means.value == MeansRaw::Gust) {
+        refuse(
+            means.span.clone(),
+            "wind.means",
+            WrongLoads::GustOnBuilding,
+            WrongLoads::GiveMeanOfCode,
+        );
+    }
+    if let Some(areas) = of.areas.as_ref().and_then(|areas| areas.first()) {
+        refuse(
+            areas.span.clone(),
+            "wind.areas",
+            WrongLoads::AreasOnBuilding,
+            WrongLoads::BreadthOfFloors,
+        );
+    }
+    if let Some(floor) = parts.has_width.iter().position(|known| !known) {
+        let floor = (floor + 1).to_string();
+        refuse(
+            span.clone(),
+            "wind",
+            WrongLoads::BreadthUnknown { floor: floor.clone() },
+            WrongLoads::GiveSidesOf { floor },
+        );
+    }
+    let eccentricity = match &of.eccentricity {
+        None => Some(WIND_ECCENTRICITY),
+        Some(_) => reader.within(
+            of.eccentricity.as_ref(),
+            "wind.eccentricity",
+            ECCENTRICITY.0,
+            ECCENTRICITY.1,
+        ),
+    };
+    let acceleration_limit = reader.quantity(
+        of.acceleration_limit.as_ref(),
+        "wind.acceleration_limit",
+        Measure::GroundAcceleration,
+        Bound::Positive,
+    );
+    let drift_limit = match &of.drift_limit {
+        None => None,
+        Some(_) => reader.within(of.drift_limit.as_ref(), "wind.drift_limit", DRIFT.0, DRIFT.1),
+    };
+    (reader.faults.len() == before).then_some(())?;
+    Some(WindInTime {
+        spectrum: of.spectrum.as_ref().map(|spectrum| match spectrum.value {
+            SpectrumRaw::Kaimal => TurbulenceSpectrum::Kaimal,
+            SpectrumRaw::VonKarman => TurbulenceSpectrum::VonKarman,
+        }),
+        eccentricity: eccentricity?,
+        acceleration_limit,
+        drift_limit,
+    })
+}
+
+/// Keys of a building alone.
+fn foreign(reader: &mut Reader, of: &WindRaw) {
+    let keys = [
+        ("wind.spectrum", of.spectrum.as_ref().map(|at| &at.span)),
+        ("wind.eccentricity", of.eccentricity.as_ref().map(|at| &at.span)),
+        (
+            "wind.acceleration_limit",
+            of.acceleration_limit.as_ref().map(|at| &at.span),
+        ),
+        ("wind.drift_limit", of.drift_limit.as_ref().map(|at| &at.span)),
+    ];
+    for (path, span) in keys {
+        if let Some(span) = span {
+            let message = WrongLoads::HasNoMeaningWithout {
+                path: path.to_string(),
+                needs: "kind = \"building\"".into(),
+            };
+            reader.fault(Fault::new(span.clone(), path, message).help(Common::TakeItOut));
+        }
+    }
+}

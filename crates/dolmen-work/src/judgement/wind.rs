@@ -1,0 +1,150 @@
+//! Wind: does it move no more than the user allows?
+
+use super::colour::Colour;
+use crate::building::StandingBuilding;
+use crate::state::{Check, State};
+use dolmen_project::{Project, strokes_of};
+use dolmen_words::Language;
+
+/// The fixed words, from the best to the worst.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum WindWord {
+    /// The file gives no limit for the motion in its wind.
+    NotAsked,
+    /// Everything stays within its limit.
+    Within,
+    /// There is a limit, but the motion is not known.
+    NotDecided,
+    /// Something is beyond its limit.
+    Beyond,
+}
+
+/// What is limited.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum WindLimit {
+    /// Peak acceleration of the top floor.
+    Acceleration,
+    /// Peak drift of a storey.
+    Drift,
+    /// Room of a damper.
+    Room,
+}
+
+/// A word, what decided it, and by how much.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WindFinding {
+    /// The word.
+    pub word: WindWord,
+    /// What is limited; `None`: nothing could be compared.
+    pub limit: Option<WindLimit>,
+    /// The floor above the storey, or the damper.
+    pub part: Option<String>,
+    /// Limit over peak.
+    pub ratio: Option<f64>,
+}
+
+impl WindWord {
+    /// Its colour.
+    pub fn colour(self) -> Colour {
+        match self {
+            WindWord::NotAsked | WindWord::Within => Colour::Green,
+            WindWord::NotDecided => Colour::Amber,
+            WindWord::Beyond => Colour::Red,
+        }
+    }
+
+    /// The fixed word.
+    pub fn word(self, language: Language) -> &'static str {
+        match self {
+            WindWord::NotAsked => language.pick("not asked", "검토 대상 아님"),
+            WindWord::Within => language.pick("within its limits", "한계 이내"),
+            WindWord::NotDecided => language.pick("not decided", "판정 보류"),
+            WindWord::Beyond => language.pick("beyond its limits", "한계 초과"),
+        }
+    }
+}
+
+impl WindLimit {
+    /// Its key in JSON.
+    pub fn key(self) -> &'static str {
+        match self {
+            WindLimit::Acceleration => "acceleration",
+            WindLimit::Drift => "drift",
+            WindLimit::Room => "room",
+        }
+    }
+}
+
+impl WindFinding {
+    /// The finding that decides: of the worst word that with the least in hand.
+    pub fn deciding(all: &[WindFinding]) -> Option<&WindFinding> {
+        let word = all.iter().map(|of| of.word).max()?;
+        let in_hand = |of: &&WindFinding| of.ratio.unwrap_or(f64::INFINITY);
+        let worst = all.iter().filter(|of| of.word == word);
+        worst.min_by(|a, b| in_hand(a).total_cmp(&in_hand(b)))
+    }
+
+    fn of(limit: WindLimit, part: Option<String>, ratio: f64) -> Self {
+        WindFinding {
+            word: match ratio >= 1.0 {
+                true => WindWord::Within,
+                false => WindWord::Beyond, // and where it is not a number
+            },
+            limit: Some(limit),
+            part,
+            ratio: Some(ratio),
+        }
+    }
+}
+
+/// The motion of a building in its wind against what the file allows; empty where it allows what it may, and of other kinds.
+pub(super) fn of_wind(project: &Project, state: &State, is_contradicted: bool) -> Vec<WindFinding> {
+    let Check::Building(answer) = &state.check else {
+        return Vec::new();
+    };
+    let Some(standing) = &answer.stands else {
+        return Vec::new();
+    };
+    if standing.wind_refused.is_some() {
+        let given = project.loads.wind().map(|wind| &wind.in_time);
+        let is_limited = given.is_some_and(|of| of.acceleration_limit.is_some() || of.drift_limit.is_some());
+        let not_decided = WindFinding {
+            word: WindWord::NotDecided,
+            limit: None,
+            part: None,
+            ratio: None,
+        };
+        return is_limited.then_some(not_decided).into_iter().collect();
+    }
+    let mut all = compared(standing, &answer.floors);
+    if is_contradicted {
+        let within = all.iter_mut().filter(|of| of.word == WindWord::Within);
+        within.for_each(|of| of.word = WindWord::NotDecided);
+    }
+    all
+}
+
+fn compared(standing: &StandingBuilding, floors: &[String]) -> Vec<WindFinding> {
+    let Some(wind) = &standing.wind else {
+        return Vec::new();
+    };
+    let mut all = Vec::new();
+    if let (Some(limit), Some((_, top))) = (wind.acceleration_limit_m_s2, wind.top_acceleration()) {
+        all.push(WindFinding::of(WindLimit::Acceleration, None, limit / top.peak()));
+    }
+    if let (Some(limit), Some((_, storey, drift))) =
+        (wind.drift_limit, wind.largest_drift(&standing.building))
+    {
+        all.push(WindFinding::of(
+            WindLimit::Drift,
+            Some(floors[storey].clone()),
+            limit / drift,
+        ));
+    }
+    let strokes = strokes_of(&standing.dampers).into_iter().zip(wind.strokes_m());
+    all.extend(strokes.filter_map(|(stroke, stroke_m)| {
+        let ratio = stroke.room_m? / stroke_m;
+        Some(WindFinding::of(WindLimit::Room, Some(stroke.name), ratio))
+    }));
+    all
+}
