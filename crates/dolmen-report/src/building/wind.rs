@@ -1,6 +1,6 @@
 //! A building in the wind of its file, in time.
 
-use super::words::{fixed, kilonewtons, millimetres, name, scaled, significant, stroke_words};
+use super::words::{axis_words, fixed, kilonewtons, millimetres, name, scaled, significant, stroke_words};
 use crate::document::{Block, Cell, Column, Document, Table};
 use crate::figures::{GustPlot, gust_profile};
 use crate::loads::as_given;
@@ -135,11 +135,6 @@ pub(super) fn section<'a>(
             gust_profile(plot, wind, &heights_m, language)
         });
     }
-}
-
-/// x or y.
-pub(super) fn axis_words(axis: usize) -> Sentence {
-    Sentence::of_symbol(["x", "y"][axis])
 }
 
 fn tables(document: &mut Document<'_>, answer: &BuildingAnswer, (axis, along): (usize, &WindAlong)) {

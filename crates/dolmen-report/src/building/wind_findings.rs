@@ -1,7 +1,6 @@
 //! What the wind makes of a building, in plain words.
 
-use super::wind::axis_words;
-use super::words::{floor_words, millimetres, significant, stroke_words};
+use super::words::{axis_words, floor_words, millimetres, significant, stroke_words};
 use crate::document::{Finding, Tone};
 use dolmen_words::message::Both;
 use dolmen_words::{Quantity, Sentence, Unit, messages};

@@ -1,7 +1,7 @@
 //! What `dolmen check` found of a building.
 
 use super::simulation::{Against, BeyondRoom};
-use super::wind::BuildingWind;
+use super::wind_answer::BuildingWind;
 use dolmen::dynamics::{LeastFavourable, SpectralMode};
 use dolmen::structure::Building;
 use dolmen::structure::building::{BuildingModes, StoreyFall};

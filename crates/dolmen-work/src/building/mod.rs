@@ -14,6 +14,7 @@ mod tune_room;
 mod tune_together;
 mod tuned;
 pub(crate) mod wind;
+mod wind_answer;
 
 pub use answer::{
     BuildingAnswer, BuildingSpectral, DampedSpectral, MINOR_RATIO, StandingBuilding, stiffness_word,
@@ -25,4 +26,4 @@ pub use tune_answer::{
     RoomCheck, RowStroke, TogetherAnswer, TogetherChoice, TogetherRow, TuneAnswer, TuneLoad, TunePoint,
 };
 pub use tuned::TuneOptions;
-pub use wind::{BuildingWind, FloorInWind, FloorMet, WIND_DURATION_S, WindAlong, WindMotion};
+pub use wind_answer::{BuildingWind, FloorInWind, FloorMet, WIND_DURATION_S, WindAlong, WindMotion};

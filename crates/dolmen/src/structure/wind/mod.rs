@@ -6,6 +6,7 @@ mod eurocode;
 mod given;
 mod gust_face;
 mod kds_41;
+mod mean_wind;
 mod pressure;
 mod turbulence;
 
