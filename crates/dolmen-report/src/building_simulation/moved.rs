@@ -36,6 +36,10 @@ messages! {
             en: "the building starts plumb: the tilt of survey {survey} ({tilt}) is not in it, and what leans drifts further to that side.",
             ko: "건물은 연직 상태에서 시작하며 {survey} 조사의 실측 기울기({tilt})를 반영하지 않았다. 기울어진 건물은 그 방향으로 더 변위한다.",
         },
+        NoWind => {
+            en: "the wind of the file does not blow during the motion; `dolmen check` says what it does.",
+            ko: "지진동 작용 중에는 입력한 바람을 고려하지 않는다. 풍응답은 `dolmen check`에 나온다.",
+        },
         And { first: Sentence, next: Sentence } => { en: "{first} {next}", ko: "{first} {next}" },
         Top { list: Vec<Sentence> } => {
             en: "Of what it would move without dampers: {list}.",
@@ -100,6 +104,9 @@ pub(super) fn alarms(simulation: &BuildingSimulation) -> Vec<(Tone, Sentence)> {
             room: four(beyond.room_m),
         };
         all.push((Tone::Bad, said.into()));
+    }
+    if simulation.without_wind {
+        all.push((Tone::Plain, Moved::NoWind.into()));
     }
     if let Some(left_out) = simulation.tilt_left_out.clone() {
         let said = Moved::TiltLeftOut {

@@ -5,7 +5,7 @@ use crate::building::{millimetres, name, significant};
 use crate::document::{Finding, Tone};
 use dolmen::damper::Choice;
 use dolmen_words::{Quantity, Sentence, messages};
-use dolmen_work::building::{RoomCheck, TogetherAnswer, TogetherChoice, TuneAnswer};
+use dolmen_work::building::{RoomCheck, TogetherAnswer, TogetherChoice, TuneAnswer, TuneLoad};
 
 messages! {
     /// Findings on dampers.
@@ -25,6 +25,10 @@ messages! {
         RoomUnjudged => {
             en: "The room of a damper is given, and the file has no motion or site to hold it against; the loads here have no size.",
             ko: "제진장치의 여유 공간은 주어졌으나 비교할 지진동이나 부지 스펙트럼이 없다. 여기의 하중은 크기가 정해져 있지 않다.",
+        },
+        RoomInWind => {
+            en: "The room of a damper is given: `dolmen check` holds it against the wind of the file.",
+            ko: "제진장치의 여유 공간이 주어졌다. 파일의 바람에 대한 비교는 `dolmen check`에 나온다.",
         },
         Compared { damper: String, given: Quantity, rule: Quantity, best: Quantity } => {
             en: "Damper {damper}: {given} of the motion without it as in the file, {rule} at the place of the rule, {best} placed and tuned best.",
@@ -52,7 +56,13 @@ pub(crate) fn findings(tunings: &[&TuneAnswer], together: &[&TogetherAnswer]) ->
     let mut rooms = tunings.iter().map(|answer| &answer.room);
     let mut others = together.iter().map(|answer| &answer.room);
     if rooms.any(RoomCheck::is_unjudged) || others.any(RoomCheck::is_unjudged) {
-        all.push(Finding::key(Tone::Unknown, Found::RoomUnjudged));
+        let alone = tunings.iter().map(|answer| answer.load);
+        let mut loads = alone.chain(together.iter().map(|answer| answer.load));
+        let said = match loads.any(|load| load == TuneLoad::Gusts) {
+            true => Finding::key(Tone::Plain, Found::RoomInWind),
+            false => Finding::key(Tone::Unknown, Found::RoomUnjudged),
+        };
+        all.push(said);
     }
     all
 }

@@ -76,6 +76,7 @@ pub(crate) fn simulate(
         without_dampers,
         points,
         tilt_left_out: TiltLeftOut::of(&version.project.surveys),
+        without_wind: version.project.loads.wind().is_some(),
     }))
 }
 

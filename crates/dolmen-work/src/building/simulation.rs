@@ -110,6 +110,8 @@ pub struct BuildingSimulation {
     pub points: Vec<WatchedPoint>,
     /// A surveyed tilt that the run does not start from.
     pub tilt_left_out: Option<TiltLeftOut>,
+    /// Whether the file gives a wind, which does not blow during a motion.
+    pub without_wind: bool,
 }
 
 impl BuildingSimulation {
