@@ -197,7 +197,7 @@ mod tests {
 
     /// The same by sums over many points of both strips, each point with the speed of its strip.
     fn by_points(face: &GustFace, i: usize, j: usize, hz: f64) -> f64 {
-        const POINTS: usize = 60;
+        const POINTS: usize = 200;
         let middle = |k: usize, low: f64, high: f64| low + (high - low) * (k as f64 + 0.5) / POINTS as f64;
         let (own, other) = (&face.strips[i], &face.strips[j]);
         let speed = 0.5 * (own.wind.mean_speed_m_s + other.wind.mean_speed_m_s);
