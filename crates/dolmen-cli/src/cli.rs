@@ -208,10 +208,10 @@ pub(crate) struct Watch {
     /// Every structure of a store, a line each, the worst first
     #[arg(long, group = "from_store")]
     pub(crate) all: bool,
-    /// The store: a file; else DOLMEN_STORE
+    /// The store: a file, or postgresql://ROLE@HOST/DATABASE; else DOLMEN_STORE
     #[arg(
         long,
-        value_name = "FILE",
+        value_name = "FILE|URL",
         requires = "from_store",
         conflicts_with = "project"
     )]

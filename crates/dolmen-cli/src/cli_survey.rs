@@ -15,8 +15,9 @@ pub(crate) struct Survey {
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Store")]
 pub(crate) struct StoreWhere {
-    /// The store: a file, made by the first add, with its raw files in FILE.files beside it; else DOLMEN_STORE
-    #[arg(long, value_name = "FILE", global = true)]
+    /// The store: a file, made by the first add, with its raw files in FILE.files beside it; or a database, postgresql://ROLE@HOST/DATABASE; else
+    /// DOLMEN_STORE
+    #[arg(long, value_name = "FILE|URL", global = true)]
     pub(crate) store: Option<String>,
     /// Who does it, for the log; else the name of the user
     #[arg(long, value_name = "NAME", global = true)]
@@ -95,7 +96,7 @@ pub(crate) struct Export {
 
 #[derive(Debug, Args)]
 pub(crate) struct Import {
-    /// The file of the store to read
+    /// The store to read: a file, or postgresql://…
     pub(crate) from: String,
 }
 

@@ -34,7 +34,6 @@ pub(crate) fn follow(folder: &Path, options: &Watch, manner: &Manner) -> Result<
     let following = Follow {
         folder: folder.to_owned(),
         store: at.place()?,
-        store_file: at.file(),
         wait: at.wait(),
         who: at.who(),
         access: manner.access(),

@@ -24,6 +24,7 @@ mod manner;
 mod motion;
 mod note;
 mod outcome;
+mod passwords;
 mod progress;
 mod rank;
 mod report;
@@ -47,6 +48,7 @@ use clap::{CommandFactory as _, FromArgMatches as _};
 use cli::{Cli, Verb};
 use note::note;
 use outcome::Outcome;
+use passwords::without_passwords;
 use std::process::ExitCode;
 use typed::Typed;
 
@@ -69,11 +71,25 @@ fn say_own_fault(panic: &std::panic::PanicHookInfo<'_>) {
     );
 }
 
+/// Ends with what is wrong with the arguments, without a password among them.
+fn refuse(fault: &clap::Error) -> ! {
+    let said = fault.to_string();
+    let plain = without_passwords(&said);
+    if plain == said {
+        fault.exit();
+    }
+    note!("{}", plain.trim_end());
+    std::process::exit(fault.exit_code());
+}
+
 fn main() -> ExitCode {
     std::panic::set_hook(Box::new(say_own_fault));
     signals::make_too_large_files_an_error();
     let command = Cli::command();
-    let matches = command.clone().get_matches();
+    let matches = command
+        .clone()
+        .try_get_matches()
+        .unwrap_or_else(|fault| refuse(&fault));
     let typed = Typed::of(&command, &matches);
     let cli = Cli::from_arg_matches(&matches).unwrap_or_else(|fault| fault.exit());
     let done = run(&cli, &typed);

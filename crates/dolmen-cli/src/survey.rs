@@ -16,6 +16,7 @@ use dolmen_report::kept::{
 use dolmen_store::{Act, Place, Search, Store, StoreError};
 use dolmen_work::Progress;
 use serde_json::json;
+use std::path::PathBuf;
 use std::time::Duration;
 
 /// Exit status where a store is not what it was.
@@ -56,14 +57,17 @@ impl Where<'_> {
         .into()
     }
 
-    /// The file of the store as it was named.
-    pub(crate) fn file(&self) -> String {
+    pub(crate) fn place(&self) -> Result<Place> {
         let named = self.options.store.clone().or_else(|| variable("DOLMEN_STORE"));
-        named.unwrap_or_default()
+        self.place_of(&named.unwrap_or_default())
     }
 
-    pub(crate) fn place(&self) -> Result<Place> {
-        Place::of(&self.file()).map_err(|fault| self.told(fault))
+    /// The place that is named; its password may stand where psql looks for one.
+    fn place_of(&self, named: &str) -> Result<Place> {
+        let place = Place::of(named).map_err(|fault| self.told(fault))?;
+        let file = variable("PGPASSFILE").map(PathBuf::from);
+        let file = file.or_else(|| Some(PathBuf::from(variable("HOME")?).join(".pgpass")));
+        Ok(place.with_password(variable("PGPASSWORD"), file.as_deref()))
     }
 
     pub(crate) fn wait(&self) -> Duration {
@@ -207,6 +211,9 @@ fn export_one(name: &str, options: &Export, at: &Where<'_>) -> Result<Outcome> {
 
 /// A whole store as a file of its own, with its folder.
 fn export_all(options: &Export, at: &Where<'_>) -> Result<Outcome> {
+    if Place::is_server(&options.output.to_string_lossy()) {
+        return Err(CommandError::StoreIsServer.into());
+    }
     if options.output.exists() {
         return Err(CommandError::StoreThere {
             path: options.output.display().to_string(),
@@ -214,13 +221,12 @@ fn export_all(options: &Export, at: &Where<'_>) -> Result<Outcome> {
         .into());
     }
     let from = at.open()?;
-    let into = Place::of(&options.output.to_string_lossy()).map_err(|fault| at.told(fault))?;
+    let into = at.place_of(&options.output.to_string_lossy())?;
     taken_over(from, &into, at)
 }
 
 fn import(options: &Import, at: &Where<'_>) -> Result<Outcome> {
-    let from = Place::of(&options.from).map_err(|fault| at.told(fault))?;
-    let from = Store::open(&from, at.wait()).map_err(|fault| at.told(fault))?;
+    let from = Store::open(&at.place_of(&options.from)?, at.wait()).map_err(|fault| at.told(fault))?;
     taken_over(from, &at.place()?, at)
 }
 

@@ -4,6 +4,7 @@ use crate::cli::Cli;
 use crate::manner::Manner;
 use crate::note::note;
 use crate::outcome::Outcome;
+use crate::passwords::without_passwords;
 use crate::say::{say, say_json};
 use crate::wrong::{CommandError, of_command};
 use anyhow::Result;
@@ -27,7 +28,8 @@ const BAD_INPUT: u8 = 2;
 
 /// Prints an error with its causes, to standard error.
 pub(crate) fn complain(fault: &anyhow::Error, manner: &Manner) {
-    note!("{}", complaint(fault.as_ref(), manner.language(), &of_command));
+    let said = complaint(fault.as_ref(), manner.language(), &of_command);
+    note!("{}", without_passwords(&said));
 }
 
 /// An error with its causes, in a language.

@@ -19,6 +19,7 @@ pub(crate) enum CommandError {
     StoreThere {
         path: String,
     },
+    StoreIsServer,
     NoMotion,
     NoPlaneMotion,
     At2One {
@@ -88,6 +89,10 @@ sentences! {
         StoreThere { path } => {
             en: "{path} is there already: a whole store is written to a new file, so that nothing is lost",
             ko: "{path}이(가) 이미 있다. 잃는 것이 없도록 저장소 전체는 새 파일에 쓴다",
+        },
+        StoreIsServer => {
+            en: "-o takes a new file for a whole store: `dolmen survey import STORE --store postgresql://…` takes a store over into a database",
+            ko: "저장소 전체를 내보내는 -o에는 새 파일을 지정한다. 데이터베이스로 옮기려면 `dolmen survey import STORE --store postgresql://…`을 쓴다",
         },
         NoMotion => { en: "no motion is given to write", ko: "쓸 지반운동이 없다" },
         NoPlaneMotion => {

@@ -40,6 +40,8 @@ struct Following<'a> {
     inbox: Inbox,
     state: State,
     known: BTreeSet<String>,
+    /// Records of the structure that came by themselves, as far as `state` has them.
+    arrivals: u64,
     /// What the history says after the last record.
     answer: Option<WatchAnswer>,
     last_survey_s: Option<f64>,
@@ -90,9 +92,8 @@ impl<'a> Following<'a> {
     fn begin(of: &'a Follow, listener: &'a dyn Listener) -> Result<Self> {
         let mut inbox = Inbox::new(&of.folder, of.rest)?;
         drop(Store::open(&of.store, of.wait).map_err(told)?); // a store that is not there is not made
-        let place = &of.store_file;
-        for beside in ["", "-wal", "-shm", "-journal"] {
-            inbox = inbox.passing_over(Path::new(&format!("{place}{beside}")));
+        for path in of.store.own_files() {
+            inbox = inbox.passing_over(&path);
         }
         for path in of.metrics.iter().chain(&of.temperature) {
             inbox = inbox.passing_over(path);
@@ -103,6 +104,7 @@ impl<'a> Following<'a> {
             None => only_structure(&mut store)?,
         };
         let keeper = store.keeper().map_err(told)?;
+        let arrivals = store.arrivals(&structure).map_err(told)?;
         let state = State::of(&mut store, &structure)?;
         let known = store.records(&structure).map_err(told)?;
         listener.begins(&of.folder, &structure, state.pattern.survey());
@@ -126,6 +128,7 @@ impl<'a> Following<'a> {
             inbox,
             state,
             known,
+            arrivals,
             answer: None,
             last_survey_s,
             temperature: None,
@@ -134,8 +137,11 @@ impl<'a> Following<'a> {
 
     /// Takes what is there; how many files are not at rest yet.
     fn round(&mut self) -> Result<usize> {
-        let project = self.store.state(&self.structure);
-        if project.map_err(told)? != self.state.project {
+        let project = self.store.state(&self.structure).map_err(told)?;
+        let arrivals = self.store.arrivals(&self.structure).map_err(told)?;
+        // another process stored some, or one of ours was stored and its acknowledgement lost
+        if project != self.state.project || arrivals != self.arrivals {
+            self.arrivals = arrivals;
             self.state = State::of(&mut self.store, &self.structure)?;
             self.judge()?;
         }
@@ -249,6 +255,7 @@ impl<'a> Following<'a> {
             match arrived.map_err(told)? {
                 Arrived::Stored => {
                     self.known.insert(hash);
+                    self.arrivals += 1;
                     survey.put_into(&mut self.state.history);
                     self.state.faults.insert(survey.name.clone(), faults);
                     if let Some(observed) = taken.observed() {

@@ -12,8 +12,6 @@ pub struct Follow {
     pub folder: PathBuf,
     /// The store.
     pub store: Place,
-    /// The file of the store as it was named: it may lie in the folder, and is no record.
-    pub store_file: String,
     /// How long another process may write before the store counts as busy.
     pub wait: Duration,
     /// Who stores.

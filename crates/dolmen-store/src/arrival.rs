@@ -3,11 +3,12 @@
 use crate::database::{Database, Value, all, transaction};
 use crate::error::StoreError;
 use crate::incoming::{Incoming, SurveyTables, analysis, refuse_name, refuse_path, shown};
-use crate::raw::{Kept, RawFolder};
+use crate::raw::{Kept, RawFiles};
 use crate::rows::{AdoptionRow, ArrivalRow, LogRow, RawRow, SurveyAnalysisRow, insert, select};
 use crate::store::{Act, Store, next, put, refuse_unknown};
 use dolmen_work::kept::StoreFault;
 use std::collections::BTreeSet;
+use std::sync::Arc;
 
 /// The verb of the log by which a call of the alarm is known.
 const ALARM: &str = "alarm";
@@ -38,7 +39,7 @@ pub enum Arrived {
 
 /// Keeps the bytes of files, from any thread.
 #[derive(Clone, Debug)]
-pub struct Keeper(RawFolder);
+pub struct Keeper(Arc<dyn RawFiles>);
 
 impl Keeper {
     /// As [`Store::keep`].
@@ -48,11 +49,6 @@ impl Keeper {
     pub fn keep(&self, bytes: &[u8]) -> Result<Kept, StoreError> {
         self.0.keep(bytes)
     }
-}
-
-/// The hash under which bytes are kept.
-pub fn hash_of_bytes(bytes: &[u8]) -> String {
-    blake3::hash(bytes).to_hex().to_string()
 }
 
 impl Store {
@@ -80,6 +76,19 @@ impl Store {
         row.map(|row| row.project).ok_or_else(|| {
             let name = structure.to_owned();
             StoreFault::NoStructure { name, nearest: None }.into()
+        })
+    }
+
+    /// How many records of a structure came by themselves.
+    ///
+    /// # Errors
+    /// The database cannot be read.
+    pub fn arrivals(&mut self, structure: &str) -> Result<u64, StoreError> {
+        let sql = "select count(*) from arrival where structure = $1";
+        let rows = all(self.database.as_mut(), sql, &[Value::Text(structure.to_owned())])?;
+        Ok(match rows.first().map(Vec::as_slice) {
+            Some([Value::Whole(count)]) => u64::try_from(*count).unwrap_or(0),
+            _ => 0,
         })
     }
 

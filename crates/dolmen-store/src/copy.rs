@@ -49,7 +49,7 @@ impl Store {
         refuse_name("who", act.who)?;
         from.database.begin_reading()?;
         let done = self.take_over(from, act);
-        let _ = from.database.batch("rollback"); // nothing was written there
+        let _ = from.database.rollback(); // nothing was written there
         done
     }
 

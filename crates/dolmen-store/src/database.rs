@@ -1,6 +1,7 @@
 //! What a store asks of a database: statements with parameters, in words that are common to SQL databases.
 
 use crate::error::StoreError;
+use std::borrow::Cow;
 
 /// A value of a row.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,6 +27,15 @@ pub(crate) enum Kind {
     Text,
 }
 
+/// How a database is opened.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Access {
+    /// To be read; it must be there.
+    Read,
+    /// To be written; it is made if it is not there.
+    Write,
+}
+
 /// A database. Parameters of a statement are `$1`, `$2`…, first named in this order.
 pub(crate) trait Database: Send {
     /// Runs one statement; how many rows it changed.
@@ -45,7 +55,17 @@ pub(crate) trait Database: Send {
     /// Begins to write: one process at a time, others wait.
     fn begin(&mut self) -> Result<(), StoreError>;
 
-    /// Begins to read: until "rollback" all that is read is of one moment, whatever others write.
+    /// Ends a transaction: all of it is on disk when this returns.
+    fn commit(&mut self) -> Result<(), StoreError> {
+        self.batch("commit")
+    }
+
+    /// Ends a transaction: nothing of it was done.
+    fn rollback(&mut self) -> Result<(), StoreError> {
+        self.batch("rollback")
+    }
+
+    /// Begins to read: until [`Database::rollback`] all that is read is of one moment, whatever others write.
     fn begin_reading(&mut self) -> Result<(), StoreError>;
 
     /// The number of the last schema file that was run; 0 of an empty database.
@@ -61,7 +81,7 @@ pub(crate) trait Database: Send {
     fn columns(&mut self, table: &str) -> Result<Vec<(String, Kind)>, StoreError>;
 
     /// The schema files of this database, the first has number 1.
-    fn schema_files(&self) -> &'static [&'static str];
+    fn schema_files(&self) -> Vec<Cow<'static, str>>;
 
     /// Everything on disk, nothing beside it, as far as that can be had.
     fn settle(&mut self) -> Result<(), StoreError>;
@@ -87,10 +107,10 @@ pub(crate) fn transaction<T>(
     work: impl FnOnce(&mut dyn Database) -> Result<T, StoreError>,
 ) -> Result<T, StoreError> {
     let done = database.begin().and_then(|()| work(database));
-    match done.and_then(|done| database.batch("commit").map(|()| done)) {
+    match done.and_then(|done| database.commit().map(|()| done)) {
         Ok(done) => Ok(done),
         Err(fault) => {
-            let _ = database.batch("rollback"); // the fault that came first is the one to tell
+            let _ = database.rollback(); // the fault that came first is the one to tell
             Err(fault)
         }
     }

@@ -120,8 +120,8 @@ fn structures(
     let sql = format!(
         "select s.name, p.kind, p.english, p.korean, p.latitude_deg, p.longitude_deg, \
          (select count(*) {OF_SURVEYS}) + (select count(*) {arrived}), \
-         (select min(t) from (select min(v.taken_on) as t {OF_SURVEYS} union all select min(v.taken_on) {arrived})), \
-         (select max(t) from (select max(v.taken_on) as t {OF_SURVEYS} union all select max(v.taken_on) {arrived})), \
+         (select min(t) from (select min(v.taken_on) as t {OF_SURVEYS} union all select min(v.taken_on) {arrived}) as dates), \
+         (select max(t) from (select max(v.taken_on) as t {OF_SURVEYS} union all select max(v.taken_on) {arrived}) as dates), \
          a.at_us, a.who, {REMOVED} {LATEST} {condition} order by s.name"
     );
     database.query(&sql, values, &mut |row| each(listed(row)?))

@@ -18,17 +18,21 @@ mod incoming;
 mod observed;
 mod place;
 mod raw;
+mod raw_folder;
 mod rows;
 mod schema;
+mod schema_files;
+#[cfg(feature = "postgres")]
+mod server;
 mod sqlite;
 mod store;
 mod verify;
 
-pub use arrival::{Arrived, Arriving, Keeper, hash_of_bytes};
+pub use arrival::{Arrived, Arriving, Keeper};
 pub use error::StoreError;
 pub use find::{Exported, Search};
 pub use incoming::{Incoming, PROJECT_FILE};
 pub use observed::StoredFiles;
 pub use place::Place;
-pub use raw::Kept;
+pub use raw::{Kept, hash_of_bytes};
 pub use store::{Act, Store};

@@ -3,7 +3,7 @@
 use crate::database::{Value, all};
 use crate::error::StoreError;
 use crate::find::{Exported, Taker, not_in};
-use crate::raw::RawFolder;
+use crate::raw::RawFiles;
 use crate::store::{Store, refuse_unknown};
 use dolmen::modal::{ObservedMode, ObservedPoint};
 use dolmen::signal::Channel;
@@ -12,6 +12,7 @@ use dolmen_records::{FileError, Files};
 use dolmen_words::messages;
 use dolmen_work::sensor_alarms::{SensorFault, SensorFaults};
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 messages! {
     /// Why a file cannot be had from a store.
@@ -22,7 +23,7 @@ messages! {
 
 /// Files of a project in a store, by the names that it writes.
 pub struct StoredFiles {
-    raw: RawFolder,
+    raw: Arc<dyn RawFiles>,
     files: BTreeMap<String, (String, u64)>,
 }
 

@@ -1,34 +1,116 @@
 //! Where a store is: what a user names.
 
 use crate::error::StoreError;
+#[cfg(feature = "postgres")]
+use crate::server::Address;
 use dolmen_work::kept::StoreFault;
 use std::path::{Path, PathBuf};
 
-/// A file of SQLite; its raw files lie in the folder of the same name with ".files" behind it.
+/// How an address of a server begins.
+const SCHEMES: [&str; 2] = ["postgresql://", "postgres://"];
+
+/// A file of SQLite, whose raw files lie in the folder of the same name with ".files" behind it; or a database of PostgreSQL.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Place(PathBuf);
+pub struct Place(Where);
+
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Where {
+    File(PathBuf),
+    #[cfg(feature = "postgres")]
+    Server(Address),
+}
+
+fn after_scheme(named: &str) -> Option<&str> {
+    SCHEMES.iter().find_map(|scheme| named.strip_prefix(scheme))
+}
+
+#[cfg(feature = "postgres")]
+fn server(after_scheme: &str) -> Result<Where, StoreFault> {
+    Address::of(after_scheme).map(Where::Server)
+}
+
+#[cfg(not(feature = "postgres"))]
+fn server(_after_scheme: &str) -> Result<Where, StoreFault> {
+    Err(StoreFault::NoPostgres)
+}
 
 impl Place {
-    /// The place that a user means.
+    /// The place that a user means: a file, or an address that begins with "postgresql://" or "postgres://". Nothing is opened.
     ///
     /// # Errors
-    /// [`StoreFault::Unnamed`].
+    /// [`StoreFault::Unnamed`]; an address that cannot be read, that asks for encryption or should, or where the feature `postgres` is off.
     pub fn of(named: &str) -> Result<Self, StoreError> {
-        match named.is_empty() {
-            true => Err(StoreFault::Unnamed.into()),
-            false => Ok(Place(named.into())),
+        match (named, after_scheme(named)) {
+            ("", _) => Err(StoreFault::Unnamed.into()),
+            (_, Some(address)) => Ok(Place(server(address)?)),
+            (file, None) => Ok(Place(Where::File(file.into()))),
         }
     }
 
-    /// The file.
-    pub(crate) fn file(&self) -> &Path {
-        &self.0
+    /// Whether it is a database of a server.
+    pub fn is_server(named: &str) -> bool {
+        after_scheme(named).is_some()
     }
 
-    /// The folder of its raw files.
-    pub(crate) fn files(&self) -> PathBuf {
-        let mut name = self.0.as_os_str().to_owned();
-        name.push(".files");
-        name.into()
+    /// With a password where the address of a server has none: the one that is given, else that of a file like ~/.pgpass, which only its
+    /// owner may read.
+    #[must_use]
+    pub fn with_password(self, given: Option<String>, file: Option<&Path>) -> Self {
+        match self.0 {
+            #[cfg(feature = "postgres")]
+            Where::Server(mut address) => {
+                if address.password.is_none() {
+                    let of_file = || {
+                        address.password_in(
+                            &std::fs::read_to_string(file.filter(|file| is_private(file))?).ok()?,
+                        )
+                    };
+                    address.password = given.or_else(of_file);
+                }
+                Place(Where::Server(address))
+            }
+            Where::File(path) => {
+                let _ = (given, file); // a file has none
+                Place(Where::File(path))
+            }
+        }
     }
+
+    /// The files of the store itself, which may lie among others; none of a server.
+    pub fn own_files(&self) -> Vec<PathBuf> {
+        match &self.0 {
+            Where::File(path) => ["", "-wal", "-shm", "-journal"]
+                .map(|ending| with_ending(path, ending))
+                .to_vec(),
+            #[cfg(feature = "postgres")]
+            Where::Server(_) => Vec::new(),
+        }
+    }
+
+    pub(crate) fn place(&self) -> &Where {
+        &self.0
+    }
+}
+
+/// The folder of the raw files of a file.
+pub(crate) fn files_of(file: &Path) -> PathBuf {
+    with_ending(file, ".files")
+}
+
+fn with_ending(file: &Path, ending: &str) -> PathBuf {
+    let mut name = file.as_os_str().to_owned();
+    name.push(ending);
+    name.into()
+}
+
+#[cfg(all(unix, feature = "postgres"))]
+fn is_private(file: &Path) -> bool {
+    use std::os::unix::fs::PermissionsExt as _;
+    const OTHERS: u32 = 0o077;
+    std::fs::metadata(file).is_ok_and(|about| about.is_file() && about.permissions().mode() & OTHERS == 0)
+}
+
+#[cfg(all(not(unix), feature = "postgres"))]
+fn is_private(file: &Path) -> bool {
+    file.is_file()
 }

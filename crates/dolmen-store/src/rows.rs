@@ -157,8 +157,9 @@ pub(crate) fn select<R: Row>(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::database::Access;
     use crate::schema::migrate;
-    use crate::sqlite::{Access, Sqlite};
+    use crate::sqlite::Sqlite;
     use std::time::Duration;
 
     #[test]

@@ -22,8 +22,8 @@ pub(crate) fn migrate(database: &mut dyn Database, now_us: i64) -> Result<(), St
     transaction(database, |database| {
         // another process may have done it while this one waited
         let done = usize::try_from(database.schema()?).unwrap_or(0);
-        for (number, file) in database.schema_files().iter().enumerate().skip(done) {
-            database.batch(file)?;
+        for (number, file) in database.schema_files().into_iter().enumerate().skip(done) {
+            database.batch(&file)?;
             database.set_schema(number as i64 + 1)?;
         }
         let only = "insert into store (only_row, made_us) values (1, $1) on conflict do nothing";
@@ -34,15 +34,16 @@ pub(crate) fn migrate(database: &mut dyn Database, now_us: i64) -> Result<(), St
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::database::all;
-    use crate::sqlite::{Access, Sqlite};
+    use crate::database::{Access, all};
+    use crate::sqlite::Sqlite;
     use std::time::Duration;
 
     #[test]
     fn holds_a_store_of_the_first_schema_is_brought_to_this_one_and_keeps_its_rows() {
         let file = std::env::temp_dir().join(format!("dolmen-schema-{}.db", std::process::id()));
         let mut database = Sqlite::open(&file, Access::Write, Duration::ZERO).unwrap();
-        database.batch(database.schema_files()[0]).unwrap();
+        let first = database.schema_files()[0].clone();
+        database.batch(&first).unwrap();
         database.set_schema(1).unwrap();
         database
             .batch("insert into structure values ('Gate', 7, 'kim')")

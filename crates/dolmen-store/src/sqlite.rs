@@ -1,32 +1,20 @@
 //! SQLite: one file, write-ahead log, every commit on disk before it is acknowledged.
 
-use crate::database::{Database, Kind, Value, all};
+use crate::database::{Access, Database, Kind, Value, all};
 use crate::error::StoreError;
+use crate::schema_files::FILES;
 use dolmen_work::kept::StoreFault;
 use rusqlite::ffi::{ErrorCode, SQLITE_IOERR_SHMSIZE};
 use rusqlite::types::{Value as SqlValue, ValueRef};
 use rusqlite::{Connection, OpenFlags, params_from_iter};
+use std::borrow::Cow;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
 /// "dolm": files that carry another number belong to other programs.
 const APPLICATION: i64 = 0x646F_6C6D;
-const FILES: &[&str] = &[
-    include_str!("sql/0001_surveys.sql"),
-    include_str!("sql/0002_arrivals.sql"),
-    include_str!("sql/0003_accepted_modes.sql"),
-];
 
 pub(crate) struct Sqlite(Connection);
-
-/// How a file is opened.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Access {
-    /// To be read; it must be there.
-    Read,
-    /// To be written; it is made if it is not there.
-    Write,
-}
 
 impl Sqlite {
     /// Opens the file, waiting at most so long for other processes.
@@ -234,8 +222,8 @@ impl Database for Sqlite {
         Ok(rows.into_iter().filter_map(column).collect())
     }
 
-    fn schema_files(&self) -> &'static [&'static str] {
-        FILES
+    fn schema_files(&self) -> Vec<Cow<'static, str>> {
+        FILES.map(Cow::Borrowed).to_vec()
     }
 
     fn settle(&mut self) -> Result<(), StoreError> {

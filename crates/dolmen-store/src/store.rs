@@ -1,22 +1,26 @@
 //! A store: a database, and the folder of the raw files.
 
-use crate::database::{Database, Value, all, transaction};
+use crate::database::{Access, Database, Value, all, transaction};
 use crate::error::StoreError;
 use crate::incoming::{Group, Incoming, SurveyTables, refuse_name};
-use crate::place::Place;
-use crate::raw::{Kept, RawFolder};
+use crate::place::{Place, Where, files_of};
+use crate::raw::{Kept, RawFiles};
+use crate::raw_folder::RawFolder;
 use crate::rows::{AdoptionRow, LogRow, MarkRow, ProjectRow, StructureRow, insert, select};
 use crate::schema::{is_current, migrate};
-use crate::sqlite::{Access, Sqlite};
+#[cfg(feature = "postgres")]
+use crate::server::{Pieces, Session};
+use crate::sqlite::Sqlite;
 use dolmen_words::nearest;
 use dolmen_work::kept::{Added, StoreFault};
 use std::collections::BTreeSet;
+use std::sync::Arc;
 use std::time::Duration;
 
 /// A store.
 pub struct Store {
     pub(crate) database: Box<dyn Database>,
-    pub(crate) raw: RawFolder,
+    pub(crate) raw: Arc<dyn RawFiles>,
     can_write: bool,
 }
 
@@ -44,7 +48,7 @@ impl Store {
         }
         Ok(Store {
             database,
-            raw: RawFolder::new(place.files()),
+            raw: raw_files(place, Access::Read, wait),
             can_write: false,
         })
     }
@@ -56,7 +60,7 @@ impl Store {
     pub fn open_to_write(place: &Place, wait: Duration, now_us: i64) -> Result<Self, StoreError> {
         let mut database = connect(place, Access::Write, wait)?;
         migrate(database.as_mut(), now_us)?;
-        let raw = RawFolder::new(place.files());
+        let raw = raw_files(place, Access::Write, wait);
         raw.prepare()?;
         Ok(Store {
             database,
@@ -130,7 +134,26 @@ impl Store {
 }
 
 fn connect(place: &Place, access: Access, wait: Duration) -> Result<Box<dyn Database>, StoreError> {
-    Ok(Box::new(Sqlite::open(place.file(), access, wait)?))
+    Ok(match place.place() {
+        Where::File(file) => Box::new(Sqlite::open(file, access, wait)?),
+        #[cfg(feature = "postgres")]
+        Where::Server(address) => Box::new(Session::open(address, access, wait)?),
+    })
+}
+
+#[cfg_attr(
+    not(feature = "postgres"),
+    allow(
+        unused_variables,
+        reason = "a folder is opened by no one, and nobody waits for it"
+    )
+)]
+fn raw_files(place: &Place, access: Access, wait: Duration) -> Arc<dyn RawFiles> {
+    match place.place() {
+        Where::File(file) => Arc::new(RawFolder::new(files_of(file))),
+        #[cfg(feature = "postgres")]
+        Where::Server(address) => Arc::new(Pieces::new(address, access, wait)),
+    }
 }
 
 /// Refuses a structure that is not there, with the one whose name is nearest.

@@ -22,7 +22,7 @@ impl Store {
     pub fn verify(&mut self) -> Result<Verified, StoreError> {
         self.database.begin_reading()?;
         let found = self.compared();
-        let _ = self.database.batch("rollback"); // nothing was written
+        let _ = self.database.rollback(); // nothing was written
         found
     }
 

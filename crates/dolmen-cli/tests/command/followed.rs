@@ -61,12 +61,17 @@ pub(super) const RECORDS: &str = "sampling_rate = \"100 Hz\"\nunit = \"mg\"\ncha
 
 /// A gate with one survey in a store, and an empty folder for what comes.
 pub(super) fn gate(scratch: &Scratch) {
+    gate_in(scratch, STORE);
+}
+
+/// The same in the store that these words name.
+pub(super) fn gate_in(scratch: &Scratch, store: &str) {
     fs::create_dir_all(scratch.path().join("p")).unwrap();
     fs::create_dir_all(scratch.path().join("in")).unwrap();
     fs::write(scratch.path().join("p/first.csv"), made_record(2.0, 6000, 1)).unwrap();
     let text = format!("{HEAD}[survey.2026-01-01.records]\nfile = \"first.csv\"\n{RECORDS}");
     fs::write(scratch.path().join("p/project.toml"), text).unwrap();
-    good(scratch.briefly(&format!("survey add p {STORE}")));
+    good(scratch.briefly(&format!("survey add p {store}")));
 }
 
 /// What was printed of each record.
@@ -80,7 +85,11 @@ fn lines(answer: &Answer) -> Vec<Value> {
 }
 
 fn names(scratch: &Scratch) -> Vec<String> {
-    let kept = json(scratch, &format!("survey show Gate {STORE}"));
+    names_in(scratch, STORE)
+}
+
+pub(super) fn names_in(scratch: &Scratch, store: &str) -> Vec<String> {
+    let kept = json(scratch, &format!("survey show Gate {store}"));
     let surveys = kept["surveys"].as_array().unwrap();
     surveys
         .iter()
@@ -247,15 +256,13 @@ fn holds_what_cannot_be_read_goes_to_quarantine_and_what_grows_is_left_alone() {
     assert_eq!(exported.count(), hostile.len() + 1);
 }
 
-#[cfg(unix)]
-#[test]
-fn holds_a_killed_follow_loses_nothing_that_was_acknowledged_and_stores_nothing_twice() {
-    const MOMENTS: usize = 20;
+/// Kills `watch --follow` at so many random moments, and holds that what was acknowledged is there, once, and at the end all.
+pub(super) fn kill_follow_at_random_moments(scratch: &Scratch, store: &str, moments: usize) {
     const FILES: usize = 5;
-    let scratch = Scratch::new("follow-kill");
-    gate(&scratch);
+    gate_in(scratch, store);
+    let follow = format!("watch --follow in {store} --once --quiet --json");
     let (mut seed, mut killed, mut whole_us, mut told) = (11, 0, 0, Vec::new());
-    for moment in 0..=MOMENTS {
+    for moment in 0..=moments {
         for file in 0..FILES {
             let name = format!("in/2026-02-{:02}T{file:02}00.csv", moment + 1);
             put(
@@ -265,8 +272,7 @@ fn holds_a_killed_follow_loses_nothing_that_was_acknowledged_and_stores_nothing_
         }
         let begun = std::time::Instant::now();
         let mut child = Command::new(env!("CARGO_BIN_EXE_dolmen"))
-            .args(FOLLOW.split_whitespace())
-            .arg("--json")
+            .args(follow.split_whitespace())
             .current_dir(scratch.path())
             .stdout(Stdio::piped())
             .stderr(Stdio::piped())
@@ -283,8 +289,8 @@ fn holds_a_killed_follow_loses_nothing_that_was_acknowledged_and_stores_nothing_
         }
         killed += usize::from(output.status.code().is_none());
         told.extend(acknowledged_of(&output.stdout, "survey"));
-        content(&scratch, STORE);
-        let there = names(&scratch);
+        content(scratch, store);
+        let there = names_in(scratch, store);
         for name in &told {
             assert_eq!(
                 there.iter().filter(|kept| *kept == name).count(),
@@ -294,16 +300,22 @@ fn holds_a_killed_follow_loses_nothing_that_was_acknowledged_and_stores_nothing_
         }
     }
     assert!(
-        killed * 2 > MOMENTS,
-        "{killed} of {MOMENTS} were killed before their end"
+        killed * 2 > moments,
+        "{killed} of {moments} were killed before their end"
     );
-    lines(&scratch.briefly(&format!("{FOLLOW} --json")));
-    let mut there = names(&scratch);
-    assert_eq!(there.len(), 1 + (MOMENTS + 1) * FILES);
+    lines(&scratch.briefly(&follow));
+    let mut there = names_in(scratch, store);
+    assert_eq!(there.len(), 1 + (moments + 1) * FILES);
     there.sort();
     there.dedup();
-    assert_eq!(there.len(), 1 + (MOMENTS + 1) * FILES);
+    assert_eq!(there.len(), 1 + (moments + 1) * FILES);
     assert!(!scratch.path().join("in/quarantine").exists());
+}
+
+#[cfg(unix)]
+#[test]
+fn holds_a_killed_follow_loses_nothing_that_was_acknowledged_and_stores_nothing_twice() {
+    kill_follow_at_random_moments(&Scratch::new("follow-kill"), STORE, 20);
 }
 
 #[test]

@@ -42,6 +42,14 @@ mod prints;
 mod safety;
 mod score_forms;
 mod sentences;
+#[cfg(all(unix, feature = "postgres"))]
+mod server_faults;
+#[cfg(all(unix, feature = "postgres"))]
+mod server_processes;
+#[cfg(all(unix, feature = "postgres"))]
+mod server_stores;
+#[cfg(all(unix, feature = "postgres"))]
+mod servers;
 #[cfg(unix)]
 mod signals;
 mod simulations;

@@ -20,11 +20,12 @@ const LICENCES: [&str; 8] = [
     "Zlib",
 ];
 /// Crates that stand in Cargo.lock in several versions, without those of Typst, which brings its own; `deny.toml` says who needs the older ones.
-const SEVERAL: [(&str, usize); 13] = [
+const SEVERAL: [(&str, usize); 15] = [
     ("bitflags", 2),
     ("constant_time_eq", 2),
     ("equator", 2),
     ("equator-macro", 2),
+    ("fallible-iterator", 2),
     ("getrandom", 3),
     ("imagesize", 2),
     ("miniz_oxide", 2),
@@ -33,13 +34,14 @@ const SEVERAL: [(&str, usize); 13] = [
     ("syn", 3),
     ("thiserror", 2),
     ("thiserror-impl", 2),
+    ("wasi", 2),
     ("web-time", 2),
 ];
 
 fn metadata() -> Value {
     let cargo = Command::new(env!("CARGO"))
         .args(["metadata", "--format-version", "1", "--locked"])
-        .args(["--features", "dolmen-cli/pdf"])
+        .args(["--features", "dolmen-cli/pdf,dolmen-cli/postgres"])
         .current_dir(root())
         .output()
         .unwrap();

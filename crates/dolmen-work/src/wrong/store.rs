@@ -73,6 +73,66 @@ sentences! {
             en: "{name} is kept as a {kept}, not as a {given}",
             ko: "{name}은(는) {given}이(가) 아니라 {kept}(으)로 저장되어 있다",
         },
+        NoPostgres => {
+            en: "this dolmen was built without PostgreSQL",
+            ko: "PostgreSQL 기능이 없는 dolmen이다",
+        },
+        ServerUrl { part } => {
+            en: "the address of the server cannot be read: {part}",
+            ko: "서버 주소를 읽을 수 없다: {part}",
+        },
+        ServerTls { mode } => {
+            en: "sslmode={mode} asks for encryption, which this dolmen does not speak",
+            ko: "sslmode={mode}은(는) 암호화를 요구하는데 이 dolmen은 지원하지 않는다",
+        },
+        ServerClear { host } => {
+            en: "{host} is another machine, and Dolmen speaks no TLS",
+            ko: "{host}은(는) 다른 컴퓨터인데 Dolmen은 TLS를 지원하지 않는다",
+        },
+        ServerDown { shown, why } => {
+            en: "no server of PostgreSQL answers at {shown}: {why}",
+            ko: "{shown}에서 PostgreSQL 서버가 응답하지 않는다: {why}",
+        },
+        ServerRefused { shown } => {
+            en: "the server refuses {shown}: role or password",
+            ko: "서버가 {shown}의 접속을 거부한다: 사용자 또는 비밀번호",
+        },
+        ServerPassword { shown } => {
+            en: "the server asks {shown} for a password",
+            ko: "서버가 {shown}의 비밀번호를 요구한다",
+        },
+        ServerDatabase { shown } => {
+            en: "there is no database {shown}",
+            ko: "데이터베이스 {shown}이(가) 없다",
+        },
+        ServerFull { shown } => {
+            en: "{shown} takes no more connections",
+            ko: "{shown}이(가) 더는 연결을 받지 않는다",
+        },
+        ServerEncoding { shown, encoding } => {
+            en: "{shown} keeps text as {encoding}, not as UTF8",
+            ko: "{shown}의 문자 인코딩이 UTF8이 아니라 {encoding}이다",
+        },
+        ServerEmpty { shown } => {
+            en: "there is no store in {shown}",
+            ko: "{shown}에 저장소가 없다",
+        },
+        ServerForeign { shown } => {
+            en: "the schema dolmen of {shown} is of another program",
+            ko: "{shown}의 스키마 dolmen은 다른 프로그램의 것이다",
+        },
+        ServerRights { shown } => {
+            en: "{shown} lacks the right for this",
+            ko: "{shown}에 이 작업을 할 권한이 없다",
+        },
+        ServerGone { shown } => {
+            en: "the connection to {shown} ended",
+            ko: "{shown}에 대한 연결이 끊어졌다",
+        },
+        ZeroByte { shown } => {
+            en: "\"{shown}\" holds a zero byte, which PostgreSQL cannot keep",
+            ko: "\"{shown}\"에 PostgreSQL이 저장할 수 없는 NUL 바이트가 있다",
+        },
         Failed { why } => {
             en: "{why}",
             ko: "{why}",

@@ -1,0 +1,150 @@
+//! Raw files in a folder beside the database.
+
+use crate::error::StoreError;
+use crate::raw::{Kept, RawFiles, hash_of_bytes, lost, packed, refuse_no_hash, unpacked};
+use dolmen_work::kept::StoreFault;
+use std::fs;
+use std::io::{ErrorKind, Write as _};
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// Ending of a file in the making.
+const PART: &str = ".part";
+/// Ending of a file that is there.
+const ENDING: &str = ".z";
+
+/// The folder of the raw files.
+#[derive(Clone, Debug)]
+pub(crate) struct RawFolder(PathBuf);
+
+/// Files made by this process.
+static PARTS: AtomicUsize = AtomicUsize::new(0);
+
+fn told(path: &Path, why: &std::io::Error) -> StoreError {
+    match why.kind() {
+        ErrorKind::StorageFull | ErrorKind::QuotaExceeded => StoreFault::DiskFull,
+        ErrorKind::ReadOnlyFilesystem => StoreFault::ReadOnly,
+        _ => StoreFault::Folder {
+            shown: path.display().to_string(),
+            why: why.to_string(),
+        },
+    }
+    .into()
+}
+
+impl RawFolder {
+    pub(crate) fn new(path: PathBuf) -> Self {
+        RawFolder(path)
+    }
+
+    /// Two digits of the hash name the folder, so that none holds too many.
+    fn path(&self, hash: &str) -> Result<PathBuf, StoreError> {
+        refuse_no_hash(hash)?;
+        Ok(self.0.join(&hash[..2]).join(format!("{}{ENDING}", &hash[2..])))
+    }
+
+    fn part_then_rename(&self, packed: &[u8], path: &Path) -> std::io::Result<()> {
+        let number = PARTS.fetch_add(1, Ordering::Relaxed);
+        let part = self.0.join(format!("{}-{number}{PART}", std::process::id()));
+        let written = fs::File::create(&part).and_then(|mut file| {
+            let _ = file.try_lock(); // who clears the folder sees that it is being written; some file systems have no locks
+            file.write_all(packed)?;
+            file.sync_all()?;
+            fs::rename(&part, path)
+        });
+        if written.is_err() {
+            let _ = fs::remove_file(&part); // what is left of it, if anything
+        }
+        written
+    }
+}
+
+impl RawFiles for RawFolder {
+    fn keep(&self, bytes: &[u8]) -> Result<Kept, StoreError> {
+        let hash = hash_of_bytes(bytes);
+        let path = self.path(&hash)?;
+        let kept = |is_new| Kept {
+            hash: hash.clone(),
+            bytes: bytes.len() as u64,
+            is_new,
+        };
+        let folder = path.parent().unwrap_or(&self.0);
+        if path.exists() {
+            // the process that wrote it may have been killed before the name was on disk
+            sync(folder).map_err(|why| told(folder, &why))?;
+            return Ok(kept(false));
+        }
+        let is_new_folder = !folder.exists();
+        fs::create_dir_all(folder).map_err(|why| told(folder, &why))?;
+        let packed = packed(bytes);
+        // twice: before it is locked, another process may take the part for one that was left behind
+        let written = match self.part_then_rename(&packed, &path) {
+            Err(why) if why.kind() == ErrorKind::NotFound => self.part_then_rename(&packed, &path),
+            written => written,
+        };
+        written.map_err(|why| told(&path, &why))?;
+        sync(folder).map_err(|why| told(folder, &why))?;
+        if is_new_folder {
+            sync(&self.0).map_err(|why| told(&self.0, &why))?;
+        }
+        Ok(kept(true))
+    }
+
+    fn read(&self, hash: &str, bytes: u64) -> Result<Vec<u8>, StoreError> {
+        let path = self.path(hash)?;
+        let packed = fs::read(&path).map_err(|why| match why.kind() {
+            ErrorKind::NotFound => lost(hash),
+            _ => told(&path, &why),
+        })?;
+        unpacked(&packed, hash, bytes)
+    }
+
+    fn is_there(&self, hash: &str) -> Result<bool, StoreError> {
+        Ok(self.path(hash)?.exists())
+    }
+
+    fn count(&self) -> Result<u64, StoreError> {
+        let mut count = 0;
+        for folder in entries(&self.0)? {
+            if folder.is_dir() {
+                let files = entries(&folder)?;
+                let is_ours = |path: &&PathBuf| path.to_string_lossy().ends_with(ENDING);
+                count += files.iter().filter(is_ours).count() as u64;
+            }
+        }
+        Ok(count)
+    }
+
+    fn prepare(&self) -> Result<(), StoreError> {
+        fs::create_dir_all(&self.0).map_err(|why| told(&self.0, &why))?;
+        for path in entries(&self.0)? {
+            let is_part = path.to_string_lossy().ends_with(PART);
+            if is_part && fs::File::open(&path).is_ok_and(|file| file.try_lock().is_ok()) {
+                let _ = fs::remove_file(&path); // it stays where it may not be removed, and does no harm
+            }
+        }
+        Ok(())
+    }
+}
+
+fn entries(folder: &Path) -> Result<Vec<PathBuf>, StoreError> {
+    let read = match fs::read_dir(folder) {
+        Err(why) if why.kind() == ErrorKind::NotFound => return Ok(Vec::new()),
+        read => read.map_err(|why| told(folder, &why))?,
+    };
+    let path = |entry: std::io::Result<fs::DirEntry>| entry.map(|entry| entry.path());
+    read.map(path)
+        .collect::<Result<_, _>>()
+        .map_err(|why| told(folder, &why))
+}
+
+/// A name is on disk once its folder is.
+#[cfg(unix)]
+fn sync(folder: &Path) -> std::io::Result<()> {
+    fs::File::open(folder)?.sync_all()
+}
+
+#[cfg(not(unix))]
+fn sync(_folder: &Path) -> std::io::Result<()> {
+    Ok(())
+}

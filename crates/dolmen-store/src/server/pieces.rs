@@ -1,0 +1,133 @@
+//! Raw files as rows: compressed, in pieces, so that neither side holds more than one piece beside the file itself.
+
+use super::address::Address;
+use super::link::Link;
+use crate::database::{Access, Value};
+use crate::error::StoreError;
+use crate::raw::{Kept, RawFiles, hash_of_bytes, lost, packed, refuse_no_hash, unpacked};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
+
+/// Most bytes of a piece. Chosen here: a server holds a few copies of a value that it takes or gives, and refuses one of 1 GiB.
+const PIECE_BYTES_MOST: usize = 4 << 20;
+
+/// Raw files of a server, over a connection of their own: they are read while rows are, and kept before rows name them.
+#[derive(Debug)]
+pub(crate) struct Pieces(Mutex<Link>);
+
+impl Pieces {
+    pub(crate) fn new(address: &Address, access: Access, wait: Duration) -> Self {
+        Pieces(Mutex::new(Link::new(address, access, wait)))
+    }
+
+    fn link(&self) -> MutexGuard<'_, Link> {
+        let mut link = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        if link.is_in_transaction() {
+            link.leave();
+        }
+        link
+    }
+}
+
+fn pieces_of(link: &mut Link, hash: &str) -> Result<Option<i64>, StoreError> {
+    let mut pieces = None;
+    let named = [Value::Text(hash.to_owned())];
+    link.query(
+        "select pieces from raw_file where hash = $1",
+        &named,
+        &mut |row| {
+            if let [Value::Whole(number)] = row.as_slice() {
+                pieces = Some(*number);
+            }
+            Ok(())
+        },
+    )?;
+    Ok(pieces)
+}
+
+/// Whether it was not there before.
+fn put(link: &mut Link, hash: &str, packed: &[u8]) -> Result<bool, StoreError> {
+    let pieces = packed.chunks(PIECE_BYTES_MOST);
+    let head = [Value::Text(hash.to_owned()), Value::Whole(pieces.len() as i64)];
+    let sql = "insert into raw_file (hash, pieces) values ($1, $2) on conflict do nothing";
+    if link.execute(sql, &head)? == 0 {
+        return Ok(false);
+    }
+    for (at, piece) in pieces.enumerate() {
+        let sql = "insert into raw_piece (hash, position, bytes) values ($1, $2, $3)";
+        link.execute_with_bytes(sql, (hash, at as i64 + 1), piece)?;
+    }
+    Ok(true)
+}
+
+impl RawFiles for Pieces {
+    fn keep(&self, bytes: &[u8]) -> Result<Kept, StoreError> {
+        let hash = hash_of_bytes(bytes);
+        let kept = |is_new| Kept {
+            hash: hash.clone(),
+            bytes: bytes.len() as u64,
+            is_new,
+        };
+        let is_there = pieces_of(&mut self.link(), &hash)?.is_some();
+        if is_there {
+            return Ok(kept(false));
+        }
+        let packed = packed(bytes); // others may use the connection meanwhile
+        let mut link = self.link();
+        let put = link.begin("begin").and_then(|()| put(&mut link, &hash, &packed));
+        match put {
+            Ok(is_new) => link.end("commit").map(|()| kept(is_new)),
+            Err(fault) => {
+                let _ = link.end("rollback"); // the fault that came first is the one to tell
+                Err(fault)
+            }
+        }
+    }
+
+    fn read(&self, hash: &str, bytes: u64) -> Result<Vec<u8>, StoreError> {
+        refuse_no_hash(hash)?;
+        // bytes that do not compress grow by less than this
+        let most = bytes.saturating_add(bytes / 64).saturating_add(4096);
+        let mut packed = Vec::new();
+        let mut link = self.link();
+        let Some(pieces) = pieces_of(&mut link, hash)? else {
+            return Err(lost(hash));
+        };
+        let (named, mut found) = ([Value::Text(hash.to_owned())], 0);
+        let sql = "select bytes from raw_piece where hash = $1 order by position";
+        link.rows(sql, &named, &mut |row| {
+            let piece: &[u8] = row.try_get(0).map_err(|_| lost(hash))?;
+            found += 1;
+            packed.extend_from_slice(piece);
+            match packed.len() as u64 > most {
+                true => Err(lost(hash)),
+                false => Ok(()),
+            }
+        })?;
+        drop(link);
+        match found == pieces {
+            true => unpacked(&packed, hash, bytes),
+            false => Err(lost(hash)),
+        }
+    }
+
+    fn is_there(&self, hash: &str) -> Result<bool, StoreError> {
+        Ok(pieces_of(&mut self.link(), hash)?.is_some())
+    }
+
+    fn count(&self) -> Result<u64, StoreError> {
+        let mut count = 0;
+        self.link()
+            .query("select count(*) from raw_file", &[], &mut |row| {
+                if let [Value::Whole(number)] = row.as_slice() {
+                    count = u64::try_from(*number).unwrap_or(0);
+                }
+                Ok(())
+            })?;
+        Ok(count)
+    }
+
+    fn prepare(&self) -> Result<(), StoreError> {
+        Ok(()) // the tables are there, and what a process left in the making is rolled back
+    }
+}
