@@ -114,11 +114,9 @@ fn holds_a_follow_goes_on_when_the_server_was_restarted() {
         return;
     };
     let scratch = Scratch::new("server-restart");
-    let port = server.sql("postgres", "show port");
-    server.sql(
-        "postgres",
-        "create role kim login password 's3cr@t' createdb; create database gate owner kim",
-    );
+    let port = server.port();
+    server.sql("postgres", "create role kim login password 's3cr@t'");
+    server.sql("postgres", "create database gate owner kim");
     // over TCP, with a password
     let store = format!("--store postgresql://kim:s3cr%40t@127.0.0.1:{port}/gate");
     gate_in(&scratch, &store);

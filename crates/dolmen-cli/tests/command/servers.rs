@@ -15,6 +15,7 @@ const USER: &str = "postgres";
 pub(crate) struct Server {
     programs: PathBuf,
     folder: PathBuf,
+    port: u16,
     keeper: Mutex<Option<(Child, ChildStdin)>>,
 }
 
@@ -108,6 +109,7 @@ impl Server {
         Some(Server {
             programs,
             folder,
+            port,
             keeper: Mutex::new(Some((child, stdin))),
         })
     }
@@ -116,6 +118,11 @@ impl Server {
     pub(crate) fn shared() -> Option<&'static Server> {
         static SHARED: OnceLock<Option<Server>> = OnceLock::new();
         SHARED.get_or_init(|| Server::start("shared", None)).as_ref()
+    }
+
+    /// The port of its socket and of 127.0.0.1.
+    pub(crate) fn port(&self) -> u16 {
+        self.port
     }
 
     /// The folder of its socket.
@@ -140,7 +147,7 @@ impl Server {
                 "-h",
             ])
             .arg(&self.folder)
-            .args(["-c", statements])
+            .args(["-p", &self.port.to_string(), "-c", statements])
             .output()
             .unwrap();
         assert!(

@@ -115,8 +115,8 @@ messages! {
             ko: "서버가 {shown}의 접속을 거부한다. 사용자(role)나 비밀번호 또는 서버의 접속 규칙(pg_hba.conf)이 맞지 않는다. 비밀번호는 주소, PGPASSWORD 또는 ~/.pgpass 파일에 둔다.",
         },
         ServerPassword { shown: String } => {
-            en: "The server asks {shown} for a password and none is given: set PGPASSWORD, or write it into the file ~/.pgpass.",
-            ko: "서버가 {shown}의 비밀번호를 요구하는데 주어지지 않았다. PGPASSWORD를 설정하거나 ~/.pgpass 파일에 적는다.",
+            en: "The server asks {shown} for a password and none is given: set PGPASSWORD, or write it into the file ~/.pgpass, which only you may read (chmod 600).",
+            ko: "서버가 {shown}의 비밀번호를 요구하는데 주어지지 않았다. PGPASSWORD를 설정하거나 본인만 읽을 수 있는(chmod 600) ~/.pgpass 파일에 적는다.",
         },
         ServerDatabase { shown: String } => {
             en: "The server has no database {shown}: `createdb -O ROLE DATABASE` on the server makes it, the first `dolmen survey add` then makes the store in it.",
@@ -147,8 +147,8 @@ messages! {
             ko: "{shown}에 대한 연결이 작업 중에 끊어졌다. 저장했다고 알린 것은 모두 디스크에 있고, 진행 중이던 것은 전부 저장되었거나 전혀 저장되지 않았다. 다시 실행한다. 두 번 저장되지 않는다.",
         },
         ZeroByte { shown: String } => {
-            en: "\"{shown}\" holds a zero byte (NUL), which PostgreSQL cannot keep in text; nothing was stored. Take it out of the project file.",
-            ko: "\"{shown}\"에 NUL 바이트(값이 0인 바이트)가 있는데 PostgreSQL은 이를 텍스트로 저장할 수 없어 아무것도 저장하지 않았다. 프로젝트 파일에서 지운다.",
+            en: "\"{shown}\" holds a zero byte (NUL), which PostgreSQL cannot keep in text; nothing was stored. Take it out of the project or store that it comes from.",
+            ko: "\"{shown}\"에 NUL 바이트(값이 0인 바이트)가 있는데 PostgreSQL은 이를 텍스트로 저장할 수 없어 아무것도 저장하지 않았다. 그것이 든 프로젝트나 저장소에서 지운다.",
         },
         Failed { why: String } => {
             en: "The store cannot answer: {why}.",
