@@ -341,7 +341,8 @@ fn refuses_names_and_texts_of_strangers_as_statements_and_ways_out() {
         .map(|of| of["name"].as_str().unwrap())
         .collect();
     let mut given = hostile.to_vec();
-    (names.sort_unstable(), given.sort_unstable());
+    names.sort_unstable();
+    given.sort_unstable();
     assert_eq!(names, given);
     assert_eq!(
         server.sql(

@@ -421,3 +421,26 @@ fn holds_memory_stays_flat_however_many_surveys_are_listed() {
         "{few} KiB for 2,000 surveys, {many} KiB for 60,000"
     );
 }
+
+#[cfg(not(feature = "postgres"))]
+#[test]
+fn refuses_a_server_where_none_is_spoken() {
+    let scratch = Scratch::new("store-no-server");
+    for verb in [
+        "survey add none --store",
+        "survey import",
+        "watch --all --store",
+        "watch --follow none --store",
+    ] {
+        for (language, why) in [
+            ("en", "was built without PostgreSQL, so nothing was done"),
+            ("ko", "PostgreSQL 기능이 없어"),
+        ] {
+            let answer = scratch.briefly(&format!(
+                "{verb} postgresql://kim:s3cr3t@h/d --language {language}"
+            ));
+            refused(&answer, why);
+            assert!(!answer.stderr.contains("s3cr3t"), "{}", answer.stderr);
+        }
+    }
+}
