@@ -10,6 +10,9 @@ use dolmen_folder::{Found, Outputs};
 use dolmen_report::files::drawing_file;
 
 pub(crate) fn run(options: &Options, manner: &Manner) -> Result<Outcome> {
+    if manner.json {
+        return Err(CommandError::NoJsonOfDrawing.into());
+    }
     let found = Found::open(&options.project, manner.access())?;
     let outputs = Outputs::of(manner.access(), &found);
     if let Some(output) = &options.output {

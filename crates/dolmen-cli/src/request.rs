@@ -11,7 +11,7 @@ use dolmen_folder::Outputs;
 use dolmen_records::MOTION_BYTES_MOST;
 use dolmen_work::SimulateOptions;
 use dolmen_work::motion::{GivenFile, MotionRequest};
-use dolmen_work::stack::Law;
+use dolmen_work::stack::{Law, Repeating};
 use std::path::Path;
 
 /// The motion that was asked for, its files read.
@@ -89,7 +89,9 @@ pub(crate) fn simulation(options: &Simulate, manner: &Manner) -> Result<Simulate
         output_step_s: options.output_step,
         to_the_end: options.to_the_end,
         however_long: manner.yes,
-        repeats: usize::from(options.repeats),
+        repeats: options
+            .repeats
+            .map_or(Repeating::QUICK, |times| Repeating::Times(times.into())),
         // numbers alone are of one run
         compare: options.output.is_some() || !manner.json,
         keep: options.output.is_some(),

@@ -66,7 +66,7 @@ pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<O
         let language = manner.language();
         let outputs = keeping_motion(Outputs::of(manner.access(), &found), &options.motion.motion_file);
         for simulation in &answer.simulations {
-            outputs.folder(folder, &simulation_files(simulation, language)?)?;
+            outputs.folder(folder, &simulation_files(simulation, &answer.evidence, language)?)?;
         }
         if !manner.quiet {
             let folder = folder.display().to_string();
@@ -90,10 +90,14 @@ fn answer_json(answer: &SimulateAnswer) -> Value {
     match answer.simulations.as_slice() {
         [] => json!({ "simulations": [] }),
         [Simulation::Frame(_), ..] => {
-            let all: Vec<Value> = answer.simulations.iter().map(simulation_value).collect();
+            let all: Vec<Value> = answer
+                .simulations
+                .iter()
+                .map(|run| simulation_value(run, &answer.evidence))
+                .collect();
             json!({ "simulations": all })
         }
-        [one, ..] => simulation_value(one),
+        [one, ..] => simulation_value(one, &answer.evidence),
     }
 }
 

@@ -11,11 +11,11 @@ use crate::wrong::{CommandError, Noted};
 use crate::{signals, tools};
 use anyhow::{Context as _, Result};
 use dolmen_folder::{Found, StudyFolder, shard};
-use dolmen_report::doubtful_text;
+use dolmen_report::against_text;
 use dolmen_report::json::{missing_json, shard_json, study_json};
 use dolmen_report::text::{missing_text, shard_text, study_text};
-use dolmen_work::FlagVerb;
 use dolmen_work::study::{self, Plan, Run, merged, studies};
+use dolmen_work::{FlagVerb, evidence_of};
 use std::path::PathBuf;
 
 pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<Outcome> {
@@ -44,7 +44,11 @@ fn each(
     typed.refuse_foreign(FlagVerb::Study, &[&found.opened.project])?;
     let meant = studies(&found.opened, &place.study)?;
     if !manner.json {
-        say(&doubtful_text(&found.opened.project, manner.style()))?;
+        say(&against_text(
+            &found.opened.project,
+            &evidence_of(&found.opened)?,
+            manner.style(),
+        ))?;
     }
     let mut worst = Ok(Outcome::Done);
     for study in meant {

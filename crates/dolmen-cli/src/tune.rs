@@ -10,12 +10,12 @@ use crate::wrong::Noted;
 use anyhow::Result;
 use dolmen::damper::Goal;
 use dolmen_folder::{Found, Outputs};
-use dolmen_report::doubtful_text;
+use dolmen_report::against_text;
 use dolmen_report::files::tune_files;
 use dolmen_report::json::{together_json, tune_json};
 use dolmen_report::text::{together_text, tune_text};
-use dolmen_work::FlagVerb;
 use dolmen_work::building::{TuneLoad, TuneOptions, tune};
+use dolmen_work::{FlagVerb, evidence_of};
 use serde_json::json;
 
 fn options_of(options: &Options) -> TuneOptions {
@@ -55,7 +55,11 @@ pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<O
         let of_all: Vec<_> = answers.together.iter().map(together_json).collect();
         say_json(&json!({ "dampers": each, "together": of_all }))?;
     } else {
-        say(&doubtful_text(&found.opened.project, manner.style()))?;
+        say(&against_text(
+            &found.opened.project,
+            &evidence_of(&found.opened)?,
+            manner.style(),
+        ))?;
         for answer in &answers.tunings {
             say(&tune_text(answer, manner.style()))?;
         }

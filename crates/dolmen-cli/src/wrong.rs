@@ -58,6 +58,7 @@ pub(crate) enum CommandError {
         allow(dead_code, reason = "only a build without PDF says it")
     )]
     NoPdf,
+    NoJsonOfDrawing,
     NoMotionToChange,
     NoEffect {
         flag: &'static str,
@@ -93,6 +94,10 @@ sentences! {
         StoreIsServer => {
             en: "-o takes a new file for a whole store: `dolmen survey import STORE --store postgresql://…` takes a store over into a database",
             ko: "저장소 전체를 내보내는 -o에는 새 파일을 지정한다. 데이터베이스로 옮기려면 `dolmen survey import STORE --store postgresql://…`을 쓴다",
+        },
+        NoJsonOfDrawing => {
+            en: "a drawing is an SVG and has no JSON: leave --json out; `dolmen check --json` has the structure's numbers",
+            ko: "도면은 SVG이며 JSON이 없다. --json을 뺀다. 구조물의 수치는 `dolmen check --json`에 있다",
         },
         NoMotion => { en: "no motion is given to write", ko: "쓸 지반운동이 없다" },
         NoPlaneMotion => {

@@ -84,7 +84,7 @@ pub use safe_text::texts;
 pub use schema::json_schema;
 pub use site::{HazardPart, HazardSource, MotionPart, MotionSize, MotionSource, Place, SitePart};
 pub use stack::{
-    ArchPart, BedPart, BlockPart, ContactPart, MadePart, MeshPart, OpeningPart, PagodaPart,
+    ArchPart, BedPart, BlockPart, ContactPart, JointDefaults, MadePart, MeshPart, OpeningPart, PagodaPart,
     PagodaSlendernessPart, PointsFrame, ShapePart, SideSupportPart, StackFault, StackPart, StoneWallPart,
     SupportMovementPart, SurveyedLean, TiePart, TopPart,
 };

@@ -39,8 +39,8 @@ messages! {
             ko: "columns(기둥): 자립 기둥의 복원력은 `dolmen check`에서만 계산한다. simulate와 study는 층강성과 마찰만으로 거동을 해석하며 기둥의 복원모멘트를 반영하지 않는다",
         },
         JointDefaults { taken: String } => {
-            en: "joint does not say everything; Dolmen's own values are taken, and assumed: {taken} (friction acts in the limits; stiffness and damping only in motion)",
-            ko: "접합면(joint) 물성 일부가 주어지지 않아 Dolmen의 기본값으로 가정하였다: {taken} (마찰은 한계에 작용하며 강성과 감쇠는 지진응답에만 작용한다)",
+            en: "joint does not say everything; Dolmen's own values are taken, and assumed: {taken} (friction acts in the limits; stiffness and damping in frequencies, in the demand on elastic joints and in motion)",
+            ko: "접합면(joint) 물성 일부가 주어지지 않아 Dolmen의 기본값으로 가정하였다: {taken} (마찰은 한계에, 강성과 감쇠는 고유진동수·탄성 접합면의 요구 수준·지진응답에 작용한다)",
         },
         TiltOnParts { survey: String } => {
             en: "the tilt of survey {survey} is not added to the model: its blocks carry their own tilt, offset or place",

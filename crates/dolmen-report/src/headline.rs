@@ -66,6 +66,15 @@ messages! {
             en: "{word} (the bed below ‘{part}’ is not known)",
             ko: "{word}(‘{part}’ 하부 접합면의 폭 미상)",
         },
+        WordStoodOnEdge { word: Both, part: String } => {
+            en: "{word} (a bed stood on its edge: {part})",
+            ko: "{word}(접합면이 모서리로 지지됨: {part})",
+        },
+        WordBeforeMoved { word: Both, ratio: Quantity } => {
+            en: "{word} ({ratio} before its supports moved)",
+            ko: "{word}(지점 이동 전 {ratio})",
+        },
+        WordMoved { word: Both } => { en: "{word} (its supports moved)", ko: "{word}(지점 이동)" },
         WordNoStiffness { word: Both } => { en: "{word} (the stiffness is not known)", ko: "{word}(강성 미상)" },
         WordNoStiffnessIn { word: Both, direction: String } => {
             en: "{word} (the stiffness of direction {direction} is not known)",
@@ -85,6 +94,15 @@ messages! {
         },
         WordOpen { word: Both } => { en: "{word} (the run is not whole)", ko: "{word}(해석 미완료)" },
         Alarm => { en: "over the years: an open alarm, or a tilt or crack beyond its limit", ko: "경년 변화: 조치되지 않은 경보가 있거나 기울기·균열이 한계를 넘음" },
+        TiltLeftOut { survey: String, tilt: String } => {
+            en: "not in it: tilt {tilt} of survey {survey}",
+            ko: "{survey} 조사의 기울기 {tilt} 미반영",
+        },
+        TiltBeyondLimit => { en: "Tilt: beyond its limit", ko: "기울기: 한계 초과" },
+        AsSurveyed { survey: String, tilt: String } => {
+            en: "leaning as surveyed ({survey}: {tilt})",
+            ko: "실측 기울기 반영({survey} 조사: {tilt})",
+        },
         Assumed { assumed: usize, all: usize } => {
             en: "assumed inputs: {assumed} of {all}",
             ko: "가정한 입력: {all}개 중 {assumed}개",
@@ -128,7 +146,11 @@ fn parts(judged: &VersionJudgement) -> Vec<Sentence> {
     let mut all = Vec::new();
     let contradicted = match &judged.evidence {
         Evidence::Contradicted(of) => Some(contradicted(of)),
-        Evidence::Agrees { .. } | Evidence::NotCompared { .. } | Evidence::NotMeasured { .. } => None,
+        Evidence::Agrees { .. }
+        | Evidence::TooRough(_)
+        | Evidence::Unread { .. }
+        | Evidence::NotCompared { .. }
+        | Evidence::NotMeasured { .. } => None,
     };
     let is_unknown = matches!(judged.weight, Some(Weight::Unknown { .. }));
     all.extend(
@@ -138,6 +160,7 @@ fn parts(judged: &VersionJudgement) -> Vec<Sentence> {
     );
     all.extend(earthquake(judged));
     all.extend(wind(judged));
+    all.extend(judged.tilt_beyond_limit.then(|| Headline::TiltBeyondLimit.into()));
     match (contradicted, &judged.evidence) {
         // said beside the weight
         (Some(_), _) if is_unknown && judged.governed_by.is_none() => {}
@@ -155,6 +178,14 @@ fn parts(judged: &VersionJudgement) -> Vec<Sentence> {
         ),
         (None, _) => {}
     }
+    all.extend(judged.tilt_left_out.clone().map(|of| {
+        let (survey, tilt) = (of.survey, of.written);
+        Headline::TiltLeftOut { survey, tilt }.into()
+    }));
+    all.extend(judged.leans.clone().map(|of| {
+        let (survey, tilt) = (of.survey, of.tilt);
+        Headline::AsSurveyed { survey, tilt }.into()
+    }));
     if judged.inputs.assumed > 0 {
         let (assumed, inputs) = (judged.inputs.assumed, judged.inputs.all);
         all.push(Headline::Assumed { assumed, all: inputs }.into());
@@ -287,6 +318,15 @@ fn word(of: &EarthquakeFinding) -> Headline {
             ratio: ratio(known),
         },
         (DecidedBy::Contradicted, _) => Headline::WordContradicted { word },
+        (DecidedBy::StoodOnEdge, _) => Headline::WordStoodOnEdge {
+            word,
+            part: of.part.clone().unwrap_or_default(),
+        },
+        (DecidedBy::SupportsMoved, Some(known)) if known.is_finite() => Headline::WordBeforeMoved {
+            word,
+            ratio: ratio(known),
+        },
+        (DecidedBy::SupportsMoved, _) => Headline::WordMoved { word },
         (DecidedBy::DoesNotStand, _) => Headline::WordDoesNotStand { word },
         (DecidedBy::Unfinished, _) => Headline::WordOpen { word },
         (DecidedBy::Room, Some(of_room)) => Headline::WordRoom {
@@ -340,6 +380,9 @@ mod tests {
                 computed_hz: 0.233,
             }),
             demand_source: Some(("KDS".into(), Some(2400))),
+            tilt_left_out: None,
+            tilt_beyond_limit: false,
+            leans: None,
             inputs: AssumedInputs { assumed: 3, all: 12 },
         }
     }

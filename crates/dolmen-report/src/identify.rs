@@ -31,7 +31,7 @@ pub fn identification_text(answer: &IdentifyAnswer, style: TextStyle) -> String 
         let nothing = Sentence::from(nothing).text(style.language);
         out += &wrapped(&nothing, "", "", style.columns());
     }
-    let mut all: Vec<Finding> = answer.surveys.iter().flat_map(modal::findings).collect();
+    let mut all = modal::findings(&answer.surveys);
     all.extend(identification::findings(&answer.project, &answer.surveys));
     if can_be_written(answer) && answer.project.identified_from().is_empty() {
         all.push(Finding::key(Tone::Plain, identification::Written::CanBe));

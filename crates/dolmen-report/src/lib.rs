@@ -50,7 +50,7 @@ mod watch;
 mod whole;
 pub mod xlsx;
 
-pub use check::{check_text, doubtful_text};
+pub use check::{against_text, check_text};
 pub use document::TextStyle;
 pub use headline::simulation_headline_text;
 pub use identification::written_back_text;

@@ -20,7 +20,7 @@ pub(crate) fn all_findings(answer: &ProjectReport) -> Vec<Finding> {
     all.extend(chain::simulation_findings(&answer.chain_simulations()));
     all.extend(tune::findings(&answer.tunings(), &answer.together()));
     all.extend(building_simulation::findings(&answer.building_simulations()));
-    all.extend(answer.surveys().iter().flat_map(modal::findings));
+    all.extend(modal::findings(answer.surveys()));
     all.extend(answer.change().into_iter().flat_map(change::findings));
     all.extend(answer.watch().into_iter().flat_map(watch::findings));
     all.extend(identification::findings(&answer.project, answer.surveys()));

@@ -3,7 +3,7 @@
 use crate::answer::CheckAnswer;
 use crate::demand;
 use crate::error::{Within as _, WorkError};
-use crate::judgement::{MeasuredFrequency, measured_frequencies};
+use crate::judgement::{measured_frequencies, superseded_by};
 use crate::kinds;
 use crate::opened::Opened;
 use crate::state::{Check, FrequencyContradiction, Sampled, SensitivityOf, State, TiltCheck, VariantAnswer};
@@ -149,16 +149,17 @@ fn tilts(project: &Project, check: &Check) -> Vec<TiltCheck> {
 
 /// Where the lowest measured frequency of a direction and that of the model differ too much to be of one structure.
 fn contradictions(project: &Project, state: &State) -> Vec<FrequencyContradiction> {
-    let differing = measured_frequencies(&project.surveys, &state.check).into_iter();
-    differing
-        .filter(MeasuredFrequency::differs)
-        .map(|of| FrequencyContradiction {
-            survey: of.survey,
-            direction: of.direction,
-            measured_hz: of.measured_hz,
-            computed_hz: of.computed_hz,
-        })
-        .collect()
+    let all = measured_frequencies(&project.surveys, &state.check);
+    let differing = all.iter().filter(|of| of.differs());
+    let contradictions = differing.map(|of| FrequencyContradiction {
+        survey: of.survey.clone(),
+        direction: of.direction.clone(),
+        measured_hz: of.measured_hz,
+        computed_hz: of.computed_hz,
+        is_too_rough: of.is_too_rough(),
+        superseded_by: superseded_by(project, &all, of),
+    });
+    contradictions.collect()
 }
 
 /// The load factor of a chain without friction, or a frame, that falls under its own weight; `None` if it stands, or that is not known.

@@ -8,8 +8,8 @@ use crate::loads::LoadsAnswer;
 use crate::motion::MotionAnswer;
 use crate::progress::Progress;
 use crate::simulation::Simulation;
-use crate::stack::Law;
 use crate::stack::simulate::{Shaken, StackOptions};
+use crate::stack::{Law, Repeating};
 use crate::state::{Check, SensitivityOf, SpringFit, TiltCheck};
 use crate::stiffness::MeasuredDirection;
 use crate::surveyed::StiffnessAnswer;
@@ -168,9 +168,6 @@ pub(crate) fn can_move(project: &Project) -> bool {
 /// Time between the samples of histories in a report, s.
 const REPORT_STEP_S: f64 = 0.01;
 
-/// Runs of a stack in a report, each but the first with small differences. Chosen here.
-const REPORT_REPEATS: usize = 8;
-
 /// A version under a motion as a report shows it.
 pub(crate) fn simulated_for_report(
     version: &Version<'_>,
@@ -209,7 +206,7 @@ pub(crate) fn simulated_for_report(
                 output_step_s: REPORT_STEP_S,
                 to_the_end: false,
                 however_long: false,
-                repeats: REPORT_REPEATS,
+                repeats: Repeating::WHOLE,
             };
             match stack::simulate::simulate(version, part, motion, &how, progress)? {
                 Shaken::Simulated(run) => vec![Simulation::Stack(run)],

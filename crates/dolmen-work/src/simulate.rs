@@ -10,8 +10,8 @@ use crate::motion::{MotionAnswer, MotionRequest, prepared};
 use crate::opened::Opened;
 use crate::progress::Progress;
 use crate::simulation::{SimulateAnswer, Simulation};
-use crate::stack::Law;
 use crate::stack::simulate::{Shaken, StackOptions};
+use crate::stack::{Law, Repeating};
 use crate::version::Version;
 use crate::{building, chain, frame, stack};
 use dolmen::blocks::ContactRule;
@@ -47,7 +47,7 @@ pub struct SimulateOptions {
     /// Whether a run of very many steps or samples is computed all the same.
     pub however_long: bool,
     /// How often a stack is run in all, each but the first with small differences.
-    pub repeats: usize,
+    pub repeats: Repeating,
     /// Whether a building is also run without its dampers.
     pub compare: bool,
     /// Whether every history of a building is kept.
@@ -69,7 +69,7 @@ impl Default for SimulateOptions {
             output_step_s: 0.01,
             to_the_end: false,
             however_long: false,
-            repeats: 1,
+            repeats: Repeating::QUICK,
             compare: true,
             keep: true,
         }
@@ -109,15 +109,25 @@ pub fn prepare<'a>(
     })
 }
 
+/// What the surveys of a project say of its model as it is.
+///
+/// # Errors
+/// A structure that cannot be built.
+pub fn evidence_of(opened: &Opened) -> Result<Evidence, WorkError> {
+    evidence(&opened.project, None)
+}
+
 /// What the surveys say of the model; nothing of a variant, nor where none measured a frequency.
-fn evidence(version: &Version<'_>) -> Result<Evidence, WorkError> {
-    let surveys = &version.project.surveys;
-    let is_measured = surveys.iter().any(|survey| !survey.modes.is_empty());
-    if version.variant.is_some() || !is_measured {
+pub(crate) fn evidence(project: &Project, variant: Option<&str>) -> Result<Evidence, WorkError> {
+    let surveys = &project.surveys;
+    let is_measured = surveys
+        .iter()
+        .any(|survey| !survey.modes.is_empty() || survey.records.is_some() || !survey.setups.is_empty());
+    if variant.is_some() || !is_measured {
         return Ok(Evidence::none());
     }
-    let check = kinds::check(version.project, &mut Quantity::nominal)?;
-    Ok(check.map_or_else(Evidence::none, |check| Evidence::of(version.project, &check)))
+    let check = kinds::check(project, &mut Quantity::nominal)?;
+    Ok(check.map_or_else(Evidence::none, |check| Evidence::of(project, &check)))
 }
 
 impl PreparedSimulation<'_> {
@@ -146,7 +156,7 @@ impl PreparedSimulation<'_> {
             simulations: Vec::new(),
             variant: version.variant.map(str::to_owned),
             does_not_stand: None,
-            evidence: evidence(&version)?,
+            evidence: evidence(version.project, version.variant)?,
         };
         match (&version.project.structure, motion) {
             (Structure::Survey, _) => return Err(WorkError::SurveySimulated),

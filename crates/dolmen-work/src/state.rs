@@ -119,6 +119,10 @@ pub struct FrequencyContradiction {
     pub measured_hz: f64,
     /// Lowest frequency of the model, Hz.
     pub computed_hz: f64,
+    /// Three standard deviations of the measurement reach the model's frequency: it is too rough to tell.
+    pub is_too_rough: bool,
+    /// The later survey that measured this direction too, and decides.
+    pub superseded_by: Option<String>,
 }
 
 impl FrequencyContradiction {

@@ -1,6 +1,7 @@
 //! A measured tilt that a run does not start from.
 
-use dolmen_project::Survey;
+use crate::survey_dates::date;
+use dolmen_project::{Project, Structure, Survey, WarningKind, WorkKind};
 
 /// A tilt that was measured and is not in the model.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -11,7 +12,64 @@ pub struct TiltLeftOut {
     pub written: String,
 }
 
+/// Slope from which a tilt that is left out stands in the headline: 1/100, which storeys of timber and masonry have by their making. Chosen here.
+const SLOPE_SAID: f64 = 0.01;
+
 impl TiltLeftOut {
+    /// A tilt that counts and that the model of a project does not have: storeys start plumb, stones that carry tilts or offsets of their own
+    /// keep them, and of several surveys the last decides, also where an earlier one alone measured a direction and nothing was repaired since. What
+    /// `as_surveyed` leaves out is left out on purpose.
+    pub(crate) fn of_model(project: &Project) -> Option<Self> {
+        let is_left_out = match &project.structure {
+            Structure::Stack(_) => project
+                .warnings
+                .iter()
+                .any(|warning| warning.kind == WarningKind::SurveyTilt),
+            Structure::Frame(_) | Structure::Building(_) => true,
+            // its beds are checked against its tilt
+            Structure::Chain(_) => false,
+            Structure::Survey => return None,
+        };
+        let leans_as = match &project.structure {
+            Structure::Stack(part) => part.lean.as_ref().map(|lean| &lean.survey),
+            Structure::Chain(part) => part.lean.as_ref().map(|lean| &lean.survey),
+            _ => None,
+        };
+        let mut tilted = project.surveys.iter().filter(|survey| !survey.tilt.is_empty());
+        if is_left_out {
+            let last = tilted.next_back()?;
+            return Self::of_directions(last, |_| true);
+        }
+        let used = tilted.clone().find(|survey| Some(&survey.name) == leans_as)?;
+        let when = date(&used.name)?;
+        let is_repaired = |day: [u32; 3]| {
+            let mut works = project
+                .watch
+                .works
+                .iter()
+                .filter(|work| work.kind == WorkKind::Repair);
+            works.any(|work| date(&work.date).is_some_and(|of| of >= day && of <= when))
+        };
+        let earlier =
+            tilted.filter(|survey| date(&survey.name).is_some_and(|day| day < when && !is_repaired(day)));
+        let mut found: Vec<Self> = earlier
+            .filter_map(|survey| Self::of_directions(survey, |own| !used.tilt.contains_key(own)))
+            .collect();
+        found.pop()
+    }
+
+    /// The tilt of a survey in some of its directions, if it counts.
+    fn of_directions(survey: &Survey, is_meant: impl Fn(&str) -> bool) -> Option<Self> {
+        let each = || survey.tilt.iter().filter(|(direction, _)| is_meant(direction));
+        let squares = each().map(|(_, tilt)| tilt.ratio * tilt.ratio);
+        let counts = squares.sum::<f64>().sqrt() >= SLOPE_SAID;
+        let written = each().map(|(direction, tilt)| format!("{direction} {}", tilt.written));
+        counts.then(|| TiltLeftOut {
+            survey: survey.name.clone(),
+            written: written.collect::<Vec<_>>().join(", "),
+        })
+    }
+
     /// That of the last survey that states any.
     pub(crate) fn of(surveys: &[Survey]) -> Option<Self> {
         let survey = surveys.iter().rev().find(|survey| !survey.tilt.is_empty())?;

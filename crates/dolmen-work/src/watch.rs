@@ -4,6 +4,7 @@ use crate::change_fault::ChangeFault;
 use crate::compare::surveyed;
 use crate::days::{Days, days};
 use crate::error::WorkError;
+use crate::judgement::tilt_beyond_limit;
 use crate::left_out::found_without;
 use crate::logs::Logs;
 use crate::opened::Opened;
@@ -142,7 +143,9 @@ fn watch_surveys(
     let with_modes = kept.iter().filter(|survey| !survey.modes.is_empty()).count();
     let with_tilts = kept.iter().filter(|survey| !survey.tilts.is_empty()).count();
     let are_too_few = with_modes.max(with_tilts) < SURVEYS_LEAST;
-    if are_too_few && !logs.are_watched() {
+    // one tilt is enough to be beyond its limit
+    let is_beyond = tilt_beyond_limit(project).is_some();
+    if are_too_few && !logs.are_watched() && !is_beyond {
         return Err(ChangeFault::TooFewToWatch {
             given: with_modes.max(with_tilts),
             least: SURVEYS_LEAST,

@@ -1,5 +1,6 @@
 //! What a history of surveys says.
 
+use crate::judgement::tilt_beyond_limit;
 use crate::sensor_alarms::SensorAlarm;
 use crate::watched_log::WatchedLog;
 use dolmen::monitoring::{ANSWERED_DAYS, Track, Watched};
@@ -152,7 +153,16 @@ impl WatchAnswer {
                 }
             }
         }
-        leans.into_iter().map(|(lean, _)| lean).collect()
+        // too few surveys for a trend
+        let alone = tilt_beyond_limit(&self.project).filter(|_| self.watched.tilts.is_empty());
+        let alone = alone.map(|beyond| LeanNow {
+            datum: None,
+            directions: beyond.directions,
+            size: beyond.tilt,
+            limit: Some(beyond.limit),
+            years: None,
+        });
+        leans.into_iter().map(|(lean, _)| lean).chain(alone).collect()
     }
 }
 

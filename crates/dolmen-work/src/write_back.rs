@@ -81,7 +81,9 @@ fn of_survey(project: &Project, survey: &SurveyAnswer) -> Vec<(String, NewValue)
 /// The numbers of the one solution; `None` where there are several, or it is known only between bounds.
 fn one_solution(answer: &StiffnessAnswer, unit: &'static str, survey: &str) -> Option<Vec<IdentifiedNumber>> {
     let found = &answer.solutions;
-    let one = found.solutions.first().filter(|_| found.choice == Choice::One)?;
+    // a peak below the modes that is none of them may be the first one: then every stiffness is wrong
+    let is_chosen = found.choice == Choice::One && answer.peaks_below_hz.is_empty();
+    let one = found.solutions.first().filter(|_| is_chosen)?;
     let each = one.stiffness.iter().enumerate();
     let numbers = each.map(|(part, value)| IdentifiedNumber {
         value: *value,

@@ -63,6 +63,7 @@ mod store_strangers;
 mod stores;
 mod studies;
 mod supply;
+mod surfaces;
 mod surveyed_lean;
 mod training;
 mod tunings;

@@ -25,7 +25,7 @@ pub(crate) use file::{
 };
 pub(crate) use lean::lean;
 pub use part::{
-    ArchPart, BedPart, BlockPart, ContactPart, MadePart, MeshPart, OpeningPart, PagodaPart,
+    ArchPart, BedPart, BlockPart, ContactPart, JointDefaults, MadePart, MeshPart, OpeningPart, PagodaPart,
     PagodaSlendernessPart, PointsFrame, ShapePart, SideSupportPart, StackPart, StoneWallPart,
     SupportMovementPart, TiePart, TopPart,
 };

@@ -3,7 +3,7 @@
 use super::surveyed_lean::SurveyedLean;
 use crate::loads::LoadPart;
 use crate::quantity::{Evidence, Quantity};
-use dolmen::structure::stack::{Body, Solid};
+use dolmen::structure::stack::{Body, JointMaterial, Solid};
 
 /// The shape of a block as the file gives it.
 #[derive(Clone, Debug, PartialEq)]
@@ -191,6 +191,32 @@ pub struct BedPart {
     pub restitution: Option<Quantity>,
 }
 
+/// Dolmen's own values of joints, where a file gives none.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct JointDefaults {
+    /// Friction coefficient.
+    pub friction: Option<f64>,
+    /// Normal stiffness per area, Pa/m.
+    pub normal_stiffness_pa_m: Option<f64>,
+    /// Shear stiffness per area, Pa/m.
+    pub shear_stiffness_pa_m: Option<f64>,
+    /// Dashpots as a fraction of critical damping.
+    pub damping_ratio: Option<f64>,
+}
+
+impl JointDefaults {
+    /// How many they are.
+    pub fn count(&self) -> usize {
+        let all = [
+            self.friction,
+            self.normal_stiffness_pa_m,
+            self.shear_stiffness_pa_m,
+            self.damping_ratio,
+        ];
+        all.iter().flatten().count()
+    }
+}
+
 /// One block as the file gives it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BlockPart {
@@ -316,6 +342,23 @@ impl StackPart {
         let blocks = self.blocks.iter().map(|block| &block.joint);
         let mut own = blocks.chain(self.contacts.iter().map(|contact| &contact.joint));
         is_measured(&self.joint) == Some(true) && own.all(|bed| is_measured(bed) != Some(false))
+    }
+
+    /// What neither `joint` nor every block says of its joints, so that Dolmen's own values are taken for it: assumed, all of them.
+    pub fn joint_defaults(&self) -> JointDefaults {
+        let is_given = |key: fn(&BedPart) -> &Option<Quantity>| {
+            let blocks = &self.blocks;
+            let own = !blocks.is_empty() && blocks.iter().all(|block| key(&block.joint).is_some());
+            key(&self.joint).is_some() || own
+        };
+        let usual = JointMaterial::default();
+        let taken = |is_given: bool, value: f64| (!is_given).then_some(value);
+        JointDefaults {
+            friction: taken(is_given(|bed| &bed.friction), usual.friction_static),
+            normal_stiffness_pa_m: taken(is_given(|bed| &bed.normal_stiffness), usual.normal_stiffness_pa_m),
+            shear_stiffness_pa_m: taken(is_given(|bed| &bed.shear_stiffness), usual.shear_stiffness_pa_m),
+            damping_ratio: taken(is_given(|bed| &bed.damping_ratio), usual.damping_ratio),
+        }
     }
 
     /// Whether its blocks carry their own tilt, offset or coordinates, so that a surveyed tilt is not added to them.

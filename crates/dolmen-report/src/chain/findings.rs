@@ -75,11 +75,12 @@ messages! {
 pub(crate) fn findings(check: &ChainCheck) -> Vec<Finding> {
     let mut all = vec![stands(check)];
     all.extend(check.stability.as_ref().and_then(weakest));
-    all.push(published(&check.limits));
-    all.push(buckling(&check.limits));
     all.extend(passes_published(check));
     all.push(lowest_mode(check));
     all.extend(super::one_stone::finding(check));
+    // criteria of others, which decide nothing here
+    all.push(published(&check.limits));
+    all.push(buckling(&check.limits));
     all.extend(centroids(check));
     all
 }
@@ -118,7 +119,7 @@ fn published(limits: &ChainLimits) -> Finding {
     let least = limits.published_eigenvalues_n_m_rad.first();
     match limits.published_critical_n_m_rad.len() < 2 || least.copied().unwrap_or(0.0) >= 0.0 {
         true => Finding::new(Tone::Plain, Found::SingleJoint),
-        false => Finding::new(Tone::Bad, why_unsafe(limits)).with_code("unsafe-criterion"),
+        false => Finding::new(Tone::Plain, why_unsafe(limits)).with_code("unsafe-criterion"),
     }
 }
 
@@ -136,7 +137,7 @@ pub(super) fn why_unsafe(limits: &ChainLimits) -> Sentence {
 fn buckling(limits: &ChainLimits) -> Finding {
     let factor = Quantity::beside_one(limits.published_buckling_factor, 4);
     match limits.published_buckling_factor > 1.0 {
-        true => Finding::new(Tone::Bad, Found::BucklingTooLow { factor }),
+        true => Finding::new(Tone::Plain, Found::BucklingTooLow { factor }),
         false => Finding::new(Tone::Plain, Found::BucklingEnough { factor }),
     }
 }

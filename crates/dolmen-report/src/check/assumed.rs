@@ -3,9 +3,9 @@
 use super::variants::title;
 use crate::document::{Finding, Tone};
 use crate::html::words::input_words;
-use dolmen_project::{Cap, Project, Quantity, Structure};
+use dolmen_project::{Cap, Project, Quantity as Input, Structure};
 use dolmen_words::message::Both;
-use dolmen_words::{Sentence, messages};
+use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::answer::CheckAnswer;
 use dolmen_work::state::VariantAnswer;
 
@@ -57,6 +57,14 @@ messages! {
             ko: "대안 ‘{variant}’의 모든 결과는 실측이 아닌 가정값에 의존한다: {inputs}.",
         },
         Input { input: Both, written: String } => { en: "{input} {written}", ko: "{input} {written}" },
+        Defaults { values: Vec<Sentence> } => {
+            en: "Not given for the joints, and taken by Dolmen, which is assumed: {values}. Give them in `joint`.",
+            ko: "접합면에 주어지지 않아 기본값으로 가정하였다: {values}. joint에 주어야 한다.",
+        },
+        Friction { value: Quantity } => { en: "friction {value}", ko: "마찰계수 {value}" },
+        NormalStiffness { value: Quantity } => { en: "normal stiffness {value}", ko: "수직강성 {value}" },
+        ShearStiffness { value: Quantity } => { en: "shear stiffness {value}", ko: "전단강성 {value}" },
+        DampingRatio { value: Quantity } => { en: "damping ratio {value}", ko: "감쇠비 {value}" },
         CapLeftOut => {
             en: "The part at the very top (cap stone) is left out of the model: the true limits are higher and the true margins lower than stated.",
             ko: "최상부 부재(옥개석)가 모델에서 제외되었다. 실제 한계 강성은 여기 값보다 크고 실제 여유도는 작다.",
@@ -90,6 +98,7 @@ pub(super) fn findings(answer: &CheckAnswer) -> Vec<Finding> {
         all.push(Finding::new(Tone::Warn, said));
     }
     all.extend(of_project(project));
+    all.extend(defaults(project));
     all.extend(
         answer
             .variants
@@ -99,12 +108,41 @@ pub(super) fn findings(answer: &CheckAnswer) -> Vec<Finding> {
     all
 }
 
+/// What Dolmen takes for joints of stones where the file gives nothing.
+fn defaults(project: &Project) -> Option<Finding> {
+    let Structure::Stack(part) = &project.structure else {
+        return None;
+    };
+    let taken = part.joint_defaults();
+    let bare = |value: f64| Quantity::new(value, Unit::ratio(), Digits::Trimmed(3));
+    let stiffness = |value: f64| Quantity::new(value, Unit::si("Pa/m"), Digits::Significant(2));
+    let each = [
+        taken
+            .friction
+            .map(|value| Assumed::Friction { value: bare(value) }),
+        taken.normal_stiffness_pa_m.map(|value| Assumed::NormalStiffness {
+            value: stiffness(value),
+        }),
+        taken.shear_stiffness_pa_m.map(|value| Assumed::ShearStiffness {
+            value: stiffness(value),
+        }),
+        taken
+            .damping_ratio
+            .map(|value| Assumed::DampingRatio { value: bare(value) }),
+    ];
+    let values: Vec<Sentence> = each.into_iter().flatten().map(Sentence::from).collect();
+    // limits rest on friction, an earthquake on stiffness
+    let is_key = taken.friction.is_some() || taken.normal_stiffness_pa_m.is_some();
+    let finding = Finding::key(Tone::Warn, Assumed::Defaults { values }).with_code("assumed-input");
+    (taken.count() > 0).then_some(Finding { is_key, ..finding })
+}
+
 /// Of the project as it is; `None` if nothing is assumed.
 pub(crate) fn of_project(project: &Project) -> Option<Finding> {
-    let assumed: Vec<&Quantity> = project.inputs().into_iter().filter(|q| q.is_assumed()).collect();
-    let is_stiffness = |q: &&Quantity| q.path.ends_with("stiffness") || q.path.contains("stiffness[");
-    let is_damping = |q: &&Quantity| q.path.contains("damping");
-    let count = |which: &dyn Fn(&&Quantity) -> bool| assumed.iter().copied().filter(|q| which(q)).count();
+    let assumed: Vec<&Input> = project.inputs().into_iter().filter(|q| q.is_assumed()).collect();
+    let is_stiffness = |q: &&Input| q.path.ends_with("stiffness") || q.path.contains("stiffness[");
+    let is_damping = |q: &&Input| q.path.contains("damping");
+    let count = |which: &dyn Fn(&&Input) -> bool| assumed.iter().copied().filter(|q| which(q)).count();
     let stiffness = count(&is_stiffness);
     let damping = count(&is_damping);
     let surveyed = count(&|q| q.path.starts_with("survey.") && !is_damping(q));
@@ -151,7 +189,7 @@ fn damping_words(structure: &Structure, count: usize) -> Assumed {
 /// What a variant adds: every result of it rests on them.
 fn of_variant(variant: &VariantAnswer, structure: &Structure) -> Option<Finding> {
     let assumed = variant.own_inputs.iter().filter(|input| input.is_assumed());
-    let said = |input: &Quantity| {
+    let said = |input: &Input| {
         Sentence::from(Assumed::Input {
             input: Both::of(|language| input_words(structure, &input.path, language)),
             written: input.written.clone(),

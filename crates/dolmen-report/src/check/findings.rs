@@ -6,6 +6,7 @@ use crate::{building, chain, demand, frame, loads, stack};
 use dolmen_project::Project;
 use dolmen_words::{Quantity, messages};
 use dolmen_work::answer::CheckAnswer;
+use dolmen_work::judgement::Evidence;
 use dolmen_work::state::{Check, State};
 
 /// Load factors above this are asked about. Chosen here: measured timber frames and stone poles have 5 to 100.
@@ -21,6 +22,10 @@ messages! {
         Write => {
             en: "What to do next: write the stiffness that `dolmen identify` finds into joints, or direction.NAME.stiffness.",
             ko: "다음 단계: `dolmen identify`로 추정한 강성을 joints나 direction.NAME.stiffness에 쓴다.",
+        },
+        RecordsUnread { survey: String } => {
+            en: "The records of survey {survey} are not compared with this model here: `dolmen identify` finds their modes, and `dolmen report` holds them against it.",
+            ko: "{survey} 조사의 진동 기록은 이 검토에서 모델과 비교하지 않았다. `dolmen identify`가 모드를 구하고, `dolmen report`가 모델과 비교한다.",
         },
         LoadFactor { factor: Quantity, most: Quantity } => {
             en: "A load factor of {factor} is far above what timber frames and stone poles have ({most} at most): are masses and stiffness in the units of the file?",
@@ -82,6 +87,15 @@ fn next(project: &Project, state: &State) -> Option<Finding> {
         false => Unusual::Identify,
     };
     unknown.then(|| Finding::key(Tone::Plain, what))
+}
+
+/// That a survey has records that a check does not read; `None` where none has, or the file writes their modes.
+pub(super) fn unread(answer: &CheckAnswer) -> Option<Finding> {
+    let state = answer.state.as_ref()?;
+    match Evidence::of(&answer.project, &state.check) {
+        Evidence::Unread { survey } => Some(Finding::key(Tone::Unknown, Unusual::RecordsUnread { survey })),
+        _ => None,
+    }
 }
 
 /// All of a check, what is worst first.

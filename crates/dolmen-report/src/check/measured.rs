@@ -5,6 +5,7 @@ use crate::engineer::damage_words;
 use dolmen::stability::Verdict;
 use dolmen_project::{Project, Severity, Survey, date_of};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
+use dolmen_work::judgement::tilt_beyond_limit;
 use dolmen_work::state::{Check, FrequencyContradiction, State, TiltCheck};
 
 /// Digits of a tilt in a sentence.
@@ -49,6 +50,14 @@ messages! {
             ko: "{survey} 점검에서 심한 손상이 발견되었으나 모델에는 반영되지 않았다: {found}.",
         },
         Damaged { part: String, what: Sentence } => { en: "{part}: {what}", ko: "{part} {what}" },
+        Rough { survey: String, measured: Quantity, direction: String, computed: Quantity } => {
+            en: "Survey {survey} measured {measured} in direction {direction}; this model has {computed}. The measurement is too rough to tell whether they are of one structure.",
+            ko: "{survey} 조사의 {direction} 방향 실측 고유진동수는 {measured}, 해석 모델은 {computed}이다. 계측 오차가 커서 모델이 실제와 맞는지 판단할 수 없다.",
+        },
+        Superseded { survey: String, measured: Quantity, direction: String, computed: Quantity, later: String } => {
+            en: "Survey {survey} measured {measured} in direction {direction}; this model has {computed}, which survey {later} decides. `dolmen compare` says what changed between them.",
+            ko: "{survey} 조사의 {direction} 방향 실측 고유진동수는 {measured}, 해석 모델은 {computed}이다. 판정은 이후의 {later} 조사에 따른다. 두 조사 사이의 변화는 `dolmen compare`로 본다.",
+        },
         Likely { contradicted: Sentence, likely: Sentence } => { en: "{contradicted} {likely}", ko: "{contradicted} {likely}" },
         Contradicted { survey: String, measured: Quantity, direction: String, computed: Quantity } => {
             en: "Survey {survey} measured {measured} in direction {direction}; this model has {computed}. Its stiffness or mass is not that of the structure measured, and the verdict is on the model.",
@@ -66,37 +75,38 @@ pub(super) fn measured(state: &State) -> Vec<Finding> {
 
 /// A measured tilt beyond the limit that the file sets, by the last survey that states any.
 pub(super) fn beyond_its_limit(project: &Project) -> Option<Finding> {
-    let limit = project.watch.tilt_limit?;
-    let tilted = |survey: &&Survey| !survey.tilt.is_empty();
-    let dated = project.surveys.iter().filter(tilted);
-    let last = dated.max_by_key(|survey| date_of(&survey.name).unwrap_or_default())?;
-    let squares = last.tilt.values().map(|tilt| tilt.ratio * tilt.ratio);
-    let ratio = squares.sum::<f64>().sqrt();
-    let said = || Measured::BeyondItsLimit {
-        survey: last.name.clone(),
-        tilt: one_in(ratio),
-        limit: one_in(limit),
+    let beyond = tilt_beyond_limit(project)?;
+    let said = Measured::BeyondItsLimit {
+        tilt: one_in(beyond.tilt),
+        limit: one_in(beyond.limit),
+        survey: beyond.survey,
     };
-    (ratio >= limit).then(|| Finding::key(Tone::Bad, said()))
+    Some(Finding::key(Tone::Bad, said))
 }
 
-/// Severe damage of the last survey that lists any damage.
-pub(super) fn severe_damage(project: &Project) -> Option<Finding> {
-    let inspected = |survey: &&Survey| !survey.inspections.is_empty();
-    let dated = project.surveys.iter().filter(inspected);
-    let last = dated.max_by_key(|survey| date_of(&survey.name).unwrap_or_default())?;
-    let severe = last
-        .inspections
-        .iter()
-        .filter(|one| one.severity == Some(Severity::Severe));
-    let found: Vec<Sentence> = severe
-        .map(|one| {
-            let (part, what) = (one.part.clone(), damage_words(&one.what));
-            Measured::Damaged { part, what }.into()
-        })
-        .collect();
-    let survey = last.name.clone();
-    (!found.is_empty()).then(|| Finding::key(Tone::Warn, Measured::SevereDamage { survey, found }))
+/// Severe damage: of each part what the last survey says that lists it.
+pub(super) fn severe_damage(project: &Project) -> Vec<Finding> {
+    let mut surveys: Vec<&Survey> = project.surveys.iter().collect();
+    surveys.sort_by_key(|survey| date_of(&survey.name).unwrap_or_default());
+    let is_last = |place: usize, part: &str| {
+        let mut later = surveys.iter().skip(place + 1);
+        !later.any(|survey| survey.inspections.iter().any(|one| one.part == part))
+    };
+    let each = surveys.iter().enumerate().filter_map(|(place, survey)| {
+        let severe = survey
+            .inspections
+            .iter()
+            .filter(|one| one.severity == Some(Severity::Severe) && is_last(place, &one.part));
+        let found: Vec<Sentence> = severe
+            .map(|one| {
+                let (part, what) = (one.part.clone(), damage_words(&one.what));
+                Measured::Damaged { part, what }.into()
+            })
+            .collect();
+        let survey = survey.name.clone();
+        (!found.is_empty()).then(|| Finding::key(Tone::Warn, Measured::SevereDamage { survey, found }))
+    });
+    each.collect()
 }
 
 fn one_in(ratio: f64) -> Sentence {
@@ -169,11 +179,32 @@ fn tilt(of: &TiltCheck, check: &Check) -> Finding {
 
 fn contradiction(found: &FrequencyContradiction) -> Finding {
     let frequency = |value| Quantity::new(value, Unit::si("Hz"), Digits::Significant(4));
+    let (survey, direction) = (found.survey.clone(), found.direction.clone());
+    let (measured, computed) = (frequency(found.measured_hz), frequency(found.computed_hz));
+    if let Some(later) = found.superseded_by.clone() {
+        let said = Measured::Superseded {
+            survey,
+            measured,
+            direction,
+            computed,
+            later,
+        };
+        return Finding::new(Tone::Plain, said);
+    }
+    if found.is_too_rough {
+        let said = Measured::Rough {
+            survey,
+            measured,
+            direction,
+            computed,
+        };
+        return Finding::key(Tone::Unknown, said);
+    }
     let contradicted = Measured::Contradicted {
-        survey: found.survey.clone(),
-        measured: frequency(found.measured_hz),
-        direction: found.direction.clone(),
-        computed: frequency(found.computed_hz),
+        survey,
+        measured,
+        direction,
+        computed,
     };
     match found.likely() {
         None => Finding::key(Tone::Bad, contradicted),

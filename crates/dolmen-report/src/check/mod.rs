@@ -10,7 +10,7 @@ mod text;
 mod variants;
 
 pub(crate) use findings::findings;
-pub use project::doubtful_text;
+pub use project::against_text;
 pub(crate) use project::{doubtful, project_text};
 pub(crate) use sampled::sections as scatter_sections;
 pub use text::check_text;

@@ -7,10 +7,15 @@ use dolmen_project::{
     Structure, WarningKind,
 };
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
+use dolmen_work::judgement::Evidence;
 
 messages! {
     /// The size of a structure.
     pub(crate) enum Size in "check.size" {
+        Contradicted { survey: String, measured: Quantity, computed: Quantity } => {
+            en: "✕ Survey {survey} contradicts the model on which this answer rests: {measured} measured, {computed} modelled. What follows is not of the structure measured.",
+            ko: "✕ {survey} 조사가 이 결과의 바탕인 모델과 일치하지 않는다: 실측 {measured}, 모델 {computed}. 아래 결과는 계측한 구조물의 것이 아니다.",
+        },
         Doubtful { line: usize, said: Sentence } => {
             en: "! PROBABLY A SLIP, line {line}: {said}",
             ko: "! 입력 오류 의심, {line}행: {said}",
@@ -87,8 +92,22 @@ pub(crate) fn doubtful(project: &Project) -> Vec<Sentence> {
     each.map(Sentence::from).collect()
 }
 
-/// The same for a terminal; nothing where nothing looks so.
-pub fn doubtful_text(project: &Project, style: TextStyle) -> String {
+/// What speaks against an answer before it is read, for a terminal: a slip in the file, a survey that contradicts its model. Nothing where nothing does.
+pub fn against_text(project: &Project, evidence: &Evidence, style: TextStyle) -> String {
+    let contradicted = match evidence {
+        Evidence::Contradicted(of) => Some(Sentence::from(Size::Contradicted {
+            survey: of.survey.clone(),
+            measured: Quantity::new(of.measured_hz, Unit::si("Hz"), Digits::Significant(3)),
+            computed: Quantity::new(of.computed_hz, Unit::si("Hz"), Digits::Significant(3)),
+        })),
+        _ => None,
+    };
+    let said = contradicted.map(|said| wrapped(&said.text(style.language), "  ", "    ", style.columns()));
+    doubtful_text(project, style) + &said.unwrap_or_default()
+}
+
+/// The same of the file alone.
+fn doubtful_text(project: &Project, style: TextStyle) -> String {
     let each = doubtful(project).into_iter();
     each.map(|said| wrapped(&said.text(style.language), "  ", "    ", style.columns()))
         .collect()

@@ -1,12 +1,14 @@
 //! `dolmen check` on a terminal: the verdict and what decides it, or all of it.
 
-use super::findings::{findings, of_state};
+use super::findings::{findings, of_state, unread};
 use super::made_stones::made_stones_text;
 use super::project::project_text;
 use super::sampled;
 use super::variants::{section as variants_section, title};
 use crate::brief::{all_findings_text, brief_text, note_text, notes_text};
-use crate::document::{Document, Finding, TextStyle, document_text, findings_text, heading_text, wrapped};
+use crate::document::{
+    Document, Finding, TextStyle, Tone, document_text, findings_text, heading_text, wrapped,
+};
 use crate::engineer::{self, Pictures};
 use crate::figures::Shaking;
 use crate::headline::{verdict_line, worse};
@@ -56,7 +58,7 @@ pub fn check_text(answer: &CheckAnswer, style: TextStyle) -> String {
     match style.is_full {
         false => {
             let above = out.lines().count().saturating_sub(head + 1);
-            out + &brief_text(&findings(answer), &answer.project, above, style)
+            out + &brief_text(&with_unread(answer), &answer.project, above, style)
         }
         true => out + &full_text(answer, state, &judgement.versions, style),
     }
@@ -64,6 +66,16 @@ pub fn check_text(answer: &CheckAnswer, style: TextStyle) -> String {
 
 fn said(message: Said, language: Language) -> String {
     Sentence::from(message).text(language)
+}
+
+/// The findings, with what a check by itself does not read; a report reads it.
+fn with_unread(answer: &CheckAnswer) -> Vec<Finding> {
+    let mut all = findings(answer);
+    let bad = all.iter().take_while(|finding| finding.tone == Tone::Bad).count();
+    if let Some(unread) = unread(answer) {
+        all.insert(bad, unread);
+    }
+    all
 }
 
 /// A variant that is worse than the structure as it is.
@@ -76,7 +88,7 @@ fn worse_text(answer: &CheckAnswer, judged: &VersionJudgement, style: TextStyle)
 }
 
 fn full_text(answer: &CheckAnswer, state: &State, versions: &[VersionJudgement], style: TextStyle) -> String {
-    let mut out = all_findings_text(&findings(answer), style);
+    let mut out = all_findings_text(&with_unread(answer), style);
     out += &sections_text(&answer.project, state, style);
     out += &made_stones_text(&answer.project, style);
     for (variant, judged) in answer.variants.iter().zip(versions.iter().skip(1)) {

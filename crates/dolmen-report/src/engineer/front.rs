@@ -79,7 +79,10 @@ fn answers(answer: &ProjectReport) -> Option<Block<'static>> {
         asked => tone(asked.colour()),
     };
     let of_evidence = match &headline.evidence {
-        Evidence::NotCompared { .. } | Evidence::NotMeasured { .. } => Tone::Unknown,
+        Evidence::TooRough(_)
+        | Evidence::Unread { .. }
+        | Evidence::NotCompared { .. }
+        | Evidence::NotMeasured { .. } => Tone::Unknown,
         measured => tone(measured.colour()),
     };
     let wind = headline.wind_word();

@@ -5,7 +5,8 @@ use super::paraview::paraview;
 use crate::figures::{self, building_histories, chain_histories, frame_histories};
 use crate::film::stack_film;
 use crate::json::{
-    building_simulation_json, chain_simulation_json, frame_simulation_json, simulation_json, stack_runs_json,
+    building_simulation_json, chain_simulation_json, frame_simulation_json, judgement, simulation_json,
+    stack_runs_json,
 };
 use crate::tables::{
     building_histories_csv, building_peaks_csv, chain_energy_csv, chain_histories_csv, chain_slips_csv,
@@ -14,26 +15,34 @@ use crate::tables::{
 };
 use dolmen_records::meshes::{PoseError, stack_3dec, stack_json, stack_obj};
 use dolmen_words::Language;
+use dolmen_work::judgement::{Evidence, judge_run};
 use dolmen_work::simulation::Simulation;
 use dolmen_work::stack::{StackRuns, StackSimulation};
 use serde_json::Value;
 
-/// A simulation of any kind as JSON.
-pub fn simulation_value(simulation: &Simulation) -> Value {
-    match simulation {
+/// A simulation of any kind as JSON, judged beside what surveys say of the model.
+pub fn simulation_value(simulation: &Simulation, evidence: &Evidence) -> Value {
+    let mut value = match simulation {
         Simulation::Chain(run) => chain_simulation_json(run),
         Simulation::Frame(run) => frame_simulation_json(run),
         Simulation::Stack(runs) => stack_runs_json(runs),
         Simulation::Building(run) => building_simulation_json(run),
-    }
+    };
+    value["judgement"] = judgement(&judge_run(simulation, evidence));
+    value
 }
 
 /// Everything of a simulation as files; each direction of a frame in a folder of its own.
 ///
 /// # Errors
 /// [`PoseError`], where a history has no pose for each block.
-pub fn simulation_files(simulation: &Simulation, language: Language) -> Result<Vec<NamedFile>, PoseError> {
-    let mut files = vec![NamedFile::json("simulation.json", &simulation_value(simulation))];
+pub fn simulation_files(
+    simulation: &Simulation,
+    evidence: &Evidence,
+    language: Language,
+) -> Result<Vec<NamedFile>, PoseError> {
+    let value = simulation_value(simulation, evidence);
+    let mut files = vec![NamedFile::json("simulation.json", &value)];
     let mut put = |name: &str, text: String| files.push(NamedFile::new(name, text));
     let figures = match simulation {
         Simulation::Chain(run) => {

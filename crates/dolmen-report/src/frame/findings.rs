@@ -24,6 +24,10 @@ messages! {
             en: "storey {storey} has the least margin, {margin} times the stiffness at which the frame would just stand.",
             ko: "여유가 가장 작은 층은 {storey}층이며, 그 강성은 골조가 안정을 유지하는 한계 강성의 {margin}배이다.",
         },
+        Slipping { factor: Quantity } => {
+            en: "once its joints slip it falls at {factor} times its weight, which decides: in an earthquake they may.",
+            ko: "접합부가 미끄러지면 자중의 {factor}배에서 전도되며, 이 값으로 판정한다. 지진 시에는 미끄러질 수 있다.",
+        },
         LowestFalls => {
             en: "it does not vibrate in its lowest shape, it falls in it.",
             ko: "최저차 형상에서는 진동하지 않고 전도된다.",
@@ -42,6 +46,7 @@ pub(crate) fn findings(directions: &[DirectionCheck]) -> Vec<Finding> {
         let columns = direction.columns.iter().flat_map(columns::findings);
         let own = of_direction(&direction.check)
             .into_iter()
+            .chain(slipping(direction))
             .chain(columns)
             .map(|found| Finding {
                 sentence: Found::OfDirection {
@@ -75,6 +80,15 @@ fn of_direction(check: &FrameCheck) -> Vec<Finding> {
     all.extend(check.stability.as_ref().and_then(weakest));
     all.extend(lowest_mode(check));
     all
+}
+
+/// The load factor while every joint slips, where that is what the verdict is taken from.
+fn slipping(direction: &DirectionCheck) -> Option<Finding> {
+    let stuck = direction.check.stability.as_ref()?;
+    let slipping = direction.slipping.as_ref()?.stability.as_ref()?;
+    let factor = Quantity::beside_one(slipping.load_factor, 4);
+    let decides = slipping.load_factor < stuck.load_factor && slipping.verdict != Verdict::Stable;
+    decides.then(|| Finding::key(Tone::of(slipping.verdict), Found::Slipping { factor }))
 }
 
 fn needs(geometric_n_m: &[f64]) -> Values {

@@ -170,7 +170,11 @@ pub(crate) fn banner(answer: &ProjectReport, state: &State, language: Language) 
         );
         first.push(format!("{lead}{}.", shaken.join("; ")));
     }
-    first.extend(state.contradictions.iter().map(|c| {
+    let deciding = state
+        .contradictions
+        .iter()
+        .filter(|of| !of.is_too_rough && of.superseded_by.is_none());
+    first.extend(deciding.map(|c| {
         language.pick(
             format!(
                 "A survey contradicts this model: {} measured {:.3} Hz, the model has {:.3} Hz.",

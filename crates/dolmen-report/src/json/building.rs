@@ -1,7 +1,6 @@
 //! A building as JSON: its check, its simulation.
 
 use super::building_wind::building_wind;
-use super::judgement::judgement;
 use super::simulation::motion_json;
 use super::with::with;
 use crate::limits::parts_json;
@@ -13,7 +12,6 @@ use dolmen_work::building::BuildingSimulation;
 use dolmen_work::building::{
     BuildingAnswer, BuildingSpectral, DampedSpectral, MINOR_RATIO, StandingBuilding,
 };
-use dolmen_work::judgement::judge_building_run;
 use serde_json::{Value, json};
 
 /// The check of a building.
@@ -132,7 +130,6 @@ pub fn building_simulation_json(simulation: &BuildingSimulation) -> Value {
         "file": simulation.file,
         "name": { "en": simulation.name.en, "ko": simulation.name.ko },
         "variant": simulation.variant,
-        "judgement": judgement(&judge_building_run(simulation)),
         "motion": motion_json(&simulation.motion),
         "method": match history.method {
             HistoryMethod::ComplexModes => "complex_modes",

@@ -1,11 +1,9 @@
 //! A simulation of a chain, as JSON.
 
-use super::judgement::judgement;
 use super::simulation::motion_json;
 use crate::limits::parts_json;
 use dolmen::dynamics::{ChainOutcome, ChainRotations, JointFriction};
 use dolmen_work::chain::ChainSimulation;
-use dolmen_work::judgement::judge_chain_run;
 use serde_json::{Value, json};
 
 /// Everything of a simulation but its histories.
@@ -42,7 +40,6 @@ pub fn chain_simulation_json(simulation: &ChainSimulation) -> Value {
         "file": simulation.file,
         "name": { "en": simulation.name.en, "ko": simulation.name.ko },
         "variant": simulation.variant,
-        "judgement": judgement(&judge_chain_run(simulation)),
         "motion": simulation.motion.as_ref().map(|(motion, _)| motion_json(motion)),
         "component": simulation.motion.as_ref().map(|(_, component)| component.name()),
         "push_rad": simulation.push_rad,

@@ -1,11 +1,9 @@
 //! A simulation of a frame, as JSON.
 
-use super::judgement::judgement;
 use super::simulation::motion_json;
 use crate::limits::parts_json;
 use dolmen::dynamics::{FrameOutcome, FrictionActsOn, RockingOutcome, StoreyFriction};
 use dolmen_work::frame::{ColumnsInMotion, FrameSimulation};
-use dolmen_work::judgement::judge_frame_run;
 use serde_json::{Value, json};
 
 /// Everything of a simulation but its histories.
@@ -33,7 +31,6 @@ pub fn frame_simulation_json(simulation: &FrameSimulation) -> Value {
         "file": simulation.file,
         "name": { "en": simulation.name.en, "ko": simulation.name.ko },
         "variant": simulation.variant,
-        "judgement": judgement(&judge_frame_run(simulation)),
         "direction": simulation.direction,
         "component": simulation.component.name(),
         "motion": motion_json(&simulation.motion),

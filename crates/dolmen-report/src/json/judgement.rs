@@ -8,7 +8,7 @@ use dolmen_work::judgement::{
 use serde_json::{Value, json};
 
 /// The judgement of an answer, the structure as it is first.
-pub(super) fn judgement(judgement: &Judgement) -> Value {
+pub(crate) fn judgement(judgement: &Judgement) -> Value {
     json!({
         "colour": judgement.colour().word(),
         "words": judgement.headline().map(|of| of.words(Language::English)),
@@ -36,6 +36,9 @@ fn version(version: &VersionJudgement) -> Value {
             "reasons": version.wind.iter().map(in_wind).collect::<Vec<_>>(),
         },
         "evidence": evidence(&version.evidence),
+        "tilt_left_out": version.tilt_left_out.as_ref().map(|of| json!({ "survey": of.survey, "tilt": of.written })),
+        "tilt_beyond_limit": version.tilt_beyond_limit,
+        "leans": version.leans.as_ref().map(|of| json!({ "survey": of.survey, "tilt": of.tilt })),
         "assumed_inputs": version.inputs.assumed,
         "inputs": version.inputs.all,
     })
@@ -79,12 +82,14 @@ fn in_wind(finding: &WindFinding) -> Value {
 
 fn evidence(evidence: &Evidence) -> Value {
     let (survey, calibrated_to) = match evidence {
-        Evidence::Agrees { survey } | Evidence::NotCompared { survey } => (Some(survey), None),
-        Evidence::Contradicted(of) => (Some(&of.survey), None),
+        Evidence::Agrees { survey } | Evidence::NotCompared { survey } | Evidence::Unread { survey } => {
+            (Some(survey), None)
+        }
+        Evidence::Contradicted(of) | Evidence::TooRough(of) => (Some(&of.survey), None),
         Evidence::NotMeasured { calibrated_to } => (None, calibrated_to.as_ref()),
     };
     let contradicted = match evidence {
-        Evidence::Contradicted(of) => Some(of),
+        Evidence::Contradicted(of) | Evidence::TooRough(of) => Some(of),
         _ => None,
     };
     json!({

@@ -30,6 +30,7 @@ pub use change::change_json;
 pub use check::check_json;
 pub use frame_simulation::frame_simulation_json;
 pub use identify::{identification_json, written_back_json};
+pub(crate) use judgement::judgement;
 pub use motion::motion_report_json;
 pub use rank::rank_json;
 pub use score::{score_json, score_quality_json};

@@ -6,7 +6,7 @@ use super::with::with;
 use crate::stack_simulation::points_a_side;
 use dolmen::blocks::{Outcome, SlidingOutcome};
 use dolmen::signal::Component;
-use dolmen_work::judgement::{judge_stack_run, judge_stack_runs};
+use dolmen_work::judgement::judge_stack_run;
 use dolmen_work::motion::MotionAnswer;
 use dolmen_work::stack::{LeftOut, Repeat, Repeats, SlidingMode, SlidingRun, StackRuns, StackSimulation};
 use serde_json::{Value, json};
@@ -21,7 +21,6 @@ pub fn stack_runs_json(runs: &StackRuns) -> Value {
         LeftOut::NoSolution { at_s } => json!({ "kind": "no_solution", "at_s": at_s }),
     });
     let mut value = simulation_json(&runs.deciding);
-    value["judgement"] = judgement(&judge_stack_runs(runs));
     value["other_law"] = runs.other.as_ref().map(simulation_json).into();
     value["law_left_out"] = left_out.into();
     value["repeats"] = runs.repeats.as_ref().map(repeats).into();

@@ -154,6 +154,7 @@ fn mode(mode: &WatchedMode, answer: &WatchAnswer) -> Value {
             WeatherKnown::Temperature => "temperature",
             WeatherKnown::TemperatureAndFrost => "temperature_and_frost",
             WeatherKnown::Season => "season",
+            WeatherKnown::TwoSeasons(_) => "two_seasons",
             WeatherKnown::Nothing => "nothing",
         }),
         "per_c": weather.and_then(|weather| weather.per_c).map(|known| known.0),

@@ -5,7 +5,7 @@ use crate::stack::{direction, joints_moving};
 use dolmen::assess::StackUnderLoads;
 use dolmen::stability::Verdict;
 use dolmen::structure::stack::Stack;
-use dolmen::structure::wind::{Resonance, WindError};
+use dolmen::structure::wind::WindError;
 use dolmen_project::{Project, Structure, WindPart};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::loads::{ChainCombination, CombinationAnswer, Combined, LoadsAnswer};
@@ -13,8 +13,6 @@ use dolmen_work::state::{Check, State};
 
 /// Digits of a factor in a sentence.
 const DIGITS: usize = 3;
-/// Below it gusts near the natural frequency add to what a gust as given says, Hz: 5 Hz in EN 1991-1-4, 1 Hz in KDS 41 12 00.
-const RESONANCE_BELOW_HZ: f64 = 1.0;
 
 messages! {
     /// Findings on wind and static loads.
@@ -90,8 +88,8 @@ messages! {
             ko: "풍하중을 검토하지 못하였다. {why}.",
         },
         NoResonance { frequency: Quantity } => {
-            en: "At {frequency} gusts make it swing: a gust as given does not hold that. Give the 10-minute mean with code = \"EN 1991-1-4\" and the damping ratio.",
-            ko: "고유진동수가 {frequency}이므로 돌풍에 공진할 수 있으나, 주어진 돌풍 값에는 공진 효과가 없다. 10분 평균 풍속을 code = \"EN 1991-1-4\" 및 감쇠비와 함께 입력해야 한다.",
+            en: "At {frequency} gusts make it swing, and a gust as given does not hold that: what it bears above is without resonance. Give the 10-minute mean with code = \"EN 1991-1-4\" and the damping ratio.",
+            ko: "고유진동수가 {frequency}이므로 돌풍에 공진할 수 있으나, 주어진 돌풍 값에는 공진 효과가 없다. 위의 저항 배수는 공진을 제외한 값이다. 10분 평균 풍속을 code = \"EN 1991-1-4\" 및 감쇠비와 함께 입력해야 한다.",
         },
     }
 }
@@ -226,10 +224,7 @@ pub(crate) fn findings(project: &Project, state: &State) -> Vec<Finding> {
     if slides && stack.is_some_and(|stack| !is_pile(stack)) {
         all.push(Finding::new(Tone::Warn, Found::Slides));
     }
-    if let Some(Ok(met)) = &answer.wind
-        && met.resonance == Resonance::NotCounted
-        && let Some(frequency_hz) = met.frequency_hz.filter(|hz| *hz < RESONANCE_BELOW_HZ)
-    {
+    if let Some(frequency_hz) = answer.lacks_resonance_at_hz() {
         let frequency = hertz(frequency_hz);
         all.push(Finding::key(Tone::Warn, Found::NoResonance { frequency }));
     }

@@ -15,12 +15,12 @@ messages! {
     /// Remarks on a free decay.
     pub(crate) enum Remarks in "modal.decay-remarks" {
         BentOneChannel { mode: Quantity, poles: Values } => {
-            en: "The mode at {mode} is no single exponential: poles of one shape at {poles} stand for it. Either its frequency and damping follow the size of its swings, or these are several modes: one channel cannot tell, a second place can; the strongest pole's are shown without a deviation.",
-            ko: "{mode} 모드는 단일 지수감쇠가 아니며 같은 형상의 극점 {poles}이(가) 이를 나타낸다. 진동수와 감쇠비가 진폭에 따라 변하거나 여러 모드이다. 채널 하나로는 구별할 수 없고 다른 위치의 채널이 있으면 구별된다. 가장 강한 극점의 값을 표준편차 없이 제시하였다.",
+            en: "The mode at {mode} is no single exponential: poles of one shape at {poles} stand for it. Either its frequency and damping follow the size of its swings, or these are several modes: one channel cannot tell, a second place can; the strongest pole's frequency is shown, and the median damping of its swings where they are clear, without a deviation.",
+            ko: "{mode} 모드는 단일 지수감쇠가 아니며 같은 형상의 극점 {poles}이(가) 이를 나타낸다. 진동수와 감쇠비가 진폭에 따라 변하거나 여러 모드이다. 채널 하나로는 구별할 수 없고 다른 위치의 채널이 있으면 구별된다. 진동수는 가장 강한 극점의 값을, 감쇠비는 진폭별 값이 분명하면 그 중앙값을 표준편차 없이 제시하였다.",
         },
         Bent { mode: Quantity, poles: Values } => {
-            en: "The mode at {mode} is no single exponential: poles of one shape at {poles} stand for it. Its frequency and damping follow the size of its swings; the strongest pole's are shown without a deviation.",
-            ko: "{mode} 모드는 단일 지수감쇠가 아니며 같은 형상의 극점 {poles}이(가) 이를 나타낸다. 진동수와 감쇠비가 진폭에 따라 변한다. 가장 강한 극점의 값을 표준편차 없이 제시하였다.",
+            en: "The mode at {mode} is no single exponential: poles of one shape at {poles} stand for it. Its frequency and damping follow the size of its swings; the strongest pole's frequency is shown, and the median damping of its swings where they are clear, without a deviation.",
+            ko: "{mode} 모드는 단일 지수감쇠가 아니며 같은 형상의 극점 {poles}이(가) 이를 나타낸다. 진동수와 감쇠비가 진폭에 따라 변한다. 진동수는 가장 강한 극점의 값을, 감쇠비는 진폭별 값이 분명하면 그 중앙값을 표준편차 없이 제시하였다.",
         },
         DampingFollows { mode: Quantity } => {
             en: "The damping of the mode at {mode} follows the size of its swings, as friction makes it: take it at the size that matters; the one ratio is a mean, without a deviation.",

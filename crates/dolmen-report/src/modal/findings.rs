@@ -28,6 +28,7 @@ messages! {
             en: "PROBABLY A SLIP: {unexplained} % of the lowest mode shapes is no motion of a rigid floor, and {changed} % with {first} and {second} exchanged: are their columns, places or cables exchanged?",
             ko: "입력 오류 의심: 저차 모드형상의 {unexplained} %가 강체 바닥의 운동이 아니며 {first}와(과) {second}을(를) 맞바꾸면 {changed} %이다. 두 센서의 열, 위치 또는 케이블이 바뀐 것이 아닌가?",
         },
+        OfSurvey { survey: String, said: Sentence } => { en: "Survey {survey}: {said}", ko: "{survey} 조사: {said}" },
         None { minutes: Quantity, channels: Sentence } => {
             en: "No mode was found in {minutes} minutes of {channels}.",
             ko: "{minutes}분, {channels}의 기록에서 모드를 찾지 못하였다.",
@@ -91,8 +92,27 @@ messages! {
     }
 }
 
+/// Of the records of all surveys, by their names where several have records.
+pub(crate) fn findings(surveys: &[SurveyAnswer]) -> Vec<Finding> {
+    let are_several = surveys.iter().filter(|survey| survey.modes().is_some()).count() > 1;
+    let each = surveys.iter().flat_map(|survey| {
+        of_survey(survey).into_iter().map(move |found| match are_several {
+            false => found,
+            true => Finding {
+                sentence: Found::OfSurvey {
+                    survey: survey.name.clone(),
+                    said: found.sentence,
+                }
+                .into(),
+                ..found
+            },
+        })
+    });
+    each.collect()
+}
+
 /// Of the records of a survey.
-pub(crate) fn findings(survey: &SurveyAnswer) -> Vec<Finding> {
+fn of_survey(survey: &SurveyAnswer) -> Vec<Finding> {
     let mut all: Vec<Finding> = survey.records.iter().flat_map(of_record).collect();
     if let Some(setups) = &survey.setups {
         all.push(of_setups(setups));

@@ -5,6 +5,7 @@ use super::run::{Run, made_too_much};
 use super::{laws, repeats, sliding};
 use crate::document::{Finding, Tone};
 use crate::stack::lean;
+use dolmen::assess::DamageState;
 use dolmen::blocks::{ContactLaw, Outcome};
 use dolmen_words::{Digits, Quantity, Unit};
 use dolmen_work::stack::{StackRuns, StackSimulation};
@@ -41,7 +42,11 @@ pub(crate) fn findings(runs: &StackRuns) -> Vec<Finding> {
         all.push(Finding::key(Tone::Warn, Run::RestitutionUnused));
     }
     if runs.repeats.is_none() && runs.each().any(|run| is_sensitive(&run.history.outcome)) {
-        all.push(Finding::key(Tone::Plain, Run::OneCase));
+        let may_be_worse = matches!(simulation.damage.state, DamageState::Begun | DamageState::Offset);
+        all.push(match may_be_worse && simulation.is_whole() {
+            true => Finding::key(Tone::Warn, Run::OneCaseOfMany),
+            false => Finding::key(Tone::Plain, Run::OneCase),
+        });
     }
     all
 }

@@ -448,7 +448,12 @@ fn weather(answer: &WatchAnswer) -> Vec<Finding> {
         modes.filter_map(|mode| Some((mode, mode.weather.as_ref()?)))
     };
     let mut all = Vec::new();
-    let blind = |known| matches!(known, WeatherKnown::Season | WeatherKnown::Nothing);
+    let blind = |known| {
+        matches!(
+            known,
+            WeatherKnown::Season | WeatherKnown::TwoSeasons(_) | WeatherKnown::Nothing
+        )
+    };
     if of_modes().any(|(_, weather)| blind(weather.known)) {
         all.push(Finding::key(Tone::Unknown, Found::NoTemperature));
     }

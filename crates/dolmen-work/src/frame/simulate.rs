@@ -60,6 +60,14 @@ pub(crate) fn simulate(
         }
         None => known,
     };
+    let without_stiffness: Vec<String> = match options.direction {
+        Some(_) => Vec::new(),
+        None => all
+            .iter()
+            .filter(|name| !chosen.contains(name))
+            .map(|name| (*name).to_owned())
+            .collect(),
+    };
     let component = horizontal(motion, Place::Frame)?;
     let run_s = options
         .duration_s
@@ -84,6 +92,7 @@ pub(crate) fn simulate(
             variant: version.variant.map(str::to_owned),
             variant_title: version.title.cloned(),
             direction: direction.to_owned(),
+            without_stiffness: without_stiffness.clone(),
             storeys: storey_names(part),
             undamped: (!is_damped(part, direction, &frame))
                 .then(|| Undamped::of(&version.project.surveys, Some(direction))),

@@ -22,6 +22,8 @@ pub struct FrameSimulation {
     pub variant_title: Option<Names>,
     /// The direction of the frame.
     pub direction: String,
+    /// Directions that were not run, whose stiffness is not known.
+    pub without_stiffness: Vec<String>,
     /// Names of the storeys, lowest first.
     pub storeys: Vec<String>,
     /// The frame.

@@ -47,6 +47,8 @@ pub enum DecidedBy {
     Strength,
     /// A joint at the edge of its bed.
     BedEdge,
+    /// A bed that stood on its edge in a run in which nothing fell: it bears no more than that, whatever is asked.
+    StoodOnEdge,
     /// The stroke of a damper over its room.
     Room,
     /// Nothing: there is no limit to hold the answer against, or it could not be compared.
@@ -57,6 +59,8 @@ pub enum DecidedBy {
     StiffnessUnknown,
     /// Nothing: a survey contradicts the stiffness that the comparison rests on; the ratio is that of the model if it were right.
     Contradicted,
+    /// Nothing: supports moved, and the comparison is of the shape before; the ratio is that one.
+    SupportsMoved,
     /// Nothing: it does not stand without shaking.
     DoesNotStand,
     /// Nothing: the run was stopped, or ended before it could tell.
@@ -98,6 +102,20 @@ impl EarthquakeFinding {
             Earthquake::Above | Earthquake::Near => EarthquakeFinding {
                 word: Earthquake::NotDecided,
                 decided_by: DecidedBy::Contradicted,
+                ..self
+            },
+            Earthquake::NotAsked | Earthquake::NotDecided | Earthquake::BelowDemand => self,
+        }
+    }
+}
+
+impl EarthquakeFinding {
+    /// The same of a stack whose supports moved, where it is of the shape before: what was enough there is not known to be. What was too little stays.
+    pub(super) fn before_supports_moved(self) -> Self {
+        match self.word {
+            Earthquake::Above | Earthquake::Near => EarthquakeFinding {
+                word: Earthquake::NotDecided,
+                decided_by: DecidedBy::SupportsMoved,
                 ..self
             },
             Earthquake::NotAsked | Earthquake::NotDecided | Earthquake::BelowDemand => self,
@@ -168,6 +186,8 @@ impl DecidedBy {
             DecidedBy::Drift => "drift",
             DecidedBy::Strength => "strength",
             DecidedBy::BedEdge => "bed_edge",
+            DecidedBy::StoodOnEdge => "stood_on_edge",
+            DecidedBy::SupportsMoved => "supports_moved",
             DecidedBy::Room => "room",
             DecidedBy::NoLimit => "no_limit",
             DecidedBy::BedUnknown => "bed_unknown",

@@ -20,6 +20,13 @@ pub enum Evidence {
     },
     /// The latest survey has another frequency than the model.
     Contradicted(MeasuredFrequency),
+    /// The latest survey has another frequency than the model, with so much scatter that it may be the same.
+    TooRough(MeasuredFrequency),
+    /// A survey has records of vibration whose modes were not sought here.
+    Unread {
+        /// The survey.
+        survey: String,
+    },
     /// A survey measured frequencies, but the model has none to hold against them: its stiffness is not known.
     NotCompared {
         /// The survey.
@@ -58,33 +65,57 @@ impl MeasuredFrequency {
         self.apart() > FREQUENCY_RATIO_MOST.ln()
     }
 
-    /// Whether they are the same: within [`FREQUENCY_RATIO_MOST`], or three standard deviations. NaN is not.
-    fn agrees(&self) -> bool {
+    /// Whether they differ by more than [`FREQUENCY_RATIO_MOST`] but by no more than three standard deviations: nothing is told either way.
+    pub fn is_too_rough(&self) -> bool {
         let within = |sd_hz: f64| (self.measured_hz - self.computed_hz).abs() <= DEVIATIONS_MOST * sd_hz;
-        self.apart() <= FREQUENCY_RATIO_MOST.ln() || self.sd_hz.is_some_and(within)
+        self.differs() && self.sd_hz.is_some_and(within)
+    }
+
+    /// Whether they are not of one structure. NaN is not.
+    pub fn contradicts(&self) -> bool {
+        let is_same = self.apart() <= FREQUENCY_RATIO_MOST.ln();
+        !is_same && !self.is_too_rough()
     }
 }
 
+/// A frequency that the records of a survey gave, and that nobody wrote into the file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RecordFrequency {
+    /// The survey.
+    pub survey: String,
+    /// Direction of the mode, "x" or "y".
+    pub direction: &'static str,
+    /// The lowest one, Hz.
+    pub frequency_hz: f64,
+    /// Its standard deviation, Hz.
+    pub sd_hz: f64,
+}
+
 impl Evidence {
-    /// What the latest survey that measured a frequency says of a model, in the worst direction.
+    /// What surveys say of a model, in the worst direction; of each direction the latest that measured a frequency in it.
     ///
     /// Surveys whose names begin with a date come after those without, and of the same date the last of the file is the latest.
     /// A survey that stiffness was identified from says nothing for it where it agrees, and contradicts it like any other where it does not.
     pub fn of(project: &Project, check: &Check) -> Evidence {
-        let measured = project.surveys.iter().filter(|survey| {
-            let mut directions = survey.modes.values();
-            directions.any(|modes| lowest_measured(modes).is_some())
-        });
-        let Some(latest) = measured.max_by_key(|survey| date(&survey.name)) else {
-            return Evidence::none();
-        };
-        let measured = measured_frequencies(std::slice::from_ref(latest), check);
+        Evidence::with_records(project, check, &[])
+    }
+
+    /// The same with what records gave.
+    pub(crate) fn with_records(project: &Project, check: &Check, found: &[RecordFrequency]) -> Evidence {
+        let mut measured = measured_frequencies(&project.surveys, check);
+        measured.extend(found.iter().filter_map(|of| {
+            Some(MeasuredFrequency {
+                survey: of.survey.clone(),
+                direction: of.direction.to_owned(),
+                measured_hz: of.frequency_hz,
+                sd_hz: Some(of.sd_hz).filter(|sd_hz| *sd_hz > 0.0),
+                computed_hz: first_frequency(check, of.direction)?,
+            })
+        }));
         if measured.is_empty() {
-            return Evidence::NotCompared {
-                survey: latest.name.clone(),
-            };
+            return Evidence::without(project);
         }
-        match Evidence::of_frequencies(measured) {
+        match Evidence::of_frequencies(latest(project, measured)) {
             Evidence::Agrees { survey } if project.identified_from().contains(survey.as_str()) => {
                 Evidence::NotMeasured {
                     calibrated_to: Some(survey),
@@ -94,15 +125,49 @@ impl Evidence {
         }
     }
 
-    /// What the frequencies of one survey say.
+    /// Where nothing can be held against the model: why.
+    fn without(project: &Project) -> Evidence {
+        let has_modes = |survey: &&Survey| {
+            survey
+                .modes
+                .values()
+                .any(|modes| lowest_measured(modes).is_some())
+        };
+        let has_records = |survey: &&Survey| survey.records.is_some() || !survey.setups.is_empty();
+        let last = |which: &dyn Fn(&&Survey) -> bool| {
+            let surveys = project.surveys.iter().filter(which);
+            surveys
+                .max_by_key(|survey| date(&survey.name))
+                .map(|survey| survey.name.clone())
+        };
+        match (last(&has_modes), last(&has_records)) {
+            (Some(survey), _) => Evidence::NotCompared { survey },
+            (None, Some(survey)) => match project.identified_from().last() {
+                Some(&from) => Evidence::NotMeasured {
+                    calibrated_to: Some(from.to_owned()),
+                },
+                None => Evidence::Unread { survey },
+            },
+            (None, None) => Evidence::none(),
+        }
+    }
+
+    /// What the frequencies of the latest surveys say.
     fn of_frequencies(measured: Vec<MeasuredFrequency>) -> Evidence {
-        let survey = measured.first().map(|of| of.survey.clone());
-        let differing = measured.into_iter().filter(|of| !of.agrees());
-        let worst = differing.max_by(|a, b| a.apart().total_cmp(&b.apart()));
-        match (worst, survey) {
-            (Some(worst), _) => Evidence::Contradicted(worst),
-            (None, Some(survey)) => Evidence::Agrees { survey },
-            (None, None) => Evidence::NotMeasured { calibrated_to: None },
+        let survey = measured.last().map(|of| of.survey.clone());
+        let rough = measured.iter().find(|of| of.is_too_rough()).cloned();
+        let agreeing = measured
+            .iter()
+            .rev()
+            .find(|of| !of.differs())
+            .map(|of| of.survey.clone());
+        let contradicting = measured.into_iter().filter(MeasuredFrequency::contradicts);
+        let worst = contradicting.max_by(|a, b| a.apart().total_cmp(&b.apart()));
+        match (worst, agreeing, rough, survey) {
+            (Some(worst), ..) => Evidence::Contradicted(worst),
+            (None, Some(survey), ..) => Evidence::Agrees { survey },
+            (None, None, Some(rough), _) => Evidence::TooRough(rough),
+            (None, None, None, _) => Evidence::none(),
         }
     }
 
@@ -120,9 +185,11 @@ impl Evidence {
     pub fn colour(&self) -> Colour {
         match self {
             Evidence::Contradicted(_) => Colour::Amber,
-            Evidence::Agrees { .. } | Evidence::NotCompared { .. } | Evidence::NotMeasured { .. } => {
-                Colour::Green
-            }
+            Evidence::Agrees { .. }
+            | Evidence::TooRough(_)
+            | Evidence::Unread { .. }
+            | Evidence::NotCompared { .. }
+            | Evidence::NotMeasured { .. } => Colour::Green,
         }
     }
 
@@ -131,6 +198,8 @@ impl Evidence {
         match self {
             Evidence::Agrees { .. } => "agrees",
             Evidence::Contradicted(_) => "contradicted",
+            Evidence::TooRough(_) => "too rough",
+            Evidence::Unread { .. } => "not read",
             Evidence::NotCompared { .. } => "not compared",
             Evidence::NotMeasured { .. } => "not measured",
         }
@@ -141,10 +210,21 @@ impl Evidence {
         let word = match self {
             Evidence::Agrees { .. } => language.pick("agrees", "계측과 일치"),
             Evidence::Contradicted(_) => language.pick("contradicted", "계측과 불일치"),
-            Evidence::NotCompared { .. } => language.pick("not compared", "비교 불가"),
+            Evidence::TooRough(_) => language.pick("not decided", "판별 불가"),
+            Evidence::Unread { .. } | Evidence::NotCompared { .. } => {
+                language.pick("not compared", "비교 불가")
+            }
             Evidence::NotMeasured { .. } => language.pick("not measured", "계측 없음"),
         };
         match self {
+            Evidence::TooRough(of) => language.pick(
+                format!("{word}: survey {} measured too roughly to tell", of.survey),
+                format!("{word}({} 조사의 계측 오차가 커서 판단할 수 없음)", of.survey),
+            ),
+            Evidence::Unread { survey } => language.pick(
+                format!("{word} with the records of survey {survey}, whose modes were not sought"),
+                format!("{word}({survey} 조사의 진동 기록에서 모드를 아직 구하지 않음)"),
+            ),
             Evidence::NotCompared { survey } => language.pick(
                 format!(
                     "{word} with survey {survey}: the model has no frequency, its stiffness is not given"
@@ -157,9 +237,43 @@ impl Evidence {
                 format!("{word} (calibrated to {survey})"),
                 format!("{word}({survey} 조사에 보정)"),
             ),
+            // of each direction its lowest alone is compared
+            Evidence::Agrees { .. } => language.pick(
+                format!("{word} (lowest frequencies)"),
+                format!("{word}(최저 고유진동수)"),
+            ),
             _ => word.to_owned(),
         }
     }
+}
+
+/// Of each direction what its latest survey measured, in the order of the surveys.
+fn latest(project: &Project, measured: Vec<MeasuredFrequency>) -> Vec<MeasuredFrequency> {
+    let when = |of: &MeasuredFrequency| {
+        let place = project.surveys.iter().position(|survey| survey.name == of.survey);
+        (date(&of.survey), place)
+    };
+    let mut all: Vec<MeasuredFrequency> = Vec::new();
+    for of in measured {
+        match all.iter_mut().find(|known| known.direction == of.direction) {
+            Some(known) if when(&of) >= when(known) => *known = of,
+            Some(_) => {}
+            None => all.push(of),
+        }
+    }
+    all.sort_by_key(when);
+    all
+}
+
+/// The later survey that measured the direction too, of a frequency that a survey measured.
+pub(crate) fn superseded_by(
+    project: &Project,
+    all: &[MeasuredFrequency],
+    of: &MeasuredFrequency,
+) -> Option<String> {
+    let last = latest(project, all.to_vec());
+    let last = last.into_iter().find(|last| last.direction == of.direction)?;
+    (last.survey != of.survey).then_some(last.survey)
 }
 
 /// The lowest measured frequency of every survey and direction that the model has a frequency for, in the order of the file.
@@ -257,7 +371,7 @@ mod tests {
             (2.201, None, "contradicted", Colour::Amber),
             (1.819, None, "agrees", Colour::Green),
             (1.817, None, "contradicted", Colour::Amber),
-            (2.3, Some(0.11), "agrees", Colour::Green),
+            (2.3, Some(0.11), "too rough", Colour::Green),
             (2.3, Some(0.09), "contradicted", Colour::Amber),
             // within ten per cent, whatever the scatter
             (2.1, Some(0.001), "agrees", Colour::Green),
@@ -273,6 +387,8 @@ mod tests {
     #[test]
     fn holds_the_worst_direction_decides_and_nothing_compared_is_not_measured() {
         let all = vec![measured(2.0, None), measured(3.0, None), measured(2.5, None)];
+        let rough = Evidence::of_frequencies(vec![measured(3.0, Some(0.5)), measured(2.1, None)]);
+        assert_eq!(rough.key(), "agrees");
         assert_eq!(
             Evidence::of_frequencies(all),
             Evidence::Contradicted(measured(3.0, None))

@@ -2,22 +2,24 @@
 
 use super::colour::Colour;
 use super::earthquake::{Earthquake, EarthquakeFinding, of_row, of_site};
-use super::evidence::Evidence;
+use super::evidence::{Evidence, RecordFrequency};
 use super::exit::{Verb, exit_status};
-use super::runs::{of_building, of_chain, of_frame, of_simulation, of_stack, of_stack_runs};
+use super::runs::{of_simulation, of_stack};
+use super::tilt_limit::tilt_beyond_limit;
 use super::weight::Weight;
 use super::wind::{WindFinding, WindWord, of_wind};
 use crate::answer::{Answer, CheckAnswer};
-use crate::building::{BuildingSimulation, TogetherAnswer, TogetherChoice, TuneAnswer};
+use crate::building::{TogetherAnswer, TogetherChoice, TuneAnswer};
 use crate::chain::ChainSimulation;
-use crate::frame::FrameSimulation;
+use crate::identify::lowest_of_records;
 use crate::inventory::InventoryLine;
 use crate::loads::Governing;
 use crate::simulation::{SimulateAnswer, Simulation};
-use crate::stack::{StackRuns, StackSimulation};
+use crate::stack::StackSimulation;
 use crate::state::{Check, State};
+use crate::tilt_left_out::TiltLeftOut;
 use dolmen::damper::Choice;
-use dolmen_project::Project;
+use dolmen_project::{Project, Structure, SurveyedLean};
 use dolmen_words::Language;
 use dolmen_words::message::Both;
 
@@ -30,7 +32,7 @@ pub struct VersionJudgement {
     pub weight: Option<Weight>,
     /// What of wind and static loads makes the word for weight what it is, and the combination; `None` if its weight alone does.
     pub governed_by: Option<Governing>,
-    /// Whether the word for weight is that under static loads too, which a stack carries in its check.
+    /// Whether the word for weight is that under wind or static loads too.
     pub with_loads: bool,
     /// What an earthquake asks of it, one a demand, motion and part; empty where nothing is asked.
     pub earthquake: Vec<EarthquakeFinding>,
@@ -40,8 +42,23 @@ pub struct VersionJudgement {
     pub evidence: Evidence,
     /// What the site asks by: the code and the return period, years, if one was chosen; `None` without a site.
     pub demand_source: Option<(String, Option<u32>)>,
+    /// A measured tilt that the model does not have.
+    pub tilt_left_out: Option<TiltLeftOut>,
+    /// Whether the last measured tilt is beyond the limit that the file sets.
+    pub tilt_beyond_limit: bool,
+    /// The measured tilt with which the model leans in what was judged, if it does.
+    pub leans: Option<Leaning>,
     /// How many inputs nobody has measured.
     pub inputs: AssumedInputs,
+}
+
+/// A measured tilt that a model takes over.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Leaning {
+    /// The survey.
+    pub survey: String,
+    /// Direction and tilt as written: "x 1/177, y 1/540".
+    pub tilt: String,
 }
 
 /// Inputs of a version.
@@ -56,9 +73,13 @@ pub struct AssumedInputs {
 impl AssumedInputs {
     fn of(project: &Project) -> Self {
         let all = project.inputs();
+        let defaults = match &project.structure {
+            Structure::Stack(part) => part.joint_defaults().count(),
+            _ => 0,
+        };
         AssumedInputs {
-            assumed: all.iter().filter(|input| input.is_assumed()).count(),
-            all: all.len(),
+            assumed: all.iter().filter(|input| input.is_assumed()).count() + defaults,
+            all: all.len() + defaults,
         }
     }
 }
@@ -85,6 +106,9 @@ impl VersionJudgement {
             wind: Vec::new(),
             evidence,
             demand_source: None,
+            tilt_left_out: None,
+            tilt_beyond_limit: false,
+            leans: None,
             inputs: AssumedInputs::default(),
         }
     }
@@ -108,7 +132,9 @@ impl VersionJudgement {
             self.wind_word().colour(),
             self.evidence.colour(),
         ];
-        Colour::worst(weight.into_iter().chain(others))
+        let beyond = self.tilt_beyond_limit.then_some(Colour::Red);
+        let left_out = self.tilt_left_out.as_ref().map(|_| Colour::Amber);
+        Colour::worst(weight.into_iter().chain(others).chain(beyond).chain(left_out))
     }
 
     /// The word for weight, with the combination of loads that decides it.
@@ -159,26 +185,8 @@ impl Judgement {
 
     /// Runs of one version each; a structure that does not stand without any shaking is unstable.
     fn add_runs(&mut self, simulated: &SimulateAnswer) {
-        let is_contradicted = simulated.evidence.is_contradicted();
         for run in &simulated.simulations {
-            let (mut found, is_done) = of_simulation(run);
-            // a stack rests on shapes and friction, and a variant has no survey of its own
-            if is_contradicted && run.variant().is_none() && !matches!(run, Simulation::Stack(_)) {
-                found = found
-                    .into_iter()
-                    .map(EarthquakeFinding::if_model_were_right)
-                    .collect();
-            }
-            self.add(run.variant(), found);
-            self.is_done &= is_done;
-            if let Simulation::Chain(run) = run {
-                self.add_weight(run);
-            }
-        }
-        if let Evidence::Contradicted(_) = simulated.evidence
-            && let Some(version) = self.versions.iter_mut().find(|of| of.variant.is_none())
-        {
-            version.evidence = simulated.evidence.clone();
+            self.add_run(run, &simulated.evidence);
         }
         if simulated.does_not_stand.is_some() {
             let variant = simulated.variant.as_deref();
@@ -187,6 +195,28 @@ impl Judgement {
                 Some(Weight::Unstable),
                 Evidence::none(),
             ));
+        }
+    }
+
+    fn add_run(&mut self, run: &Simulation, evidence: &Evidence) {
+        let (mut found, is_done) = of_simulation(run);
+        let is_as_it_is = run.variant().is_none();
+        // a stack rests on shapes and friction, and a variant has no survey of its own
+        if evidence.is_contradicted() && is_as_it_is && !matches!(run, Simulation::Stack(_)) {
+            let of_model = found.into_iter();
+            found = of_model.map(EarthquakeFinding::if_model_were_right).collect();
+        }
+        self.add(run.variant(), found);
+        let mut versions = self.versions.iter_mut();
+        if let Some(version) = versions.find(|of| of.variant.as_deref() == run.variant()) {
+            version.leans = leaning(run).or(version.leans.take());
+            if evidence.is_contradicted() && is_as_it_is {
+                version.evidence = evidence.clone();
+            }
+        }
+        self.is_done &= is_done;
+        if let Simulation::Chain(run) = run {
+            self.add_weight(run);
         }
     }
 
@@ -252,9 +282,15 @@ pub fn judge(answers: &[Answer]) -> Judgement {
         is_done: true,
         is_alarming: false,
     };
+    let found = answers.iter().find_map(|answer| match answer {
+        Answer::Identify(identified) => Some(lowest_of_records(&identified.project, &identified.surveys)),
+        _ => None,
+    });
     for answer in answers {
         if let Answer::Check(checked) = answer {
-            judgement.versions.extend(of_check(checked));
+            judgement
+                .versions
+                .extend(of_check(checked, &found.clone().unwrap_or_default()));
         }
     }
     for answer in answers {
@@ -286,10 +322,13 @@ pub fn judge(answers: &[Answer]) -> Judgement {
 }
 
 /// The versions of a check, each with its weight and what its site asks.
-fn of_check(checked: &CheckAnswer) -> Vec<VersionJudgement> {
+fn of_check(checked: &CheckAnswer, found: &[RecordFrequency]) -> Vec<VersionJudgement> {
     let as_it_is = checked.state.as_ref().map(|state| {
-        let evidence = Evidence::of(&checked.project, &state.check);
-        version((None, &*checked.project), state, evidence)
+        // a survey belongs to the structure as it is
+        let evidence = Evidence::with_records(&checked.project, &state.check, found);
+        let mut version = version((None, &*checked.project), state, evidence);
+        version.tilt_beyond_limit = tilt_beyond_limit(&checked.project).is_some();
+        version
     });
     let own = |name: &str| checked.project.variants.iter().find(|own| own.name == name);
     let variants = checked.variants.iter().map(|variant| {
@@ -306,7 +345,7 @@ fn of_check(checked: &CheckAnswer) -> Vec<VersionJudgement> {
 /// The judgement of a check alone.
 pub fn judge_check(checked: &CheckAnswer) -> Judgement {
     Judgement {
-        versions: of_check(checked),
+        versions: of_check(checked, &[]),
         is_done: true,
         is_alarming: false,
     }
@@ -323,36 +362,21 @@ pub fn judge_simulation(simulated: &SimulateAnswer) -> Judgement {
     judgement
 }
 
+/// The judgement of one simulation, beside what surveys say of the model.
+pub fn judge_run(run: &Simulation, evidence: &Evidence) -> Judgement {
+    let mut judgement = Judgement {
+        versions: Vec::new(),
+        is_done: true,
+        is_alarming: false,
+    };
+    judgement.add_run(run, evidence);
+    judgement
+}
+
 /// The judgement of one simulated stack.
 pub fn judge_stack_run(run: &StackSimulation) -> Judgement {
     let is_done = run.falls() || run.is_whole();
     Judgement::of_run(run.variant.as_deref(), of_stack(run), is_done)
-}
-
-/// The judgement of a stack by each law of contact that was run.
-pub fn judge_stack_runs(runs: &StackRuns) -> Judgement {
-    let (found, is_done) = of_stack_runs(runs);
-    Judgement::of_run(runs.deciding.variant.as_deref(), found, is_done)
-}
-
-/// The judgement of one simulated frame, in one direction.
-pub fn judge_frame_run(run: &FrameSimulation) -> Judgement {
-    let is_done = run.falls() || run.is_whole();
-    Judgement::of_run(run.variant.as_deref(), of_frame(run), is_done)
-}
-
-/// The judgement of one simulated chain.
-pub fn judge_chain_run(run: &ChainSimulation) -> Judgement {
-    let is_done = run.falls() || run.is_whole();
-    let mut judgement = Judgement::of_run(run.variant.as_deref(), of_chain(run), is_done);
-    judgement.add_weight(run);
-    judgement
-}
-
-/// The judgement of one simulated building.
-pub fn judge_building_run(run: &BuildingSimulation) -> Judgement {
-    let is_done = run.ended_before_the_motion_s().is_none();
-    Judgement::of_run(run.variant.as_deref(), of_building(run), is_done)
 }
 
 fn version(
@@ -370,15 +394,45 @@ fn version(
         version.earthquake = found.map(EarthquakeFinding::if_model_were_right).collect();
     }
     version.wind = of_wind(project, state, is_contradicted);
-    version.with_loads =
-        matches!(&state.check, Check::Stack(answer) if !answer.stack.static_loads().is_empty());
+    version.with_loads = state
+        .loads
+        .as_ref()
+        .is_some_and(|loads| !loads.combinations.is_empty());
     version.governed_by = state.governing_loads().map(Governing::of);
     version.demand_source = state.demand.as_ref().map(|demand| {
         let site = &demand.site;
         (site.code().to_owned(), site.return_period_years())
     });
+    version.leans = match &state.check {
+        Check::Stack(answer) => answer.lean.as_ref().map(of_stack_lean),
+        // what a chain is checked for, it is checked for upright
+        _ => None,
+    };
+    version.tilt_left_out = TiltLeftOut::of_model(project);
+    if matches!(&state.check, Check::Stack(answer) if !answer.stack.support_movements().is_empty()) {
+        let of_before = version.earthquake.into_iter();
+        version.earthquake = of_before.map(EarthquakeFinding::before_supports_moved).collect();
+    }
     version.inputs = AssumedInputs::of(project);
     version
+}
+
+fn leaning(run: &Simulation) -> Option<Leaning> {
+    match run {
+        Simulation::Stack(runs) => runs.deciding.lean.as_ref().map(of_stack_lean),
+        Simulation::Chain(run) => run.lean.as_ref().map(|lean| Leaning {
+            survey: lean.survey.clone(),
+            tilt: lean.written.clone(),
+        }),
+        Simulation::Frame(_) | Simulation::Building(_) => None,
+    }
+}
+
+fn of_stack_lean(lean: &SurveyedLean) -> Leaning {
+    Leaning {
+        survey: lean.survey.clone(),
+        tilt: lean.written.clone(),
+    }
 }
 
 /// The damper as in the file against its room under the motions of the file and its site.

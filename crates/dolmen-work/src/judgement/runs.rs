@@ -44,6 +44,10 @@ pub(super) fn of_stack_runs(runs: &StackRuns) -> (Vec<EarthquakeFinding>, bool) 
         .as_ref()
         .and_then(|repeats| of_repeats(repeats, motion));
     found.extend(worst.filter(|worst| worst.word > Earthquake::worst(&found)));
+    if !runs.deciding.stack.support_movements().is_empty() {
+        let of_before = found.into_iter();
+        found = of_before.map(EarthquakeFinding::before_supports_moved).collect();
+    }
     (found, is_done)
 }
 
@@ -162,12 +166,14 @@ fn of_beds(ending: Ending, parts: &[PartLimit], motion: &str) -> Vec<EarthquakeF
         DecidedBy::BedEdge => matches!(of.word, Earthquake::Near | Earthquake::BelowDemand),
         _ => false,
     });
-    let stood = counted.map(|of| EarthquakeFinding {
-        word: match of.ratio {
-            Some(ratio) if ratio >= AT_THE_EDGE => Earthquake::Near,
-            _ => of.word,
+    let stood = counted.map(|of| match of.ratio {
+        Some(ratio) if (AT_THE_EDGE..=1.0 / AT_THE_EDGE).contains(&ratio) => EarthquakeFinding {
+            word: Earthquake::Near,
+            decided_by: DecidedBy::StoodOnEdge,
+            ratio: None,
+            ..of
         },
-        ..of
+        _ => of,
     });
     stood.collect()
 }
@@ -187,7 +193,13 @@ pub(super) fn of_frame(run: &FrameSimulation) -> Vec<EarthquakeFinding> {
         (false, true) => Ending::Whole,
         (false, false) => Ending::Open,
     };
-    of_storeys(ending, &run.parts(), run.motion.motion.name())
+    let motion = run.motion.motion.name();
+    let mut found = of_storeys(ending, &run.parts(), motion);
+    found.extend(run.without_stiffness.iter().map(|direction| EarthquakeFinding {
+        part: Some(direction.clone()),
+        ..EarthquakeFinding::new(Earthquake::NotDecided, DecidedBy::StiffnessUnknown, Some(motion))
+    }));
+    found
 }
 
 /// A storey beyond its limit counts although the run is open: what it shows has happened.

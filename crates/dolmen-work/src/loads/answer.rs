@@ -4,6 +4,9 @@ use dolmen::assess::StackUnderLoads;
 use dolmen::stability::{ChainUnderLoads, Verdict};
 use dolmen::structure::wind::{Resonance, WindError};
 
+/// Natural frequency below which gusts near it add to what a gust as given says, Hz: 5 Hz in EN 1991-1-4, 1 Hz in KDS 41 12 00.
+const RESONANCE_BELOW_HZ: f64 = 1.0;
+
 /// What loads beside the weight do.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LoadsAnswer {
@@ -163,9 +166,22 @@ impl LoadsAnswer {
         })
     }
 
-    /// The worst verdict; unknown where the wind is not known.
+    /// The worst verdict; unknown where the wind is not known, or where gusts make it swing and the wind does not hold that.
     pub fn verdict(&self) -> Verdict {
-        self.worst().map_or(Verdict::Unknown, CombinationAnswer::verdict)
+        match self.worst().map_or(Verdict::Unknown, CombinationAnswer::verdict) {
+            Verdict::Unstable => Verdict::Unstable,
+            _ if self.lacks_resonance_at_hz().is_some() => Verdict::Unknown,
+            verdict => verdict,
+        }
+    }
+
+    /// The lowest natural frequency, Hz, of a structure that gusts make swing under a wind that does not hold that.
+    pub fn lacks_resonance_at_hz(&self) -> Option<f64> {
+        let met = self.wind.as_ref()?.as_ref().ok()?;
+        let blows = self.combinations.iter().any(|of| of.wind != 0.0);
+        let is_left_out = met.resonance == Resonance::NotCounted && blows;
+        met.frequency_hz
+            .filter(|hz| is_left_out && *hz < RESONANCE_BELOW_HZ)
     }
 
     /// Least factor of all combinations.

@@ -88,6 +88,11 @@ pub fn unlike_words(unlike: &Unlike, language: Language) -> String {
         Unlike::Bonds => "접합면이 부착됨(학습 조건: 부착 없음)".to_owned(),
         Unlike::Ties => "촉 또는 은장이 있음(학습 조건: 없음)".to_owned(),
         Unlike::SideSupports => "측면 지지가 있음(학습 조건: 없음)".to_owned(),
+        Unlike::Leans { slope } => format!("기울기 1/{:.0}(학습 조건: 연직)", 1.0 / slope),
+        Unlike::Frequency {
+            measured_hz,
+            computed_hz,
+        } => format!("실측 고유진동수 {measured_hz:.2} Hz(학습 조건의 탑: {computed_hz:.2} Hz)"),
     };
     language.pick(unlike.to_string(), korean)
 }

@@ -3,19 +3,34 @@
 use super::answer::{ScoreAnswer, ScoreQuality};
 use super::designs::ScoreDesigns;
 use crate::error::WorkError;
+use crate::judgement::Evidence;
 use crate::opened::Opened;
 use crate::portfolio::unlike_words;
+use crate::simulate::evidence;
 use dolmen::assess::{SixFactors, Unlike, unlike_trained};
 use dolmen_project::{Project, Quantity, Structure};
 use dolmen_words::message::Both;
 use rayon::prelude::*;
+
+/// Slope from which a pagoda counts as leaning. Chosen here.
+const LEANS: f64 = 0.01;
 
 /// Refuses a pagoda that is unlike those that the score was trained on, unless `outside_too`.
 pub(crate) fn check_alike(project: &Project, outside_too: bool) -> Result<Vec<Unlike>, WorkError> {
     let Structure::Stack(part) = &project.structure else {
         return Ok(Vec::new());
     };
-    let unlike = unlike_trained(&part.build(&mut Quantity::nominal)?);
+    let mut unlike = unlike_trained(&part.build(&mut Quantity::nominal)?);
+    if let Some(lean) = &part.lean {
+        let slope = lean.slope[0].hypot(lean.slope[1]);
+        unlike.extend((slope >= LEANS).then_some(Unlike::Leans { slope }));
+    }
+    if let Evidence::Contradicted(of) = evidence(project, None)? {
+        unlike.push(Unlike::Frequency {
+            measured_hz: of.measured_hz,
+            computed_hz: of.computed_hz,
+        });
+    }
     if !unlike.is_empty() && !outside_too {
         return Err(WorkError::PagodaUnlike {
             how: Both::of(|language| {

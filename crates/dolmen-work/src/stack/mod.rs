@@ -14,7 +14,7 @@ mod sliding;
 pub(crate) mod study;
 
 pub use factors_answer::FactorsAnswer;
-pub use repeats::{Repeat, Repeats, Spread};
+pub use repeats::{Repeat, Repeating, Repeats, Spread};
 pub use runs::{LeftOut, StackRuns};
 pub use simulate::Law;
 pub use simulation::StackSimulation;

@@ -1,10 +1,11 @@
 //! A stack under a motion again and again, with differences too small to be measured.
 
 use super::StackSimulation;
+use super::simulation::came_to_its_end;
 use crate::error::WorkError;
 use crate::progress::Progress;
 use dolmen::assess::{DamageState, DamageThresholds, stack_damage};
-use dolmen::blocks::{BlocksError, ContactLaw, Outcome, StackHistory};
+use dolmen::blocks::{BlocksError, ContactLaw, StackHistory};
 use dolmen::blocks::{StackRun, simulate_rigid, simulate_springs_many};
 use dolmen::numeric::{Random, quantile};
 use dolmen::signal::GroundMotion;
@@ -12,6 +13,50 @@ use dolmen::structure::stack::{SmallDifferences, Stack};
 
 /// Seed of the differences: the same in every run. Chosen here.
 const SEED: u64 = 1;
+/// Runs in all where nobody said how many. Chosen here.
+const AS_NEEDED: usize = 8;
+
+/// Updates of contact points up to which a run is repeated without being asked for. Chosen here: some five seconds.
+const REPEAT_UPDATES_MOST: f64 = 1e9;
+
+/// How often the run of a stack that decides is made in all, each time but the first with differences that nobody can measure.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Repeating {
+    /// Eight times where one run shows damage that is not the worst: small differences may make it worse.
+    AsNeeded {
+        /// Updates of contact points up to which it is.
+        updates_most: f64,
+    },
+    /// So often.
+    Times(usize),
+}
+
+impl Repeating {
+    /// As needed, if that takes no more than seconds.
+    pub const QUICK: Repeating = Repeating::AsNeeded {
+        updates_most: REPEAT_UPDATES_MOST,
+    };
+    /// As needed, however long it takes.
+    pub const WHOLE: Repeating = Repeating::AsNeeded {
+        updates_most: f64::INFINITY,
+    };
+
+    /// How often a run is made in all.
+    pub(super) fn times(self, run: &StackSimulation) -> usize {
+        match self {
+            Repeating::Times(times) => times,
+            Repeating::AsNeeded { updates_most } => {
+                let is_open = matches!(run.damage.state, DamageState::Begun | DamageState::Offset);
+                let updates = run.history.contact_points as f64 * run.history.steps as f64;
+                let more = (AS_NEEDED - 1) as f64;
+                match is_open && run.is_whole() && more * updates <= updates_most {
+                    true => AS_NEEDED,
+                    false => 1,
+                }
+            }
+        }
+    }
+}
 
 /// What one run with small differences found.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -136,12 +181,7 @@ pub(super) fn repeats(
 
 impl Repeats {
     fn add(&mut self, run: &StackSimulation, history: Result<StackHistory, BlocksError>) {
-        let decided = history.ok().filter(|history| {
-            !matches!(
-                history.outcome,
-                Outcome::Stopped { .. } | Outcome::NotConverged { .. } | Outcome::Diverged { .. }
-            )
-        });
+        let decided = history.ok().filter(|history| came_to_its_end(&history.outcome));
         let Some(history) = decided else {
             self.undecided += 1;
             return;

@@ -1,6 +1,6 @@
 //! A stack under a ground motion.
 
-use super::repeats::repeats;
+use super::repeats::{Repeating, repeats};
 use super::sliding::sliding;
 use super::{LeftOut, StackRuns, StackSimulation};
 use crate::error::WorkError;
@@ -44,7 +44,7 @@ pub(crate) struct StackOptions {
     pub(crate) output_step_s: f64,
     pub(crate) to_the_end: bool,
     pub(crate) however_long: bool,
-    pub(crate) repeats: usize,
+    pub(crate) repeats: Repeating,
 }
 
 /// What came of a stack that was to be shaken.
@@ -97,8 +97,9 @@ pub(crate) fn simulate(
             progress,
         )?);
     }
-    if options.repeats > 1 && !progress.is_cancelled() {
-        runs.repeats = Some(repeats(&runs.deciding, options.repeats, progress)?);
+    let times = options.repeats.times(&runs.deciding);
+    if times > 1 && !progress.is_cancelled() {
+        runs.repeats = Some(repeats(&runs.deciding, times, progress)?);
     }
     Ok(Shaken::Simulated(Box::new(runs)))
 }

@@ -35,6 +35,17 @@ pub struct StackSimulation {
     pub damage: StackDamage,
 }
 
+/// Whether stones rest, or one fell.
+pub(super) fn came_to_its_end(outcome: &Outcome) -> bool {
+    !matches!(
+        outcome,
+        Outcome::Stopped { .. }
+            | Outcome::Diverged { .. }
+            | Outcome::NotConverged { .. }
+            | Outcome::StillMoving { .. }
+    )
+}
+
 impl StackSimulation {
     /// When the run ended, s, if that is before the motion did and no stone had fallen: there is no verdict.
     pub fn ended_before_the_motion_s(&self) -> Option<f64> {
@@ -83,15 +94,7 @@ impl StackSimulation {
 
     /// Whether the run came to its end, at rest or by falling.
     pub fn is_whole(&self) -> bool {
-        let is_cut = self.ended_before_the_motion_s().is_some();
-        !is_cut
-            && !matches!(
-                self.history.outcome,
-                Outcome::Stopped { .. }
-                    | Outcome::Diverged { .. }
-                    | Outcome::NotConverged { .. }
-                    | Outcome::StillMoving { .. }
-            )
+        self.ended_before_the_motion_s().is_none() && came_to_its_end(&self.history.outcome)
     }
 
     /// The state of damage that counts. What is left of a slip is not known before the end; how far a joint rocked is.

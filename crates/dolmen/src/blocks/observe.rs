@@ -8,7 +8,7 @@ use super::forces::Forces;
 use super::history::{Energy, JointHistory, Outcome, Pose, StackHistory};
 use super::patch::LANES;
 use super::stillness::{EDGE, Stillness, Swings};
-use super::support::plumb_margin;
+use super::support::{plumb_decides, plumb_margin};
 use super::watch::{Seen, Watch, length};
 use crate::structure::stack::Stack;
 use glam::DVec3;
@@ -25,7 +25,7 @@ pub(super) struct Observer {
     /// Of each, what was seen last.
     seen: Vec<Seen>,
     falls: Falls,
-    /// Of each block, how far inside what carries it its plumb line lies at rest, m.
+    /// Of each block, how far inside what carries it its plumb line lies at rest, m; `None` where that does not tell how far it is from tipping.
     margins: Vec<Option<f64>>,
     sample_every: usize,
     /// Looks from one sample to the next, at most as many as steps.
@@ -59,6 +59,7 @@ impl Observer {
             .sum();
         let joints = stack.joints().iter();
         let watches: Vec<Watch> = joints.map(|joint| Watch::of(joint, &assembly.bodies)).collect();
+        let decides = plumb_decides(assembly);
         Observer {
             seen: vec![Seen::default(); watches.len()],
             watches,
@@ -66,7 +67,7 @@ impl Observer {
             sample_every,
             looks,
             margins: (1..assembly.bodies.len())
-                .map(|body| plumb_margin(assembly, body))
+                .map(|body| plumb_margin(assembly, body).filter(|_| decides[body]))
                 .collect(),
             outcome: None,
             stillness: Stillness::of(stack.joints().len()),

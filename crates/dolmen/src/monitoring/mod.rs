@@ -45,5 +45,5 @@ pub use tilt::{SlopeLimit, TiltJump, TiltReach, TiltSeries, TiltSlope, TiltTrend
 pub use tracking::{Jumped, Track, Tracked, Tracking, track};
 pub use watch::{ANSWERED_DAYS, StructureAlarm, WatchOptions, Watched, watch};
 pub use watched_mode::{LastOff, WatchedChange, WatchedMode, WeatherEffect, WorkEffect};
-pub use weather::WeatherKnown;
+pub use weather::{Wave, WeatherKnown};
 pub use whitening::Disturbance;

@@ -57,8 +57,46 @@ pub enum WeatherKnown {
     TemperatureAndFrost,
     /// No temperatures: a wave of one year.
     Season,
+    /// No temperatures, and surveys at two times of the year only: the difference between them.
+    TwoSeasons(Wave),
     /// Nothing: a change and the weather are not told apart.
     Nothing,
+}
+
+/// What tells two times of the year apart.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Wave {
+    /// The cosine of the wave of one year.
+    Cosine,
+    /// Its sine.
+    Sine,
+}
+
+/// Variance of the wave of one year over the surveys below which it is not told from the level: surveys within some two weeks of one day, or of two
+/// days, of the year. Chosen here.
+const WAVE_VARIANCE_LEAST: f64 = 0.05;
+
+/// What of the wave of one year the days of a series tell from the level.
+fn season(days: &[f64]) -> WeatherKnown {
+    let turns = || days.iter().map(|day| (TAU * day / YEAR_DAYS).sin_cos());
+    let count = days.len() as f64;
+    let (sine, cosine) = turns().fold((0.0, 0.0), |(s, c), (sin, cos)| {
+        (s + sin / count, c + cos / count)
+    });
+    let [mut of_sine, mut of_cosine, mut of_both] = [0.0; 3];
+    for (sin, cos) in turns() {
+        of_sine += (sin - sine).powi(2) / count;
+        of_cosine += (cos - cosine).powi(2) / count;
+        of_both += (sin - sine) * (cos - cosine) / count;
+    }
+    let (half, apart) = (0.5 * (of_sine + of_cosine), 0.5 * (of_cosine - of_sine));
+    let [least, most] = [-1.0, 1.0].map(|sign| half + sign * apart.hypot(of_both));
+    match (least >= WAVE_VARIANCE_LEAST, most >= WAVE_VARIANCE_LEAST) {
+        (true, _) => WeatherKnown::Season,
+        (false, true) if of_cosine >= of_sine => WeatherKnown::TwoSeasons(Wave::Cosine),
+        (false, true) => WeatherKnown::TwoSeasons(Wave::Sine),
+        (false, false) => WeatherKnown::Nothing,
+    }
 }
 
 /// Whether temperatures explain a series: nearly all are known, and they differ.
@@ -86,6 +124,8 @@ pub(super) fn explaining(
             vec![1.0, warmth, 0.1 * (frost_below_c - temperature_c).max(0.0)]
         }
         WeatherKnown::Season => vec![1.0, turn.cos(), turn.sin()],
+        WeatherKnown::TwoSeasons(Wave::Cosine) => vec![1.0, turn.cos()],
+        WeatherKnown::TwoSeasons(Wave::Sine) => vec![1.0, turn.sin()],
         WeatherKnown::Nothing => vec![1.0],
     }
 }
@@ -142,7 +182,29 @@ pub(super) fn earned(series: &ModeSeries, extra: &[Vec<f64>], at: (f64, f64)) ->
         .zip(series.days.first())
         .map_or(0.0, |(b, a)| b - a);
     match series.len() >= SEASON_SURVEYS_LEAST && span >= SEASON_YEARS_LEAST * YEAR_DAYS {
-        true => WeatherKnown::Season,
+        true => season(&series.days),
         false => WeatherKnown::Nothing,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn holds_a_season_is_sought_where_surveys_lie_round_the_year() {
+        let of = |months: &[f64]| {
+            let days: Vec<f64> = (0..24)
+                .map(|i| {
+                    YEAR_DAYS * (f64::from(i) + months[i as usize % months.len()] / 12.0) + f64::from(i % 5)
+                })
+                .collect();
+            season(&days)
+        };
+        assert_eq!(of(&[0.0, 3.0, 6.0, 9.0]), WeatherKnown::Season);
+        // May of every year; May and November; January and July
+        assert_eq!(of(&[4.3]), WeatherKnown::Nothing);
+        assert_eq!(of(&[3.0, 9.0]), WeatherKnown::TwoSeasons(Wave::Sine));
+        assert_eq!(of(&[0.0, 6.0]), WeatherKnown::TwoSeasons(Wave::Cosine));
     }
 }

@@ -24,6 +24,18 @@ pub enum Unlike {
     Ties,
     /// It has side supports.
     SideSupports,
+    /// It leans as surveyed.
+    Leans {
+        /// Horizontal / vertical, by both directions together.
+        slope: f64,
+    },
+    /// A survey measured another frequency than it has.
+    Frequency {
+        /// Measured, Hz.
+        measured_hz: f64,
+        /// Of its model, Hz.
+        computed_hz: f64,
+    },
 }
 
 impl fmt::Display for Unlike {
@@ -37,6 +49,14 @@ impl fmt::Display for Unlike {
             Unlike::Bonds => f.write_str("joints are bonded, trained dry"),
             Unlike::Ties => f.write_str("it has dowels or clamps, trained without"),
             Unlike::SideSupports => f.write_str("it has side supports, trained without"),
+            Unlike::Leans { slope } => write!(f, "it leans by 1/{:.0}, trained upright", 1.0 / slope),
+            Unlike::Frequency {
+                measured_hz,
+                computed_hz,
+            } => write!(
+                f,
+                "a survey measured {measured_hz:.2} Hz, a pagoda as trained has {computed_hz:.2} Hz"
+            ),
         }
     }
 }

@@ -8,6 +8,7 @@ use crate::modal::modal_analysis::{ModalAnalysis, of_peaks};
 use crate::modal::options::Identify;
 use crate::modal::spectrum::{Fdd, FddResult, SpectralMatrices, peaks_of};
 use crate::modal::{AtAmplitude, Decrement, Era, FreeDecay, ModalError, Mode, assurance, decrement, era};
+use crate::numeric::quantile;
 use crate::signal::{ChannelFault, Record, inspect};
 
 /// Samples over lines of the spectrum of a decay.
@@ -52,6 +53,11 @@ pub(crate) fn of_decay(
         let mode = &mut analysis.modes.modes[k];
         if damping_follows {
             mode.damping_ratio_sd = None;
+        }
+        if group.len() > 1 {
+            // one pole of several dies faster than the mode
+            let ratios: Vec<f64> = swings.iter().map(|of| of.damping_ratio).collect();
+            mode.damping_ratio = quantile(&ratios, 0.5).ok().or(mode.damping_ratio);
         }
         modes.push(ModeDecay {
             frequency_hz: mode.frequency_hz,

@@ -21,7 +21,7 @@ pub struct ModeDecay {
     /// Its frequency, Hz.
     pub frequency_hz: f64,
     /// Frequencies of the poles that stand for it, Hz. More than one, of one shape and with bands that meet: it is no exponential, its
-    /// frequency and damping follow the size of its swings, and those of the mode are the strongest pole's, without a deviation. With one
+    /// frequency and damping follow the size of its swings; the mode has the frequency of the strongest pole and the median damping of its swings where there are any, without a deviation. With one
     /// channel every shape is alike: they may as well be several modes.
     pub poles_hz: Vec<f64>,
     /// Its deviations over those in white noise of the same power: far above 1 where the structure is still shaken.

@@ -1,0 +1,257 @@
+// SOURCE     Structures of which two surfaces of the command said different things, found by users with fresh eyes.
+// GOAL       Terminal, JSON and exit status say one thing, and it is the worse one.
+// TOLERANCE  none: words and exit statuses.
+
+use super::verbs::Scratch;
+use std::fs;
+
+fn said(name: &str, text: &str, words: &str) -> (i32, String) {
+    let scratch = Scratch::new(name);
+    fs::write(scratch.path().join("project.toml"), text).unwrap();
+    let answer = scratch.dolmen(words);
+    (answer.status, format!("{}{}", answer.words(), answer.stderr))
+}
+
+fn judgement(name: &str, text: &str, words: &str) -> (i32, serde_json::Value) {
+    let scratch = Scratch::new(name);
+    fs::write(scratch.path().join("project.toml"), text).unwrap();
+    let answer = scratch.dolmen(words);
+    let value: serde_json::Value = serde_json::from_str(&answer.stdout).unwrap();
+    let of = match value["simulations"].as_array() {
+        Some(all) => all[0]["judgement"].clone(),
+        None => value["judgement"].clone(),
+    };
+    (answer.status, of)
+}
+
+const CHECK: &str = "check project.toml";
+const GATE: &str = "schema = 1\nkind = \"frame\"\nname = \"Gate\"\nunits = { force = \"kN\", mass = \"t\", stiffness = \"kN/mm\" }\n\
+    storeys = [{ mass = 40, height = 4.2 }, { mass = 25, height = 3.0 }]\nlimits = { storey_drift = \"2 %\" }\n\
+    direction.x = { stiffness = [9.0, 6.0], damping_ratio = 0.03 }\ndirection.y = { stiffness = [9.0, 6.0], damping_ratio = 0.02 }\n";
+
+#[test]
+fn holds_evidence_is_judged_direction_by_direction() {
+    let older = format!("{GATE}[survey.2019-05-01]\nfrequencies.x = [1.2]\n");
+    let both = format!("{older}[survey.2025-05-01]\nfrequencies.y = [1.63]\n");
+    for (name, file) in [("older", &older), ("both", &both)] {
+        let (_, words) = said(name, file, CHECK);
+        assert!(words.contains("2019-05-01 contradicts it"), "{words}");
+    }
+    // a later survey of the same direction decides
+    let later = format!("{older}[survey.2025-05-01]\nfrequencies.x = [1.63]\n");
+    let (_, words) = said("later", &later, CHECK);
+    assert!(
+        words.contains("VERDICT Own weight: stable") && words.contains("which survey 2025-05-01 decides"),
+        "{words}"
+    );
+    let (status, of) = judgement(
+        "json",
+        &both,
+        "simulate project.toml --motion el-centro-1940-ns --json",
+    );
+    assert_eq!(status, 0);
+    assert_eq!(of["versions"][0]["evidence"]["word"], "contradicted");
+    assert_eq!(of["versions"][0]["earthquake"]["word"], "not decided");
+}
+
+#[test]
+fn holds_a_rough_measurement_is_neither_agreement_nor_contradiction() {
+    let rough = format!("{GATE}[survey.2019-05-01]\nfrequencies.x = [{{ value = 1.0, sd = 0.22 }}]\n");
+    let (status, of) = judgement("rough", &rough, "check project.toml --json");
+    assert_eq!(
+        (status, &of["versions"][0]["evidence"]["word"]),
+        (0, &"too rough".into())
+    );
+    let (_, words) = said("rough-said", &rough, CHECK);
+    assert!(
+        words.contains("too rough to tell") && !words.contains('✕'),
+        "{words}"
+    );
+}
+
+#[test]
+fn holds_a_direction_that_cannot_be_run_is_not_decided() {
+    let unknown = GATE.replace(
+        "direction.y = { stiffness = [9.0, 6.0]",
+        "direction.y = { stiffness = \"unknown\"",
+    );
+    let (_, words) = said(
+        "unknown-y",
+        &unknown,
+        "simulate project.toml --motion el-centro-1940-ns",
+    );
+    assert!(
+        words.contains("not decided (the stiffness of direction y is not known)"),
+        "{words}"
+    );
+}
+
+#[test]
+fn holds_the_load_factor_that_decides_is_among_the_findings() {
+    let slipping = GATE.replace(
+        "damping_ratio = 0.02",
+        "damping_ratio = 0.02, friction = { law = \"jenkins\", coefficient = 0.06, slipping_stiffness = [0, 0] }",
+    );
+    let (status, words) = said("slipping", &slipping, CHECK);
+    assert!(
+        status == 1 && words.contains("once its joints slip it falls at 0 times"),
+        "{words}"
+    );
+}
+
+#[test]
+fn holds_a_gust_below_one_hertz_is_not_known() {
+    let pole = "schema = 1\nkind = \"chain\"\nname = \"Pole\"\ndamping_ratio = 0.005\n\
+        links = [{ name = \"pole\", weight = \"120 kN\", length = 10, centroid = 4.9, breadth = 0.7, bed_width = 0.8 }]\n\
+        joints = [{ stiffness = \"1.3 MN*m/rad\" }]\nwind = { speed = \"19.6 m/s\", means = \"gust\", force_coefficient = 2.0 }\n";
+    let (_, words) = said("gust", pole, CHECK);
+    assert!(
+        words.contains("unknown in wind") && words.contains("gusts make it swing"),
+        "{words}"
+    );
+    let stiff = pole.replace("1.3 MN", "130 MN");
+    let (_, words) = said("stiff", &stiff, CHECK);
+    assert!(words.contains("VERDICT Weight and loads: stable"), "{words}");
+}
+
+#[test]
+fn holds_a_tilt_beyond_its_limit_is_red_everywhere_and_one_left_out_is_in_the_headline() {
+    let post = "schema = 1\nkind = \"stack\"\nname = \"Post\"\ndensity = 2600\njoint = { friction = 0.7 }\n\
+        blocks = [{ name = \"post\", width = 0.6, height = 4.2 }, { name = \"cap\", width = 0.6, height = 0.2 }]\n\
+        watch = { tilt_limit = \"1/50\" }\n[survey.2025-06-01]\ntilt = { y = \"1/40\" }\n";
+    let (status, words) = said("beyond", post, CHECK);
+    assert!(
+        status == 1
+            && words.contains("Tilt: beyond its limit")
+            && words.contains("leaning as surveyed (2025-06-01: y 1/40)"),
+        "{words}"
+    );
+    // one tilt is enough
+    let (status, words) = said("watched", post, "watch project.toml");
+    assert!(status == 1 && words.contains("it leans by 25.00 mm/m, beyond"), "{words}");
+    let offset = post
+        .replace("height = 0.2 }", "height = 0.2, offset = [\"10 mm\", 0] }")
+        .replace("1/50", "1/10");
+    let (status, words) = said("offset", &offset, CHECK);
+    assert!(
+        status == 0 && words.contains("not in it: tilt y 1/40 of survey 2025-06-01"),
+        "{words}"
+    );
+    let gate = format!("{GATE}[survey.2025-06-01]\ntilt = {{ x = \"1/40\" }}\n");
+    assert!(said("gate", &gate, CHECK).1.contains("not in it: tilt x 1/40"));
+    let repaired = post.replace("1/50", "1/5").replace(
+        "[survey.2025-06-01]",
+        "[survey.2023-06-01]\ntilt = { x = \"1/30\" }\n[survey.2025-06-01]",
+    );
+    assert!(
+        said("direction", &repaired, CHECK)
+            .1
+            .contains("not in it: tilt x 1/30")
+    );
+}
+
+#[test]
+fn holds_supports_that_moved_leave_the_earthquake_undecided() {
+    let arch = include_str!("../../../../examples/arch/project.toml");
+    let arch = arch.replacen(
+        "arch = {",
+        "support_movement = [{ on = \"right abutment\", x = \"250 mm\" }]\n\
+         site = { code = \"KDS 17 10 00\", zone = \"I\", return_period_years = 500, soil = \"S1\" }\narch = {",
+        1,
+    );
+    let (_, words) = said("moved", &arch, CHECK);
+    assert!(words.contains("before its supports moved)"), "{words}");
+}
+
+#[test]
+fn holds_severe_damage_stands_until_its_part_is_looked_at_again() {
+    let inspected = |later: &str| {
+        format!(
+            "{GATE}[survey.2023-05-01]\ninspections = [{{ part = \"1\", what = \"open joint\", severity = \"severe\" }}]\n\
+             [survey.2024-05-01]\ninspections = [{{ part = \"{later}\", what = \"crack\", severity = \"slight\" }}]\n"
+        )
+    };
+    let (_, words) = said("other-part", &inspected("2"), CHECK);
+    assert!(words.contains("Survey 2023-05-01 found severe damage"), "{words}");
+    let (_, words) = said("same-part", &inspected("1"), CHECK);
+    assert!(!words.contains("severe damage"), "{words}");
+}
+
+#[test]
+fn holds_what_dolmen_takes_for_joints_counts_as_assumed() {
+    let bare = "schema = 1\nkind = \"stack\"\nname = \"Two\"\ndensity = 2600\nblocks = [{ name = \"a\", width = 1, height = 1 }]\n";
+    let (_, words) = said("bare", bare, CHECK);
+    assert!(
+        words.contains("assumed inputs: 4 of 7") && words.contains("taken by Dolmen"),
+        "{words}"
+    );
+}
+
+#[test]
+fn holds_a_change_is_found_in_surveys_of_the_same_day_of_every_year() {
+    let mut file = "schema = 1\nkind = \"survey\"\nname = \"Tower\"\n".to_owned();
+    let off = [
+        21, 49, 20, -78, 54, 27, -32, 35, 22, 18, 2, 33, -15, 40, -22, 11, -30, 25, 5, -12,
+    ];
+    for (year, off) in off.into_iter().enumerate() {
+        let level = if year < 14 { 3.0 } else { 2.91 };
+        let hz = level + 1e-4 * f64::from(off);
+        file += &format!(
+            "[survey.{}-05-10]\nfrequencies.x = [{{ value = {hz:.4}, sd = 0.006 }}]\n",
+            2000 + year
+        );
+    }
+    let (status, words) = said("same-day", &file, "watch project.toml");
+    assert!(
+        status == 1 && words.contains("−3.") || words.contains("−2.9"),
+        "{words}"
+    );
+}
+
+#[test]
+fn refuses_a_score_of_a_pagoda_that_leans_or_was_measured_otherwise() {
+    let pagoda = "schema = 1\nkind = \"stack\"\nname = \"Pagoda\"\ndensity = 2600\n\
+        joint = { friction = 0.6, normal_stiffness = 1e9, shear_stiffness = 4e8 }\n\
+        pagoda = { storeys = 5, body_height = 6.0, body_slenderness = 3.74, taper = \"8 deg\", body_base_height_ratio = 3 }\n";
+    let (status, words) = said("plumb-score", pagoda, "score project.toml");
+    assert_eq!(status, 0, "{words}");
+    for (survey, why) in [
+        ("tilt = { x = \"1/30\" }", "it leans by 1/30"),
+        ("frequencies.x = [1.0]", "a survey measured 1.00 Hz"),
+    ] {
+        let file = format!("{pagoda}[survey.2025-01-01]\n{survey}\n");
+        let (status, words) = said("leaning-score", &file, "score project.toml");
+        assert!(status == 2 && words.contains(why), "{words}");
+    }
+}
+
+#[test]
+fn holds_small_differences_decide_without_a_flag() {
+    let pagoda = include_str!("../../../../examples/three_storey_pagoda/project.toml");
+    let words = "simulate project.toml --motion el-centro-1940-ns --law springs";
+    let (_, whole) = said("as-needed", pagoda, words);
+    assert!(
+        whole.contains("near demand (DS2 in") && whole.contains("of 8 runs)"),
+        "{whole}"
+    );
+    let (_, one) = said("one-run", pagoda, &format!("{words} --repeats 1"));
+    assert!(
+        one.contains("above demand (DS1)") && one.contains("--repeats 8 repeats it"),
+        "{one}"
+    );
+}
+
+#[test]
+fn holds_an_arch_comes_to_rest_on_its_thrust() {
+    let arch = include_str!("../../../../examples/arch/project.toml");
+    let words = "simulate project.toml --motion el-centro-1940-ns --law springs";
+    let (status, words) = said("arch-rests", arch, words);
+    assert!(status == 1 && words.contains("below demand (DS3)"), "{words}");
+    assert!(words.contains("it shifted and stood"), "{words}");
+}
+
+#[test]
+fn refuses_json_of_a_drawing() {
+    let (status, words) = said("drawing", GATE, "draw project.toml --json");
+    assert!(status == 2 && words.contains("has no JSON"), "{words}");
+}
