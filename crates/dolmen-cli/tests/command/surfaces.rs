@@ -128,7 +128,10 @@ fn holds_a_tilt_beyond_its_limit_is_red_everywhere_and_one_left_out_is_in_the_he
     );
     // one tilt is enough
     let (status, words) = said("watched", post, "watch project.toml");
-    assert!(status == 1 && words.contains("it leans by 25.00 mm/m, beyond"), "{words}");
+    assert!(
+        status == 1 && words.contains("it leans by 25.00 mm/m, beyond"),
+        "{words}"
+    );
     let offset = post
         .replace("height = 0.2 }", "height = 0.2, offset = [\"10 mm\", 0] }")
         .replace("1/50", "1/10");
