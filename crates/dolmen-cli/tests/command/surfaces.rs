@@ -258,3 +258,22 @@ fn refuses_json_of_a_drawing() {
     let (status, words) = said("drawing", GATE, "draw project.toml --json");
     assert!(status == 2 && words.contains("has no JSON"), "{words}");
 }
+
+#[test]
+fn holds_a_damper_whose_mode_hardly_moves_its_way_is_asked_about() {
+    // softer along y: mode 1 moves along y, and the damper along x is tuned to it
+    let file = "schema = 1\nkind = \"building\"\nname = \"Three floors\"\nunits = { mass = \"t\", stiffness = \"kN/mm\" }\ndamping.ratio = 0.03\n\
+        floors = [{ count = 3, mass = 150, sides = [16, 10], height = 3.2, stiffness = { x = 240, y = 180, rotation = \"12000 MN*m/rad\", centre = [0.3, 0.2] } }]\n\
+        damper.roof = { kind = \"tmd\", floor = 3, place = [4, 1], direction = \"x\", mass = \"9 t\", tuning = \"den_hartog\", stroke = 0.4 }\n";
+    let (_, words) = said("damper-off", file, CHECK);
+    assert!(
+        words.contains("Damper roof hardly moves with mode 1, to which it is tuned"),
+        "{words}"
+    );
+    let (_, words) = said(
+        "damper-on",
+        &file.replace("direction = \"x\"", "direction = \"y\""),
+        CHECK,
+    );
+    assert!(!words.contains("hardly moves"), "{words}");
+}

@@ -50,6 +50,10 @@ messages! {
             ko: "제진장치로 인해 부지 스펙트럼에 대한 응답 일부가 커진다(배수): {list}.",
         },
         Factor { what: Sentence, ratio: Quantity } => { en: "{what} {ratio}", ko: "{what} {ratio}" },
+        HardlyMoves { damper: Sentence, mode: usize, share: Quantity } => {
+            en: "Damper {damper} hardly moves with mode {mode}, to which it is tuned: its mass is {share} of that mode's. Another mode, place or direction is probably meant.",
+            ko: "제진장치 {damper}은(는) 동조 대상인 {mode}차 모드에서 거의 움직이지 않는다(모드 질량의 {share}). 다른 모드나 위치, 방향을 뜻한 것으로 보인다.",
+        },
         BeyondRoom { damper: Sentence, needed: Quantity, has: Quantity } => {
             en: "Damper {damper} is beyond its room under the spectrum of the site: it needs {needed} each way and has {has}.",
             ko: "부지 스펙트럼에서 제진장치 {damper}의 행정 {needed}이(가) 여유 공간 {has}을(를) 넘는다.",
@@ -77,6 +81,7 @@ pub(crate) fn findings(answer: &BuildingAnswer) -> Vec<Finding> {
         if let Some(spectral) = &standing.spectral {
             all.push(drift(answer, standing, spectral));
         }
+        all.extend(hardly_moves(standing));
         all.extend(more_with_dampers(standing).map(|said| Finding::key(Tone::Warn, said)));
         all.extend(beyond_room(standing));
         all.extend(refused(standing).map(|said| Finding::key(Tone::Unknown, said)));
@@ -144,6 +149,23 @@ fn drift(answer: &BuildingAnswer, standing: &StandingBuilding, spectral: &Buildi
         None => Found::Drift { ratio, floor },
     };
     Finding::key(Tone::Plain, said)
+}
+
+/// Share of a modal mass below which no damper is built. Chosen here: they have half a per cent and more.
+const MASS_RATIO_LEAST: f64 = 2e-3;
+
+/// Dampers whose mode hardly moves their way.
+fn hardly_moves(standing: &StandingBuilding) -> Vec<Finding> {
+    let each = standing.dampers.iter().filter_map(|of| {
+        let tuned = of.tuned_to.filter(|tuned| tuned.mass_ratio < MASS_RATIO_LEAST)?;
+        let said = Found::HardlyMoves {
+            damper: stroke_words(&of.name),
+            mode: tuned.mode,
+            share: Quantity::percent(tuned.mass_ratio, 2),
+        };
+        Some(Finding::key(Tone::Warn, said))
+    });
+    each.collect()
 }
 
 /// What the dampers make more under the spectrum of the site.

@@ -10,7 +10,7 @@ use dolmen::monitoring::{
 };
 use dolmen::numeric::quantile;
 use dolmen_project::{WorkKind, WorkPart};
-use dolmen_words::{Quantity, Sentence, messages};
+use dolmen_words::{Language, Quantity, Sentence, messages};
 use dolmen_work::watched::WatchAnswer;
 
 /// Changes that get a finding each; the others are counted.
@@ -19,6 +19,10 @@ const TOLD_MOST: usize = 4;
 messages! {
     /// Findings on a history.
     pub(crate) enum Found in "watch.findings" {
+        PlusMinus => {
+            en: "± is half the width of an interval that holds 95 %.",
+            ko: "±는 95 % 신뢰구간의 반폭이다.",
+        },
         OpenAlarm { frequency: Quantity, since: String, confirmed: String } => {
             en: "ALARM: {frequency} left what earlier surveys predict, since {since}, confirmed on {confirmed}, and no repair or inspection followed. Look at the structure; then enter it into works of [watch].",
             ko: "경보: {frequency} 모드가 {since}부터 이전 조사의 예측을 벗어났고 {confirmed}에 확정되었으나 이후 보수나 점검이 없다. 구조물을 점검하고 [watch]의 works에 기록한다.",
@@ -161,6 +165,10 @@ pub(crate) fn findings(answer: &WatchAnswer) -> Vec<Finding> {
     all.extend(works(answer));
     all.extend(failing(answer));
     all.extend(sensors(answer));
+    let has_interval = all
+        .iter()
+        .any(|of| of.is_key && of.sentence.text(Language::English).contains('±'));
+    all.extend(has_interval.then(|| Finding::key(Tone::Plain, Found::PlusMinus)));
     // tilts alone give no alarm of the structure
     if answer.watched.false_alarm_probability > 0.0 && !answer.watched.modes.is_empty() {
         all.push(Finding::new(

@@ -65,7 +65,7 @@ impl MeasuredFrequency {
         self.apart() > FREQUENCY_RATIO_MOST.ln()
     }
 
-    /// Whether they differ by more than [`FREQUENCY_RATIO_MOST`] but by no more than three standard deviations: nothing is told either way.
+    /// Whether they differ by more than [`FREQUENCY_RATIO_MOST`] but by no more than three standard deviations: neither is shown.
     pub fn is_too_rough(&self) -> bool {
         let within = |sd_hz: f64| (self.measured_hz - self.computed_hz).abs() <= DEVIATIONS_MOST * sd_hz;
         self.differs() && self.sd_hz.is_some_and(within)
@@ -154,7 +154,6 @@ impl Evidence {
 
     /// What the frequencies of the latest surveys say.
     fn of_frequencies(measured: Vec<MeasuredFrequency>) -> Evidence {
-        let survey = measured.last().map(|of| of.survey.clone());
         let rough = measured.iter().find(|of| of.is_too_rough()).cloned();
         let agreeing = measured
             .iter()
@@ -163,11 +162,11 @@ impl Evidence {
             .map(|of| of.survey.clone());
         let contradicting = measured.into_iter().filter(MeasuredFrequency::contradicts);
         let worst = contradicting.max_by(|a, b| a.apart().total_cmp(&b.apart()));
-        match (worst, agreeing, rough, survey) {
+        match (worst, agreeing, rough) {
             (Some(worst), ..) => Evidence::Contradicted(worst),
-            (None, Some(survey), ..) => Evidence::Agrees { survey },
-            (None, None, Some(rough), _) => Evidence::TooRough(rough),
-            (None, None, None, _) => Evidence::none(),
+            (None, Some(survey), _) => Evidence::Agrees { survey },
+            (None, None, Some(rough)) => Evidence::TooRough(rough),
+            (None, None, None) => Evidence::none(),
         }
     }
 
