@@ -62,7 +62,7 @@ impl Where<'_> {
         self.place_of(&named.unwrap_or_default())
     }
 
-    /// The place that is named; its password may stand where psql looks for one.
+    /// The place that the user gives; its password may stand where psql looks for one.
     fn place_of(&self, named: &str) -> Result<Place> {
         let place = Place::of(named).map_err(|fault| self.told(fault))?;
         let file = variable("PGPASSFILE").map(PathBuf::from);

@@ -1,5 +1,5 @@
 // SOURCE     docs/store.md, "For teams".
-// GOAL       What a server refuses is said with the reason and what to do, in both languages, and never with a password; names and texts of
+// GOAL       The command gives the reason why a server refuses and what to do, in both languages, and never with a password; names and texts of
 //            strangers are neither statements nor ways out of a folder.
 // TOLERANCE  none: words, rows and exit statuses.
 

@@ -1,6 +1,6 @@
 //! Where a server is, as a user writes it: postgresql://ROLE:PASSWORD@HOST:PORT/DATABASE?host=/FOLDER&sslmode=disable.
 //!
-//! A password is in nothing that is shown: neither in [`Address::shown`] nor in what is said of an address that cannot be read.
+//! No output shows a password: neither [`Address::shown`] nor the error of an address that cannot be read.
 
 use dolmen_work::kept::StoreFault;
 use std::fmt;

@@ -145,7 +145,7 @@ impl Link {
         self.client.as_mut().ok_or_else(gone)
     }
 
-    /// What is told of an error; a connection that is lost is dropped.
+    /// The fault for an error; drops a connection that is lost.
     fn lost(&mut self, fault: &postgres::Error) -> StoreError {
         let told = told(&self.shown(), fault, While::Working);
         if matches!(told, StoreError::Fault(StoreFault::ServerGone { .. })) {

@@ -11,7 +11,7 @@ use std::time::Duration;
 
 /// "dolmen": who writes holds this lock of the database, so that moments and names are given one after the other.
 const LOCK: i64 = 0x646F_6C6D_656E;
-/// Rows without their partner that are named, of each table.
+/// How many rows without their partner an error lists, of each table.
 const ROWS_MOST: i64 = 20;
 
 #[derive(Debug)]

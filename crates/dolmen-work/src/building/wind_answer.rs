@@ -63,7 +63,7 @@ pub struct WindMotion {
     pub frequencies: usize,
 }
 
-/// A floor in the wind. Where nothing else is said, the wind acts at the middle of the breadth.
+/// A floor in the wind. Unless a field says otherwise, the wind acts at the middle of the breadth.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FloorInWind {
     /// Displacement of its centre of mass along the wind, m.

@@ -1,88 +1,21 @@
 //! The judgement of an answer: the three questions for the structure as it is and for each variant.
 
 use super::colour::Colour;
-use super::earthquake::{Earthquake, EarthquakeFinding, of_row, of_site};
+use super::earthquake::{EarthquakeFinding, of_row};
 use super::evidence::{Evidence, RecordFrequency};
 use super::exit::{Verb, exit_status};
 use super::runs::{of_simulation, of_stack};
 use super::tilt_limit::tilt_beyond_limit;
+use super::version::{VersionJudgement, leaning, version};
 use super::weight::Weight;
-use super::wind::{WindFinding, WindWord, of_wind};
 use crate::answer::{Answer, CheckAnswer};
 use crate::building::{TogetherAnswer, TogetherChoice, TuneAnswer};
 use crate::chain::ChainSimulation;
 use crate::identify::lowest_of_records;
 use crate::inventory::InventoryLine;
-use crate::loads::Governing;
 use crate::simulation::{SimulateAnswer, Simulation};
 use crate::stack::StackSimulation;
-use crate::state::{Check, State};
-use crate::tilt_left_out::TiltLeftOut;
 use dolmen::damper::Choice;
-use dolmen_project::{Project, Structure, SurveyedLean};
-use dolmen_words::Language;
-use dolmen_words::message::Both;
-
-/// The three questions for one version of a structure.
-#[derive(Clone, Debug, PartialEq)]
-pub struct VersionJudgement {
-    /// The variant; `None`: the structure as it is.
-    pub variant: Option<String>,
-    /// Does it stand; `None` where no model was checked.
-    pub weight: Option<Weight>,
-    /// What of wind and static loads makes the word for weight what it is, and the combination; `None` if its weight alone does.
-    pub governed_by: Option<Governing>,
-    /// Whether the word for weight is that under wind or static loads too.
-    pub with_loads: bool,
-    /// What an earthquake asks of it, one a demand, motion and part; empty where nothing is asked.
-    pub earthquake: Vec<EarthquakeFinding>,
-    /// What its wind makes of it against what the file allows, of a building; empty where nothing is limited.
-    pub wind: Vec<WindFinding>,
-    /// Is the model the structure.
-    pub evidence: Evidence,
-    /// What the site asks by: the code and the return period, years, if one was chosen; `None` without a site.
-    pub demand_source: Option<(String, Option<u32>)>,
-    /// A measured tilt that the model does not have.
-    pub tilt_left_out: Option<TiltLeftOut>,
-    /// Whether the last measured tilt is beyond the limit that the file sets.
-    pub tilt_beyond_limit: bool,
-    /// The measured tilt with which the model leans in what was judged, if it does.
-    pub leans: Option<Leaning>,
-    /// How many inputs nobody has measured.
-    pub inputs: AssumedInputs,
-}
-
-/// A measured tilt that a model takes over.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Leaning {
-    /// The survey.
-    pub survey: String,
-    /// Direction and tilt as written: "x 1/177, y 1/540".
-    pub tilt: String,
-}
-
-/// Inputs of a version.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct AssumedInputs {
-    /// Those that are assumed.
-    pub assumed: usize,
-    /// All.
-    pub all: usize,
-}
-
-impl AssumedInputs {
-    fn of(project: &Project) -> Self {
-        let all = project.inputs();
-        let defaults = match &project.structure {
-            Structure::Stack(part) => part.joint_defaults().count(),
-            _ => 0,
-        };
-        AssumedInputs {
-            assumed: all.iter().filter(|input| input.is_assumed()).count() + defaults,
-            all: all.len() + defaults,
-        }
-    }
-}
 
 /// The judgement of one project.
 #[derive(Clone, Debug, PartialEq)]
@@ -95,84 +28,15 @@ pub struct Judgement {
     pub is_alarming: bool,
 }
 
-impl VersionJudgement {
-    fn new(variant: Option<&str>, weight: Option<Weight>, evidence: Evidence) -> Self {
-        VersionJudgement {
-            variant: variant.map(str::to_owned),
-            weight,
-            governed_by: None,
-            with_loads: false,
-            earthquake: Vec::new(),
-            wind: Vec::new(),
-            evidence,
-            demand_source: None,
-            tilt_left_out: None,
-            tilt_beyond_limit: false,
-            leans: None,
-            inputs: AssumedInputs::default(),
-        }
-    }
-
-    /// The word on the earthquake.
-    pub fn earthquake_word(&self) -> Earthquake {
-        Earthquake::worst(&self.earthquake)
-    }
-
-    /// The word on the motion in the wind.
-    pub fn wind_word(&self) -> WindWord {
-        let words = self.wind.iter().map(|finding| finding.word);
-        words.max().unwrap_or(WindWord::NotAsked)
-    }
-
-    /// The worst colour of all questions.
-    pub fn colour(&self) -> Colour {
-        let weight = self.weight.map(Weight::colour);
-        let others = [
-            self.earthquake_word().colour(),
-            self.wind_word().colour(),
-            self.evidence.colour(),
-        ];
-        let beyond = self.tilt_beyond_limit.then_some(Colour::Red);
-        let left_out = self.tilt_left_out.as_ref().map(|_| Colour::Amber);
-        Colour::worst(weight.into_iter().chain(others).chain(beyond).chain(left_out))
-    }
-
-    /// The word for weight, with the combination of loads that decides it.
-    pub fn weight_words(&self, weight: Weight, language: Language) -> String {
-        match &self.governed_by {
-            None => weight.words(language),
-            Some(by) => by
-                .under(Both::of(|language| weight.words(language)))
-                .text(language),
-        }
-    }
-
-    /// The headline: the fixed words, the worst first, of equals in the order of the questions. Nothing is said of an earthquake
-    /// that was not asked for, nor of evidence that does not contradict.
-    pub fn words(&self, language: Language) -> Vec<String> {
-        let earthquake = self.earthquake_word();
-        let mut words = Vec::new();
-        if let Some(weight) = self.weight {
-            words.push((weight.colour(), self.weight_words(weight, language)));
-        }
-        if earthquake != Earthquake::NotAsked {
-            words.push((earthquake.colour(), earthquake.word(language).to_owned()));
-        }
-        let wind = self.wind_word();
-        if wind != WindWord::NotAsked {
-            let word = wind.word(language);
-            let said = language.pick(format!("{word} in wind"), format!("풍응답 {word}"));
-            words.push((wind.colour(), said));
-        }
-        if self.evidence.is_contradicted() {
-            words.push((self.evidence.colour(), self.evidence.words(language)));
-        }
-        words.sort_by_key(|(colour, _)| std::cmp::Reverse(*colour));
-        words.into_iter().map(|(_, words)| words).collect()
-    }
-}
-
 impl Judgement {
+    fn empty() -> Self {
+        Judgement {
+            versions: Vec::new(),
+            is_done: true,
+            is_alarming: false,
+        }
+    }
+
     fn of_run(variant: Option<&str>, found: Vec<EarthquakeFinding>, is_done: bool) -> Self {
         let mut judgement = Judgement {
             versions: Vec::new(),
@@ -274,14 +138,9 @@ impl Judgement {
 
 /// The judgement of everything that was answered about one project.
 ///
-/// A survey belongs to the structure as it is, so that variants have no evidence of their own. The file cannot say today
-/// which survey a stiffness was identified from; once it can, that name goes into [`Evidence::of`].
+/// A survey belongs to the structure as it is, so that variants have no evidence of their own.
 pub fn judge(answers: &[Answer]) -> Judgement {
-    let mut judgement = Judgement {
-        versions: Vec::new(),
-        is_done: true,
-        is_alarming: false,
-    };
+    let mut judgement = Judgement::empty();
     let found = answers.iter().find_map(|answer| match answer {
         Answer::Identify(identified) => Some(lowest_of_records(&identified.project, &identified.surveys)),
         _ => None,
@@ -353,22 +212,14 @@ pub fn judge_check(checked: &CheckAnswer) -> Judgement {
 
 /// The judgement of simulations alone.
 pub fn judge_simulation(simulated: &SimulateAnswer) -> Judgement {
-    let mut judgement = Judgement {
-        versions: Vec::new(),
-        is_done: true,
-        is_alarming: false,
-    };
+    let mut judgement = Judgement::empty();
     judgement.add_runs(simulated);
     judgement
 }
 
 /// The judgement of one simulation, beside what surveys say of the model.
 pub fn judge_run(run: &Simulation, evidence: &Evidence) -> Judgement {
-    let mut judgement = Judgement {
-        versions: Vec::new(),
-        is_done: true,
-        is_alarming: false,
-    };
+    let mut judgement = Judgement::empty();
     judgement.add_run(run, evidence);
     judgement
 }
@@ -377,62 +228,6 @@ pub fn judge_run(run: &Simulation, evidence: &Evidence) -> Judgement {
 pub fn judge_stack_run(run: &StackSimulation) -> Judgement {
     let is_done = run.falls() || run.is_whole();
     Judgement::of_run(run.variant.as_deref(), of_stack(run), is_done)
-}
-
-fn version(
-    (variant, project): (Option<&str>, &Project),
-    state: &State,
-    evidence: Evidence,
-) -> VersionJudgement {
-    let is_contradicted = evidence.is_contradicted();
-    let weight = Weight::of(state, is_contradicted);
-    let mut version = VersionJudgement::new(variant, Some(weight), evidence);
-    version.earthquake = of_site(state);
-    // a stack rests on shapes and friction
-    if is_contradicted && !matches!(state.check, Check::Stack(_)) {
-        let found = version.earthquake.into_iter();
-        version.earthquake = found.map(EarthquakeFinding::if_model_were_right).collect();
-    }
-    version.wind = of_wind(project, state, is_contradicted);
-    version.with_loads = state
-        .loads
-        .as_ref()
-        .is_some_and(|loads| !loads.combinations.is_empty());
-    version.governed_by = state.governing_loads().map(Governing::of);
-    version.demand_source = state.demand.as_ref().map(|demand| {
-        let site = &demand.site;
-        (site.code().to_owned(), site.return_period_years())
-    });
-    version.leans = match &state.check {
-        Check::Stack(answer) => answer.lean.as_ref().map(of_stack_lean),
-        // what a chain is checked for, it is checked for upright
-        _ => None,
-    };
-    version.tilt_left_out = TiltLeftOut::of_model(project);
-    if matches!(&state.check, Check::Stack(answer) if !answer.stack.support_movements().is_empty()) {
-        let of_before = version.earthquake.into_iter();
-        version.earthquake = of_before.map(EarthquakeFinding::before_supports_moved).collect();
-    }
-    version.inputs = AssumedInputs::of(project);
-    version
-}
-
-fn leaning(run: &Simulation) -> Option<Leaning> {
-    match run {
-        Simulation::Stack(runs) => runs.deciding.lean.as_ref().map(of_stack_lean),
-        Simulation::Chain(run) => run.lean.as_ref().map(|lean| Leaning {
-            survey: lean.survey.clone(),
-            tilt: lean.written.clone(),
-        }),
-        Simulation::Frame(_) | Simulation::Building(_) => None,
-    }
-}
-
-fn of_stack_lean(lean: &SurveyedLean) -> Leaning {
-    Leaning {
-        survey: lean.survey.clone(),
-        tilt: lean.written.clone(),
-    }
 }
 
 /// The damper as in the file against its room under the motions of the file and its site.
@@ -460,7 +255,8 @@ fn of_together(tuned: &TogetherAnswer) -> Vec<EarthquakeFinding> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::judgement::DecidedBy;
+    use crate::judgement::{DecidedBy, Earthquake};
+    use dolmen_words::Language;
 
     fn version(variant: Option<&str>, weight: Weight, word: Earthquake) -> VersionJudgement {
         let mut version = VersionJudgement::new(variant, Some(weight), Evidence::none());

@@ -7,6 +7,7 @@ mod exit;
 mod judge;
 mod runs;
 mod tilt_limit;
+mod version;
 mod weight;
 mod wind;
 
@@ -17,11 +18,9 @@ pub use evidence::{
     Evidence, MeasuredFrequency, RecordFrequency, first_sway, lowest_measured, measured_frequencies,
 };
 pub use exit::{Verb, exit_status, first_status};
-pub use judge::{
-    AssumedInputs, Judgement, Leaning, VersionJudgement, judge, judge_check, judge_run, judge_simulation,
-    judge_stack_run,
-};
+pub use judge::{Judgement, judge, judge_check, judge_run, judge_simulation, judge_stack_run};
 pub(crate) use runs::is_worse_stack_run;
 pub use tilt_limit::{TiltBeyondLimit, tilt_beyond_limit};
+pub use version::{AssumedInputs, Leaning, VersionJudgement};
 pub use weight::Weight;
 pub use wind::{WindFinding, WindLimit, WindWord};

@@ -318,7 +318,7 @@ impl Blown<'_> {
             .collect()
     }
 
-    /// Frequencies of modes that are told apart, and of the dampers, Hz, ascending; at least one.
+    /// Frequencies of the distinct modes and of the dampers, Hz, ascending; at least one.
     fn peaks_hz(&self, told: &[bool]) -> Vec<f64> {
         let omegas = &self.modes.angular_frequency_rad_s;
         let kept = omegas.iter().zip(told).filter(|(_, told)| **told);
@@ -333,7 +333,7 @@ impl Blown<'_> {
         all
     }
 
-    /// What the integral must hold to the tolerance: variance of each mode that is told apart, of its acceleration, and of each stroke.
+    /// What the integral must hold to the tolerance: variance of each distinct mode, of its acceleration, and of each stroke.
     fn watched(&self, hz: f64, told: &[bool]) -> Result<Vec<f64>, DamperError> {
         let density = self.face.force_density_n2_hz(hz);
         let quick = (TAU * hz).powi(4);

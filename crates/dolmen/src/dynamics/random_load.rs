@@ -115,7 +115,7 @@ impl Spectrum {
                     density[above - 1] + part * (density[above] - density[above - 1])
                 }
             }
-            // one-sided over Hz is 4π times two-sided over rad/s; at rest as at the lowest frequency that is told from it
+            // one-sided over Hz is 4π times two-sided over rad/s; at rest as at the lowest frequency apart from it
             Spectrum::Gusts { face, shape } => {
                 let hz = (w.abs() / TAU).max(face.lowest_hz());
                 face.force_density_n2_hz(hz).form(shape, shape) / (2.0 * TAU)

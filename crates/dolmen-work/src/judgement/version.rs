@@ -1,0 +1,210 @@
+//! The judgement of one version of a structure.
+
+use super::colour::Colour;
+use super::earthquake::{Earthquake, EarthquakeFinding, of_site};
+use super::evidence::Evidence;
+use super::weight::Weight;
+use super::wind::{WindFinding, WindWord, of_wind};
+use crate::loads::Governing;
+use crate::simulation::Simulation;
+use crate::state::{Check, State};
+use crate::tilt_left_out::TiltLeftOut;
+use dolmen_project::{Project, Structure, SurveyedLean};
+use dolmen_words::Language;
+use dolmen_words::message::Both;
+
+/// The three questions for one version of a structure.
+#[derive(Clone, Debug, PartialEq)]
+pub struct VersionJudgement {
+    /// The variant; `None`: the structure as it is.
+    pub variant: Option<String>,
+    /// Does it stand; `None` where no model was checked.
+    pub weight: Option<Weight>,
+    /// What of wind and static loads makes the word for weight what it is, and the combination; `None` if its weight alone does.
+    pub governed_by: Option<Governing>,
+    /// Whether the word for weight is that under wind or static loads too.
+    pub with_loads: bool,
+    /// What an earthquake asks of it, one a demand, motion and part; empty where nothing is asked.
+    pub earthquake: Vec<EarthquakeFinding>,
+    /// What its wind makes of it against what the file allows, of a building; empty where nothing is limited.
+    pub wind: Vec<WindFinding>,
+    /// Is the model the structure.
+    pub evidence: Evidence,
+    /// What the site asks by: the code and the return period, years, if one was chosen; `None` without a site.
+    pub demand_source: Option<(String, Option<u32>)>,
+    /// A measured tilt that the model does not have.
+    pub tilt_left_out: Option<TiltLeftOut>,
+    /// Whether the last measured tilt is beyond the limit that the file sets.
+    pub tilt_beyond_limit: bool,
+    /// The measured tilt with which the model leans in what was judged, if it does.
+    pub leans: Option<Leaning>,
+    /// How many inputs nobody has measured.
+    pub inputs: AssumedInputs,
+}
+
+/// A measured tilt that a model takes over.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Leaning {
+    /// The survey.
+    pub survey: String,
+    /// Direction and tilt as written: "x 1/177, y 1/540".
+    pub tilt: String,
+}
+
+/// Inputs of a version.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct AssumedInputs {
+    /// Those that are assumed.
+    pub assumed: usize,
+    /// All.
+    pub all: usize,
+}
+
+impl AssumedInputs {
+    fn of(project: &Project) -> Self {
+        let all = project.inputs();
+        let defaults = match &project.structure {
+            Structure::Stack(part) => part.joint_defaults().count(),
+            _ => 0,
+        };
+        AssumedInputs {
+            assumed: all.iter().filter(|input| input.is_assumed()).count() + defaults,
+            all: all.len() + defaults,
+        }
+    }
+}
+
+impl VersionJudgement {
+    pub(super) fn new(variant: Option<&str>, weight: Option<Weight>, evidence: Evidence) -> Self {
+        VersionJudgement {
+            variant: variant.map(str::to_owned),
+            weight,
+            governed_by: None,
+            with_loads: false,
+            earthquake: Vec::new(),
+            wind: Vec::new(),
+            evidence,
+            demand_source: None,
+            tilt_left_out: None,
+            tilt_beyond_limit: false,
+            leans: None,
+            inputs: AssumedInputs::default(),
+        }
+    }
+
+    /// The word on the earthquake.
+    pub fn earthquake_word(&self) -> Earthquake {
+        Earthquake::worst(&self.earthquake)
+    }
+
+    /// The word on the motion in the wind.
+    pub fn wind_word(&self) -> WindWord {
+        let words = self.wind.iter().map(|finding| finding.word);
+        words.max().unwrap_or(WindWord::NotAsked)
+    }
+
+    /// The worst colour of all questions.
+    pub fn colour(&self) -> Colour {
+        let weight = self.weight.map(Weight::colour);
+        let others = [
+            self.earthquake_word().colour(),
+            self.wind_word().colour(),
+            self.evidence.colour(),
+        ];
+        let beyond = self.tilt_beyond_limit.then_some(Colour::Red);
+        let left_out = self.tilt_left_out.as_ref().map(|_| Colour::Amber);
+        Colour::worst(weight.into_iter().chain(others).chain(beyond).chain(left_out))
+    }
+
+    /// The word for weight, with the combination of loads that decides it.
+    pub fn weight_words(&self, weight: Weight, language: Language) -> String {
+        match &self.governed_by {
+            None => weight.words(language),
+            Some(by) => by
+                .under(Both::of(|language| weight.words(language)))
+                .text(language),
+        }
+    }
+
+    /// The headline: the fixed words, the worst first, of equals in the order of the questions. Nothing is said of an earthquake
+    /// that was not asked for, nor of evidence that does not contradict.
+    pub fn words(&self, language: Language) -> Vec<String> {
+        let earthquake = self.earthquake_word();
+        let mut words = Vec::new();
+        if let Some(weight) = self.weight {
+            words.push((weight.colour(), self.weight_words(weight, language)));
+        }
+        if earthquake != Earthquake::NotAsked {
+            words.push((earthquake.colour(), earthquake.word(language).to_owned()));
+        }
+        let wind = self.wind_word();
+        if wind != WindWord::NotAsked {
+            let word = wind.word(language);
+            let said = language.pick(format!("{word} in wind"), format!("풍응답 {word}"));
+            words.push((wind.colour(), said));
+        }
+        if self.evidence.is_contradicted() {
+            words.push((self.evidence.colour(), self.evidence.words(language)));
+        }
+        words.sort_by_key(|(colour, _)| std::cmp::Reverse(*colour));
+        words.into_iter().map(|(_, words)| words).collect()
+    }
+}
+
+/// What a check found of a version.
+pub(super) fn version(
+    (variant, project): (Option<&str>, &Project),
+    state: &State,
+    evidence: Evidence,
+) -> VersionJudgement {
+    let is_contradicted = evidence.is_contradicted();
+    let weight = Weight::of(state, is_contradicted);
+    let mut version = VersionJudgement::new(variant, Some(weight), evidence);
+    version.earthquake = of_site(state);
+    // a stack rests on shapes and friction
+    if is_contradicted && !matches!(state.check, Check::Stack(_)) {
+        let found = version.earthquake.into_iter();
+        version.earthquake = found.map(EarthquakeFinding::if_model_were_right).collect();
+    }
+    version.wind = of_wind(project, state, is_contradicted);
+    version.with_loads = state
+        .loads
+        .as_ref()
+        .is_some_and(|loads| !loads.combinations.is_empty());
+    version.governed_by = state.governing_loads().map(Governing::of);
+    version.demand_source = state.demand.as_ref().map(|demand| {
+        let site = &demand.site;
+        (site.code().to_owned(), site.return_period_years())
+    });
+    version.leans = match &state.check {
+        Check::Stack(answer) => answer.lean.as_ref().map(of_stack_lean),
+        // what a chain is checked for, it is checked for upright
+        _ => None,
+    };
+    version.tilt_left_out = TiltLeftOut::of_model(project);
+    if matches!(&state.check, Check::Stack(answer) if !answer.stack.support_movements().is_empty()) {
+        let of_before = version.earthquake.into_iter();
+        version.earthquake = of_before.map(EarthquakeFinding::before_supports_moved).collect();
+    }
+    version.inputs = AssumedInputs::of(project);
+    version
+}
+
+/// The measured tilt with which a run starts.
+pub(super) fn leaning(run: &Simulation) -> Option<Leaning> {
+    match run {
+        Simulation::Stack(runs) => runs.deciding.lean.as_ref().map(of_stack_lean),
+        Simulation::Chain(run) => run.lean.as_ref().map(|lean| Leaning {
+            survey: lean.survey.clone(),
+            tilt: lean.written.clone(),
+        }),
+        Simulation::Frame(_) | Simulation::Building(_) => None,
+    }
+}
+
+fn of_stack_lean(lean: &SurveyedLean) -> Leaning {
+    Leaning {
+        survey: lean.survey.clone(),
+        tilt: lean.written.clone(),
+    }
+}
