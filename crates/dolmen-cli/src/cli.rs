@@ -39,6 +39,8 @@ pub(crate) enum Verb {
     Check(Check),
     /// Records → modes → stiffness, with its ambiguity stated
     Identify(Identify),
+    /// The record of a survey as it is used → universal file (UFF 58) or CSV, for other programs
+    Record(Record),
     /// What changed from one survey to another, and what could have been missed
     Compare(Compare),
     /// The record of a structure over the years: what changed, when, and whether the last surveys are as they should be
@@ -123,7 +125,7 @@ pub(crate) enum Kind {
 pub(crate) struct Draw {
     /// Project file, or a folder that holds project.toml
     pub(crate) project: PathBuf,
-    /// Write the drawing (SVG) into this file instead of standard output
+    /// Write the drawing into this file, .svg or .png, instead of standard output (SVG)
     #[arg(long, short, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
 }
@@ -180,9 +182,27 @@ pub(crate) struct Identify {
     /// Write the stiffness into the project file where one survey determines it, with its standard deviation; all else stays as it is
     #[arg(long)]
     pub(crate) write: bool,
-    /// Write the figures (SVG) and the result (JSON) into this folder
+    /// Write the figures (SVG, PNG), the moving shapes (glTF), the modes (CSV, UFF) and the result (JSON) into this folder
     #[arg(long, short, value_name = "DIR")]
     pub(crate) output: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Record {
+    /// Project file, or a folder that holds project.toml
+    pub(crate) project: PathBuf,
+    /// The survey; without it the only one with a record
+    #[arg(long, value_name = "NAME")]
+    pub(crate) survey: Option<String>,
+    /// The setup of the survey, from 1
+    #[arg(long, value_name = "N")]
+    pub(crate) setup: Option<usize>,
+    /// Write the samples of a universal file as doubles (58b), exact to the last bit, instead of as text
+    #[arg(long)]
+    pub(crate) binary: bool,
+    /// The file: .uff, .unv or .csv
+    #[arg(long, short, value_name = "FILE")]
+    pub(crate) output: PathBuf,
 }
 
 #[derive(Debug, Args)]

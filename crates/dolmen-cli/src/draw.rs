@@ -3,11 +3,35 @@
 use crate::cli::Draw as Options;
 use crate::manner::Manner;
 use crate::outcome::Outcome;
+use crate::report::PIXELS;
 use crate::say::say;
 use crate::wrong::CommandError;
 use anyhow::Result;
 use dolmen_folder::{Found, Outputs};
+use dolmen_picture::Painter;
 use dolmen_report::files::drawing_file;
+use std::path::Path;
+
+/// What a drawing is written as.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Format {
+    Svg,
+    Png,
+}
+
+impl Format {
+    /// By the ending of a file; SVG where there is none, as of a pipe.
+    fn of(file: &Path) -> Result<Self, CommandError> {
+        let ending = file.extension().map(|of| of.to_string_lossy().to_lowercase());
+        match ending.as_deref() {
+            None | Some("svg") => Ok(Format::Svg),
+            Some("png") => Ok(Format::Png),
+            Some(other) => Err(CommandError::DrawingFormat {
+                ending: other.to_owned(),
+            }),
+        }
+    }
+}
 
 pub(crate) fn run(options: &Options, manner: &Manner) -> Result<Outcome> {
     if manner.json {
@@ -15,14 +39,9 @@ pub(crate) fn run(options: &Options, manner: &Manner) -> Result<Outcome> {
     }
     let found = Found::open(&options.project, manner.access())?;
     let outputs = Outputs::of(manner.access(), &found);
+    let mut is_png = false;
     if let Some(output) = &options.output {
-        let extension = output.extension().map(|of| of.to_string_lossy().to_lowercase());
-        if let Some(other) = extension.as_deref().filter(|extension| *extension != "svg") {
-            return Err(CommandError::DrawingFormat {
-                ending: other.to_owned(),
-            }
-            .into());
-        }
+        is_png = Format::of(output)? == Format::Png;
         outputs.refuse(output)?;
     }
     let drawn = drawing_file(&found.opened.project, manner.language()).ok_or_else(|| {
@@ -33,7 +52,11 @@ pub(crate) fn run(options: &Options, manner: &Manner) -> Result<Outcome> {
     match &options.output {
         None => say(&String::from_utf8_lossy(&drawn.bytes))?,
         Some(output) => {
-            outputs.file(output, &drawn.bytes)?;
+            let bytes = match is_png {
+                true => Painter::new().png(&String::from_utf8_lossy(&drawn.bytes), PIXELS)?,
+                false => drawn.bytes,
+            };
+            outputs.file(output, &bytes)?;
             if !manner.quiet {
                 say(&format!("{}\n", output.display()))?;
             }

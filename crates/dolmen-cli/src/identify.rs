@@ -5,10 +5,12 @@ use crate::manner::Manner;
 use crate::note::note;
 use crate::outcome::Outcome;
 use crate::progress::Terminal;
+use crate::report::PIXELS;
 use crate::say::{say, say_json};
 use crate::wrong::Noted;
 use anyhow::Result;
 use dolmen_folder::{Found, Outputs};
+use dolmen_picture::Painter;
 use dolmen_report::files::identification_files;
 use dolmen_report::json::{identification_json, written_back_json};
 use dolmen_report::{identification_text, written_back_text};
@@ -42,8 +44,10 @@ pub(crate) fn run(options: &Options, manner: &Manner) -> Result<Outcome> {
         }
     }
     if let Some(folder) = &options.output {
-        Outputs::of(manner.access(), &found)
-            .folder(folder, &identification_files(&answer, manner.language()))?;
+        let painter = Painter::new();
+        let painted = |svg: &str| painter.png(svg, PIXELS).map_err(|fault| fault.to_string());
+        let files = identification_files(&answer, manner.language(), &painted)?;
+        Outputs::of(manner.access(), &found).folder(folder, &files)?;
         if !manner.quiet {
             note!(
                 "{}",

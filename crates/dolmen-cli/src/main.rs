@@ -27,6 +27,7 @@ mod outcome;
 mod passwords;
 mod progress;
 mod rank;
+mod record;
 mod report;
 mod request;
 mod say;
@@ -115,6 +116,7 @@ fn run(cli: &Cli, typed: &Typed) -> anyhow::Result<Outcome> {
         Verb::Sensors(options) => sensors::run(options, manner),
         Verb::Check(options) => check::run(options, typed, manner),
         Verb::Identify(options) => identify::run(options, manner),
+        Verb::Record(options) => record::run(options, manner),
         Verb::Compare(options) => compare::run(options, manner),
         Verb::Watch(options) => watch::run(options, manner),
         Verb::Simulate(options) => simulate::run(options, typed, manner),

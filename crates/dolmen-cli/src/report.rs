@@ -31,7 +31,7 @@ use std::cell::LazyCell;
 use std::path::{Path, PathBuf};
 
 /// Pixels of a picture for each unit of its figure: some 270 an inch on paper.
-const PIXELS: f32 = 2.5;
+pub(crate) const PIXELS: f32 = 2.5;
 /// Samples of the demo: enough for a figure, few enough for a blink.
 const DEMO_SAMPLES: usize = 2000;
 /// Seed of the demo.

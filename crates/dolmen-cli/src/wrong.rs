@@ -42,6 +42,11 @@ pub(crate) enum CommandError {
     DrawingFormat {
         ending: String,
     },
+    RecordFormat {
+        path: String,
+    },
+    BinaryCsv,
+    NoJsonOfRecord,
     NothingToDraw {
         path: String,
     },
@@ -125,8 +130,20 @@ sentences! {
             ko: "{path}에 쓴 내용이 그대로 남지 않는다",
         },
         DrawingFormat { ending } => {
-            en: "a drawing is not written as .{ending}: -o takes an SVG (.svg), which every browser shows",
-            ko: "도면은 .{ending}(으)로 쓰지 않는다. -o에는 모든 브라우저에서 볼 수 있는 SVG(.svg)를 쓴다",
+            en: "a drawing is not written as .{ending}: -o takes an SVG (.svg), which every browser shows, or a PNG (.png)",
+            ko: "도면은 .{ending}(으)로 쓰지 않는다. -o에는 모든 브라우저에서 볼 수 있는 SVG(.svg)나 PNG(.png)를 쓴다",
+        },
+        RecordFormat { path } => {
+            en: "{path} ends in none of .uff, .unv and .csv, the formats that a record is written in",
+            ko: "{path}이(가) 기록을 쓸 수 있는 형식인 .uff, .unv, .csv로 끝나지 않는다",
+        },
+        BinaryCsv => {
+            en: "a CSV file is text: leave --binary out, or write .uff",
+            ko: "CSV 파일은 텍스트이다. --binary를 빼거나 .uff로 쓴다",
+        },
+        NoJsonOfRecord => {
+            en: "a record is written as .uff, .unv or .csv and has no JSON: leave --json out",
+            ko: "기록은 .uff, .unv, .csv로 쓰며 JSON이 없다. --json을 뺀다",
         },
         NothingToDraw { path } => {
             en: "{path} has kind = \"survey\": there is no structure to draw",

@@ -3,6 +3,7 @@
 //! A root node turns z up into glTF's y up. Each block's mesh lies about its own centroid; keyframes hold the centroid and
 //! the turn of the block in the frame of the ground, so that the ground stands still.
 
+use crate::gltf::{ARRAY_BUFFER, Buffer, dull, upright};
 use dolmen::structure::stack::{Block, Solid};
 use dolmen_work::stack::StackSimulation;
 use serde_json::{Value, json};
@@ -19,61 +20,21 @@ const STONES: [[f64; 4]; 3] = [
 /// The ground's.
 const EARTH: [f64; 4] = [0.33, 0.38, 0.30, 1.0];
 
-/// Numbers of glTF 2.0.
-const FLOAT: u32 = 5126;
-const ARRAY_BUFFER: u32 = 34962;
-const MAGIC: u32 = 0x4654_6C67;
-const JSON_CHUNK: u32 = 0x4E4F_534A;
-const BINARY_CHUNK: u32 = 0x004E_4942;
-
-/// The parts of a file under construction.
-#[derive(Default)]
-struct Film {
-    bytes: Vec<u8>,
-    views: Vec<Value>,
-    accessors: Vec<Value>,
-}
-
-impl Film {
-    /// Adds rows of `N` numbers and gives their accessor; `target` says that they are vertices.
-    fn rows<const N: usize>(&mut self, kind: &str, rows: &[[f32; N]], target: Option<u32>) -> usize {
-        let start = self.bytes.len();
-        let (mut least, mut most) = ([f32::INFINITY; N], [f32::NEG_INFINITY; N]);
-        for row in rows {
-            for (i, value) in row.iter().enumerate() {
-                self.bytes.extend(value.to_le_bytes());
-                least[i] = least[i].min(*value);
-                most[i] = most[i].max(*value);
-            }
+/// Adds a mesh of flat triangles about `origin`.
+fn mesh(buffer: &mut Buffer, name: &str, triangles: &[[[f64; 3]; 3]], material: usize) -> Value {
+    let (mut places, mut normals) = (Vec::new(), Vec::new());
+    for triangle in triangles {
+        let normal = unit_normal(triangle).map(|part| part as f32);
+        for corner in triangle {
+            places.push(corner.map(|part| part as f32));
+            normals.push(normal);
         }
-        let mut view = json!({ "buffer": 0, "byteOffset": start, "byteLength": self.bytes.len() - start });
-        if let Some(target) = target {
-            view["target"] = json!(target);
-        }
-        self.views.push(view);
-        self.accessors.push(json!({
-            "bufferView": self.views.len() - 1, "componentType": FLOAT, "count": rows.len(), "type": kind,
-            "min": least.to_vec(), "max": most.to_vec(),
-        }));
-        self.accessors.len() - 1
     }
-
-    /// Adds a mesh of flat triangles about `origin`.
-    fn mesh(&mut self, name: &str, triangles: &[[[f64; 3]; 3]], material: usize) -> Value {
-        let (mut places, mut normals) = (Vec::new(), Vec::new());
-        for triangle in triangles {
-            let normal = unit_normal(triangle).map(|part| part as f32);
-            for corner in triangle {
-                places.push(corner.map(|part| part as f32));
-                normals.push(normal);
-            }
-        }
-        let place = self.rows("VEC3", &places, Some(ARRAY_BUFFER));
-        let normal = self.rows("VEC3", &normals, Some(ARRAY_BUFFER));
-        json!({ "name": name, "primitives": [{
-            "attributes": { "POSITION": place, "NORMAL": normal }, "material": material,
-        }] })
-    }
+    let place = buffer.rows("VEC3", &places, Some(ARRAY_BUFFER));
+    let normal = buffer.rows("VEC3", &normals, Some(ARRAY_BUFFER));
+    json!({ "name": name, "primitives": [{
+        "attributes": { "POSITION": place, "NORMAL": normal }, "material": material,
+    }] })
 }
 
 fn unit_normal([a, b, c]: &[[f64; 3]; 3]) -> [f64; 3] {
@@ -134,12 +95,12 @@ pub fn stack_film(simulation: &StackSimulation) -> Vec<u8> {
     let blocks = simulation.stack.blocks();
     let history = &simulation.history;
     let samples = keyframes(&history.time_s);
-    let mut film = Film::default();
-    let mut meshes = vec![film.mesh("ground", &ground(blocks), STONES.len())];
+    let mut film = Buffer::default();
+    let mut meshes = vec![mesh(&mut film, "ground", &ground(blocks), STONES.len())];
     let mut nodes = vec![
         // z up to y up: a quarter turn about −x
         json!({
-            "name": simulation.name.english(), "rotation": [-(0.5_f64.sqrt()), 0.0, 0.0, 0.5_f64.sqrt()],
+            "name": simulation.name.english(), "rotation": upright(),
             "children": (1..blocks.len() + 2).collect::<Vec<_>>(),
         }),
         json!({ "name": "ground", "mesh": 0 }),
@@ -148,7 +109,12 @@ pub fn stack_film(simulation: &StackSimulation) -> Vec<u8> {
     let (mut channels, mut samplers) = (Vec::new(), Vec::new());
     let time = film.rows("SCALAR", &times, None);
     for (number, block) in blocks.iter().enumerate() {
-        meshes.push(film.mesh(&block.name, &triangles(&block.solid), number % STONES.len()));
+        meshes.push(mesh(
+            &mut film,
+            &block.name,
+            &triangles(&block.solid),
+            number % STONES.len(),
+        ));
         let mut places: Vec<[f32; 3]> = Vec::with_capacity(samples.len());
         let mut turns: Vec<[f32; 4]> = Vec::with_capacity(samples.len());
         let mut before = [0.0, 0.0, 0.0, 1.0];
@@ -178,37 +144,10 @@ pub fn stack_film(simulation: &StackSimulation) -> Vec<u8> {
         }
     }
     let colours = STONES.iter().chain([&EARTH]);
-    let materials: Vec<Value> = colours
-        .map(|colour| {
-            json!({ "pbrMetallicRoughness": {
-                "baseColorFactor": colour, "metallicFactor": 0.0, "roughnessFactor": 0.95,
-            } })
-        })
-        .collect();
-    let text = json!({
-        "asset": { "version": "2.0", "generator": concat!("dolmen ", env!("CARGO_PKG_VERSION")) },
+    let materials: Vec<Value> = colours.map(|colour| dull(*colour)).collect();
+    film.file(json!({
         "scene": 0, "scenes": [{ "name": simulation.motion.motion.name(), "nodes": [0] }],
         "nodes": nodes, "meshes": meshes, "materials": materials,
         "animations": [{ "name": simulation.motion.motion.name(), "channels": channels, "samplers": samplers }],
-        "buffers": [{ "byteLength": film.bytes.len() }],
-        "bufferViews": film.views, "accessors": film.accessors,
-    });
-    container(text.to_string().into_bytes(), film.bytes)
-}
-
-/// The two chunks of a .glb, each filled up to a multiple of four bytes.
-fn container(mut text: Vec<u8>, mut bytes: Vec<u8>) -> Vec<u8> {
-    text.resize(text.len().next_multiple_of(4), b' ');
-    bytes.resize(bytes.len().next_multiple_of(4), 0);
-    let whole = 12 + 8 + text.len() + 8 + bytes.len();
-    let mut out = Vec::with_capacity(whole);
-    for word in [MAGIC, 2, whole as u32, text.len() as u32, JSON_CHUNK] {
-        out.extend(word.to_le_bytes());
-    }
-    out.extend(text);
-    for word in [bytes.len() as u32, BINARY_CHUNK] {
-        out.extend(word.to_le_bytes());
-    }
-    out.extend(bytes);
-    out
+    }))
 }

@@ -146,6 +146,22 @@ pub enum WorkError {
         /// The channels.
         known: String,
     },
+    /// A record is wanted of a project without any.
+    NoRecord,
+    /// One record is wanted, and there is none or more than one of that description.
+    WhichRecord {
+        /// How many there are.
+        meant: usize,
+        /// All that the project has.
+        known: String,
+    },
+    /// The channel whose spectrogram is wanted has a name that no channel has.
+    NoSuchSpectrogram {
+        /// The name.
+        name: String,
+        /// The channels.
+        known: String,
+    },
     /// A reference channel has a name that no channel has.
     NoSuchReference {
         /// The name.

@@ -5,9 +5,11 @@ use crate::building::{self, stiffness::FromModes};
 use crate::error::{Within as _, WorkError};
 use crate::judgement::RecordFrequency;
 use crate::kinds;
+use crate::model_modes::model_modes;
 use crate::opened::Opened;
 use crate::progress::{Progress, Stage};
 use crate::record::{self, OpenedRecord};
+use crate::record_seen::RecordSeen;
 use crate::sensor_alarms::SensorFault;
 use crate::stack::factors::{self as stack, factors};
 use crate::surveyed::{RecordAnswer, SetupsAnswer, StiffnessAnswer, SurveyAnswer, WithoutStiffness};
@@ -129,6 +131,7 @@ pub(crate) fn found_in(
         name: survey.name.clone(),
         records,
         setups,
+        model: None,
         stiffness: Vec::new(),
         plan: None,
         factors: None,
@@ -228,6 +231,9 @@ fn of_survey(
             direction: direction.clone(),
         });
     }
+    if let Some((found, _)) = answer.modes() {
+        answer.model = model_modes(project, found).within(context)?;
+    }
     answer.stiffness = stiffness;
     if let Structure::Building(part) = &project.structure {
         match building::stiffness::stiffness(part, survey).within(context)? {
@@ -319,7 +325,12 @@ pub(crate) fn of_opened(
     let file = source.file.clone();
     progress.begin(&Stage::Identifying { file });
     let options = options(source, opened.record.channels())?;
+    let asked = drawn(source.modal.spectrogram.as_ref(), opened.record.channels());
+    let asked = asked.within(|| source.file.clone())?;
     let analysis = modes_of(&opened.record, &options).within(|| source.file.clone())?;
+    let read_s = opened.samples as f64 / opened.sampling_rate_hz;
+    let is_one_file = source.stations.is_empty();
+    let seen = RecordSeen::of(&opened.record, read_s, (&analysis, asked), is_one_file)?;
     progress.end();
     let answer = RecordAnswer {
         file: source.file.clone(),
@@ -332,6 +343,7 @@ pub(crate) fn of_opened(
         faults: opened.faults,
         doubts: doubt_sensors(&opened.record, &analysis.modes.modes),
         analysis,
+        seen,
     };
     Ok((answer, opened.record))
 }
@@ -377,6 +389,16 @@ fn inputs(names: &[String], channels: &[Channel]) -> Result<Vec<usize>, WorkErro
         name,
         known,
     })
+}
+
+/// Index of the channel whose spectrogram is wanted.
+fn drawn(name: Option<&String>, channels: &[Channel]) -> Result<Option<usize>, WorkError> {
+    let names = name.map_or(&[][..], std::slice::from_ref);
+    let found = places(names, channels, |name, known| WorkError::NoSuchSpectrogram {
+        name,
+        known,
+    })?;
+    Ok(found.first().copied())
 }
 
 /// Indices of the channels of these names; `missing` is what to say of a name and of those there are.

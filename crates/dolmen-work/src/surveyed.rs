@@ -1,6 +1,8 @@
 //! What was identified from one survey.
 
 use crate::building::PlanAnswer;
+use crate::model_modes::ModelModes;
+use crate::record_seen::RecordSeen;
 use crate::sensor_alarms::SensorFault;
 use crate::stack::FactorsAnswer;
 use dolmen::blocks::JointFactorsError;
@@ -110,6 +112,8 @@ pub struct SurveyAnswer {
     pub records: Option<RecordAnswer>,
     /// Its setups, one by one and put together; `None` if it has none.
     pub setups: Option<SetupsAnswer>,
+    /// The modes of its records beside those of the model, of a stack or building.
+    pub model: Option<ModelModes>,
     /// Stiffness from its modes, one entry a direction and convention.
     pub stiffness: Vec<StiffnessAnswer>,
     /// Stiffness in plan from its modes, of a building with one floor.
@@ -229,6 +233,8 @@ pub struct RecordAnswer {
     pub doubts: Vec<SensorDoubt>,
     /// Spectrum, stabilisation and modes.
     pub analysis: ModalAnalysis,
+    /// Its channels over time, and a spectrogram.
+    pub seen: RecordSeen,
 }
 
 /// Stiffness from modes, in one direction and convention.

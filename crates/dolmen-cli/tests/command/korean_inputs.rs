@@ -190,7 +190,7 @@ const ASKED: [&str; 26] = [
     "score examples/piled_blocks",
     "rank examples/naju_flagpole",
     "draw examples/palisaden",
-    "draw examples/naju_flagpole -o pole.png",
+    "draw examples/naju_flagpole -o pole.jpg",
     "explain no-such-code",
 ];
 

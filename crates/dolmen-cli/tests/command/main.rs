@@ -15,6 +15,7 @@ mod docs;
 mod documents;
 mod driven_records;
 mod english;
+mod exchanged_records;
 mod figure_files;
 mod first_day;
 mod followed;

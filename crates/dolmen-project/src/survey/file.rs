@@ -307,6 +307,8 @@ pub(super) struct ModalRaw {
     pub(super) accept: Option<Vec<At<f64>>>,
     /// Modes that look like machines: "flag" if not given.
     pub(super) harmonics: Option<HarmonicsRaw>,
+    /// The channel whose spectrogram is drawn, by name; the one that moves most in the range if not given.
+    pub(super) spectrogram: Option<At<String>>,
 }
 
 /// A file of a record that lies in several.

@@ -208,6 +208,7 @@ pub(super) fn modal(reader: &mut Reader, raw: &ModalRaw, path: &str) -> ModalCho
             HarmonicsRaw::Flag => Harmonics::Flag,
             HarmonicsRaw::Remove => Harmonics::Remove,
         }),
+        spectrogram: raw.spectrogram.as_ref().map(|name| name.value.clone()),
         frequency_low_hz,
         frequency_high_hz,
         damping_least,

@@ -104,6 +104,8 @@ pub struct ModalChoice {
     pub accept_hz: Vec<f64>,
     /// What becomes of modes that look like machines.
     pub harmonics: Option<Harmonics>,
+    /// The channel whose spectrogram is drawn, by name; `None`: the one that moves most in the range.
+    pub spectrogram: Option<String>,
 }
 
 /// A record file of a survey.

@@ -124,7 +124,7 @@ fn head(title: &str, nodes: &Nodes) -> String {
     let _ = writeln!(text, "{:>6}", 164);
     let _ = writeln!(text, "{:>10}{:<20}{:>10}", 1, "SI: Meter (newton)", 2);
     let _ = writeln!(text, "{}", "  1.00000000000000000D+00".repeat(3));
-    let _ = writeln!(text, "{}", "  0.00000000000000000D+00");
+    text += "  0.00000000000000000D+00\n";
     text += DELIMITER;
     if nodes.places.iter().any(Option::is_some) {
         text += DELIMITER;

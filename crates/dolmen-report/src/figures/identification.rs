@@ -2,8 +2,8 @@
 
 use super::words::{Modal, say};
 use super::{
-    ShapePanel, likeness, mode_shapes, moving_shapes, response_coherence, response_magnitudes, sensor_shapes,
-    singular_values, stabilization,
+    ShapePanel, channels_over_time, likeness, mode_shapes, model_likeness, moving_shapes, response_coherence,
+    response_magnitudes, sensor_shapes, singular_values, spectrogram, stabilization,
 };
 use dolmen::structure::{Convention, MeasuredMode};
 use dolmen_project::{Project, Quantity, Structure};
@@ -35,6 +35,11 @@ pub fn identification(answer: &IdentifyAnswer, language: Language) -> Vec<Figure
             });
         };
         if let Some(record) = &survey.records {
+            add("channels", channels_over_time(&record.seen, language));
+            if let Some(drawn) = &record.seen.spectrogram {
+                let modes = &record.analysis.modes;
+                add("spectrogram", spectrogram(&record.seen, drawn, modes, language));
+            }
             add("singular-values", singular_values(&record.analysis, language));
             add("stabilization", stabilization(&record.analysis, language));
             let analysis = &record.analysis;
@@ -79,6 +84,9 @@ pub fn identification(answer: &IdentifyAnswer, language: Language) -> Vec<Figure
             if let Some(moving) = moving_shapes(setups.modes(), language) {
                 add("moving-shapes", moving);
             }
+        }
+        if let Some(model) = &survey.model {
+            add("likeness-with-model", model_likeness(model, language));
         }
         for stiffness in &survey.stiffness {
             let measured = measured_modes(&answer.project, &survey.name, stiffness);

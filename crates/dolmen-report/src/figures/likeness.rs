@@ -21,9 +21,9 @@ const CELL_MOST_PX: f64 = 44.0;
 const ACROSS: usize = 4;
 const TITLE_PX: f64 = 34.0;
 /// Cells from this value on are printed; below they are nearly white.
-const PRINTED: f64 = 0.05;
+pub(super) const PRINTED: f64 = 0.05;
 /// Cells from this value on are dark: their number is white.
-const DARK: f64 = 0.55;
+pub(super) const DARK: f64 = 0.55;
 
 /// The matrix and the components; `None` of fewer than two modes or two channels.
 pub fn likeness(modes: &Modes, language: Language) -> Option<String> {
@@ -82,7 +82,7 @@ fn matrix(scene: &mut Scene, shown: &[Mode], cell: f64, language: Language) {
 }
 
 /// White for 0, blue for 1.
-fn shade(value: f64) -> String {
+pub(super) fn shade(value: f64) -> String {
     let [red, green, blue] = [0x00, 0x72, 0xb2].map(|full: u8| {
         let part = 255.0 - value.clamp(0.0, 1.0) * (255.0 - f64::from(full));
         part.round() as u8

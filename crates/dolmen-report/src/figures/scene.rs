@@ -131,6 +131,26 @@ impl Scene {
         }
     }
 
+    /// Bars of one colour without outlines, each `[column, row, columns]` on a grid whose cells are `cell` large and whose row 0 ends at
+    /// `corner`, its lower left: rows count upwards.
+    pub(crate) fn bars(&mut self, (corner, cell): ([f64; 2], [f64; 2]), bars: &[[usize; 3]], colour: &str) {
+        let mut path = String::new();
+        for [column, row, columns] in bars {
+            let _ = write!(path, "M{column} {row}.5h{columns}");
+        }
+        put(
+            &mut self.body,
+            format_args!(
+                "<path transform=\"matrix({} 0 0 {} {} {})\" d=\"{path}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"1.04\" \
+                 shape-rendering=\"crispEdges\"/>",
+                fine(cell[0]),
+                fine(-cell[1]),
+                short(corner[0]),
+                short(corner[1])
+            ),
+        );
+    }
+
     /// A text whose baseline's middle height stands at `at`.
     pub(crate) fn text(&mut self, at: [f64; 2], label: &Label) {
         let anchor = match label.anchor {
@@ -155,6 +175,17 @@ impl Scene {
                 escaped(&label.text)
             ),
         );
+    }
+
+    /// A text that reads upwards.
+    pub(crate) fn upwards(&mut self, at: [f64; 2], label: &Label) {
+        let (x, y) = (short(at[0]), short(at[1]));
+        put(
+            &mut self.body,
+            format_args!("<g transform=\"translate({x} {y}) rotate(-90)\">"),
+        );
+        self.text([0.0, 0.0], label);
+        put(&mut self.body, format_args!("</g>"));
     }
 
     /// The whole drawing. `title` is what a reader who cannot see it is told.
@@ -279,6 +310,11 @@ fn stroke(line: Line) -> String {
         let _ = write!(style, " opacity=\"{}\"", short(line.opacity));
     }
     style
+}
+
+/// A scale with six digits after the point.
+fn fine(value: f64) -> String {
+    format!("{:.6}", if value.is_finite() { value } else { 0.0 })
 }
 
 /// A coordinate with two digits after the point and no zeros behind them; what is not a number stands at 0.

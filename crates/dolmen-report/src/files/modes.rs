@@ -1,4 +1,4 @@
-//! Modes for other programs: universal file (UFF 15 and 55) and CSV.
+//! Modes for other programs: universal file (UFF 15 and 55), CSV, and moving shapes (glTF).
 //!
 //! | dataset | what | per |
 //! |:--|:--|:--|
@@ -6,10 +6,14 @@
 //! | 55 | complex eigenvalue (rad/s) and displacement vector (complex, 3 components) | mode |
 
 use super::named::NamedFile;
+use crate::figures::Wires;
+use crate::mode_film::mode_film;
 use dolmen::modal::{Mode, Modes};
 use std::f64::consts::TAU;
 use std::fmt::Write;
 
+/// Modes that move, at most: those lowest in frequency, as in the figure.
+const FILMS_MOST: usize = 12;
 /// Begins and ends a dataset.
 const DELIMITER: &str = "    -1\n";
 /// Two directions at one place are at right angles within this cosine.
@@ -23,7 +27,25 @@ pub(super) fn mode_files(survey: &str, modes: &Modes) -> Vec<NamedFile> {
     let csv = NamedFile::new(&format!("{survey}-modes.csv"), csv(modes));
     let universal = universal(survey, modes);
     let universal = universal.map(|text| NamedFile::new(&format!("{survey}-modes.uff"), text));
-    [csv].into_iter().chain(universal).collect()
+    [csv]
+        .into_iter()
+        .chain(universal)
+        .chain(films(survey, modes))
+        .collect()
+}
+
+/// The lowest modes moving, one glTF each, where two sensors or more have places and directions.
+fn films(survey: &str, modes: &Modes) -> Vec<NamedFile> {
+    let Some(wires) = Wires::of(modes) else {
+        return Vec::new();
+    };
+    let each = modes.modes.iter().take(FILMS_MOST).enumerate();
+    let film = |(at, mode)| {
+        let number = at + 1;
+        let name = format!("{survey}-mode-{number}.glb");
+        NamedFile::new(&name, mode_film(&wires, (number, mode)))
+    };
+    each.map(film).collect()
 }
 
 /// One row a mode: frequency and damping ratio with standard deviations, whether the user insists on it though no test found it, then real and imaginary part of each channel.

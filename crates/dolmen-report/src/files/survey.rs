@@ -1,5 +1,6 @@
 //! Surveys as files: what was identified, what changed.
 
+use super::figures::NotDrawn;
 use super::modes::mode_files;
 use super::named::NamedFile;
 use crate::figures::{identification, survey_changes, years};
@@ -9,18 +10,31 @@ use dolmen_work::answer::{CompareAnswer, IdentifyAnswer};
 use dolmen_work::surveyed::SetupsAnswer;
 use dolmen_work::watched::WatchAnswer;
 
-/// Figures and JSON of what was identified, and the modes of each survey for other programs.
-pub fn identification_files(answer: &IdentifyAnswer, language: Language) -> Vec<NamedFile> {
+/// Figures, PNG as `paint` makes them, and JSON of what was identified, and the modes of each survey for other programs.
+///
+/// # Errors
+/// [`NotDrawn`].
+pub fn identification_files(
+    answer: &IdentifyAnswer,
+    language: Language,
+    paint: &dyn Fn(&str) -> Result<Vec<u8>, String>,
+) -> Result<Vec<NamedFile>, NotDrawn> {
     let json = NamedFile::json("identification.json", &identification_json(answer));
-    let figures = identification(answer, language)
-        .into_iter()
-        .map(NamedFile::figure);
+    let mut figures = Vec::new();
+    for figure in identification(answer, language) {
+        let painted = paint(&figure.svg).map_err(|why| NotDrawn {
+            figure: figure.name.clone(),
+            why,
+        })?;
+        figures.push(NamedFile::new(&format!("{}.png", figure.name), painted));
+        figures.push(NamedFile::figure(figure));
+    }
     let modes = answer.surveys.iter().flat_map(|survey| {
         let found = survey.setups.as_ref().map(SetupsAnswer::modes);
         let found = found.or_else(|| survey.records.as_ref().map(|record| &record.analysis.modes));
         found.map_or_else(Vec::new, |modes| mode_files(&survey.name, modes))
     });
-    [json].into_iter().chain(figures).chain(modes).collect()
+    Ok([json].into_iter().chain(figures).chain(modes).collect())
 }
 
 /// Figure and JSON of what changed.

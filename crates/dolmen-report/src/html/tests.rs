@@ -9,6 +9,7 @@ use dolmen_project::{Project, Quantity, Structure, parse_project};
 use dolmen_words::Language;
 use dolmen_words::number::with_sd;
 use dolmen_work::answer::{Answer, CheckAnswer, IdentifyAnswer, ProjectReport};
+use dolmen_work::record_seen::RecordSeen;
 use dolmen_work::state::{Check, DirectionCheck, State};
 use dolmen_work::surveyed::{RecordAnswer, StiffnessAnswer, SurveyAnswer};
 use std::sync::Arc;
@@ -92,6 +93,7 @@ pub(crate) fn gate() -> ProjectReport {
     let survey = SurveyAnswer {
         plan: None,
         factors: None,
+        model: None,
         without_stiffness: None,
         setups: None,
         records: None,
@@ -318,12 +320,14 @@ fn holds_the_same_answer_gives_the_same_page() {
 pub(crate) fn survey() -> ProjectReport {
     let record = ReferenceCase::ShearChain.made(11).unwrap().make().unwrap();
     let analysis = identify(&record, &Identify::default()).unwrap();
+    let seen = RecordSeen::of(&record, record.duration_s(), (&analysis, None), true).unwrap();
     let text = "schema = 1\nkind = \"survey\"\nname = { en = \"Tower\", ko = \"탑\" }\n\
                 [survey.now.records]\nfile = \"r.csv\"\nsampling_rate = \"100 Hz\"\n";
     let survey = SurveyAnswer {
         plan: None,
         factors: None,
         without_stiffness: None,
+        model: None,
         name: "now".into(),
         setups: None,
         records: Some(RecordAnswer {
@@ -337,6 +341,7 @@ pub(crate) fn survey() -> ProjectReport {
             faults: vec![],
             doubts: vec![],
             analysis,
+            seen,
         }),
         stiffness: vec![],
     };

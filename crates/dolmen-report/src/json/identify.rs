@@ -15,6 +15,8 @@ use dolmen_words::{Language, Sentence};
 use dolmen_work::WrittenBack;
 use dolmen_work::answer::IdentifyAnswer;
 use dolmen_work::building::PlanAnswer;
+use dolmen_work::model_modes::{BesideModel, ModelMode, ModelModes, WhichMode};
+use dolmen_work::record_seen::{ChannelSeen, RecordSeen, SpectrogramSeen};
 use dolmen_work::stack::FactorsAnswer;
 use dolmen_work::surveyed::{RecordAnswer, SetupsAnswer, StiffnessAnswer, SurveyAnswer};
 use serde_json::{Value, json};
@@ -40,10 +42,31 @@ fn survey(survey: &SurveyAnswer) -> Value {
         "name": survey.name,
         "records": survey.records.as_ref().map(record),
         "setups": survey.setups.as_ref().map(setups),
+        "model": survey.model.as_ref().map(model),
         "stiffness": survey.stiffness.iter().map(stiffness).collect::<Vec<_>>(),
         "plan": survey.plan.as_deref().map(plan),
         "joint_factors": survey.factors.as_deref().map(joint_factors),
         "without_stiffness": survey.without_stiffness.as_ref().map(ToString::to_string),
+    })
+}
+
+/// Measured modes beside those of the model; modes of the model by their number, from 1.
+fn model(model: &ModelModes) -> Value {
+    let number = |place: &usize| model.of_model[*place].first + 1;
+    let of_model = |of: &ModelMode| json!({ "number": of.first + 1, "count": of.count, "frequency_hz": of.frequency_hz });
+    let measured = |of: &BesideModel| {
+        let (is, numbers) = match &of.is {
+            WhichMode::One(place) => ("one", vec![number(place)]),
+            WhichMode::Several(places) => ("several", places.iter().map(number).collect()),
+            WhichMode::None(best) => ("none", best.iter().map(number).collect()),
+        };
+        json!({ "frequency_hz": of.frequency_hz, "assurance": of.assurance, "is": is, "of_model": numbers })
+    };
+    json!({
+        "of_model": model.of_model.iter().map(of_model).collect::<Vec<_>>(),
+        "measured": model.measured.iter().map(measured).collect::<Vec<_>>(),
+        "channels": model.channels,
+        "left_out": model.left_out,
     })
 }
 
@@ -112,6 +135,27 @@ fn record(record: &RecordAnswer) -> Value {
         "decay": analysis.decay.as_ref().map(decay),
         "driven": analysis.driven.as_ref().map(driven),
         "notes": analysis.notes.iter().map(Advice::advised).collect::<Vec<_>>(),
+        "seen": seen(&record.seen),
+    })
+}
+
+/// The record as it was used.
+fn seen(seen: &RecordSeen) -> Value {
+    let channel = |of: &ChannelSeen| json!({ "name": of.name, "mean": of.mean, "deviation": of.deviation, "largest": of.largest, "largest_at_s": of.largest_at_s });
+    let spectrogram = |drawn: &SpectrogramSeen| {
+        json!({
+            "channel": seen.channels[drawn.channel].name,
+            "asked": drawn.is_asked,
+            "resolution_hz": drawn.of.resolution_hz,
+            "segment_s": 2.0 * drawn.of.first_s,
+            "columns": drawn.of.columns.len(),
+        })
+    };
+    json!({
+        "used_s": [seen.time.from_s, seen.time.to_s],
+        "file_s": seen.time.whole_s,
+        "channels": seen.channels.iter().map(channel).collect::<Vec<_>>(),
+        "spectrogram": seen.spectrogram.as_ref().map(spectrogram),
     })
 }
 

@@ -1,5 +1,6 @@
 //! What records say of modes: findings, and the sections of records, setups and free decays.
 
+mod beside_model;
 mod clocks;
 mod decay;
 mod decay_remarks;
@@ -10,6 +11,7 @@ mod joint;
 mod notes;
 mod record;
 mod refused;
+mod seen;
 mod settings;
 mod setup_remarks;
 mod setups;
@@ -40,9 +42,10 @@ messages! {
 }
 
 /// The sentences on records as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 18] = [
+pub(crate) const TEMPLATES: [&[Template]; 20] = [
     findings::Found::TEMPLATES,
     Of::TEMPLATES,
+    beside_model::Beside::TEMPLATES,
     record::Record::TEMPLATES,
     faults::Faults::TEMPLATES,
     steps::Steps::TEMPLATES,
@@ -51,6 +54,7 @@ pub(crate) const TEMPLATES: [&[Template]; 18] = [
     settings::Chosen::TEMPLATES,
     notes::Notes::TEMPLATES,
     refused::Refused::TEMPLATES,
+    seen::Seen::TEMPLATES,
     steady::Steady::TEMPLATES,
     clocks::Clocks::TEMPLATES,
     decay::Decays::TEMPLATES,
@@ -77,6 +81,9 @@ pub(crate) fn sections(survey: &SurveyAnswer) -> Document<'_> {
             record::section(&mut document, of.into(), record);
         }
         setups::section(&mut document, &survey.name, setups);
+    }
+    if let Some(model) = &survey.model {
+        beside_model::section(&mut document, &survey.name, model);
     }
     document
 }

@@ -4,6 +4,7 @@ use super::decay;
 use super::driven;
 use super::faults::fault_words;
 use super::notes::note_words;
+use super::seen::{spectrogram_figure, time_figure};
 use super::settings::settings;
 use super::shapes::{ShapeFigures, shape_figures};
 use super::steps::step_words;
@@ -76,7 +77,9 @@ pub(super) fn section<'a>(document: &mut Document<'a>, survey: Sentence, record:
         (false, None) => Record::Ambient { survey },
     });
     read(document, record);
+    time_figure(document, &record.seen);
     figures(document, analysis);
+    spectrogram_figure(document, &record.seen, &analysis.modes);
     match analysis.modes.modes.is_empty() {
         true => document.paragraph(Record::NoMode),
         false => modes(document, analysis),

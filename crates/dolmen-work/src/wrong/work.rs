@@ -81,6 +81,18 @@ sentences! {
             en: "modal.inputs names {name}, but the channels used are {known}",
             ko: "modal.inputs에 {name}이(가) 있는데 쓰는 채널은 {known}이다",
         },
+        NoSuchSpectrogram { name, known } as { name: format!("{name:?}"), known } => {
+            en: "modal.spectrogram names {name}, but the channels used are {known}",
+            ko: "modal.spectrogram에 {name}이(가) 있는데 쓰는 채널은 {known}이다",
+        },
+        NoRecord => {
+            en: "no survey of the project has a vibration record: write [survey.NAME.records] with its file",
+            ko: "프로젝트에 진동 기록이 있는 조사가 없다. [survey.NAME.records]에 파일을 적는다",
+        },
+        WhichRecord { meant, known } => {
+            en: "one record is wanted, but {meant} of the project are of that description: name the survey with --survey, and of several setups one with --setup ({known})",
+            ko: "기록 하나를 지정해야 하는데 조건에 맞는 기록이 {meant}개이다. --survey로 조사를, 배치가 여럿이면 --setup으로 하나를 지정한다({known})",
+        },
         NoneToFollow => {
             en: "no survey of the project has its vibration record in one file: records that come by themselves take sensors, units and channels from the latest such survey; add one to the project and store it with `dolmen survey add`",
             ko: "진동 기록을 파일 하나로 읽는 조사가 프로젝트에 없다. 들어오는 기록의 센서, 단위, 채널은 그런 최근 조사에서 가져온다. 조사를 프로젝트에 넣고 `dolmen survey add`로 저장한다",

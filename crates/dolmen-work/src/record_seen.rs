@@ -1,0 +1,294 @@
+//! A record as it is drawn: the envelope of each channel over the time of its file, what of it was not used, and a spectrogram.
+
+use dolmen::modal::ModalAnalysis;
+use dolmen::signal::{
+    Channel, Envelope, LostSpan, Processing, Quantity, Record, SignalError, Spectrogram, TimeFrequency,
+    Welch, cross_spectra, envelope, spectrogram,
+};
+
+/// Parts of an envelope: one a pixel of a figure.
+const PARTS: usize = 600;
+/// Lines of a spectrogram up to the highest frequency looked at, and its columns; chosen here for a figure.
+const LINES: f64 = 96.0;
+const COLUMNS: usize = 100;
+/// What the frequencies of a spectrogram end above, times the highest frequency looked for: as the spectrum that is drawn.
+const BEYOND_RANGE: f64 = 1.08;
+/// What they end above, times the highest mode found, where that is lower.
+const BEYOND_MODES: f64 = 2.0;
+/// Fewest samples of a segment.
+const SEGMENT_LEAST: usize = 16;
+
+/// A record as it is drawn.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RecordSeen {
+    /// Each channel.
+    pub channels: Vec<ChannelSeen>,
+    /// Its time.
+    pub time: RecordTime,
+    /// The spectrogram; `None` of a record too short for one.
+    pub spectrogram: Option<SpectrogramSeen>,
+}
+
+/// A channel as it is drawn.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ChannelSeen {
+    /// Its name.
+    pub name: String,
+    /// What it measures.
+    pub quantity: Quantity,
+    /// Mean of the samples used.
+    pub mean: f64,
+    /// Root mean square about the mean.
+    pub deviation: f64,
+    /// Largest distance from the mean.
+    pub largest: f64,
+    /// Where that is, s from the first sample of the file.
+    pub largest_at_s: f64,
+    /// Least and largest sample of each part of the time.
+    pub envelope: Envelope,
+}
+
+/// The time of a record, s from the first sample of its file; of several files, from the first sample that was used.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RecordTime {
+    /// First sample used.
+    pub from_s: f64,
+    /// Behind the last sample used.
+    pub to_s: f64,
+    /// Behind the last sample of the file.
+    pub whole_s: f64,
+    /// From one sample used to the next, s.
+    pub step_s: f64,
+    /// Samples that were lost.
+    pub lost: Vec<LostSpan>,
+    /// Lost samples that were filled in.
+    pub filled: Vec<LostSpan>,
+    /// Whether lost samples stand in several files, each with a time of its own, so that they are not among `lost` and `filled`.
+    pub lost_elsewhere: bool,
+}
+
+/// The spectrogram of one channel.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SpectrogramSeen {
+    /// The channel's place among those of the record.
+    pub channel: usize,
+    /// Whether the project names it; else it has the largest share of motion in the range.
+    pub is_asked: bool,
+    /// Frequencies drawn end here, Hz.
+    pub end_hz: f64,
+    /// The densities.
+    pub of: TimeFrequency,
+}
+
+impl RecordSeen {
+    /// What is drawn of a record that was `read_s` long when it was read; `asked` is the channel whose spectrogram the project wants.
+    ///
+    /// # Errors
+    /// None of a record that modes were found in.
+    pub fn of(
+        record: &Record,
+        read_s: f64,
+        (analysis, asked): (&ModalAnalysis, Option<usize>),
+        is_one_file: bool,
+    ) -> Result<Self, SignalError> {
+        let time = RecordTime::of(record, read_s, is_one_file);
+        let channels = (0..record.channels().len()).map(|at| ChannelSeen::of(record, at, &time));
+        Ok(RecordSeen {
+            channels: channels.collect(),
+            spectrogram: SpectrogramSeen::of(record, analysis, asked)?,
+            time,
+        })
+    }
+}
+
+impl ChannelSeen {
+    fn of(record: &Record, at: usize, time: &RecordTime) -> Self {
+        let (channel, samples): (&Channel, &[f64]) = (&record.channels()[at], record.samples(at));
+        let count = samples.len() as f64;
+        let mean = samples.iter().sum::<f64>() / count;
+        let square = samples.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / count;
+        let far = samples.iter().map(|x| (x - mean).abs()).enumerate();
+        let (sample, largest) = far.fold((0, 0.0), |most, one| if one.1 > most.1 { one } else { most });
+        ChannelSeen {
+            name: channel.name.clone(),
+            quantity: channel.quantity,
+            mean,
+            deviation: square.sqrt(),
+            largest,
+            largest_at_s: time.from_s + sample as f64 * time.step_s,
+            envelope: envelope(samples, PARTS),
+        }
+    }
+}
+
+impl RecordTime {
+    /// From what was done to the record; `read_s` is how long it was when it was read.
+    fn of(record: &Record, read_s: f64, is_one_file: bool) -> Self {
+        let step_s = 1.0 / record.sampling_rate_hz();
+        let (mut from_s, mut whole_s) = (0.0, read_s);
+        let (mut lost, mut filled, mut lost_elsewhere) = (Vec::new(), Vec::new(), false);
+        for step in record.history() {
+            match step {
+                Processing::LongestSpan { .. } | Processing::FilledGaps { .. } if !is_one_file => {
+                    lost_elsewhere = true;
+                }
+                Processing::LongestSpan {
+                    from_s: first_s,
+                    whole_s: all_s,
+                    gaps,
+                    ..
+                } => {
+                    from_s += first_s;
+                    whole_s = all_s + step_s;
+                    lost.extend(gaps.iter().cloned());
+                }
+                Processing::FilledGaps { gaps, .. } => filled.extend(gaps.iter().cloned()),
+                Processing::Cut { from_s: first_s, .. } => from_s += first_s,
+                _ => {}
+            }
+        }
+        let to_s = from_s + record.length() as f64 * step_s;
+        RecordTime {
+            from_s,
+            to_s,
+            whole_s: whole_s.max(to_s),
+            step_s,
+            lost,
+            filled,
+            lost_elsewhere,
+        }
+    }
+}
+
+impl SpectrogramSeen {
+    fn of(
+        record: &Record,
+        analysis: &ModalAnalysis,
+        asked: Option<usize>,
+    ) -> Result<Option<Self>, SignalError> {
+        let rate_hz = record.sampling_rate_hz();
+        let nyquist_hz = 0.5 * rate_hz;
+        let range_hz = analysis.settings.range_hz;
+        let end_hz = match range_hz[1].is_finite() && range_hz[1] > 0.0 {
+            true => (BEYOND_RANGE * range_hz[1]).min(nyquist_hz),
+            false => nyquist_hz,
+        };
+        let highest = analysis.modes.modes.last();
+        let end_hz = highest.map_or(end_hz, |mode| end_hz.min(BEYOND_MODES * mode.frequency_hz));
+        // as fine in frequency as is drawn, or as many lines as columns where the record is short
+        let resolution_hz = (end_hz / LINES).max((0.5 * end_hz / record.duration_s()).sqrt());
+        let segment_length = 2 * ((0.5 * rate_hz / resolution_hz).round() as usize);
+        if segment_length < SEGMENT_LEAST || 2 * segment_length > record.length() {
+            return Ok(None);
+        }
+        let channel = match asked {
+            Some(channel) => channel,
+            None => strongest(record, segment_length, [range_hz[0], end_hz])?,
+        };
+        let options = Spectrogram {
+            segment_length,
+            columns_most: COLUMNS,
+        };
+        Ok(Some(SpectrogramSeen {
+            channel,
+            is_asked: asked.is_some(),
+            end_hz,
+            of: spectrogram(record, channel, &options)?,
+        }))
+    }
+}
+
+/// The channel with the largest share of motion in the range, of those that measure what most measure.
+fn strongest(
+    record: &Record,
+    segment_length: usize,
+    [low_hz, high_hz]: [f64; 2],
+) -> Result<usize, SignalError> {
+    let quantity = |at: usize| record.channels()[at].quantity;
+    let all = 0..record.channels().len();
+    let alike = |at: &usize| {
+        all.clone()
+            .filter(|other| quantity(*other) == quantity(*at))
+            .count()
+    };
+    let most = all.clone().map(|at| alike(&at)).max().unwrap_or(0);
+    let mut best = (0, f64::NEG_INFINITY);
+    for at in all.clone().filter(|at| alike(at) == most) {
+        let alone = Record::from_contiguous(
+            vec![record.channels()[at].clone()],
+            record.samples(at).to_vec(),
+            record.sampling_rate_hz(),
+        )?;
+        let spectra = cross_spectra(&alone, &Welch { segment_length })?;
+        let lines = spectra.frequency_hz.iter().zip(spectra.power(0));
+        let within = lines.filter(|(hz, _)| (low_hz..=high_hz).contains(*hz));
+        let power: f64 = within.map(|(_, power)| power).sum();
+        if power > best.1 {
+            best = (at, power);
+        }
+    }
+    Ok(best.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use dolmen::modal::{Identify, ReferenceCase, identify};
+    use dolmen::signal::cut;
+
+    #[test]
+    fn exact_times_of_a_cut_record_that_lost_samples() {
+        let channels = vec![Channel::named("x")];
+        let mut record = Record::new(channels, vec![vec![0.0; 1000]], 10.0).unwrap();
+        let gap = LostSpan {
+            channel: None,
+            at_s: 49.9,
+            lost_s: 20.0,
+        };
+        record.note(Processing::LongestSpan {
+            from_s: 70.0,
+            to_s: 169.9,
+            whole_s: 199.9,
+            gaps: vec![gap.clone()],
+        });
+        let record = cut(record, 5.0, 95.0).unwrap();
+        let time = RecordTime::of(&record, 100.0, true);
+        assert_eq!((time.from_s, time.to_s, time.whole_s), (75.0, 165.0, 200.0));
+        assert_eq!((time.lost, time.lost_elsewhere), (vec![gap], false));
+        let time = RecordTime::of(&record, 100.0, false);
+        assert_eq!(
+            (time.from_s, time.whole_s, time.lost_elsewhere),
+            (5.0, 100.0, true)
+        );
+    }
+
+    #[test]
+    fn holds_the_spectrogram_is_of_the_strongest_channel_or_of_the_one_asked_for() {
+        let record = ReferenceCase::ShearChain.made(1).unwrap().make().unwrap();
+        let analysis = identify(&record, &Identify::default()).unwrap();
+        let seen = RecordSeen::of(&record, record.duration_s(), (&analysis, None), true).unwrap();
+        let of = seen.spectrogram.unwrap();
+        // the upper floor moves more in the first mode, which holds most of the motion
+        assert!(!of.is_asked);
+        assert!(seen.channels[of.channel].deviation >= seen.channels[1 - of.channel].deviation);
+        assert!(of.of.columns.len() <= COLUMNS && of.end_hz > 4.2);
+        let shown = of.of.frequency_hz.iter().filter(|hz| **hz <= of.end_hz).count();
+        assert!((40..=110).contains(&shown), "{shown}");
+        let asked = 1 - of.channel;
+        let seen = RecordSeen::of(&record, record.duration_s(), (&analysis, Some(asked)), true).unwrap();
+        let of = seen.spectrogram.unwrap();
+        assert_eq!((of.channel, of.is_asked), (asked, true));
+    }
+
+    #[test]
+    fn exact_the_largest_sample_and_its_time() {
+        let mut x = vec![1.0; 1000];
+        x[300] = -5.0;
+        let record = Record::new(vec![Channel::named("x")], vec![x], 10.0).unwrap();
+        let time = RecordTime::of(&record, 100.0, true);
+        let seen = ChannelSeen::of(&record, 0, &time);
+        assert!((seen.mean - 0.994).abs() < 1e-12 && (seen.largest - 5.994).abs() < 1e-12);
+        assert!((seen.largest_at_s - 30.0).abs() < 1e-9);
+        assert!((seen.deviation - 6.0 * (0.001_f64 * 0.999).sqrt()).abs() < 1e-12);
+    }
+}
