@@ -232,7 +232,7 @@ fn of_survey(
         });
     }
     if let Some((found, _)) = answer.modes() {
-        answer.model = model_modes(project, found).within(context)?;
+        answer.model = model_modes(project, found);
     }
     answer.stiffness = stiffness;
     if let Structure::Building(part) = &project.structure {

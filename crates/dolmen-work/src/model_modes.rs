@@ -20,6 +20,8 @@ const MODES_MOST: usize = 16;
 const ONE_FREQUENCY: f64 = 0.01;
 /// From this MAC on a measured mode is one of the model. Chosen here: below, other modes are as likely.
 pub const SAME_FROM: f64 = 0.8;
+/// A measured frequency that is so many times that of the mode of the model it looks like, or its inverse, is doubted. Chosen here.
+pub const FREQUENCY_RATIO_DOUBTED: f64 = 1.5;
 /// A sensor stands on the stone nearest to it, within this distance, m.
 const NEAR_M: f64 = 0.3;
 /// Share of its length below which what is left of a shape is rounding.
@@ -60,6 +62,22 @@ pub struct BesideModel {
     pub is: WhichMode,
 }
 
+impl ModelModes {
+    /// Places among the measured modes of those whose frequency is far from that of the mode that they look like: the model is of another structure, or
+    /// these channels do not tell its modes apart.
+    pub fn far_off(&self) -> Vec<usize> {
+        let each = self.measured.iter().enumerate();
+        let far = each.filter(|(_, of)| match of.is {
+            WhichMode::One(place) => {
+                let ratio = of.frequency_hz / self.of_model[place].frequency_hz;
+                ratio.ln().abs() > FREQUENCY_RATIO_DOUBTED.ln()
+            }
+            WhichMode::Several(_) | WhichMode::None(_) => false,
+        });
+        far.map(|(at, _)| at).collect()
+    }
+}
+
 /// Which mode of the model a measured one is; places among [`ModelModes::of_model`].
 #[derive(Clone, Debug, PartialEq)]
 pub enum WhichMode {
@@ -74,13 +92,10 @@ pub enum WhichMode {
 /// Measured modes beside those of the model; `None` for other kinds than stacks and buildings, for one that falls, and where fewer than two channels stand
 /// on it.
 ///
-/// # Errors
-/// Where the modes of the model cannot be computed.
-pub(crate) fn model_modes(project: &Project, modes: &Modes) -> Result<Option<ModelModes>, WorkError> {
+/// A model whose modes cannot be computed has none to be compared with: what is wrong with it is the business of the check.
+pub(crate) fn model_modes(project: &Project, modes: &Modes) -> Option<ModelModes> {
     let wanted = (2 * modes.modes.len() + MORE).min(MODES_MOST);
-    let Some(model) = Model::of(project, wanted)? else {
-        return Ok(None);
-    };
+    let model = Model::of(project, wanted).ok()??;
     let (mut rows, mut places, mut left_out) = (Vec::new(), Vec::new(), Vec::new());
     for (at, channel) in modes.channels.iter().enumerate() {
         let placed = channel.position_m.zip(channel.direction);
@@ -93,7 +108,7 @@ pub(crate) fn model_modes(project: &Project, modes: &Modes) -> Result<Option<Mod
         }
     }
     if rows.len() < 2 || modes.modes.is_empty() {
-        return Ok(None);
+        return None;
     }
     let of_model = grouped(&model.frequency_hz);
     let bases: Vec<Vec<Vec<f64>>> = of_model
@@ -120,12 +135,12 @@ pub(crate) fn model_modes(project: &Project, modes: &Modes) -> Result<Option<Mod
             assurance,
         }
     });
-    Ok(Some(ModelModes {
+    Some(ModelModes {
         measured: measured.collect(),
         of_model,
         channels: rows.len(),
         left_out,
-    }))
+    })
 }
 
 /// The only one from [`SAME_FROM`] on, several, or none.
@@ -475,15 +490,15 @@ mod tests {
             complex(&of(2), 0.0),
             complex(&blend, 0.0),
         ];
-        let found = model_modes(&opened.project, &measured(channels.clone(), &shapes))
-            .unwrap()
-            .unwrap();
+        let found = model_modes(&opened.project, &measured(channels.clone(), &shapes)).unwrap();
         assert_eq!(
-            (found.channels, found.left_out),
+            (found.channels, found.left_out.clone()),
             (3, vec!["far".to_owned(), "nowhere".to_owned()])
         );
         for k in 0..3 {
             assert_eq!(found.measured[k].is, WhichMode::One(k));
+            // made at 1, 2, 3 Hz: three to six times the model's
+            assert!(found.far_off().contains(&k));
             assert!((found.measured[k].assurance[k] - 1.0).abs() < 1e-12);
         }
         assert!(
@@ -493,7 +508,7 @@ mod tests {
         );
         // two channels along x tell no two of three modes apart: nothing is said
         let few = measured(vec![channels[0].clone()], &[vec![[1.0, 0.0]]]);
-        assert_eq!(model_modes(&opened.project, &few).unwrap(), None);
+        assert_eq!(model_modes(&opened.project, &few), None);
     }
 
     /// A square pagoda sways in any direction at one frequency: a diagonal measured mode is of that pair.
@@ -522,10 +537,12 @@ mod tests {
             .iter()
             .map(|c| [0.6 * row(c)[0] - 0.8 * row(c)[1], 0.0])
             .collect();
-        let found = model_modes(&opened.project, &measured(channels, &[shape]))
-            .unwrap()
-            .unwrap();
+        let found = model_modes(&opened.project, &measured(channels, &[shape])).unwrap();
         assert_eq!(found.measured[0].is, WhichMode::One(0));
+        assert_eq!(
+            found.far_off().is_empty(),
+            (1.0 / groups[0].frequency_hz).ln().abs() <= 1.5_f64.ln()
+        );
         assert!((found.measured[0].assurance[0] - 1.0).abs() < 1e-9);
         assert!(
             grouped(&[1.0, 1.005, 1.3])

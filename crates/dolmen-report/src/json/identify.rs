@@ -67,6 +67,7 @@ fn model(model: &ModelModes) -> Value {
         "measured": model.measured.iter().map(measured).collect::<Vec<_>>(),
         "channels": model.channels,
         "left_out": model.left_out,
+        "far_off": model.far_off().iter().map(|at| at + 1).collect::<Vec<_>>(),
     })
 }
 

@@ -4,7 +4,9 @@ use super::values::{fixed, percent};
 use crate::document::{Block, Cell, Column, Document, Figure, Series, Table};
 use crate::figures::model_likeness;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
-use dolmen_work::model_modes::{BesideModel, ModelMode, ModelModes, SAME_FROM, WhichMode};
+use dolmen_work::model_modes::{
+    BesideModel, FREQUENCY_RATIO_DOUBTED, ModelMode, ModelModes, SAME_FROM, WhichMode,
+};
 
 messages! {
     /// Measured modes and the model.
@@ -37,6 +39,10 @@ messages! {
         LeftOut { channels: Vec<String> } => {
             en: "Not compared, as the model has nothing at their place or their place or direction is not given: {channels}.",
             ko: "위치나 방향이 없거나 그 위치에 모델의 부재가 없어 비교하지 않은 채널: {channels}.",
+        },
+        FarOff { modes: Vec<Sentence>, times: Quantity } => {
+            en: "Doubtful: measured mode {modes} looks like a mode of the model whose frequency is more than {times} times as high or as low. Either the model is not this structure, or these channels do not tell its modes apart; more sensors, or better places (`dolmen sensors`), decide it.",
+            ko: "의심되는 결과: 계측 모드 {modes}은(는) 형상이 비슷한 모델 모드와 진동수가 {times}배 넘게 다르다. 모델이 이 구조물과 다르거나, 이 채널들로는 모델 모드를 판별할 수 없다. 센서를 늘리거나 더 좋은 위치(`dolmen sensors`)에 두어 가린다.",
         },
         OfMode { number: usize } => { en: "MAC with mode {number} of the model", ko: "모델 모드 {number}와의 MAC" },
     }
@@ -79,6 +85,17 @@ pub(super) fn section<'a>(document: &mut Document<'a>, survey: &str, model: &'a 
         }
         all
     }));
+    let far = model.far_off();
+    if !far.is_empty() {
+        let modes = far.iter().map(|at| Beside::Number { number: at + 1 }.into());
+        document.put(Block::Warning(
+            Beside::FarOff {
+                modes: modes.collect(),
+                times: fixed(FREQUENCY_RATIO_DOUBTED, 1),
+            }
+            .into(),
+        ));
+    }
     if !model.left_out.is_empty() {
         document.note(Beside::LeftOut {
             channels: model.left_out.clone(),
