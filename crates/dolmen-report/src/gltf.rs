@@ -70,13 +70,17 @@ impl Buffer {
     }
 
     /// The .glb of a file with these parts: `text` is all but the asset, the buffer, its views and accessors.
-    pub(crate) fn file(self, mut text: Value) -> Vec<u8> {
-        text["asset"] =
-            json!({ "version": "2.0", "generator": concat!("dolmen ", env!("CARGO_PKG_VERSION")) });
-        text["buffers"] = json!([{ "byteLength": self.bytes.len() }]);
-        text["bufferViews"] = json!(self.views);
-        text["accessors"] = json!(self.accessors);
-        container(text.to_string().into_bytes(), self.bytes)
+    pub(crate) fn file(self, text: Value) -> Vec<u8> {
+        let mut whole = json!({
+            "asset": { "version": "2.0", "generator": concat!("dolmen ", env!("CARGO_PKG_VERSION")) },
+        });
+        if let (Some(parts), Value::Object(text)) = (whole.as_object_mut(), text) {
+            parts.extend(text);
+        }
+        whole["buffers"] = json!([{ "byteLength": self.bytes.len() }]);
+        whole["bufferViews"] = json!(self.views);
+        whole["accessors"] = json!(self.accessors);
+        container(whole.to_string().into_bytes(), self.bytes)
     }
 }
 
