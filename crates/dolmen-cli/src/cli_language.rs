@@ -1,6 +1,7 @@
 //! What the arguments of several verbs are made of.
 
 use clap::ValueEnum;
+use dolmen::signal::Component;
 use dolmen_words::Language as Spoken;
 
 /// Language of what is written.
@@ -58,6 +59,28 @@ pub(crate) fn zone(text: &str) -> Result<u8, String> {
         "2" | "II" | "ii" | "Ⅱ" => Ok(2),
         _ => Err("must be 1 (I) or 2 (II)".to_owned()),
     }
+}
+
+/// Two positive numbers, the smaller first: "0.1,3".
+pub(crate) fn pair(text: &str) -> Result<[f64; 2], String> {
+    let wrong = || "must be two positive numbers, the smaller first, as in 0.1,3".to_owned();
+    let (least, most) = text.split_once(',').ok_or_else(wrong)?;
+    let [least, most] = [least, most].map(|text| text.trim().parse::<f64>());
+    match (least, most) {
+        (Ok(least), Ok(most)) if 0.0 < least && least < most && most.is_finite() => Ok([least, most]),
+        _ => Err(wrong()),
+    }
+}
+
+/// A component with its column: "x=EW".
+pub(crate) fn column(text: &str) -> Result<(Component, String), String> {
+    let split = text.split_once('=').and_then(|(before, column)| {
+        let component = Component::ALL.into_iter().find(|of| of.name() == before.trim())?;
+        Some((component, column.trim().to_owned()))
+    });
+    split.filter(|(_, column)| !column.is_empty()).ok_or_else(|| {
+        "must be x=, y= or z= and the name or number of a column, as in x=EW,y=NS,z=UD".to_owned()
+    })
 }
 
 /// A size of a file in bytes: "12 GB", "512 MiB", "1000".

@@ -1,10 +1,12 @@
 //! Arguments of motions: those of `dolmen motion`, and those of every verb that takes one.
 
-use crate::cli_language::zone;
+use crate::cli_language::{column, pair, positive, zone};
 use clap::{Args, ValueEnum};
+use dolmen::signal::Component;
 use std::path::PathBuf;
 
 #[derive(Debug, Args)]
+#[command(group = clap::ArgGroup::new("to_demand").args(["matched", "suite"]).multiple(true))]
 pub(crate) struct GroundMotionVerb {
     /// Files of acceleration (AT2, COSMOS, CSMIP, K-NET, ESM, SAC, miniSEED, CSV), one a component: x, y, z in this order, or
     /// named as in y=FILE; --motion-file says the same
@@ -18,30 +20,49 @@ pub(crate) struct GroundMotionVerb {
     /// Damping ratio of spectra
     #[arg(long, value_name = "RATIO", default_value_t = 0.05)]
     pub(crate) damping: f64,
-    /// Match the first component to a demand spectrum, 0.1 to 3 s, by wavelets: KDS 17 10 00 of --zone, --years and --site, or
-    /// Eurocode 8 of --ground-acceleration and --site
+    /// Match the first component, or with --suite each motion, to a demand spectrum by wavelets: KDS 17 10 00 of --zone, --years
+    /// and --site, or Eurocode 8 of --ground-acceleration and --site
     #[arg(long = "match", requires = "site")]
     pub(crate) matched: bool,
     /// Site of the demand: S1 to S5 (KDS), A to E (Eurocode 8)
-    #[arg(long, default_value = "", requires = "matched")]
+    #[arg(long, default_value = "", requires = "to_demand")]
     pub(crate) site: String,
     /// Seismic zone of KDS 17 10 00: 1 (I) or 2 (II)
-    #[arg(long, default_value_t = 1, value_parser = zone, requires = "matched", conflicts_with = "ground_acceleration")]
+    #[arg(long, default_value_t = 1, value_parser = zone, requires = "to_demand", conflicts_with = "ground_acceleration")]
     pub(crate) zone: u8,
     /// Return period of KDS 17 10 00, years
     #[arg(
         long,
         default_value_t = 2400,
-        requires = "matched",
+        requires = "to_demand",
         conflicts_with = "ground_acceleration"
     )]
     pub(crate) years: u32,
     /// Design ground acceleration on rock of Eurocode 8, g
-    #[arg(long, value_name = "G", requires = "matched")]
+    #[arg(long, value_name = "G", requires = "to_demand")]
     pub(crate) ground_acceleration: Option<f64>,
     /// Type of the spectrum of Eurocode 8: 1 or 2
     #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u8).range(1..=2), requires = "ground_acceleration")]
     pub(crate) spectrum_type: u8,
+    /// Periods over which a spectrum is matched or the mean of a suite follows it, s: 0.1,3 if not given
+    #[arg(long, value_name = "S,S", value_parser = pair, requires = "to_demand", conflicts_with = "t1")]
+    pub(crate) range: Option<[f64; 2]>,
+    /// The same for a structure of this period, s: 0.2 to 2 times it
+    #[arg(long, value_name = "S", value_parser = positive, requires = "to_demand")]
+    pub(crate) t1: Option<f64>,
+    /// Choose so many records of the folder --from, each times a factor, so that their mean spectrum follows the demand of --site
+    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..=200), requires_all = ["from", "site"],
+        conflicts_with_all = ["files", "motion_file", "name", "make", "convert", "spectrum", "columns", "channel", "x_azimuth", "scale", "peak", "turn"])]
+    pub(crate) suite: Option<u16>,
+    /// With --suite: the folder of the records, every format that is read; each horizontal channel is one
+    #[arg(long, value_name = "DIR", requires = "suite")]
+    pub(crate) from: Option<PathBuf>,
+    /// With --suite: smallest and largest factor on a record, 0.25,4 if not given
+    #[arg(long, value_name = "LEAST,MOST", value_parser = pair, requires = "suite")]
+    pub(crate) factors: Option<[f64; 2]>,
+    /// With --suite: most motions of one earthquake, and of one station, where files say them; 2 if not given
+    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..=200), requires = "suite")]
+    pub(crate) alike: Option<u16>,
     /// Make a motion instead of reading one; its peak is --peak, its step --sample-step (0.01 s without)
     #[arg(long, value_enum, conflicts_with_all = ["files", "motion_file", "name"])]
     pub(crate) make: Option<Shape>,
@@ -116,6 +137,9 @@ pub(crate) struct Motion {
     /// The channel to read of a file of several, by name or number
     #[arg(long, value_name = "NAME", conflicts_with = "x_azimuth")]
     pub(crate) channel: Option<String>,
+    /// The columns or channels that are x, y and z, by name or number: x=EW,y=NS,z=UD; of one file, or of each its own
+    #[arg(long, value_name = "x=NAME,…", value_delimiter = ',', value_parser = column, conflicts_with_all = ["channel", "x_azimuth"])]
+    pub(crate) columns: Vec<(Component, String)>,
     /// What the numbers are multiplied by to be in the unit: what one count of a recorder is worth
     #[arg(long, value_name = "FACTOR", default_value_t = 1.0)]
     pub(crate) factor: f64,

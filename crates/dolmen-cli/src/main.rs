@@ -36,6 +36,7 @@ mod sensors;
 mod signals;
 mod simulate;
 mod study;
+mod suite;
 mod survey;
 mod tools;
 mod tune;

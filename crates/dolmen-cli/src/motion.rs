@@ -7,6 +7,7 @@ use crate::outcome::Outcome;
 use crate::request;
 use crate::request::keeping_motion;
 use crate::say::{say, say_json};
+use crate::suite;
 use crate::typed::Typed;
 use crate::wrong::{CommandError, Noted};
 use anyhow::Result;
@@ -16,7 +17,8 @@ use dolmen_report::files::motion_files;
 use dolmen_report::json::motion_report_json;
 use dolmen_report::motion_report_text;
 use dolmen_work::motion::{
-    Demand, MadeMotion, MatchAnswer, MotionOptions, MotionReport, MotionShape, motion,
+    Demand, MadeMotion, MatchAnswer, MotionOptions, MotionReport, MotionShape, RANGE_S, motion,
+    range_of_structure,
 };
 use std::path::Path;
 
@@ -45,14 +47,26 @@ fn options_of(options: &Options, manner: &Manner) -> Result<MotionOptions> {
         }),
         spectrum: options.spectrum,
         damping_ratio: options.damping,
-        matched: options.matched.then(|| Demand {
-            site: options.site.clone(),
-            zone: options.zone,
-            years: options.years,
-            ground_acceleration_g: options.ground_acceleration,
-            spectrum_type: options.spectrum_type,
-        }),
+        matched: options.matched.then(|| demand(options)),
+        range_s: range(options),
     })
+}
+
+/// The demand that motions are brought to.
+fn demand(options: &Options) -> Demand {
+    Demand {
+        site: options.site.clone(),
+        zone: options.zone,
+        years: options.years,
+        ground_acceleration_g: options.ground_acceleration,
+        spectrum_type: options.spectrum_type,
+    }
+}
+
+/// The periods over which they are.
+fn range(options: &Options) -> [f64; 2] {
+    let of_structure = options.t1.map(range_of_structure);
+    options.range.or(of_structure).unwrap_or(RANGE_S)
 }
 
 /// The files, however they are named.
@@ -74,7 +88,11 @@ fn refuse_idle(options: &Options, typed: &Typed) -> Result<()> {
         ("phase", is_near_fault, Noted::ForNearFault),
         ("duration", is_noise, Noted::ForNoise),
         ("seed", is_noise, Noted::ForNoise),
-        ("damping", options.spectrum || options.matched, Noted::ForSpectra),
+        (
+            "damping",
+            options.spectrum || options.matched || options.suite.is_some(),
+            Noted::ForSpectra,
+        ),
     ];
     for (flag, is_used, is_for) in table {
         if !is_used && typed.has(flag) {
@@ -87,6 +105,14 @@ fn refuse_idle(options: &Options, typed: &Typed) -> Result<()> {
 
 pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<Outcome> {
     refuse_idle(options, typed)?;
+    if let (Some(count), Some(from)) = (options.suite, &options.from) {
+        return suite::run(
+            options,
+            (count.into(), from),
+            (demand(options), range(options)),
+            manner,
+        );
+    }
     let outputs = keeping_motion(Outputs::new(manner.access()), named_files(options));
     if let Some(file) = &options.convert {
         outputs.refuse(file)?;

@@ -31,6 +31,7 @@ pub(crate) fn motion(options: &Motion, named: &[String], manner: &Manner) -> Res
         unit: options.unit.clone(),
         sample_step_s: options.sample_step,
         channel: options.channel.clone(),
+        columns: options.columns.clone(),
         factor: options.factor,
         shortest: options.shortest,
         ignore_stated_peak: options.ignore_stated_peak,

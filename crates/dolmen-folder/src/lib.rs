@@ -15,7 +15,7 @@ mod wrong;
 pub use access::Access;
 pub use arriving::{Inbox, InboxLook, Look, move_into, quarantine, quarantined};
 pub use files::{fill_fresh, free_folder, fresh_folder, read, read_text, rewrite, start, write};
-pub use open::{Folder, Found};
+pub use open::{Folder, Found, motions_in};
 pub use outputs::Outputs;
 pub use portfolio::{ProjectsBelow, portfolio};
 pub use study_folder::{JournalFile, StudyFolder, journals_beside, shard};

@@ -48,6 +48,30 @@ impl Folder {
     }
 }
 
+/// The files of a folder that hold motions, perhaps, and their names in order; hidden ones and folders within are left out.
+///
+/// # Errors
+/// Where it is no folder, or cannot be read.
+pub fn motions_in(path: &Path, access: Access) -> Result<(Folder, Vec<String>)> {
+    let shown = || path.display().to_string();
+    if !path.is_dir() {
+        return Err(PathError::NoFolderOfMotions { path: shown() }.into());
+    }
+    let entries = std::fs::read_dir(path).map_err(|why| PathError::CannotOpen { path: shown(), why })?;
+    let mut names: Vec<String> = entries
+        .flatten()
+        .filter(|entry| entry.path().is_file())
+        .filter_map(|entry| entry.file_name().into_string().ok())
+        .filter(|name| !name.starts_with('.'))
+        .collect();
+    names.sort();
+    let folder = Folder {
+        path: path.to_owned(),
+        access,
+    };
+    Ok((folder, names))
+}
+
 impl Files for Folder {
     fn read(&self, name: &str, most_bytes: u64) -> Result<Vec<u8>, FileError> {
         let path = self.path.join(name);

@@ -52,6 +52,9 @@ pub enum PathError {
     NoFolder {
         path: String,
     },
+    NoFolderOfMotions {
+        path: String,
+    },
     CannotMove {
         path: String,
         folder: String,
@@ -150,6 +153,10 @@ sentences! {
         NoFolder { path } => {
             en: "{path} is no folder: name the folder that records come into",
             ko: "{path}은(는) 폴더가 아니다. 기록이 들어오는 폴더를 지정한다",
+        },
+        NoFolderOfMotions { path } => {
+            en: "{path} is no folder: name the folder that holds the files of motions with --from",
+            ko: "{path}은(는) 폴더가 아니다. 지반운동 파일이 든 폴더를 --from으로 지정한다",
         },
         CannotMove { path, folder } => {
             en: "cannot move {path} into {folder}; both must lie on one file system, and you need the right to write to both",

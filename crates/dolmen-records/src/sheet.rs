@@ -93,7 +93,7 @@ pub enum SheetError {
 pub fn read_sheet(bytes: &[u8], file: &str, sheet: Option<&str>) -> Result<Vec<Vec<SheetCell>>, SheetError> {
     let ending = file.rsplit('.').next().map(str::to_lowercase);
     let mut rows = match ending.as_deref() {
-        Some("xlsx") => of_xlsx(bytes, sheet)?,
+        Some("xlsx") => of_xlsx(bytes, sheet, ROWS_MOST)?,
         Some("ods") => of_ods(bytes, sheet)?,
         Some("csv" | "tsv" | "txt") if sheet.is_some() => return Err(SheetError::NoSheets),
         Some("csv" | "tsv" | "txt") => of_text(bytes)?,
@@ -107,6 +107,37 @@ pub fn read_sheet(bytes: &[u8], file: &str, sheet: Option<&str>) -> Result<Vec<V
         0 | 1 => Err(SheetError::NoRows),
         _ => Ok(rows),
     }
+}
+
+/// Rows of a workbook of samples: as many as a sheet of Excel has.
+const SAMPLES_MOST: usize = 1 << 20;
+
+/// Whether a file begins as a workbook does.
+pub(crate) fn is_workbook(bytes: &[u8]) -> bool {
+    bytes.starts_with(b"PK\x03\x04")
+}
+
+/// The only sheet of a workbook (XLSX) of samples, as the same table in CSV.
+///
+/// # Errors
+/// As [`read_sheet`].
+pub(crate) fn workbook_as_csv(bytes: &[u8]) -> Result<Vec<u8>, SheetError> {
+    let mut text = String::new();
+    for row in of_xlsx(bytes, None, SAMPLES_MOST)? {
+        let cells: Vec<String> = row
+            .iter()
+            .map(|cell| match &cell.value {
+                SheetValue::Empty => String::new(),
+                SheetValue::Number(number) => number.to_string(),
+                SheetValue::Text(text) => {
+                    format!("\"{}\"", text.replace('"', "'").replace(char::is_control, " "))
+                }
+            })
+            .collect();
+        text += &cells.join(",");
+        text.push('\n');
+    }
+    Ok(text.into_bytes())
 }
 
 /// "C4" of a column and row from 0.
@@ -151,7 +182,7 @@ fn chosen(names: &[String], sheet: Option<&str>) -> Result<String, SheetError> {
     }
 }
 
-fn of_xlsx(bytes: &[u8], sheet: Option<&str>) -> Result<Vec<Vec<SheetCell>>, SheetError> {
+fn of_xlsx(bytes: &[u8], sheet: Option<&str>, rows_most: usize) -> Result<Vec<Vec<SheetCell>>, SheetError> {
     refuse_bomb(bytes)?;
     let mut book: Xlsx<_> = Xlsx::new(Cursor::new(bytes)).map_err(unreadable)?;
     let name = chosen(&book.sheet_names(), sheet)?;
@@ -162,18 +193,18 @@ fn of_xlsx(bytes: &[u8], sheet: Option<&str>) -> Result<Vec<Vec<SheetCell>>, She
             place: format!("{}:{}", corner(*start), corner(*end)),
         });
     }
-    refuse_far(&mut book, &name)?;
+    refuse_far(&mut book, &name, rows_most)?;
     refuse_formula(&book.worksheet_formula(&name).map_err(unreadable)?)?;
-    cells(&book.worksheet_range(&name).map_err(unreadable)?)
+    cells(&book.worksheet_range(&name).map_err(unreadable)?, rows_most)
 }
 
 /// Refuses a sheet with a cell far from the others before room is made for all between: one at XFD1048576 would take half a terabyte.
-fn refuse_far(book: &mut Xlsx<Cursor<&[u8]>>, name: &str) -> Result<(), SheetError> {
+fn refuse_far(book: &mut Xlsx<Cursor<&[u8]>>, name: &str, rows_most: usize) -> Result<(), SheetError> {
     let mut most = (0, 0);
     let mut far = |(row, column): (u32, u32)| {
         most = (most.0.max(row as usize + 1), most.1.max(column as usize + 1));
         let (rows, columns) = most;
-        match rows > ROWS_MOST || columns > COLUMNS_MOST {
+        match rows > rows_most || columns > COLUMNS_MOST {
             true => Err(SheetError::TooMany { rows, columns }),
             false => Ok(()),
         }
@@ -195,7 +226,7 @@ fn of_ods(bytes: &[u8], sheet: Option<&str>) -> Result<Vec<Vec<SheetCell>>, Shee
     let mut book: Ods<_> = Ods::new(Cursor::new(bytes)).map_err(unreadable)?;
     let name = chosen(&book.sheet_names(), sheet)?;
     refuse_formula(&book.worksheet_formula(&name).map_err(unreadable)?)?;
-    cells(&book.worksheet_range(&name).map_err(unreadable)?)
+    cells(&book.worksheet_range(&name).map_err(unreadable)?, ROWS_MOST)
 }
 
 fn refuse_formula(formulas: &Range<String>) -> Result<(), SheetError> {
@@ -209,10 +240,10 @@ fn refuse_formula(formulas: &Range<String>) -> Result<(), SheetError> {
     }
 }
 
-fn cells(range: &Range<Data>) -> Result<Vec<Vec<SheetCell>>, SheetError> {
+fn cells(range: &Range<Data>, rows_most: usize) -> Result<Vec<Vec<SheetCell>>, SheetError> {
     let (first_row, first_column) = range.start().unwrap_or_default();
     let (rows, columns) = range.get_size();
-    if rows > ROWS_MOST || columns > COLUMNS_MOST {
+    if rows > rows_most || columns > COLUMNS_MOST {
         return Err(SheetError::TooMany { rows, columns });
     }
     let cell = |row: usize, column: usize, value: &Data| {

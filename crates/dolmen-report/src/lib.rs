@@ -57,7 +57,7 @@ pub use document::TextStyle;
 pub use headline::simulation_headline_text;
 pub use identification::written_back_text;
 pub use identify::identification_text;
-pub use motion::motion_report_text;
+pub use motion::{motion_report_text, suite_text};
 pub use rank::rank_text;
 pub use score::{score_quality_text, score_text};
 pub use sensors::sensors_text;

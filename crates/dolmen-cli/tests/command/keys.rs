@@ -7,7 +7,7 @@ use serde_json::Value;
 use std::collections::BTreeSet;
 use std::fs;
 
-const COMMANDS: [&str; 42] = [
+const COMMANDS: [&str; 45] = [
     "check examples/naju_flagpole --samples 20 --sensitivity",
     "check examples/naju_flagpole/wind.toml",
     "check examples/naju_flagpole/one_stone.toml",
@@ -41,6 +41,9 @@ const COMMANDS: [&str; 42] = [
     "tune examples/several_dampers",
     "motion --motion el-centro-1940-ns --spectrum",
     "motion --motion el-centro-1940-ns --match --site S4 --zone 1 --years 2400",
+    "motion --make noise --seed 1 --duration 8 --peak 0.3g --convert records/1.csv",
+    "motion --make noise --seed 2 --duration 8 --peak 0.3g --convert records/2.csv",
+    "motion --suite 2 --from records --site S2 --t1 0.3",
     "score examples/pagodas_of_figure_19",
     "study examples/naju_flagpole --study growth",
     "rank examples/portfolio/pagodas.csv",

@@ -35,6 +35,7 @@ mod layout;
 mod limits;
 mod logs;
 mod looked_safe;
+mod motion_suites;
 mod names;
 mod not_known;
 mod one_stones;

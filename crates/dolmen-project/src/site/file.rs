@@ -135,6 +135,28 @@ pub(super) struct MotionFilesRaw {
     pub(super) z: Option<At<String>>,
 }
 
+/// The columns or channels of a file that are the components of a motion, by name or number.
+#[derive(Debug, serde::Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct MotionColumnsRaw {
+    /// Along x.
+    pub(super) x: Option<At<String>>,
+    /// Along y.
+    pub(super) y: Option<At<String>>,
+    /// Upwards.
+    pub(super) z: Option<At<String>>,
+}
+
+/// What is done with the peak that a header states.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum StatedPeakRaw {
+    /// Samples of another are refused.
+    Check,
+    /// It is passed over.
+    Ignore,
+}
+
 /// What is done where the files of a motion differ in length.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
@@ -149,12 +171,24 @@ pub(super) enum LengthsRaw {
 #[derive(Debug, serde::Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct MotionRaw {
-    /// Its files, { x = "…", y = "…", z = "…" }; or built_in.
+    /// Its files, { x = "…", y = "…", z = "…" }; or file, or built_in.
     pub(super) files: Option<At<MotionFilesRaw>>,
+    /// The one file that holds all components, with columns or x_azimuth_deg; a file of one channel is x.
+    pub(super) file: Option<At<String>>,
+    /// Which column or channel of file, or of each of files, is which component, by name or number: { x = "EW", y = "NS", z = "UD" }.
+    pub(super) columns: Option<At<MotionColumnsRaw>>,
+    /// Instead of columns, where the channels say which way they point: they are turned so that x points this way, degrees from north,
+    /// clockwise; 90 is x to the east.
+    pub(super) x_azimuth_deg: Option<At<f64>>,
     /// A motion that Dolmen carries with it: "el-centro-1940-ns"; or files.
     pub(super) built_in: Option<At<String>>,
     /// Unit of the numbers in the files where they do not say it: "g", "gal", "m/s2".
     pub(super) unit: Option<At<String>>,
+    /// What the numbers are multiplied by to be in the unit: what one count of a recorder is worth. 1 if not given.
+    pub(super) factor: Option<At<f64>>,
+    /// What is done with the peak that a header states where it is not that of the samples: "check", it is refused; "ignore". "check" if
+    /// not given.
+    pub(super) stated_peak: Option<At<StatedPeakRaw>>,
     /// Time between the samples of the files where they do not say it, s.
     pub(super) sample_step_s: Option<At<f64>>,
     /// What is done where the files differ in length: "same", they are refused; "shortest", all are cut to the shortest. "same" if not
@@ -170,6 +204,9 @@ pub(crate) struct MotionRaw {
     pub(super) scale: Option<At<f64>>,
     /// Multiply all components by the one factor that brings the largest horizontal peak to this, "0.3 g"; or scale.
     pub(super) peak: Option<At<NumberRaw>>,
+    /// The record that it is part of: motions of one record count as one motion where a study fits a curve. Motions that share a file are of
+    /// one record anyway.
+    pub(super) record: Option<At<String>>,
     /// Where it comes from.
     pub(super) source: Option<String>,
 }

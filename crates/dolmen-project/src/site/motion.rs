@@ -1,6 +1,6 @@
 //! Ground motions from what is written. Their files are opened when one is simulated.
 
-use super::file::{LengthsRaw, MotionFilesRaw, MotionRaw};
+use super::file::{LengthsRaw, MotionColumnsRaw, MotionFilesRaw, MotionRaw, StatedPeakRaw};
 use super::part::{MotionPart, MotionSize, MotionSource};
 use crate::error::Fault;
 use crate::file_number::At;
@@ -30,35 +30,18 @@ fn motion(reader: &mut Reader, name: &str, raw: &At<MotionRaw>) -> Option<Motion
     reader.mark(&path, &raw.span);
     let before = reader.faults.len();
     let given = &raw.value;
-    let from = match (&given.files, &given.built_in) {
-        (Some(files), None) => files_of(reader, files, &format!("{path}.files")),
-        (None, Some(built_in)) => Some(MotionSource::BuiltIn(built_in.value.clone())),
-        (Some(files), Some(_)) => {
-            let fault = Fault::new(
-                files.span.clone(),
-                &path,
-                WrongSite::HasBothFilesAnd {
-                    path: path.to_string(),
-                },
-            );
-            reader.fault(fault.help(Common::KeepOneOfThem));
-            None
-        }
-        (None, None) => {
-            let files_path = format!("{path}.files");
-            if !reader.is_reported(&files_path) && !reader.is_reported(&format!("{path}.built_in")) {
-                let fault = Fault::new(
-                    raw.span.clone(),
-                    &files_path,
-                    WrongSite::HasNeitherFilesNor {
-                        path: path.to_string(),
-                    },
-                );
-                reader.fault(fault.help(WrongSite::WriteFilesXRecord));
-            }
-            None
-        }
-    };
+    let from = source(reader, raw, &path);
+    let columns = columns(reader, given, &path);
+    if let (Some(_), Some(from)) = (&given.built_in, &from) {
+        refuse_idle(reader, given, from, &path);
+    }
+    let x_azimuth_deg = reader.within(
+        given.x_azimuth_deg.as_ref(),
+        &format!("{path}.x_azimuth_deg"),
+        -360.0,
+        360.0,
+    );
+    let factor = factor(reader, given.factor.as_ref(), &format!("{path}.factor"));
     let unit = unit(reader, given.unit.as_ref(), &format!("{path}.unit"));
     let mut seconds = |raw: &Option<At<f64>>, key: &str| {
         let path = format!("{path}.{key}");
@@ -78,6 +61,13 @@ fn motion(reader: &mut Reader, name: &str, raw: &At<MotionRaw>) -> Option<Motion
     Some(MotionPart {
         name: name.to_owned(),
         from: from?,
+        columns,
+        x_azimuth_deg,
+        factor,
+        ignores_stated_peak: given
+            .stated_peak
+            .as_ref()
+            .is_some_and(|of| of.value == StatedPeakRaw::Ignore),
         unit,
         sample_step_s,
         cut_to_shortest: given
@@ -88,8 +78,151 @@ fn motion(reader: &mut Reader, name: &str, raw: &At<MotionRaw>) -> Option<Motion
         taper_s,
         turn_rad,
         size,
+        record: given.record.as_ref().map(|record| record.value.clone()),
         source: given.source.clone(),
     })
+}
+
+/// Where it comes from: one of files, file and built_in.
+fn source(reader: &mut Reader, raw: &At<MotionRaw>, path: &str) -> Option<MotionSource> {
+    let given = &raw.value;
+    let keys = [
+        ("files", given.files.as_ref().map(|of| &of.span)),
+        ("file", given.file.as_ref().map(|of| &of.span)),
+        ("built_in", given.built_in.as_ref().map(|of| &of.span)),
+    ];
+    let said: Vec<_> = keys
+        .iter()
+        .filter_map(|(key, span)| Some((*key, span.as_ref()?)))
+        .collect();
+    match said.as_slice() {
+        [] => {
+            let is_reported = keys
+                .iter()
+                .any(|(key, _)| reader.is_reported(&format!("{path}.{key}")));
+            if !is_reported {
+                let problem = WrongSite::HasNeitherFilesNor {
+                    path: path.to_string(),
+                };
+                let fault = Fault::new(raw.span.clone(), &format!("{path}.files"), problem);
+                reader.fault(fault.help(WrongSite::WriteFilesXRecord));
+            }
+            None
+        }
+        [_] => match (&given.files, &given.file, &given.built_in) {
+            (Some(files), ..) => files_of(reader, files, &format!("{path}.files")),
+            (None, Some(file), _) => Some(MotionSource::Files(of_one_file(given, &file.value))),
+            (None, None, built_in) => Some(MotionSource::BuiltIn(built_in.as_ref()?.value.clone())),
+        },
+        [(first, span), (second, _), ..] => {
+            let problem = WrongSite::HasBothFilesAnd {
+                path: path.to_string(),
+                first: (*first).to_owned(),
+                second: (*second).to_owned(),
+            };
+            let fault = Fault::new(std::ops::Range::clone(span), path, problem);
+            reader.fault(fault.help(Common::KeepOneOfThem));
+            None
+        }
+    }
+}
+
+/// The components of one file: those that columns names, else x.
+fn of_one_file(given: &MotionRaw, file: &str) -> Vec<(Component, String)> {
+    let named = given
+        .columns
+        .as_ref()
+        .map_or_else(Vec::new, |raw| columns_named(&raw.value));
+    match named.is_empty() {
+        true => vec![(Component::X, file.to_owned())],
+        false => named.into_iter().map(|(of, _)| (of, file.to_owned())).collect(),
+    }
+}
+
+fn columns_named(raw: &MotionColumnsRaw) -> Vec<(Component, String)> {
+    let each = [
+        (Component::X, &raw.x),
+        (Component::Y, &raw.y),
+        (Component::Z, &raw.z),
+    ];
+    let named = each
+        .into_iter()
+        .filter_map(|(component, name)| Some((component, name.as_ref()?.value.clone())));
+    named.collect()
+}
+
+/// The columns of the components, each of which has a file.
+fn columns(reader: &mut Reader, given: &MotionRaw, path: &str) -> Vec<(Component, String)> {
+    let Some(raw) = &given.columns else {
+        return Vec::new();
+    };
+    let path = format!("{path}.columns");
+    let named = columns_named(&raw.value);
+    let mut refuse = |problem: WrongSite, help: WrongSite| {
+        reader.fault(Fault::new(raw.span.clone(), &path, problem).help(help));
+    };
+    if given.x_azimuth_deg.is_some() {
+        refuse(
+            WrongSite::ColumnsAndAzimuth { path: path.clone() },
+            WrongSite::KeepColumnsOrAzimuth,
+        );
+    } else if named.is_empty() {
+        refuse(
+            WrongSite::ColumnsEmpty { path: path.clone() },
+            WrongSite::WriteColumns,
+        );
+    } else if let Some(files) = &given.files {
+        let has = |component: &Component| match component {
+            Component::X => files.value.x.is_some(),
+            Component::Y => files.value.y.is_some(),
+            Component::Z => files.value.z.is_some(),
+        };
+        if let Some((component, _)) = named.iter().find(|(component, _)| !has(component)) {
+            let problem = WrongSite::ColumnWithoutFile {
+                path: path.clone(),
+                component: component.name().to_owned(),
+            };
+            refuse(problem, WrongSite::WriteFileOfColumns);
+        }
+    }
+    named
+}
+
+/// Refuses what says how files are read beside a motion that is in none.
+fn refuse_idle(reader: &mut Reader, given: &MotionRaw, from: &MotionSource, path: &str) {
+    let MotionSource::BuiltIn(name) = from else {
+        return;
+    };
+    let keys = [
+        ("columns", given.columns.as_ref().map(|of| &of.span)),
+        ("x_azimuth_deg", given.x_azimuth_deg.as_ref().map(|of| &of.span)),
+        ("factor", given.factor.as_ref().map(|of| &of.span)),
+        ("stated_peak", given.stated_peak.as_ref().map(|of| &of.span)),
+    ];
+    for (key, span) in keys {
+        let Some(span) = span else { continue };
+        let path = format!("{path}.{key}");
+        let problem = WrongSite::OfFilesOnly {
+            path: path.clone(),
+            name: name.clone(),
+        };
+        reader
+            .fault(Fault::new(std::ops::Range::clone(span), &path, problem).help(WrongSite::LeaveOfFilesOut));
+    }
+}
+
+fn factor(reader: &mut Reader, raw: Option<&At<f64>>, path: &str) -> Option<f64> {
+    let raw = raw?;
+    if raw.value != 0.0 && raw.value.is_finite() {
+        return Some(raw.value);
+    }
+    let problem = WrongSite::FactorCannotBe {
+        path: path.to_string(),
+        factor: short(raw.value),
+    };
+    let fault = Fault::new(raw.span.clone(), path, problem);
+    reader.fault(fault.allowed(WrongSite::MustBeNumberOther));
+    None
 }
 
 fn files_of(reader: &mut Reader, raw: &At<MotionFilesRaw>, path: &str) -> Option<MotionSource> {

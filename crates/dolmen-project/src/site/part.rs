@@ -57,7 +57,7 @@ impl SitePart {
 /// Where a motion comes from.
 #[derive(Clone, Debug, PartialEq)]
 pub enum MotionSource {
-    /// Files, relative to the project, one a component.
+    /// Files, relative to the project, one a component; the same file for several where they are columns of it.
     Files(Vec<(Component, String)>),
     /// One that the program carries with it, by name.
     BuiltIn(String),
@@ -79,6 +79,14 @@ pub struct MotionPart {
     pub name: String,
     /// Its files, or what it is called.
     pub from: MotionSource,
+    /// The column or channel of each component's file, by name or number, where it is said.
+    pub columns: Vec<(Component, String)>,
+    /// Where x points, degrees from north, clockwise, of channels that say which way they point.
+    pub x_azimuth_deg: Option<f64>,
+    /// What the numbers are multiplied by to be in the unit.
+    pub factor: Option<f64>,
+    /// Whether the peak that a header states is passed over.
+    pub ignores_stated_peak: bool,
     /// Unit of the numbers in the files; `None` where they say it.
     pub unit: Option<String>,
     /// Between the samples of the files, s; `None` where they say it.
@@ -93,6 +101,23 @@ pub struct MotionPart {
     pub turn_rad: Option<f64>,
     /// How large it is made; `None`: as it is.
     pub size: Option<MotionSize>,
+    /// The record that it is part of, where the file says it.
+    pub record: Option<String>,
     /// Where it comes from, in words.
     pub source: Option<String>,
+}
+
+impl MotionPart {
+    /// Whether two motions are of one record: they name the same record, share a file, or are the same motion that Dolmen carries.
+    pub fn is_of_one_record(&self, other: &MotionPart) -> bool {
+        let is_named = self.record.is_some() && self.record == other.record;
+        let shares = match (&self.from, &other.from) {
+            (MotionSource::Files(own), MotionSource::Files(others)) => own
+                .iter()
+                .any(|(_, file)| others.iter().any(|(_, other)| other == file)),
+            (MotionSource::BuiltIn(own), MotionSource::BuiltIn(other)) => own == other,
+            _ => false,
+        };
+        is_named || shares
+    }
 }

@@ -6,17 +6,50 @@ use dolmen_words::{Quantity, messages};
 messages! {
     /// What is wrong with a site or a motion.
     pub(crate) enum WrongSite in "project.error.site" {
-        HasBothFilesAnd { path: String } => {
-            en: "{path} has both files and built_in",
-            ko: "{path}에 files와 built_in이 모두 있다",
+        HasBothFilesAnd { path: String, first: String, second: String } => {
+            en: "{path} has both {first} and {second}",
+            ko: "{path}에 {first}와(과) {second}이(가) 모두 있다",
         },
         HasNeitherFilesNor { path: String } => {
-            en: "{path} has neither files nor built_in",
-            ko: "{path}에 files도 built_in도 없다",
+            en: "{path} has neither files, nor file, nor built_in",
+            ko: "{path}에 files도 file도 built_in도 없다",
         },
         WriteFilesXRecord => {
-            en: "write files = {{ x = \"record.at2\" }}, or built_in = \"el-centro-1940-ns\"",
-            ko: "files = {{ x = \"record.at2\" }} 또는 built_in = \"el-centro-1940-ns\"를 쓴다",
+            en: "write files = {{ x = \"record.at2\" }}, file = \"station.csv\" with columns = {{ x = \"EW\", y = \"NS\", z = \"UD\" }}, or built_in = \"el-centro-1940-ns\"",
+            ko: "files = {{ x = \"record.at2\" }}, file = \"station.csv\"와 columns = {{ x = \"EW\", y = \"NS\", z = \"UD\" }}, 또는 built_in = \"el-centro-1940-ns\"를 쓴다",
+        },
+        ColumnsAndAzimuth { path: String } => {
+            en: "{path} stands beside x_azimuth_deg: both say which channel is x",
+            ko: "{path}이(가) x_azimuth_deg와 함께 있다. 둘 다 어느 채널이 x인지를 정한다",
+        },
+        KeepColumnsOrAzimuth => {
+            en: "keep columns to take channels as x, y and z as they are, or x_azimuth_deg to turn channels that say which way they point",
+            ko: "채널을 그대로 x, y, z로 쓰려면 columns만, 방향이 적힌 채널을 돌려서 쓰려면 x_azimuth_deg만 남긴다",
+        },
+        ColumnsEmpty { path: String } => { en: "{path} names no column", ko: "{path}에 열이 없다" },
+        WriteColumns => {
+            en: "write the names or numbers of the columns, {{ x = \"EW\", y = \"NS\", z = \"UD\" }}; at least one",
+            ko: "{{ x = \"EW\", y = \"NS\", z = \"UD\" }}와 같이 열의 이름이나 번호를 하나 이상 쓴다",
+        },
+        ColumnWithoutFile { path: String, component: String } => {
+            en: "{path} names a column for {component}, but files has no {component}",
+            ko: "{path}에 {component} 성분의 열이 있는데 files에는 {component} 성분이 없다",
+        },
+        WriteFileOfColumns => {
+            en: "if all columns stand in one file, write file = \"station.csv\" in the place of files",
+            ko: "모든 열이 한 파일에 있으면 files 대신 file = \"station.csv\"를 쓴다",
+        },
+        OfFilesOnly { path: String, name: String } => {
+            en: "{path} says how files are read, but \"{name}\" is in none: Dolmen carries it",
+            ko: "{path}은(는) 파일을 읽는 방법인데 \"{name}\"은(는) 파일이 아니라 Dolmen에 들어 있다",
+        },
+        LeaveOfFilesOut => {
+            en: "leave it out, or give file or files in the place of built_in",
+            ko: "삭제하거나, built_in 대신 file 또는 files를 쓴다",
+        },
+        FactorCannotBe { path: String, factor: String } => {
+            en: "{path} = {factor} cannot be",
+            ko: "{path} = {factor}은(는) 쓸 수 없는 값이다",
         },
         GroundUnlikely { given: Quantity } => {
             en: "site.ground_acceleration is {given} g, which no map of a code has",

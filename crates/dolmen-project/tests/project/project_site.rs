@@ -258,10 +258,28 @@ fn exact_motions_are_read_in_the_order_of_the_file() {
 }
 
 #[test]
+fn exact_a_motion_of_columns_has_one_file_for_all() {
+    let text = STONE.to_owned()
+        + "[motion.station]\nfile = \"s.csv\"\ncolumns = { x = \"EW\", z = \"3\" }\nstated_peak = \"ignore\"\nfactor = 2\n\
+           [motion.turned]\nfile = \"s.csv\"\nx_azimuth_deg = 90\n";
+    let motions = read(&text).motions;
+    let both = [Component::X, Component::Z].map(|of| (of, "s.csv".to_owned()));
+    assert_eq!(motions[0].from, MotionSource::Files(both.to_vec()));
+    let columns = [(Component::X, "EW".to_owned()), (Component::Z, "3".to_owned())];
+    assert_eq!(motions[0].columns, columns);
+    assert!(motions[0].ignores_stated_peak && motions[0].factor == Some(2.0));
+    assert_eq!(
+        motions[1].from,
+        MotionSource::Files(vec![(Component::X, "s.csv".to_owned())])
+    );
+    assert_eq!(motions[1].x_azimuth_deg, Some(90.0));
+}
+
+#[test]
 fn refuses_motions_that_cannot_be() {
     let of = |keys: &str| refused(&format!("{STONE}[motion.a]\n{keys}\n"));
     let cases = [
-        ("", "motion.a has neither files nor built_in"),
+        ("", "motion.a has neither files, nor file, nor built_in"),
         ("files = {}", "motion.a.files is empty"),
         (
             "files = { x = \"a\" }\nbuilt_in = \"b\"",
@@ -280,6 +298,24 @@ fn refuses_motions_that_cannot_be() {
             "motion.a.unit = \"mm\" is no unit of acceleration",
         ),
         ("files = { w = \"a\" }", "motion.a.files has no key \"w\""),
+        (
+            "files = { x = \"a\" }\nfile = \"b\"",
+            "motion.a has both files and file",
+        ),
+        ("file = \"b\"\ncolumns = {}", "motion.a.columns names no column"),
+        (
+            "file = \"b\"\ncolumns = { x = \"EW\" }\nx_azimuth_deg = 90",
+            "motion.a.columns stands beside x_azimuth_deg",
+        ),
+        (
+            "files = { x = \"a\" }\ncolumns = { y = \"NS\" }",
+            "motion.a.columns names a column for y, but files has no y",
+        ),
+        (
+            "built_in = \"b\"\ncolumns = { x = \"EW\" }",
+            "but \"b\" is in none",
+        ),
+        ("file = \"b\"\nfactor = 0", "motion.a.factor = 0 cannot be"),
     ];
     for (keys, said) in cases {
         let answer = of(keys);

@@ -3,6 +3,7 @@
 use super::plausible::refuse_implausible;
 use super::{MotionError, MotionFormat, MotionOptions, Orientation, SeismicError, StatedPeak, text};
 use crate::seismic::{Raw, motion_channels};
+use crate::sheet::{SheetError, is_workbook, workbook_as_csv};
 use crate::unit::Unit;
 use crate::wrong::OfStation;
 use dolmen::signal::Quantity;
@@ -36,7 +37,7 @@ pub struct ComponentReading {
     pub mean_subtracted_m_s2: Option<f64>,
 }
 
-/// All channels of a motion file: AT2, COSMOS, CSMIP, K-NET, ESM, SAC, miniSEED, or text in columns.
+/// All channels of a motion file: AT2, COSMOS, CSMIP, K-NET, ESM, SAC, miniSEED, text in columns, or a workbook (XLSX) with one sheet of them.
 ///
 /// # Errors
 /// [`MotionError`], which says where in the file and what to do: no unit, a unit or a step that contradicts the file, a peak
@@ -53,6 +54,23 @@ pub struct ComponentReading {
 /// # Ok::<(), dolmen_records::motions::MotionError>(())
 /// ```
 pub fn read_channels(bytes: &[u8], options: &MotionOptions) -> Result<Vec<ComponentReading>, MotionError> {
+    let channels = checked_raw(bytes, options)?;
+    let are_several = channels.len() > 1;
+    let each = channels.into_iter().map(|channel| {
+        let named = (are_several && channel.format == MotionFormat::Text).then(|| channel.name.clone());
+        finished(channel, options).map_err(|fault| match named {
+            Some(channel) => MotionError::Channel {
+                channel,
+                fault: Box::new(fault),
+            },
+            None => fault,
+        })
+    });
+    each.collect()
+}
+
+/// The channels as they are, where what is told of them can be.
+fn checked_raw(bytes: &[u8], options: &MotionOptions) -> Result<Vec<Raw>, MotionError> {
     if let Some(given) = options.time_step_s
         && !(given > 0.0 && given.is_finite())
     {
@@ -63,18 +81,25 @@ pub fn read_channels(bytes: &[u8], options: &MotionOptions) -> Result<Vec<Compon
             given: options.factor,
         });
     }
-    let channels = raw(bytes, options)?;
-    channels
-        .into_iter()
-        .map(|channel| finished(channel, options))
-        .collect()
+    raw(bytes, options)
 }
 
-/// The numbers of each channel as the file prints them; what no seismic format claims is text in columns.
+/// The numbers of each channel as the file prints them; what no seismic format claims is text in columns, or a workbook of them.
 fn raw(bytes: &[u8], options: &MotionOptions) -> Result<Vec<Raw>, MotionError> {
+    if is_workbook(bytes) {
+        return text::read(&workbook_as_csv(bytes).map_err(of_workbook)?, options);
+    }
     match motion_channels(bytes, options.unit.is_some()) {
         Some(read) => Ok(read?),
         None => text::read(bytes, options),
+    }
+}
+
+/// A sheet cannot be named here, so that a workbook has one.
+fn of_workbook(why: SheetError) -> MotionError {
+    match why {
+        SheetError::SeveralSheets { known } => MotionError::Sheets { known },
+        why => MotionError::Workbook { why },
     }
 }
 
@@ -92,25 +117,36 @@ fn raw(bytes: &[u8], options: &MotionOptions) -> Result<Vec<Raw>, MotionError> {
 /// # Ok::<(), dolmen_records::motions::MotionError>(())
 /// ```
 pub fn read_component(bytes: &[u8], options: &MotionOptions) -> Result<ComponentReading, MotionError> {
-    let mut channels = read_channels(bytes, options)?;
-    let names: Vec<String> = channels.iter().map(|channel| channel.name.clone()).collect();
-    let at = match &options.channel {
-        None if channels.len() == 1 => 0,
-        None => return Err(MotionError::Channels { given: None, names }),
-        Some(given) => {
-            let number = given
-                .parse::<usize>()
-                .ok()
-                .filter(|n| (1..=names.len()).contains(n));
-            let named = names.iter().position(|name| name.eq_ignore_ascii_case(given));
-            let at = named.or(number.map(|number| number - 1));
-            at.ok_or(MotionError::Channels {
-                given: Some(given.clone()),
-                names,
-            })?
-        }
+    let mut channels = checked_raw(bytes, options)?;
+    let at = chosen(&channels, options.channel.as_deref())?;
+    finished(channels.swap_remove(at), options)
+}
+
+/// The only channel, or the one that is named: by its name, of any case and with or without its unit, or by its number from 1.
+fn chosen(channels: &[Raw], given: Option<&str>) -> Result<usize, MotionError> {
+    let names = || channels.iter().map(|channel| channel.name.clone()).collect();
+    let Some(given) = given else {
+        return match channels.len() {
+            1 => Ok(0),
+            _ => Err(MotionError::Channels {
+                given: None,
+                names: names(),
+            }),
+        };
     };
-    Ok(channels.swap_remove(at))
+    let named = channels
+        .iter()
+        .position(|channel| channel.name.eq_ignore_ascii_case(given));
+    let number = given
+        .parse::<usize>()
+        .ok()
+        .filter(|n| (1..=channels.len()).contains(n));
+    named
+        .or(number.map(|number| number - 1))
+        .ok_or_else(|| MotionError::Channels {
+            given: Some(given.to_owned()),
+            names: names(),
+        })
 }
 
 /// A channel in SI units.

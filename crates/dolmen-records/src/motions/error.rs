@@ -2,6 +2,7 @@
 
 use crate::records::RecordError;
 use crate::seismic::SeismicError;
+use crate::sheet::SheetError;
 use dolmen::signal::SignalError;
 use dolmen_words::message::Both;
 
@@ -14,6 +15,13 @@ pub enum MotionError {
     Component {
         /// Which: "x", "y", "z".
         component: &'static str,
+        /// Why.
+        fault: Box<MotionError>,
+    },
+    /// One channel of a file of several is refused.
+    Channel {
+        /// Its name.
+        channel: String,
         /// Why.
         fault: Box<MotionError>,
     },
@@ -55,11 +63,6 @@ pub enum MotionError {
     Step {
         /// The step given, s.
         given: f64,
-    },
-    /// Several columns beside the time.
-    Columns {
-        /// Their names.
-        names: Vec<String>,
     },
     /// Two components are sampled differently.
     TimeSteps {
@@ -129,6 +132,16 @@ pub enum MotionError {
     },
     /// The file of a station is refused.
     Seismic(SeismicError),
+    /// The workbook is refused.
+    Workbook {
+        /// Why.
+        why: SheetError,
+    },
+    /// The workbook has several sheets.
+    Sheets {
+        /// Their names.
+        known: String,
+    },
     /// The text in columns is refused.
     Record(RecordError),
     /// The samples make no motion.

@@ -7,6 +7,17 @@ use dolmen::signal::{Component, GroundMotion, Processing};
 /// Share of a time step by which components may begin apart. Chosen here: half of it decides which sample is meant.
 const START_STEPS: f64 = 0.5;
 
+/// A component of a motion, and where it stands.
+#[derive(Clone, Copy, Debug)]
+pub struct ComponentSource<'a> {
+    /// Which.
+    pub component: Component,
+    /// The file; several components may stand in one.
+    pub bytes: &'a [u8],
+    /// Its column or channel; `None`: as [`MotionOptions::channel`] says.
+    pub channel: Option<&'a str>,
+}
+
 /// A motion from one file a component. Its history begins with how each was read.
 ///
 /// # Errors
@@ -21,13 +32,49 @@ pub fn read_motion(
     files: &[(Component, &[u8])],
     options: &MotionOptions,
 ) -> Result<GroundMotion, MotionError> {
-    let mut read = Vec::with_capacity(files.len());
-    for (component, bytes) in files {
-        let one = read_component(bytes, options).map_err(|fault| MotionError::Component {
-            component: component.name(),
+    let sources = files.iter().map(|(component, bytes)| ComponentSource {
+        component: *component,
+        bytes,
+        channel: None,
+    });
+    read_columns_as(name, &sources.collect::<Vec<_>>(), options)
+}
+
+/// A motion from components that may be columns of one file.
+///
+/// # Errors
+/// As [`read_motion`].
+///
+/// # Example
+/// ```
+/// use dolmen::signal::Component;
+/// use dolmen_records::motions::{ComponentSource, MotionOptions, read_columns_as};
+/// let bytes = b"time,NS(gal),EW(gal)\n0,0,0\n0.01,10,30\n";
+/// let source = |component, column| ComponentSource { component, bytes, channel: Some(column) };
+/// let sources = [source(Component::X, "EW"), source(Component::Y, "NS")];
+/// let motion = read_columns_as("station", &sources, &MotionOptions::default())?;
+/// assert!((motion.acceleration_m_s2(Component::X)[1] - 0.3).abs() < 1e-15);
+/// # Ok::<(), dolmen_records::motions::MotionError>(())
+/// ```
+pub fn read_columns_as(
+    name: &str,
+    sources: &[ComponentSource<'_>],
+    options: &MotionOptions,
+) -> Result<GroundMotion, MotionError> {
+    let mut read = Vec::with_capacity(sources.len());
+    for source in sources {
+        let told = MotionOptions {
+            channel: source
+                .channel
+                .map(str::to_owned)
+                .or_else(|| options.channel.clone()),
+            ..options.clone()
+        };
+        let one = read_component(source.bytes, &told).map_err(|fault| MotionError::Component {
+            component: source.component.name(),
             fault: Box::new(fault),
         })?;
-        read.push((*component, one));
+        read.push((source.component, one));
     }
     motion_of(name, read, options)
 }

@@ -1,8 +1,9 @@
 //! Text in columns: time and acceleration, or acceleration alone with a step that is told.
 
-use super::{MotionError, MotionFormat, MotionOptions};
+use super::{MotionError, MotionFormat, MotionOptions, Orientation};
 use crate::records::{
-    Column, Header, Layout, LostSamples, Pick, Reading, RecordError, RecordOptions, TimeColumn, read_csv,
+    Column, FileUnit, Header, Layout, LostSamples, Pick, Reading, RecordError, RecordOptions, TimeColumn,
+    bracketed_unit, read_csv,
 };
 use crate::seismic::Raw;
 use crate::unit::Unit;
@@ -11,38 +12,37 @@ use dolmen::signal::Channel;
 /// Names that the reader of records gives to columns without any.
 const UNNAMED: [&str; 2] = ["ch1", "ch2"];
 
-/// The samples as the file prints them.
+/// The samples as the file prints them: of the column that is told, else of every column beside the time.
 pub(super) fn read(bytes: &[u8], options: &MotionOptions) -> Result<Vec<Raw>, MotionError> {
-    let reading = read_columns(bytes, options)?;
+    let (reading, column) = read_wanted(bytes, options)?;
     let Layout::Csv(layout) = &reading.layout else {
         return Err(RecordError::Empty.into()); // the reader of CSV gives no other layout
     };
     let channels = reading.record.channels();
-    if channels.len() != 1 {
-        let names = channels.iter().map(|channel| channel.name.clone()).collect();
-        return Err(MotionError::Columns { names });
-    }
-    let column = match wanted(options) {
-        Some(Column::Number(number)) => layout
-            .columns
-            .get(number.saturating_sub(1))
-            .cloned()
-            .unwrap_or_default(),
-        _ => channels[0].name.clone(),
-    };
+    let are_several = channels.len() > 1;
     let given = options.time_step_s;
-    Ok(vec![Raw {
-        name: options.channel.clone().unwrap_or_default(),
-        samples: reading.record.samples(0).to_vec(),
-        unit: unit_in_name(&column)?,
-        ..Raw::new(
-            MotionFormat::Text,
-            given.unwrap_or(1.0 / reading.record.sampling_rate_hz()),
-        )
-    }])
+    let step_s = given.unwrap_or(1.0 / reading.record.sampling_rate_hz());
+    let each = channels.iter().enumerate().map(|(at, channel)| {
+        let of_number = |number: usize| layout.columns.get(number.saturating_sub(1)).cloned();
+        let header = match &column {
+            Some(Column::Number(number)) => of_number(*number).unwrap_or_default(),
+            _ => channel.name.clone(),
+        };
+        Raw {
+            name: match are_several {
+                true => header.clone(),
+                false => options.channel.clone().unwrap_or_default(),
+            },
+            samples: reading.record.samples(at).to_vec(),
+            unit: unit_in_name(&header),
+            orientation: direction_in_name(&header),
+            ..Raw::new(MotionFormat::Text, step_s)
+        }
+    });
+    Ok(each.collect())
 }
 
-/// The column to read: the one that is told, or the channel where that is a name. A number counts channels, of which there is one.
+/// The column to read: the one that is told, or the channel where that is a name. A number counts channels.
 fn wanted(options: &MotionOptions) -> Option<Column> {
     let named = |name: &&String| name.parse::<usize>().is_err();
     let channel = options.channel.as_ref().filter(named);
@@ -52,8 +52,44 @@ fn wanted(options: &MotionOptions) -> Option<Column> {
         .or_else(|| channel.map(|name| Column::Named(name.clone())))
 }
 
-fn read_columns(bytes: &[u8], options: &MotionOptions) -> Result<Reading, RecordError> {
-    let pick = wanted(options).map(|column| Pick {
+/// The columns read, and which was meant where one is told: "EW" is also the one column "EW (gal)".
+fn read_wanted(bytes: &[u8], options: &MotionOptions) -> Result<(Reading, Option<Column>), MotionError> {
+    let column = wanted(options);
+    let refused = match read_columns(bytes, options, column.clone()) {
+        Err(refused) => refused,
+        Ok(reading) => return Ok((reading, column)),
+    };
+    let RecordError::UnknownColumn { given, names, .. } = &refused else {
+        return Err(refused.into());
+    };
+    let meant: Vec<usize> = (0..names.len())
+        .filter(|at| is_meant(given, &names[*at]))
+        .collect();
+    match meant.as_slice() {
+        [] => Err(refused.into()),
+        [one] => {
+            let column = Some(Column::Number(one + 1));
+            Ok((read_columns(bytes, options, column.clone())?, column))
+        }
+        several => Err(MotionError::Channels {
+            given: Some(given.clone()),
+            names: several.iter().map(|at| names[*at].clone()).collect(),
+        }),
+    }
+}
+
+/// Whether a name that is given, of any case, is that of a column without its unit.
+fn is_meant(given: &str, column: &str) -> bool {
+    let plain = |name: &str| without_unit(name).to_lowercase();
+    !given.trim().is_empty() && given.trim().to_lowercase() == plain(column)
+}
+
+fn read_columns(
+    bytes: &[u8],
+    options: &MotionOptions,
+    column: Option<Column>,
+) -> Result<Reading, RecordError> {
+    let pick = column.map(|column| Pick {
         scale: None,
         channel: Channel::named(match &column {
             Column::Named(name) => name.clone(),
@@ -85,27 +121,92 @@ fn read_columns(bytes: &[u8], options: &MotionOptions) -> Result<Reading, Record
     }
 }
 
-/// The unit that the name of a column ends in: "acceleration_m_s2", "acc (g)", "a [cm/s2]".
-fn unit_in_name(name: &str) -> Result<Option<Unit>, MotionError> {
-    let bracketed = name
-        .trim_end()
-        .strip_suffix([')', ']'])
-        .and_then(|rest| rest.rsplit_once(['(', '[']));
-    let found = match bracketed {
-        Some((_, unit)) => Unit::parse(unit).ok(),
-        None => {
+/// Units that names of columns end in without brackets: "acceleration_m_s2".
+const ENDINGS: [(&str, Unit); 6] = [
+    ("_mm_s2", Unit::MillimetrePerSecondSquared),
+    ("_cm_s2", Unit::Gal),
+    ("_m_s2", Unit::MetrePerSecondSquared),
+    ("_gal", Unit::Gal),
+    ("_mg", Unit::MilliGravity),
+    ("_g", Unit::Gravity),
+];
+
+/// The unit that the name of a column ends in: "acceleration_m_s2", "acc (g)", "동서 [cm/s^2]".
+fn unit_in_name(name: &str) -> Option<Unit> {
+    match bracketed_unit(name) {
+        FileUnit::Known(unit) => Some(unit),
+        FileUnit::Other(_) => None,
+        FileUnit::Silent => {
             let lower = name.to_lowercase();
-            let endings = [
-                ("_mm_s2", Unit::MillimetrePerSecondSquared),
-                ("_cm_s2", Unit::Gal),
-                ("_m_s2", Unit::MetrePerSecondSquared),
-                ("_gal", Unit::Gal),
-                ("_mg", Unit::MilliGravity),
-                ("_g", Unit::Gravity),
-            ];
-            let ending = endings.iter().find(|(ending, _)| lower.ends_with(ending));
+            let ending = ENDINGS.iter().find(|(ending, _)| lower.ends_with(ending));
             ending.map(|(_, unit)| *unit)
         }
-    };
-    Ok(found.filter(|unit| *unit != Unit::Unknown))
+    }
+}
+
+/// The name of a column without the unit that it ends in.
+fn without_unit(name: &str) -> &str {
+    let name = name.trim();
+    if let Some(inside) = name.strip_suffix([']', ')', '）'])
+        && let Some((before, _)) = inside.rsplit_once(['[', '(', '（'])
+    {
+        return before.trim_end();
+    }
+    let before = ENDINGS.iter().find_map(|(ending, _)| {
+        let cut = name.len().checked_sub(ending.len())?;
+        let is_it = name.get(cut..)?.eq_ignore_ascii_case(ending);
+        is_it.then(|| &name[..cut])
+    });
+    before.unwrap_or(name)
+}
+
+/// Which way a column points by its name: "EW (gal)", "N-S", "UD", "HNE", "동서(gal)". A number is none, and neither is x, y or a bare N.
+fn direction_in_name(name: &str) -> Option<Orientation> {
+    let word = without_unit(name).to_uppercase();
+    match word.as_str() {
+        "동서" | "동-서" => Some(Orientation::EAST),
+        "남북" | "남-북" => Some(Orientation::NORTH),
+        "상하" | "상-하" | "연직" | "수직" => Some(Orientation::Up),
+        word if word.chars().count() < 2 || word.parse::<f64>().is_ok() => None,
+        word => Orientation::of_word(word).or_else(|| {
+            let code: Vec<char> = word.chars().collect();
+            let is_code = matches!(code.as_slice(), [band, 'H' | 'L' | 'N' | 'G', 'E' | 'N' | 'Z'] if "BHSECDL".contains(*band));
+            is_code.then(|| Orientation::of_channel_code(word)).flatten()
+        }),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn exact_names_of_columns_say_unit_and_direction() {
+        let east = Some(Orientation::EAST);
+        for (name, unit, direction) in [
+            ("EW(gal)", Some(Unit::Gal), east),
+            ("NS (cm/s^2)", Some(Unit::Gal), Some(Orientation::NORTH)),
+            ("UD", None, Some(Orientation::Up)),
+            ("HNE", None, east),
+            ("동서 [cm/s²]", Some(Unit::Gal), east),
+            ("남북（g）", Some(Unit::Gravity), Some(Orientation::NORTH)),
+            (
+                "상하_m_s2",
+                Some(Unit::MetrePerSecondSquared),
+                Some(Orientation::Up),
+            ),
+            ("x_m_s2", Some(Unit::MetrePerSecondSquared), None),
+            ("180", None, None),
+            ("N", None, None),
+            ("roof (north)", None, None),
+        ] {
+            assert_eq!(
+                (unit_in_name(name), direction_in_name(name)),
+                (unit, direction),
+                "{name}"
+            );
+        }
+        assert!(is_meant("ew", "EW(gal)") && is_meant("동서", "동서 [cm/s²]") && is_meant("X", "x_m_s2"));
+        assert!(!is_meant("E", "EW(gal)") && !is_meant("", "(gal)"));
+    }
 }

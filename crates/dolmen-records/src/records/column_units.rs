@@ -14,7 +14,7 @@ pub(super) struct NamedColumn<'a> {
 }
 
 /// What the name of a column says in brackets at its end: "ax [mg]", "x (m/s2)", "3층 가속도(gal)".
-pub(super) fn unit_in_name(name: &str) -> FileUnit {
+pub(crate) fn unit_in_name(name: &str) -> FileUnit {
     let inside = name.trim_end().strip_suffix([']', ')', '）']);
     let Some((_, unit)) = inside.and_then(|inside| inside.rsplit_once(['[', '(', '（'])) else {
         return FileUnit::Silent;

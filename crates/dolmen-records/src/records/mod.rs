@@ -42,6 +42,7 @@ mod wav;
 pub use crate::number::parse_number;
 pub use crate::seismic::SeismicError;
 pub use crate::unit::Unit;
+pub(crate) use column_units::unit_in_name as bracketed_unit;
 pub use csv::read_csv;
 pub use csv_write::record_csv;
 pub(crate) use date_text::{date_time, has_half_day};

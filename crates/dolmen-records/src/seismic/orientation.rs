@@ -15,8 +15,8 @@ pub enum Orientation {
 }
 
 impl Orientation {
-    const NORTH: Orientation = Orientation::Horizontal { azimuth_deg: 0.0 };
-    const EAST: Orientation = Orientation::Horizontal { azimuth_deg: 90.0 };
+    pub(crate) const NORTH: Orientation = Orientation::Horizontal { azimuth_deg: 0.0 };
+    pub(crate) const EAST: Orientation = Orientation::Horizontal { azimuth_deg: 90.0 };
 
     /// Horizontal at this azimuth, taken to 0 … 360.
     pub(super) fn horizontal(azimuth_deg: f64) -> Option<Self> {
@@ -26,7 +26,7 @@ impl Orientation {
     }
 
     /// From the word for a direction: "180", "N-S", "UP", "DWN", "Deg" after a number left out.
-    pub(super) fn of_word(word: &str) -> Option<Self> {
+    pub(crate) fn of_word(word: &str) -> Option<Self> {
         match word.trim().to_uppercase().as_str() {
             "N-S" | "NS" | "N" | "NORTH" => Some(Self::NORTH),
             "E-W" | "EW" | "E" | "EAST" => Some(Self::EAST),
@@ -40,7 +40,7 @@ impl Orientation {
     }
 
     /// From the last letter of a SEED channel code: N, E and Z point north, east and up to 5°; others do not say.
-    pub(super) fn of_channel_code(code: &str) -> Option<Self> {
+    pub(crate) fn of_channel_code(code: &str) -> Option<Self> {
         match code.trim().chars().last() {
             Some('N') => Some(Self::NORTH),
             Some('E') => Some(Self::EAST),

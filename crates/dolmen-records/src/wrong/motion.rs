@@ -17,6 +17,18 @@ sentences! {
             en: "the {component} component: {fault}",
             ko: "{component} 성분: {fault}",
         },
+        Channel { channel, fault } as { channel: shown(channel), fault } => {
+            en: "column \"{channel}\": {fault}",
+            ko: "\"{channel}\" 열: {fault}",
+        },
+        Workbook { why } => {
+            en: "the workbook {why}",
+            ko: "통합 문서: {why}",
+        },
+        Sheets { known } => {
+            en: "the workbook has several sheets ({known}): save the one with the record as a workbook of its own, or as CSV",
+            ko: "통합 문서에 시트가 여럿이다({known}). 기록이 든 시트만 따로 저장하거나 CSV로 저장한다",
+        },
         NoUnit => {
             en: "the unit of the accelerations is not known: the file does not say it; give unit = g, gal or m/s2",
             ko: "가속도의 단위를 알 수 없다. 파일에 없으므로 unit을 g, gal 또는 m/s2로 입력한다",
@@ -41,17 +53,13 @@ sentences! {
             en: "time_step_s is {given}, but must be a positive number of seconds",
             ko: "time_step_s가 {given}인데 양의 초이어야 한다",
         },
-        Columns { names } as { count: names.len(), names: listed(names) } => {
-            en: "the file has {count} columns of numbers ({names}): name the one to read as channel",
-            ko: "파일에 수의 열이 {count}개 있다({names}). 읽을 열을 channel로 쓴다",
-        },
         TimeSteps { first, first_s, second, second_s } => {
             en: "the {first} component has a step of {first_s} s, the {second} of {second_s} s: resample one before",
             ko: "{first} 성분의 시간 간격은 {first_s} s인데 {second} 성분은 {second_s} s이다. 먼저 하나를 재표본화한다",
         },
         Lengths { first, first_samples, second, second_samples } => {
-            en: "the {first} component has {first_samples} samples, the {second} {second_samples}: if they begin at the same time, say lengths = shortest to cut all to the shortest",
-            ko: "{first} 성분의 자료는 {first_samples}개인데 {second} 성분은 {second_samples}개이다. 같은 시각에 시작하면 lengths = shortest로 모두 가장 짧은 길이에 맞춘다",
+            en: "the {first} component has {first_samples} samples, the {second} {second_samples}: if they begin at the same time, cut all to the shortest with lengths = \"shortest\" in [motion.NAME] or --shortest",
+            ko: "{first} 성분의 자료는 {first_samples}개인데 {second} 성분은 {second_samples}개이다. 같은 시각에 시작하면 [motion.NAME]의 lengths = \"shortest\"나 --shortest로 모두 가장 짧은 길이에 맞춘다",
         },
         Factor { given } => {
             en: "factor is {given}, but must be a finite number other than 0",
@@ -62,12 +70,12 @@ sentences! {
             ko: "채널 \"{channel}\": {sample}번 자료(0부터)가 유한한 수가 아니다. 거기서 파일을 자르거나 그 채널을 뺀다",
         },
         StatedPeak { channel, stated, found, unit } as { channel: shown(channel), stated, unit, found: format!("{found:.6}") } => {
-            en: "channel \"{channel}\": the header says that the peak is {stated} {unit}, but that of the samples is {found}: they were damaged or changed; download the file again, or say stated_peak = ignore if you know why",
-            ko: "채널 \"{channel}\": 머리글의 최대값은 {stated} {unit}인데 자료의 최대값은 {found}이다. 자료가 손상되었거나 바뀌었다. 파일을 다시 받거나, 이유를 알면 stated_peak = ignore로 한다",
+            en: "channel \"{channel}\": the header says that the peak is {stated} {unit}, but that of the samples is {found}: they were damaged or changed; download the file again, or say stated_peak = \"ignore\" in [motion.NAME] or --ignore-stated-peak if you know why",
+            ko: "채널 \"{channel}\": 머리글의 최대값은 {stated} {unit}인데 자료의 최대값은 {found}이다. 자료가 손상되었거나 바뀌었다. 파일을 다시 받거나, 이유를 알면 [motion.NAME]에 stated_peak = \"ignore\"를 쓰거나 --ignore-stated-peak로 한다",
         },
         Channels { given, names } as { hint: no_channel(given.as_deref()), count: names.len(), names: listed(names) } => {
-            en: "{hint}the file has {count} channels ({names}): name one, or give its number",
-            ko: "{hint}파일에 채널이 {count}개 있다({names}). 하나를 이름이나 번호로 쓴다",
+            en: "{hint}the file has {count} channels ({names}): say which is which by name or number, columns = {{ x = \"…\", y = \"…\", z = \"…\" }} in [motion.NAME] or --columns x=…,y=…,z=…; one alone with --channel",
+            ko: "{hint}파일에 채널이 {count}개 있다({names}). 어느 것이 어느 방향인지 이름이나 번호로 쓴다. [motion.NAME]에는 columns = {{ x = \"…\", y = \"…\", z = \"…\" }}, 명령에는 --columns x=…,y=…,z=…이다. 하나만 읽으려면 --channel을 쓴다",
         },
         Starts { first, second, later_s } => {
             en: "the {second} component begins {later_s} s after the {first}: cut both to one time before",

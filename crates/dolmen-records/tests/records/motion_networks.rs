@@ -236,9 +236,18 @@ fn agrees_with_the_cosmos_of_gmprocess() {
 #[test]
 fn exact_a_channel_is_also_a_column_by_its_name() {
     let text = b"time_s,x_m_s2,y_g\n0,0,0\n0.02,0.1,0.1\n0.04,-0.2,0.3\n";
+    let refused = read_component(text, &MotionOptions::default())
+        .unwrap_err()
+        .to_string();
     assert!(
-        said(text, &MotionOptions::default())
-            .contains("2 columns of numbers (x_m_s2, y_g): name the one to read as channel")
+        refused.starts_with("the file has 2 channels (x_m_s2, y_g): say which is which"),
+        "{refused}"
+    );
+    let each = read_channels(text, &MotionOptions::default()).unwrap();
+    assert_eq!(
+        each[1].acceleration_m_s2[2],
+        0.3 * 9.80665,
+        "each in the unit of its own name"
     );
     let channel = |name: &str| MotionOptions {
         channel: Some(name.to_owned()),

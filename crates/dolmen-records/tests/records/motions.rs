@@ -1,7 +1,10 @@
 //! Ground motions: AT2 in both headers, text in columns, and what is refused.
 
 use dolmen::signal::{Component, Processing};
-use dolmen_records::motions::{Lengths, MotionFormat, MotionOptions, read_component, read_motion};
+use dolmen_records::motions::{
+    ComponentSource, Lengths, MotionFormat, MotionOptions, read_channels, read_columns_as, read_component,
+    read_motion, read_oriented,
+};
 use dolmen_records::records::{Column, Unit};
 
 const G: f64 = 9.80665;
@@ -83,8 +86,8 @@ fn exact_components_from_separate_files() {
         .to_string();
     assert_eq!(
         refused,
-        "the x component has 7 samples, the z 6: if they begin at the same time, say lengths = shortest to cut all to the \
-         shortest"
+        "the x component has 7 samples, the z 6: if they begin at the same time, cut all to the shortest with \
+         lengths = \"shortest\" in [motion.NAME] or --shortest"
     );
     let shortest = MotionOptions {
         lengths: Lengths::Shortest,
@@ -185,7 +188,7 @@ fn refuses_what_is_not_known_or_contradicts() {
     assert!(said("time,v (cm/s)\n0,0\n0.02,1\n0.04,2.5\n", &plain).contains("not one of acceleration"));
     assert!(
         said("time,a_g,b_g\n0,0,1\n0.02,1,0\n0.04,2.5,1\n", &plain)
-            .contains("2 columns of numbers (a_g, b_g)")
+            .contains("the file has 2 channels (a_g, b_g): say which is which")
     );
     let step = |step| MotionOptions {
         time_step_s: Some(step),
@@ -199,4 +202,128 @@ fn refuses_what_is_not_known_or_contradicts() {
         assert!(said(NEW, &step(bad)).contains("positive number of seconds"));
     }
     assert!(said("0\n0.1\n-0.3\n", &in_unit(Unit::Gravity)).contains("sampling rate is not known"));
+}
+
+/// As a Korean network gives a station: one file, columns in any order, the unit in the header.
+const STATION: &str = "UD(gal),time,NS (cm/s^2),EW[gal]\n0,0,0,0\n-5,0.01,20,30\n4,0.02,-10,-7\n";
+
+#[test]
+fn exact_components_from_columns_of_one_file() {
+    for text in [
+        STATION.to_owned(),
+        STATION.replace(
+            "UD(gal),time,NS (cm/s^2),EW[gal]",
+            "상하(gal),시간,남북(gal),동서(gal)",
+        ),
+        STATION.replace(
+            "UD(gal),time,NS (cm/s^2),EW[gal]",
+            "HNZ (gal),time,HNN (gal),HNE (gal)",
+        ),
+    ] {
+        let names: Vec<String> = read_channels(text.as_bytes(), &MotionOptions::default())
+            .unwrap()
+            .into_iter()
+            .map(|channel| channel.name)
+            .collect();
+        let bare = |at: usize| names[at].split(['(', '[']).next().unwrap().trim().to_lowercase();
+        let [up, north, east] = [bare(0), bare(1), bare(2)];
+        let source = |component, channel| ComponentSource {
+            component,
+            bytes: text.as_bytes(),
+            channel: Some(channel),
+        };
+        let sources = [
+            source(Component::X, east.as_str()),
+            source(Component::Y, &north),
+            source(Component::Z, &up),
+        ];
+        let motion = read_columns_as("station", &sources, &MotionOptions::default()).unwrap();
+        let turned = read_oriented("station", &[text.as_bytes()], 90.0, &MotionOptions::default()).unwrap();
+        for motion in [motion, turned] {
+            for (component, gal) in [
+                (Component::X, [0.0, 30.0, -7.0]),
+                (Component::Y, [0.0, 20.0, -10.0]),
+                (Component::Z, [0.0, -5.0, 4.0]),
+            ] {
+                assert_eq!(
+                    motion.acceleration_m_s2(component),
+                    gal.map(|a| a * 0.01),
+                    "{text} {component}"
+                );
+            }
+            assert_eq!(motion.time_step_s(), 0.01);
+        }
+    }
+}
+
+#[test]
+fn refuses_columns_that_are_not_there_are_meant_twice_or_contradict() {
+    let of = |text: &str, channel: &str, options: MotionOptions| {
+        let told = MotionOptions {
+            channel: Some(channel.to_owned()),
+            ..options
+        };
+        said(text, &told)
+    };
+    let plain = MotionOptions::default();
+    let missing = of(STATION, "Z", plain.clone());
+    assert!(
+        missing.contains("\"Z\"") && missing.contains("EW[gal]"),
+        "{missing}"
+    );
+    let twice = of(&STATION.replace("UD(gal)", "EW (gal)"), "EW", plain.clone());
+    assert!(
+        twice.contains("2 channels (EW (gal), EW[gal]): say which is which"),
+        "{twice}"
+    );
+    assert_eq!(
+        of(STATION, "EW", in_unit(Unit::Gravity)),
+        "unit is \"g\", but the file says \"cm/s2\": correct it, or leave it out"
+    );
+    let differ = read_channels(STATION.replace("UD(gal)", "UD(g)").as_bytes(), &plain)
+        .unwrap_err()
+        .to_string();
+    assert!(differ.contains("UD(g)"), "{differ}");
+    let bare = read_channels(b"time,EW,NS\n0,0,0\n0.01,1,2\n0.02,-2,1\n", &plain)
+        .unwrap_err()
+        .to_string();
+    assert!(
+        bare.starts_with("column \"EW\": the unit of the accelerations is not known"),
+        "{bare}"
+    );
+    let x = read_oriented(
+        "",
+        &[b"time,x_m_s2,y_m_s2\n0,0,0\n0.01,1,2\n0.02,-2,1\n"],
+        90.0,
+        &plain,
+    )
+    .unwrap_err()
+    .to_string();
+    assert!(x.contains("x_m_s2"), "{x}");
+}
+
+#[test]
+fn exact_a_workbook_holds_the_same_station() {
+    let mut book = rust_xlsxwriter::Workbook::new();
+    let sheet = book.add_worksheet();
+    for (row, line) in STATION.lines().enumerate() {
+        for (column, cell) in line.split(',').enumerate() {
+            let (row, column) = (u32::try_from(row).unwrap(), u16::try_from(column).unwrap());
+            match cell.parse::<f64>() {
+                Ok(number) => sheet.write_number(row, column, number).unwrap(),
+                Err(_) => sheet.write_string(row, column, cell).unwrap(),
+            };
+        }
+    }
+    let bytes = book.save_to_buffer().unwrap();
+    let plain = MotionOptions::default();
+    assert_eq!(
+        read_channels(&bytes, &plain).unwrap(),
+        read_channels(STATION.as_bytes(), &plain).unwrap()
+    );
+    book.add_worksheet();
+    let refused = read_channels(&book.save_to_buffer().unwrap(), &plain)
+        .unwrap_err()
+        .to_string();
+    assert!(refused.contains("Sheet1, Sheet2"), "{refused}");
 }

@@ -47,6 +47,7 @@ mod stack_view;
 mod study;
 mod study_growth;
 mod study_size;
+mod suite;
 mod tune;
 mod wires;
 mod words;
@@ -95,6 +96,7 @@ pub use stack_histories::stack_histories;
 pub use stack_limits::{stack_capacity, stack_governing};
 pub(crate) use stack_pushed::stack_pushed;
 pub use study::study_figures;
+pub use suite::suite_figure;
 pub(crate) use tune::tune_drawings;
 pub use tune::tune_figures;
 pub(crate) use wires::Wires;
@@ -102,10 +104,11 @@ pub(crate) use words::TEMPLATES;
 pub use years::years;
 
 /// The words of single figures as they are written.
-pub(crate) const OF_SINGLE_FIGURES: [&[Template]; 5] = [
+pub(crate) const OF_SINGLE_FIGURES: [&[Template]; 6] = [
     damage_map::Mapped::TEMPLATES,
     drawing::Drawn::TEMPLATES,
     moved_supports::Shown::TEMPLATES,
     stack_pushed::Shown::TEMPLATES,
+    suite::SuiteLines::TEMPLATES,
     years::Panels::TEMPLATES,
 ];

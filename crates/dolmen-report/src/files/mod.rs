@@ -10,6 +10,7 @@ mod ranking;
 mod sensors;
 mod simulation;
 mod study;
+mod suite;
 mod survey;
 mod tune;
 
@@ -22,5 +23,6 @@ pub use ranking::ranking_files;
 pub use sensors::sensors_files;
 pub use simulation::{simulation_files, simulation_value};
 pub use study::{StudyFilesError, study_files};
+pub use suite::suite_files;
 pub use survey::{change_files, identification_files, watch_files};
 pub use tune::tune_files;

@@ -4,17 +4,20 @@ mod files;
 mod matched;
 mod measures;
 mod spectra;
+mod suite;
 mod text;
 
+pub use suite::suite_text;
 pub use text::motion_report_text;
 
 use dolmen_words::Template;
 
 /// The sentences on ground motions as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 5] = [
+pub(crate) const TEMPLATES: [&[Template]; 6] = [
     files::Files::TEMPLATES,
     matched::Matched::TEMPLATES,
     measures::Measured::TEMPLATES,
     spectra::Spectra::TEMPLATES,
+    suite::Suite::TEMPLATES,
     text::Motion::TEMPLATES,
 ];

@@ -28,6 +28,8 @@ korean_of! {
         SignalError::Argument { argument, given, allowed } => "{argument}이(가) {given}인데 {allowed}이어야 한다", argument = phrase(argument), allowed = phrase(allowed);
         SignalError::NoMotion { component, peak_m_s2 } => "{component} 성분의 최대값이 {peak_m_s2} m/s²이어서 배율로 키울 수 없다. 움직이는 성분을 지정한다", component = phrase(component);
         SignalError::Period { given, least_s, most_s } => "주기 {given} s는 쓸 수 없다. 이 시간 간격의 지반운동으로는 {least_s}~{most_s} s까지 알 수 있다";
+        SignalError::SuiteAlike { wanted, usable, most } => "기록 {usable}개에서 지반운동 {wanted}개를 고를 수 없다. 한 지진, 관측소, 기록에서 고를 수 있는 수를 지키면 {most}개뿐이다. 기록을 더 주거나 수를 줄인다";
+        SignalError::SuiteFactors { wanted, usable, least, most } => "기록 {usable}개에서 지반운동 {wanted}개를 고를 수 없다. 어느 조합이든 {least}~{most} 범위를 벗어나는 배율이 있다. 더 강하거나 약한 기록을 주거나 배율의 범위를 넓힌다";
         SignalError::Match { why } => "기선이나 웨이블릿을 찾을 수 없다: {why}. 더 긴 지반운동을 쓴다";
     }
     handed on SignalError::Numeric(why) => why;

@@ -1,6 +1,7 @@
 //! Why a motion that is asked for cannot be had.
 
 use dolmen::signal::Component;
+use dolmen_words::message::Both;
 
 /// Why a motion that is asked for cannot be had.
 #[derive(Clone, Debug, PartialEq)]
@@ -48,6 +49,13 @@ pub enum MotionRequestError {
         /// The component.
         component: Component,
     },
+    /// A column is of a component that has no file.
+    ColumnWithoutFile {
+        /// The component.
+        component: Component,
+        /// The column.
+        column: String,
+    },
     /// A text is no acceleration.
     NoAcceleration {
         /// The text.
@@ -74,4 +82,29 @@ pub enum MotionRequestError {
     NothingToMatch,
     /// Several channels could be matched.
     SeveralToMatch,
+    /// A range of periods cannot be.
+    Range {
+        /// The shorter, s.
+        least_s: f64,
+        /// The longer, s.
+        most_s: f64,
+        /// The shortest allowed, s.
+        allowed_least_s: f64,
+        /// The longest allowed, s.
+        allowed_most_s: f64,
+    },
+    /// No file of a suite holds a horizontal record.
+    NoRecords {
+        /// Files that were looked at.
+        files: usize,
+    },
+    /// No file of a suite can be used.
+    NoneReadable {
+        /// Files that were looked at.
+        files: usize,
+        /// The first.
+        file: String,
+        /// Why it was refused.
+        why: Both,
+    },
 }

@@ -1,14 +1,11 @@
 //! `dolmen motion`: ground motions read, measured, matched and made.
 
 use super::answer::{MatchAnswer, MotionReport, MotionSeries};
+use super::demand::{Demand, demand, range};
 use super::error::MotionRequestError;
 use super::prepare::{acceleration_m_s2, changed_alone, motion_alone, motion_options};
 use super::request::MotionRequest;
 use crate::error::{Within as _, WorkError};
-use dolmen::assess::demand::{
-    DesignSpectrum, EurocodeGround, EurocodeType, KoreanSite, KoreanZone, eurocode_8, kds_17,
-    kds_17_effective_acceleration_g,
-};
 use dolmen::signal::{
     Component, GroundMotion, Noise, PulseShape, SpectralOrdinate, SpectrumMatch, SpectrumMisfit,
     intensity_measures, match_spectrum, noise_motion, pulse, response_spectrum,
@@ -20,6 +17,8 @@ const PERIODS: usize = 200;
 const PERIODS_S: [f64; 2] = [0.02, 4.0];
 /// Periods on each side of the matched ones at which the misfit is told.
 const OUTSIDE: usize = 40;
+/// They go at least so many times as far.
+const OUTSIDE_LEAST: f64 = 4.0 / 3.0;
 /// The same of those that were matched: four times as close as those fitted. Chosen here.
 const INSIDE: usize = 600;
 
@@ -36,6 +35,8 @@ pub struct MotionOptions {
     pub damping_ratio: f64,
     /// The demand spectrum that the first component is matched to.
     pub matched: Option<Demand>,
+    /// The periods that it is matched over, s.
+    pub range_s: [f64; 2],
 }
 
 /// A motion to make.
@@ -72,21 +73,6 @@ pub enum MotionShape {
     NearFault,
     /// Seeded noise of firm ground (Clough and Penzien) under an envelope.
     Noise,
-}
-
-/// A demand spectrum: of Eurocode 8 where it has a ground acceleration, else of KDS 17 10 00.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Demand {
-    /// S1 to S5 (KDS), A to E (Eurocode 8), in any case.
-    pub site: String,
-    /// Seismic zone of KDS 17 10 00, 1 or 2.
-    pub zone: u8,
-    /// Return period of KDS 17 10 00, years.
-    pub years: u32,
-    /// Design ground acceleration on rock of Eurocode 8, g.
-    pub ground_acceleration_g: Option<f64>,
-    /// Type of the spectrum of Eurocode 8, 1 or 2.
-    pub spectrum_type: u8,
 }
 
 /// A series under its name.
@@ -129,7 +115,7 @@ pub fn motion(options: &MotionOptions) -> Result<MotionReport, WorkError> {
         read(&options.request, &mut report, &mut motions)?;
     }
     if let Some(wanted) = &options.matched {
-        matched(wanted, options.damping_ratio, &mut report, &mut motions)?;
+        matched(wanted, options, &mut report, &mut motions)?;
     }
     for Named {
         name,
@@ -166,7 +152,9 @@ fn read(
         channels = channels.max(found.len());
         report.files.push((file.name.clone(), found));
     }
-    if channels > 1 && request.channel.is_none() && request.x_azimuth_deg.is_none() {
+    let are_told =
+        request.channel.is_some() || request.x_azimuth_deg.is_some() || !request.columns.is_empty();
+    if channels > 1 && !are_told {
         for (_, found) in &report.files {
             for (number, channel) in found.iter().enumerate() {
                 let name = match channel.name.is_empty() {
@@ -225,58 +213,9 @@ fn made(wanted: &MadeMotion, request: &MotionRequest) -> Result<GroundMotion, Wo
     Ok(pulse(form, wanted.period_s, peak_acceleration_m_s2, time_step_s)?)
 }
 
-/// The spectrum of a demand.
-fn demand(options: &Demand) -> Result<DesignSpectrum, WorkError> {
-    let site = options.site.to_uppercase();
-    if let Some(acceleration_g) = options.ground_acceleration_g {
-        let grounds = [
-            EurocodeGround::A,
-            EurocodeGround::B,
-            EurocodeGround::C,
-            EurocodeGround::D,
-            EurocodeGround::E,
-        ];
-        let Some(ground) = grounds.into_iter().find(|ground| format!("{ground:?}") == site) else {
-            return Err(MotionRequestError::NoEurocodeGround {
-                given: options.site.clone(),
-            }
-            .into());
-        };
-        let kind = if options.spectrum_type == 2 {
-            EurocodeType::Two
-        } else {
-            EurocodeType::One
-        };
-        return Ok(eurocode_8(acceleration_g, kind, ground)?);
-    }
-    let sites = [
-        KoreanSite::S1,
-        KoreanSite::S2,
-        KoreanSite::S3,
-        KoreanSite::S4,
-        KoreanSite::S5,
-        KoreanSite::S6,
-    ];
-    let Some(site) = sites.into_iter().find(|known| format!("{known:?}") == site) else {
-        return Err(MotionRequestError::NoKoreanSite {
-            given: options.site.clone(),
-        }
-        .into());
-    };
-    let zone = if options.zone == 2 {
-        KoreanZone::II
-    } else {
-        KoreanZone::I
-    };
-    Ok(kds_17(
-        kds_17_effective_acceleration_g(zone, options.years)?,
-        site,
-    )?)
-}
-
 fn matched(
     wanted: &Demand,
-    damping_ratio: f64,
+    options: &MotionOptions,
     report: &mut MotionReport,
     motions: &mut [Named],
 ) -> Result<(), WorkError> {
@@ -290,8 +229,12 @@ fn matched(
         return Err(MotionRequestError::SeveralToMatch.into());
     }
     let (component, demand) = (*component, demand(wanted)?);
+    let damping_ratio = options.damping_ratio;
+    let [period_least_s, period_most_s] = range(options.range_s)?;
     let told = SpectrumMatch {
         damping_ratio,
+        period_least_s,
+        period_most_s,
         ..SpectrumMatch::default()
     };
     demand.acceleration_m_s2(told.period_least_s, damping_ratio)?; // refuses the damping ratio
@@ -328,8 +271,14 @@ fn matched(
         )
     };
     let outside = [
-        outside([PERIODS_S[0], told.period_least_s])?,
-        outside([told.period_most_s, PERIODS_S[1]])?,
+        outside([
+            PERIODS_S[0].min(told.period_least_s / OUTSIDE_LEAST),
+            told.period_least_s,
+        ])?,
+        outside([
+            told.period_most_s,
+            PERIODS_S[1].max(told.period_most_s * OUTSIDE_LEAST),
+        ])?,
     ];
     report.matched = Some(MatchAnswer {
         outside,
@@ -342,7 +291,7 @@ fn matched(
 }
 
 /// How far a spectrum is from a demand, over some periods.
-fn misfit(
+pub(super) fn misfit(
     motion: &GroundMotion,
     component: Component,
     target: &dyn Fn(f64) -> f64,

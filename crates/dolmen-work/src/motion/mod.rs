@@ -2,16 +2,21 @@
 
 mod acting;
 mod answer;
+mod demand;
 mod doubt;
 mod error;
 mod measured;
 mod prepare;
 mod request;
+mod suite;
+mod wanted_file;
 
 pub use acting::{MotionAnswer, base_line_drifts};
 pub use answer::{MatchAnswer, MotionReport, MotionSeries};
+pub use demand::{Demand, RANGE_S, range_of_structure};
 pub use doubt::MotionDoubt;
 pub use error::MotionRequestError;
-pub use measured::{Demand, MadeMotion, MotionOptions, MotionShape, motion};
+pub use measured::{MadeMotion, MotionOptions, MotionShape, motion};
 pub(crate) use prepare::prepared;
 pub use request::{GivenFile, MotionRequest};
+pub use suite::{NotTaken, SuiteAnswer, SuiteMember, SuiteOptions, suite};

@@ -2,11 +2,14 @@
 
 use super::acting::MotionAnswer;
 use super::error::MotionRequestError;
-use super::request::{GivenFile, MotionRequest};
+use super::request::MotionRequest;
+use super::wanted_file::{WantedFile, column_of, given_files, typed_columns};
 use crate::error::{Within as _, WorkError};
 use dolmen::signal::{Baseline, Component, GroundMotion, Quantity};
 use dolmen_project::{MotionPart, MotionSize, MotionSource, Project, Structure};
-use dolmen_records::motions::{Lengths, MotionOptions, StatedPeak, read_motion, read_oriented};
+use dolmen_records::motions::{
+    ComponentSource, Lengths, MotionOptions, StatedPeak, read_columns_as, read_motion, read_oriented,
+};
 use dolmen_records::records::Unit;
 use dolmen_records::{FileError, Files, MOTION_BYTES_MOST};
 use std::borrow::Cow;
@@ -48,15 +51,6 @@ struct Wanted {
 enum From {
     Carried(String),
     Files(Vec<WantedFile>),
-}
-
-/// A file of a motion.
-struct WantedFile {
-    component: Component,
-    /// As it was named.
-    name: String,
-    /// Its bytes if they are here already; else the project's files have them.
-    bytes: Option<Vec<u8>>,
 }
 
 /// The project that a motion is for, and the files that it names.
@@ -123,9 +117,10 @@ fn wanted(options: &MotionRequest, project: Option<Of<'_>>) -> Result<Wanted, Wo
                 let each = files.iter().map(|(component, name)| WantedFile {
                     component: *component,
                     name: name.clone(),
+                    channel: column_of(&part.columns, *component),
                     bytes: None,
                 });
-                From::Files(each.collect())
+                From::Files(typed_columns(each.collect(), &options.columns)?)
             }
         },
         (Some(name), None) if is_carried(name) => From::Carried(name.clone()),
@@ -139,7 +134,7 @@ fn wanted(options: &MotionRequest, project: Option<Of<'_>>) -> Result<Wanted, Wo
         (None, _) if options.files.is_empty() => {
             return Err(MotionRequestError::NoMotion { known: names(own) }.into());
         }
-        (None, _) => From::Files(given_files(&options.files)?),
+        (None, _) => From::Files(typed_columns(given_files(&options.files)?, &options.columns)?),
     };
     let typed_size = match (options.scale, &options.peak) {
         (Some(factor), _) => Some(MotionSize::Scale(factor)),
@@ -165,13 +160,25 @@ fn wanted(options: &MotionRequest, project: Option<Of<'_>>) -> Result<Wanted, Wo
         }),
         size: typed_size.or_else(|| part?.size),
         read: MotionOptions {
+            factor: match (options.factor, part) {
+                (1.0, Some(part)) => part.factor.unwrap_or(1.0),
+                (typed, _) => typed,
+            },
+            stated_peak: match options.ignore_stated_peak || part.is_some_and(|part| part.ignores_stated_peak)
+            {
+                true => StatedPeak::Ignore,
+                false => StatedPeak::Check,
+            },
             lengths: match options.shortest || part.is_some_and(|part| part.cut_to_shortest) {
                 true => Lengths::Shortest,
                 false => Lengths::Same,
             },
             ..motion_options(options)?
         },
-        x_azimuth_deg: options.x_azimuth_deg,
+        x_azimuth_deg: match options.columns.is_empty() && options.channel.is_none() {
+            true => options.x_azimuth_deg.or_else(|| of(|part| part.x_azimuth_deg)),
+            false => options.x_azimuth_deg,
+        },
         baseline: options.baseline_degree,
         high_pass_hz: options.high_pass_hz,
         part: part.map(|part| format!("motion.{}", part.name)),
@@ -243,23 +250,6 @@ pub(crate) fn motion_options(options: &MotionRequest) -> Result<MotionOptions, W
     })
 }
 
-/// The files that were given, each with its component.
-fn given_files(given: &[GivenFile]) -> Result<Vec<WantedFile>, WorkError> {
-    let mut named: Vec<WantedFile> = Vec::new();
-    for (position, file) in given.iter().enumerate() {
-        let component = file.component.unwrap_or(Component::ALL[position.min(2)]);
-        if named.iter().any(|other| other.component == component) {
-            return Err(MotionRequestError::ComponentTwice { component }.into());
-        }
-        named.push(WantedFile {
-            component,
-            name: file.name.clone(),
-            bytes: Some(file.bytes.clone()),
-        });
-    }
-    Ok(named)
-}
-
 fn from_files(
     named: &[WantedFile],
     wanted: &Wanted,
@@ -277,35 +267,41 @@ fn from_files(
         Some(part) => format!("{part}.files: {file}"),
         None => file.to_owned(),
     };
-    let mut parts: Vec<(Component, Cow<'_, [u8]>)> = Vec::new();
-    for file in named {
-        let bytes = match (&file.bytes, project) {
-            (Some(bytes), _) => Cow::Borrowed(bytes.as_slice()),
-            (None, Some((_, files))) => {
+    let mut bytes: Vec<Cow<'_, [u8]>> = Vec::new();
+    for (at, file) in named.iter().enumerate() {
+        let before = named[..at].iter().position(|other| other.name == file.name);
+        bytes.push(match (&file.bytes, before, project) {
+            (Some(given), ..) => Cow::Borrowed(given.as_slice()),
+            (None, Some(before), _) => bytes[before].clone(),
+            (None, None, Some((_, files))) => {
                 let read = files.read(&file.name, MOTION_BYTES_MOST);
                 Cow::Owned(read.within(|| place(&file.name))?)
             }
-            (None, None) => return Err(FileError::TextAlone.into()),
-        };
-        parts.push((file.component, bytes));
+            (None, None, None) => return Err(FileError::TextAlone.into()),
+        });
     }
-    let parts: Vec<(Component, &[u8])> = parts.iter().map(|(c, b)| (*c, b.as_ref())).collect();
     let stem = |name: &str| {
         Path::new(name)
             .file_stem()
             .map(|s| s.to_string_lossy().into_owned())
     };
-    let stems: Vec<String> = named
-        .iter()
-        .map(|file| stem(&file.name).unwrap_or_default())
-        .collect();
-    let files: Vec<&str> = named.iter().map(|file| file.name.as_str()).collect();
+    let is_new = |at: &usize| named[..*at].iter().all(|other| other.name != named[*at].name);
+    let new: Vec<usize> = (0..named.len()).filter(is_new).collect();
+    let files: Vec<&str> = new.iter().map(|at| named[*at].name.as_str()).collect();
+    let stems: Vec<String> = files.iter().map(|file| stem(file).unwrap_or_default()).collect();
     let name = stems.join(" + ");
     let motion = match wanted.x_azimuth_deg {
-        None => read_motion(&name, &parts, &read),
+        None => {
+            let sources = named.iter().zip(&bytes).map(|(file, bytes)| ComponentSource {
+                component: file.component,
+                bytes,
+                channel: file.channel.as_deref(),
+            });
+            read_columns_as(&name, &sources.collect::<Vec<_>>(), &read)
+        }
         Some(azimuth_deg) => {
-            let parts: Vec<&[u8]> = parts.iter().map(|(_, bytes)| *bytes).collect();
-            read_oriented(&name, &parts, azimuth_deg, &read)
+            let all: Vec<&[u8]> = new.iter().map(|at| bytes[*at].as_ref()).collect();
+            read_oriented(&name, &all, azimuth_deg, &read)
         }
     };
     let motion = motion.within(|| place(&files.join(", ")))?;

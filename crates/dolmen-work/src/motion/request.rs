@@ -16,6 +16,8 @@ pub struct MotionRequest {
     pub sample_step_s: Option<f64>,
     /// The channel to read of a file of several, by name or number.
     pub channel: Option<String>,
+    /// The column or channel of each component, by name or number, where the one file, or that of the component, holds several.
+    pub columns: Vec<(Component, String)>,
     /// What the numbers are multiplied by to be in the unit.
     pub factor: f64,
     /// Cut components that begin at one time to the shortest.
@@ -59,6 +61,7 @@ impl Default for MotionRequest {
             unit: None,
             sample_step_s: None,
             channel: None,
+            columns: Vec::new(),
             factor: 1.0,
             shortest: false,
             ignore_stated_peak: false,
@@ -94,6 +97,7 @@ impl MotionRequest {
             (self.unit.is_some(), "unit"),
             (self.sample_step_s.is_some(), "sample-step"),
             (self.channel.is_some(), "channel"),
+            (!self.columns.is_empty(), "columns"),
             (self.factor != 1.0, "factor"),
             (self.shortest, "shortest"),
             (self.ignore_stated_peak, "ignore-stated-peak"),

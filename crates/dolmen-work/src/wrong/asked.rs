@@ -38,6 +38,22 @@ sentences! {
             en: "--motion-file: the {component} component is given twice; name each as in {component}=FILE",
             ko: "--motion-file: {component} 성분이 두 번 있다. {component}=파일과 같이 각각 지정한다",
         },
+        ColumnWithoutFile { component, column } as { component: component.to_string(), column } => {
+            en: "--columns: {component}={column}, but no file holds the {component} component; name it as {component}=FILE, or give one file that holds all",
+            ko: "--columns: {component}={column}인데 {component} 성분의 파일이 없다. {component}=파일로 지정하거나, 모든 성분이 든 파일 하나를 지정한다",
+        },
+        Range { least_s, most_s, allowed_least_s, allowed_most_s } => {
+            en: "the periods are {least_s} to {most_s} s, but must lie within {allowed_least_s} and {allowed_most_s} s, the longer at least 1.2 times the shorter",
+            ko: "주기 범위가 {least_s}~{most_s} s인데 {allowed_least_s}~{allowed_most_s} s 안에서 긴 쪽이 짧은 쪽의 1.2배 이상이어야 한다",
+        },
+        NoRecords { files } => {
+            en: "none of {files} files holds a horizontal record: give another folder with --from",
+            ko: "파일 {files}개에 수평 방향 기록이 없다. --from으로 다른 폴더를 준다",
+        },
+        NoneReadable { files, file, why } => {
+            en: "none of {files} files can be used; {file}: {why}",
+            ko: "파일 {files}개를 모두 쓸 수 없다. {file}: {why}",
+        },
         NoAcceleration { given } => {
             en: "\"{given}\" is no acceleration: write it as \"0.3 g\" or \"2.94 m/s2\"",
             ko: "\"{given}\"은(는) 가속도가 아니다. \"0.3 g\" 또는 \"2.94 m/s2\"와 같이 쓴다",

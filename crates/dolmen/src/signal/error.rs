@@ -247,6 +247,34 @@ pub enum SignalError {
         /// Why.
         why: String,
     },
+    /// Too many records are of one earthquake, station or file for a suite.
+    #[error(
+        "no suite of {wanted} motions can be had of {usable} records: the limits on one earthquake, station and record leave \
+         {most}; give more records, or ask for fewer motions"
+    )]
+    SuiteAlike {
+        /// Motions wanted.
+        wanted: usize,
+        /// Records that could be taken.
+        usable: usize,
+        /// The most that may stand together.
+        most: usize,
+    },
+    /// The factors of every suite lie beyond their limits.
+    #[error(
+        "no suite of {wanted} motions can be had of {usable} records: a factor of every one lies beyond {least} to {most}; give \
+         records of stronger or weaker shaking, or wider limits"
+    )]
+    SuiteFactors {
+        /// Motions wanted.
+        wanted: usize,
+        /// Records that could be taken.
+        usable: usize,
+        /// Smallest factor allowed.
+        least: f64,
+        /// Largest factor allowed.
+        most: f64,
+    },
     /// A number is refused.
     #[error(transparent)]
     Numeric(#[from] NumericError),

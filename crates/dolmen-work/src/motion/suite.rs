@@ -1,0 +1,385 @@
+//! `dolmen motion --suite`: records of a folder chosen and scaled so that their mean spectrum follows a demand.
+
+use super::demand::{Demand, demand, range};
+use super::error::MotionRequestError;
+use super::prepare::{changed_alone, motion_options};
+use super::request::MotionRequest;
+use crate::error::{Within as _, WorkError};
+use crate::told::told_both;
+use dolmen::signal::{
+    Component, GroundMotion, MatchedMotion, SpectralOrdinate, SpectrumMatch, SpectrumMisfit, SuiteCandidate,
+    SuiteRule, match_spectrum, motion_suite, response_spectrum,
+};
+use dolmen_records::motions::{ComponentReading, Orientation, Origin, origin, read_channels};
+use dolmen_records::{Files, MOTION_BYTES_MOST};
+use dolmen_words::message::Both;
+use std::collections::BTreeSet;
+
+/// Periods at which the mean spectrum is held against the demand, evenly spaced in their logarithm; as many as the matcher has.
+const PERIODS: usize = 150;
+/// Longest name of a member. Chosen here.
+const NAME_MOST: usize = 40;
+
+/// Which suite is wanted.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SuiteOptions {
+    /// How the files are read, and what is done to each record before it is scaled.
+    pub request: MotionRequest,
+    /// The demand.
+    pub demand: Demand,
+    /// The periods over which the mean follows it, s.
+    pub range_s: [f64; 2],
+    /// Damping ratio of the spectra.
+    pub damping_ratio: f64,
+    /// How many records, and within which limits.
+    pub rule: SuiteRule,
+    /// Whether each member is matched to the demand after it is scaled.
+    pub matched: bool,
+}
+
+/// A record of a suite.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SuiteMember {
+    /// What it is called in a project file: small letters, digits and hyphens.
+    pub name: String,
+    /// Its file.
+    pub file: String,
+    /// The channel of it; "" of the only one without a name.
+    pub channel: String,
+    /// Which way it points, if the file says it.
+    pub orientation: Option<Orientation>,
+    /// Its earthquake and station, if the file says them.
+    pub origin: Origin,
+    /// What it is multiplied by.
+    pub factor: f64,
+    /// The record along x before it is multiplied; matched, if it was.
+    pub motion: GroundMotion,
+    /// How it was matched after it was multiplied.
+    pub matched: Option<MatchedMotion>,
+    /// Its pseudo-acceleration at the periods as it acts, m/s².
+    pub acceleration_m_s2: Vec<f64>,
+    /// How far that is from the demand.
+    pub misfit: SpectrumMisfit,
+}
+
+impl SuiteMember {
+    /// Largest acceleration as it acts, m/s².
+    pub fn peak_m_s2(&self) -> f64 {
+        self.motion.component_peak_m_s2(Component::X) * self.remaining_factor()
+    }
+
+    /// What the motion is still to be multiplied by: nothing where it was matched.
+    pub fn remaining_factor(&self) -> f64 {
+        match self.matched {
+            Some(_) => 1.0,
+            None => self.factor,
+        }
+    }
+}
+
+/// Why a file or a channel has no part in a suite.
+#[derive(Clone, Debug, PartialEq)]
+pub enum NotTaken {
+    /// It is no motion that can be read.
+    Refused {
+        /// Why.
+        why: Both,
+    },
+    /// It is vertical.
+    Vertical,
+}
+
+/// A suite of records whose mean spectrum follows a demand.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SuiteAnswer {
+    /// What the demand is: the code with its year and parameters.
+    pub demand: String,
+    /// Damping ratio of the spectra.
+    pub damping_ratio: f64,
+    /// How it was chosen.
+    pub rule: SuiteRule,
+    /// Horizontal records that could be taken.
+    pub candidates: usize,
+    /// Records whose file does not say which way they point: taken as horizontal.
+    pub without_direction: usize,
+    /// The periods, s.
+    pub periods_s: Vec<f64>,
+    /// The demand at each, m/s².
+    pub target_m_s2: Vec<f64>,
+    /// The mean spectrum of the suite at each, m/s².
+    pub mean_m_s2: Vec<f64>,
+    /// How far the mean is from the demand.
+    pub misfit: SpectrumMisfit,
+    /// The period at which the mean is lowest against the demand, s.
+    pub worst_s: f64,
+    /// The records taken.
+    pub members: Vec<SuiteMember>,
+    /// Files and channels that have no part, each with its reason.
+    pub not_taken: Vec<(String, NotTaken)>,
+}
+
+impl SuiteAnswer {
+    /// Whether the mean keeps to the least share of the demand at every period.
+    pub fn is_kept(&self) -> bool {
+        self.misfit.lowest >= self.rule.least_share - 1.0 - 1e-9
+    }
+}
+
+/// A record that may be taken.
+struct Found {
+    file: String,
+    reading: ComponentReading,
+    origin: Origin,
+    motion: GroundMotion,
+    accelerations_m_s2: Vec<f64>,
+}
+
+/// Chooses records of files for a suite, and scales them.
+///
+/// # Errors
+/// [`WorkError`] where the demand, the periods or the rule cannot be, no file holds a record, no suite keeps within the rule, or a member cannot be matched.
+/// A file that cannot be read has no part, and the answer says why.
+pub fn suite(options: &SuiteOptions, names: &[String], files: &dyn Files) -> Result<SuiteAnswer, WorkError> {
+    let [least_s, most_s] = range(options.range_s)?;
+    let demand = demand(&options.demand)?;
+    let ratio = most_s / least_s;
+    let periods_s: Vec<f64> = (0..PERIODS)
+        .map(|k| least_s * ratio.powf(k as f64 / (PERIODS - 1) as f64))
+        .collect();
+    let mut target_m_s2 = Vec::with_capacity(PERIODS);
+    for period_s in &periods_s {
+        target_m_s2.push(demand.acceleration_m_s2(*period_s, options.damping_ratio)?);
+    }
+    let told = motion_options(&options.request)?;
+    let mut not_taken: Vec<(String, NotTaken)> = Vec::new();
+    let mut found: Vec<Found> = Vec::new();
+    for name in names {
+        let read = files
+            .read(name, MOTION_BYTES_MOST)
+            .map_err(WorkError::from)
+            .and_then(|bytes| Ok(read_channels(&bytes, &told)?));
+        let channels = match read {
+            Ok(channels) => channels,
+            Err(why) => {
+                let why = told_both(&why);
+                not_taken.push((name.clone(), NotTaken::Refused { why }));
+                continue;
+            }
+        };
+        let are_several = channels.len() > 1;
+        for reading in channels {
+            let place = match are_several {
+                true => format!("{name}, {}", reading.name),
+                false => name.clone(),
+            };
+            if matches!(reading.orientation, Some(Orientation::Up | Orientation::Down)) {
+                not_taken.push((place, NotTaken::Vertical));
+                continue;
+            }
+            match of_channel(options, name, reading, &periods_s) {
+                Ok(one) => found.push(one),
+                Err(why) => {
+                    let why = told_both(&why);
+                    not_taken.push((place, NotTaken::Refused { why }));
+                }
+            }
+        }
+    }
+    refuse_none(names.len(), &found, &not_taken)?;
+    let candidates: Vec<SuiteCandidate> = found.iter().map(|one| candidate(one, &target_m_s2)).collect();
+    let chosen = motion_suite(&candidates, &options.rule)?;
+    let without_direction = found
+        .iter()
+        .filter(|one| one.reading.orientation.is_none())
+        .count();
+    let mut taken = BTreeSet::new();
+    let mut members = Vec::new();
+    for (at, factor) in chosen.members.iter().zip(&chosen.factors) {
+        let name = unique(&named(&found[*at].file), &mut taken);
+        members.push(member(
+            options,
+            (&found[*at], name, *factor),
+            &periods_s,
+            &target_m_s2,
+        )?);
+    }
+    let mean_m_s2: Vec<f64> = (0..PERIODS)
+        .map(|k| {
+            let sum: f64 = members
+                .iter()
+                .map(|one: &SuiteMember| one.acceleration_m_s2[k])
+                .sum();
+            sum / members.len() as f64
+        })
+        .collect();
+    let over = |k: &usize| mean_m_s2[*k] / target_m_s2[*k];
+    let worst = (0..PERIODS)
+        .min_by(|a, b| over(a).total_cmp(&over(b)))
+        .unwrap_or(0);
+    Ok(SuiteAnswer {
+        demand: demand.source,
+        damping_ratio: options.damping_ratio,
+        rule: options.rule,
+        candidates: found.len(),
+        without_direction,
+        misfit: against(&mean_m_s2, &target_m_s2),
+        worst_s: periods_s[worst],
+        periods_s,
+        target_m_s2,
+        mean_m_s2,
+        members,
+        not_taken,
+    })
+}
+
+fn refuse_none(files: usize, found: &[Found], not_taken: &[(String, NotTaken)]) -> Result<(), WorkError> {
+    if !found.is_empty() {
+        return Ok(());
+    }
+    let refused = not_taken.iter().find_map(|(file, why)| match why {
+        NotTaken::Refused { why } => Some((file.clone(), why.clone())),
+        NotTaken::Vertical => None,
+    });
+    Err(match refused {
+        Some((file, why)) => MotionRequestError::NoneReadable { files, file, why },
+        None => MotionRequestError::NoRecords { files },
+    }
+    .into())
+}
+
+/// A channel as a record along x, with its spectrum.
+fn of_channel(
+    options: &SuiteOptions,
+    file: &str,
+    reading: ComponentReading,
+    periods_s: &[f64],
+) -> Result<Found, WorkError> {
+    let series = vec![(Component::X, reading.acceleration_m_s2.clone())];
+    let alone = GroundMotion::new(file, reading.time_step_s, series)?;
+    let motion = changed_alone(alone, &options.request)?;
+    Ok(Found {
+        file: file.to_owned(),
+        origin: origin(&reading),
+        accelerations_m_s2: accelerations(&motion, periods_s, options.damping_ratio)?,
+        motion,
+        reading,
+    })
+}
+
+fn accelerations(
+    motion: &GroundMotion,
+    periods_s: &[f64],
+    damping_ratio: f64,
+) -> Result<Vec<f64>, WorkError> {
+    let found = response_spectrum(motion, Component::X, periods_s, damping_ratio)?;
+    Ok(found
+        .iter()
+        .map(SpectralOrdinate::pseudo_acceleration_m_s2)
+        .collect())
+}
+
+/// Directions of one record, in one file or in several of one earthquake and station, count as one.
+fn candidate(one: &Found, target_m_s2: &[f64]) -> SuiteCandidate {
+    let Origin { event, station } = one.origin.clone();
+    SuiteCandidate {
+        ratios: one
+            .accelerations_m_s2
+            .iter()
+            .zip(target_m_s2)
+            .map(|(a, target)| a / target)
+            .collect(),
+        record: match (&event, &station) {
+            (Some(event), Some(station)) => format!("{event}\n{station}"),
+            _ => one.file.clone(),
+        },
+        event,
+        station,
+    }
+}
+
+fn member(
+    options: &SuiteOptions,
+    (one, name, factor): (&Found, String, f64),
+    periods_s: &[f64],
+    target_m_s2: &[f64],
+) -> Result<SuiteMember, WorkError> {
+    let place = || one.file.clone();
+    let mut motion = one.motion.clone().renamed(&name);
+    let mut matched = None;
+    let mut acceleration_m_s2: Vec<f64> = one.accelerations_m_s2.iter().map(|a| factor * a).collect();
+    if options.matched {
+        let told = SpectrumMatch {
+            damping_ratio: options.damping_ratio,
+            period_least_s: options.range_s[0],
+            period_most_s: options.range_s[1],
+            ..SpectrumMatch::default()
+        };
+        let demand = demand(&options.demand)?;
+        let target = |period_s: f64| {
+            demand
+                .acceleration_m_s2(period_s, options.damping_ratio)
+                .unwrap_or(f64::NAN)
+        };
+        let scaled = motion.scaled(factor).within(place)?;
+        let done = match_spectrum(&scaled, Component::X, &target, &told).within(place)?;
+        motion = done.motion.clone();
+        acceleration_m_s2 = accelerations(&motion, periods_s, options.damping_ratio)?;
+        matched = Some(done);
+    }
+    Ok(SuiteMember {
+        name,
+        file: one.file.clone(),
+        channel: one.reading.name.clone(),
+        orientation: one.reading.orientation,
+        origin: one.origin.clone(),
+        factor,
+        motion,
+        matched,
+        misfit: against(&acceleration_m_s2, target_m_s2),
+        acceleration_m_s2,
+    })
+}
+
+/// How far a spectrum is from the demand.
+fn against(found_m_s2: &[f64], target_m_s2: &[f64]) -> SpectrumMisfit {
+    let off: Vec<f64> = found_m_s2
+        .iter()
+        .zip(target_m_s2)
+        .map(|(a, target)| a / target - 1.0)
+        .collect();
+    SpectrumMisfit {
+        root_mean_square: (off.iter().map(|x| x * x).sum::<f64>() / off.len() as f64).sqrt(),
+        lowest: off.iter().copied().fold(f64::INFINITY, f64::min),
+        highest: off.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+    }
+}
+
+/// A name for a table of a project file from that of a file: "rsn6-impvall-i-elc180".
+fn named(file: &str) -> String {
+    let stem = file.rsplit(['/', '\\']).next().unwrap_or_default();
+    let stem = stem.rsplit_once('.').map_or(stem, |(stem, _)| stem);
+    let mut name = String::new();
+    for c in stem.chars() {
+        match c.is_ascii_alphanumeric() {
+            true => name.push(c.to_ascii_lowercase()),
+            false if !name.is_empty() && !name.ends_with('-') => name.push('-'),
+            false => {}
+        }
+    }
+    name.truncate(NAME_MOST);
+    match name.trim_matches('-') {
+        "" => "record".to_owned(),
+        name => name.to_owned(),
+    }
+}
+
+/// The name, or with a number behind it where it is taken.
+fn unique(name: &str, taken: &mut BTreeSet<String>) -> String {
+    let mut tried = name.to_owned();
+    let mut number = 1;
+    while !taken.insert(tried.clone()) {
+        number += 1;
+        tried = format!("{name}-{number}");
+    }
+    tried
+}
