@@ -38,6 +38,7 @@ mod looked_safe;
 mod motion_suites;
 mod names;
 mod not_known;
+mod nrml;
 mod one_stones;
 mod plan_stiffness;
 mod prints;

@@ -5,6 +5,7 @@ mod figures;
 mod modes;
 mod motion;
 mod named;
+mod nrml;
 mod paraview;
 mod ranking;
 mod sensors;

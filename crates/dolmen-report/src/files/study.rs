@@ -1,6 +1,7 @@
 //! A study as files: tables, figures, results.
 
 use super::named::NamedFile;
+use super::nrml::nrml_files;
 use crate::figures::study_figures;
 use crate::json::study_json;
 use crate::tables::{TableError, parquet};
@@ -46,6 +47,9 @@ pub fn study_files(answer: &StudyAnswer, language: Language) -> Result<Vec<Named
     }
     if answer.study.release_m.is_some() {
         table("release", release_columns(&answer.maps))?;
+    }
+    if answer.study.scan.is_some() {
+        files.extend(nrml_files(answer));
     }
     files.extend(study_figures(answer, language).into_iter().map(NamedFile::figure));
     files.push(NamedFile::json("study.json", &study_json(answer)?));

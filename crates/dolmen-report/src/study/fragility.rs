@@ -47,6 +47,14 @@ messages! {
         },
         RateFrom { rate: Quantity, least: Quantity } => { en: "{rate} (from {least} on)", ko: "{rate} ({least} 이상)" },
         More { more: usize } => { en: "And {more} more: fragility.csv.", ko: "그 밖의 {more}개 조합은 fragility.csv에 있다." },
+        TwoMedians => {
+            en: "θ is the median of the fitted curve. The median among the capacities is that of the scans themselves, to a step of the scan: the two differ where capacities are not lognormal, and where fewer than half of the scans reached the state.",
+            ko: "θ는 적합한 곡선의 중앙값이다. 한계 지진동 표의 중앙값은 증분해석 결과 자체의 중앙값으로 증분 간격까지 구하였다. 한계 지진동이 대수정규분포를 따르지 않거나 도달한 증분해석이 절반 미만이면 둘은 다르다.",
+        },
+        Records { motions: usize, records: usize } => {
+            en: "The {motions} motions are of {records} records: directions of one record count as one motion, in curves, intervals and bands.",
+            ko: "입력지진 {motions}개는 기록 {records}개에서 나왔다. 한 기록의 여러 방향은 곡선, 신뢰구간, 띠에서 입력지진 하나로 센다.",
+        },
         Bounds => {
             en: "Where none or all reached a state, or its scatter is below the steps of the scan: what is known with 95 % confidence, and no curve.",
             ko: "도달한 경우가 없거나 모두 도달하였을 때, 또는 산포가 증분 간격보다 작을 때에는 95 % 신뢰수준에서 알 수 있는 범위만 제시하고 곡선은 제시하지 않는다.",
@@ -73,6 +81,16 @@ pub(super) fn section(document: &mut Document<'_>, answer: &StudyAnswer) {
         let more = found.len() - shown.len();
         document.note(Curves::More { more });
     }
+    if let Some(records) = records(answer) {
+        document.note(records);
+    }
+    if shown
+        .iter()
+        .flat_map(|one| &one.states)
+        .any(|own| own.by_acceleration.is_ok())
+    {
+        document.note(Curves::TwoMedians);
+    }
     if shown.iter().flat_map(|one| &one.states).any(is_bounded) {
         document.note(Curves::Bounds);
     }
@@ -80,6 +98,13 @@ pub(super) fn section(document: &mut Document<'_>, answer: &StudyAnswer) {
     hazard::section(document, answer);
     measures::section(document, answer);
     joints::section(document, answer);
+}
+
+/// How many records the motions are of, where they are fewer.
+fn records(answer: &StudyAnswer) -> Option<Curves> {
+    let different: BTreeSet<&usize> = answer.records.iter().collect();
+    let (motions, records) = (answer.motions.len(), different.len());
+    (records < motions).then_some(Curves::Records { motions, records })
 }
 
 fn is_too_few(state: &StateFragility) -> bool {

@@ -66,6 +66,8 @@ pub struct StudyAnswer {
     pub shaking: ShakingScales,
     /// Motions, by name.
     pub motions: Vec<String>,
+    /// The record of each motion, by the number of the first motion that is of it.
+    pub records: Vec<usize>,
     /// Runs by job and scale.
     pub runs: Vec<Run>,
     /// Scans that are not done.
@@ -178,6 +180,12 @@ impl StudyAnswer {
     /// The motion of a job, from 0.
     pub fn motion_index(&self, job: usize) -> usize {
         job % self.replicates().max(1) / self.study.turns_rad.len()
+    }
+
+    /// The record that the motion of a job is of, from 0: directions of one record are no more motions.
+    pub fn record_index(&self, job: usize) -> usize {
+        let motion = self.motion_index(job);
+        self.records.get(motion).copied().unwrap_or(motion)
     }
 
     /// Whether every scan has an answer: a fall is what a study looks for, a scan without an answer is not.

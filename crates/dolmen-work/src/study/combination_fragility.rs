@@ -40,7 +40,7 @@ pub struct StateFragility {
     pub state: usize,
     /// What was seen, intensities as peak accelerations of the ground, m/s².
     pub observations: Vec<Observation>,
-    /// The motion of each, from 0: turned, or with other samples, it is the same one.
+    /// The record of each, from 0: turned, in its other directions, or with other samples, it is the same one.
     pub motions: Vec<usize>,
     /// The curve over peak acceleration, m/s², or why there is none.
     pub by_acceleration: Result<FragilityFit, AssessError>,

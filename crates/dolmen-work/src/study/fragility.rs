@@ -113,7 +113,7 @@ impl StudyAnswer {
             .filter_map(|scan| Some((*scan, scan.seen_m_s2[state]?)))
             .collect::<Vec<(&CapacityOf, Observation)>>();
         let observations: Vec<Observation> = seen.iter().map(|(_, seen)| *seen).collect();
-        let motions: Vec<usize> = seen.iter().map(|(scan, _)| self.motion_index(scan.job)).collect();
+        let motions: Vec<usize> = seen.iter().map(|(scan, _)| self.record_index(scan.job)).collect();
         let by_measure = self.measures().into_iter().filter_map(|measure| {
             let over_peak = seen.iter().map(|(scan, _)| {
                 let size = [scan.peak_of_scale_1_m_s2, scan.velocity_of_scale_1_m_s];

@@ -87,7 +87,7 @@ impl StudyAnswer {
             ends[1].push(high);
             if let Some(found) = found {
                 observations.push(found);
-                motions.push(self.motion_index(scan[0].job));
+                motions.push(self.record_index(scan[0].job));
             }
         }
         let is_whole = cut_short as f64 <= CUT_SHORT_MOST * scans.len() as f64;

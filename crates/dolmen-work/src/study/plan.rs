@@ -323,11 +323,34 @@ impl<'o> Plan<'o> {
             inputs: self.inputs.clone(),
             cases: self.cases.clone(),
             motions: self.motions.iter().map(|(name, _)| name.clone()).collect(),
+            records: self.records(),
             runs,
             missing,
             maps: Vec::new(),
             fitted: Fitted::default(),
         }
+    }
+
+    /// The record of each motion, by the number of the first motion that is of it.
+    fn records(&self) -> Vec<usize> {
+        let own = &self.opened.project.motions;
+        let part = |at: usize| own.iter().find(|part| part.name == self.motions[at].0);
+        let mut records: Vec<usize> = (0..self.motions.len()).collect();
+        for at in 0..self.motions.len() {
+            for before in 0..at {
+                let is_one = part(at)
+                    .zip(part(before))
+                    .is_some_and(|(at, before)| at.is_of_one_record(before));
+                if is_one && records[at] != records[before] {
+                    let (from, to) = (records[at].max(records[before]), records[at].min(records[before]));
+                    records
+                        .iter_mut()
+                        .filter(|of| **of == from)
+                        .for_each(|of| *of = to);
+                }
+            }
+        }
+        records
     }
 
     /// Warnings of the file, each with its line.
