@@ -24,7 +24,7 @@ fn record(seed: u64, size: f64) -> Vec<f64> {
         let envelope = (t / 2.0).min(1.0) * (-(t - 2.0).max(0.0) / 3.0).exp();
         let sum: f64 = swings
             .iter()
-            .map(|[period_s, weight, phase]| weight * (6.283185307179586 * t / period_s + phase).sin())
+            .map(|[period_s, weight, phase]| weight * (std::f64::consts::TAU * t / period_s + phase).sin())
             .sum();
         size * envelope * sum
     };
