@@ -58,7 +58,9 @@ pub use building::{
     FloorPart, GyrationPart, MassPart, MovingPart, StoreyStiffnessPart, Stroke, TunedTo, WallPart,
     WatchedPart, strokes_of,
 };
-pub use chain::{Cap, ChainLean, ChainPart, JointFrictionPart, JointPart, LinkPart, StonePart};
+pub use chain::{
+    Cap, ChainLean, ChainPart, FootingPart, JointFrictionPart, JointPart, LinkPart, SoilPart, StonePart,
+};
 pub use combine::{canonical_text, parse_combination};
 pub use content::{Project, Structure, Variant, Warning, WarningKind};
 pub use dolmen_records::{FileError, Files, MemoryFiles, NoFiles};

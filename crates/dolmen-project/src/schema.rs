@@ -57,7 +57,15 @@ fn blocks_or_made() -> Value {
 pub(super) const KEYS_OF_KIND: &[(&str, &[&str])] = &[
     (
         "chain",
-        &["links", "joints", "cap", "damping_ratio", "stone", "as_surveyed"],
+        &[
+            "links",
+            "joints",
+            "cap",
+            "damping_ratio",
+            "stone",
+            "soil",
+            "as_surveyed",
+        ],
     ),
     ("frame", &["storeys", "axial", "convention", "direction"]),
     (

@@ -139,7 +139,14 @@ fn known_before(before: &Quantity) -> String {
 fn of_chain(chain: &ChainPart, survey: &SurveyAnswer) -> Option<Vec<(String, NewValue)>> {
     let each = survey.stiffness.iter();
     let mut each = each.filter_map(|answer| one_solution(answer, "N m/rad", &survey.name));
-    let numbers = each.next().filter(|_| each.next().is_none())?;
+    let mut numbers = each.next().filter(|_| each.next().is_none())?;
+    if let (Some(soil), Some(lowest)) = (&chain.soil, numbers.first_mut()) {
+        // the file has the bed alone
+        let bed = soil.build(&mut Quantity::nominal).joint_n_m_rad(lowest.value)?;
+        let steeper = (bed / lowest.value).powi(2); // d bed / d together
+        lowest.sd = lowest.sd.map(|sd| sd * steeper);
+        lowest.value = bed;
+    }
     let known = chain.joints.as_ref();
     let known = known.map(|joints| joints.iter().map(|joint| &joint.stiffness).collect());
     let whole = |numbers| ("joints".to_owned(), NewValue::Each("stiffness", numbers));

@@ -7,12 +7,15 @@ mod lean;
 mod part;
 mod read;
 mod slips;
+mod soil;
+mod soil_part;
 mod stone;
 mod strength;
 
 pub(crate) use doubts::doubt_chain;
-pub(crate) use file::{CapRaw, JointRaw, LinkRaw, StoneRaw};
+pub(crate) use file::{CapRaw, HalfSpaceRaw, JointRaw, LinkRaw, StoneRaw};
 pub(crate) use lean::lean_chain;
 pub use part::{Cap, ChainLean, ChainPart, JointFrictionPart, JointPart, LinkPart, StonePart};
 pub(crate) use read::chain;
 pub(crate) use slips::judge_chain;
+pub use soil_part::{FootingPart, SoilPart};

@@ -1,7 +1,9 @@
 //! The chain of a project file, and the chain of the science it builds.
 
+use super::soil_part::SoilPart;
 use crate::heaviness::Heaviness;
 use crate::quantity::{Pick, Quantity};
+use dolmen::assess::JointOnSoil;
 use dolmen::dynamics::{ChainJoint, ChainModel, ChainRotations, DynamicsError, JointFriction, JointOpening};
 use dolmen::stability::BedEdge;
 use dolmen::structure::{Chain, Inertia, Link, Stone, StructureError};
@@ -95,6 +97,8 @@ pub struct ChainPart {
     pub damping_ratio: Option<Quantity>,
     /// The stone of the links; `None` if it is not given.
     pub stone: Option<Box<StonePart>>,
+    /// The soil below, in series with the lowest joint; `None` if the joint holds it.
+    pub soil: Option<Box<SoilPart>>,
     /// Acceleration of gravity, m/s², that turns weights into masses.
     pub gravity_m_s2: f64,
     /// How a survey found it to lean; `None` if none did, or the file leaves that out.
@@ -166,10 +170,27 @@ impl ChainPart {
         })
     }
 
-    /// Stiffness of each joint, N m/rad, lowest first; `None` if the joints are unknown.
+    /// Stiffness of each joint, N m/rad, lowest first, the soil in series with the lowest; `None` if the joints are unknown.
     pub fn stiffness_n_m_rad(&self, pick: Pick<'_>) -> Option<Vec<f64>> {
         let joints = self.joints.as_ref()?;
-        Some(joints.iter().map(|joint| pick(&joint.stiffness)).collect())
+        let each = joints.iter().map(|joint| pick(&joint.stiffness));
+        let mut stiffness: Vec<f64> = each.collect();
+        if let (Some(soil), Some(lowest)) = (&self.soil, stiffness.first_mut()) {
+            *lowest = soil.build(pick).in_series_n_m_rad(*lowest);
+        }
+        Some(stiffness)
+    }
+
+    /// The lowest joint and the soil below it; `None` if nothing is known of the soil.
+    pub fn on_soil(&self, pick: Pick<'_>) -> Option<JointOnSoil> {
+        let soil = self.soil.as_ref()?.build(pick);
+        let joint = self.joints.as_ref().and_then(|joints| joints.first());
+        let joint_n_m_rad = joint.map(|joint| pick(&joint.stiffness));
+        Some(JointOnSoil {
+            soil_n_m_rad: soil.rocking_n_m_rad(),
+            joint_n_m_rad,
+            together_n_m_rad: joint_n_m_rad.map(|joint| soil.in_series_n_m_rad(joint)),
+        })
     }
 
     /// Dashpot of each joint, N m s/rad, lowest first, 0 where none is given; `None` if the joints are unknown.
@@ -188,12 +209,12 @@ impl ChainPart {
         rotations: ChainRotations,
         pick: Pick<'_>,
     ) -> Result<Option<ChainModel>, DynamicsError> {
-        let Some(joints) = &self.joints else {
+        let (Some(joints), Some(stiffness)) = (&self.joints, self.stiffness_n_m_rad(pick)) else {
             return Ok(None);
         };
         let chain = self.build(pick)?;
         let mut built = Vec::with_capacity(joints.len());
-        for (part, link) in joints.iter().zip(chain.links()) {
+        for ((part, link), stiffness_n_m_rad) in joints.iter().zip(chain.links()).zip(stiffness) {
             let by_bed = match link.bed_width_m {
                 Some(_) => JointOpening::AtBedEdge,
                 None => JointOpening::Held,
@@ -209,7 +230,7 @@ impl ChainPart {
                 }
             };
             built.push(ChainJoint {
-                stiffness_n_m_rad: pick(&part.stiffness),
+                stiffness_n_m_rad,
                 damping_n_m_s_rad: part.damping.as_ref().map_or(0.0, &mut *pick),
                 opening: part.opening.unwrap_or(by_bed),
                 friction,
@@ -246,5 +267,6 @@ impl ChainPart {
         if let Some(stone) = &self.stone {
             all.extend([&stone.elastic_modulus, &stone.poisson_ratio, &stone.density]);
         }
+        all.extend(self.soil.iter().flat_map(|soil| soil.inputs()));
     }
 }

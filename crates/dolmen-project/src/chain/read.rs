@@ -3,6 +3,7 @@
 use super::file::{CapRaw, JointRaw, LinkRaw, OpeningRaw};
 use super::friction::{chain_damping, joint_friction};
 use super::part::{Cap, ChainPart, JointPart, LinkPart};
+use super::soil::soil;
 use super::stone::{shafts_are_shafts, stone};
 use super::strength::beds_bear;
 use crate::content::WarningKind;
@@ -188,6 +189,7 @@ pub(crate) fn chain(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) -> Op
         cap,
         damping_ratio,
         stone: stone(reader, raw.stone.as_ref()).map(Box::new),
+        soil: soil(reader, raw.soil.as_ref()).map(Box::new),
         gravity_m_s2,
         lean: None,
     };

@@ -1,6 +1,7 @@
 //! Probable slips in a chain.
 
 use super::part::{ChainPart, JointPart, LinkPart};
+use super::soil::judge_soil;
 use super::stone::judge_stone;
 use crate::measure::Measure;
 use crate::quantity::Quantity;
@@ -58,6 +59,9 @@ pub(crate) fn judge_chain(reader: &mut Reader, chain: &ChainPart) {
     judge_joints(reader, chain, &masses);
     if let Some(stone) = &chain.stone {
         judge_stone(reader, stone);
+    }
+    if let Some(soil) = &chain.soil {
+        judge_soil(reader, soil);
     }
 }
 

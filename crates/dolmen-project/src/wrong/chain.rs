@@ -136,6 +136,26 @@ messages! {
             ko: "stone = {{ elastic_modulus = \"40 GPa\", poisson_ratio = 0.2, density = \"2600 kg/m3\" }}를 쓴다. 화강암은 20~60 GPa, 0.15~0.3, 2600 kg/m3이다",
         },
         PoissonOfStone => { en: "granite has 0.15 to 0.3", ko: "화강암은 0.15~0.3이다" },
+        SoilNeedsFooting => {
+            en: "soil has no footing, or two",
+            ko: "soil에 기초의 크기가 없거나 두 가지로 주어졌다",
+        },
+        SoilKeys => {
+            en: "soil = {{ shear_modulus = \"40 MPa\", poisson_ratio = 0.35, along = 1.8, across = 2.4 }}, or diameter = 2.0 in place of both sides",
+            ko: "soil = {{ shear_modulus = \"40 MPa\", poisson_ratio = 0.35, along = 1.8, across = 2.4 }}를 쓴다. 원형 기초는 두 변 대신 diameter = 2.0을 쓴다",
+        },
+        PoissonOfSoil => {
+            en: "dry sand has 0.25 to 0.35, saturated clay nearly 0.5",
+            ko: "마른 모래는 0.25~0.35, 포화 점토는 0.5에 가깝다",
+        },
+        ModulusOfNoSoil { path: String, written: String } => {
+            en: "{path} = {written}, but soil and rock have 0.3 MPa to 40 GPa",
+            ko: "{path} = {written}인데 흙과 암반은 0.3 MPa~40 GPa이다",
+        },
+        SoilModulusInPa => {
+            en: "is it in Pa, kPa or MPa? A shear wave of 150 m/s in 1800 kg/m3 has 40 MPa. A bare number is in units.stress, Pa without it",
+            ko: "단위가 Pa, kPa, MPa 중 어느 것인가? 전단파속도 150 m/s, 밀도 1800 kg/m3이면 40 MPa이다. 단위 없는 수는 units.stress, 그것도 없으면 Pa이다",
+        },
         StoneOfTooMany { links: usize } => {
             en: "stone is given for {links} links",
             ko: "부재 {links}개에 stone이 주어졌다",

@@ -20,6 +20,16 @@ messages! {
             ko: "부재 하단 접합부에서 잰 무게중심 높이",
         },
         RotationalStiffness => { en: "Rotational stiffness.", ko: "회전강성" },
+        YoungsModulus => { en: "Young's modulus: a stress.", ko: "탄성계수(응력 단위)" },
+        PoissonsRatio => { en: "Poisson's ratio, 0 to 0.5.", ko: "푸아송비, 0~0.5" },
+        LinkDensity => {
+            en: "Density: with the weight of a link it gives its volume.",
+            ko: "밀도. 부재의 무게로 부피를 구한다",
+        },
+        SoilModulus => {
+            en: "Shear modulus: density times the square of the shear wave velocity.",
+            ko: "전단탄성계수. 밀도와 전단파속도 제곱의 곱",
+        },
         ColumnHeight => { en: "Column height.", ko: "기둥 높이" },
         LateralStiffness => {
             en: "Lateral stiffness of each storey, lowest first, or \"unknown\".",

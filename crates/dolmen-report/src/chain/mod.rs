@@ -10,11 +10,13 @@ mod simulation;
 mod simulation_ending;
 mod simulation_run;
 mod simulation_tables;
+mod soil;
 
 pub(crate) use findings::findings;
 pub use simulation::chain_simulation_text;
 pub(crate) use simulation::simulation_sections;
 pub(crate) use simulation_ending::simulation_findings;
+pub(crate) use soil::identified;
 
 use crate::document::{Document, Figure};
 use crate::figures::{chain_elevation, stiffness_limits};
@@ -46,13 +48,14 @@ messages! {
 }
 
 /// The sentences on chains as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 11] = [
+pub(crate) const TEMPLATES: [&[Template]; 12] = [
     findings::Found::TEMPLATES,
     Stability::TEMPLATES,
     limits::Limits::TEMPLATES,
     margins::Margins::TEMPLATES,
     modes::Modes::TEMPLATES,
     one_stone::OneStone::TEMPLATES,
+    soil::OnSoil::TEMPLATES,
     centroids::Centroids::TEMPLATES,
     simulation::Shown::TEMPLATES,
     simulation_ending::Ending::TEMPLATES,

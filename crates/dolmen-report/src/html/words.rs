@@ -250,8 +250,14 @@ fn stack_words(path: &str, language: Language) -> Option<String> {
 }
 
 fn part_words(part: &str, language: Language) -> Option<String> {
-    if part == "joint" {
-        return Some(language.pick("all joints:", "모든 접합면").to_string());
+    let whole = match part {
+        "joint" => Some(language.pick("all joints:", "모든 접합면")),
+        "soil" => Some(language.pick("soil:", "지반")),
+        "stone" => Some(language.pick("stone:", "석재")),
+        _ => None,
+    };
+    if let Some(whole) = whole {
+        return Some(whole.to_owned());
     }
     let (kind, number) = part.split_once('[')?;
     let number = number.strip_suffix(']')?;
@@ -313,6 +319,11 @@ fn quantity_word(quantity: &str, language: Language) -> Option<&'static str> {
         "course_height" => language.pick("height of a course", "켜 높이"),
         "stone_length" => language.pick("length of a stone", "부재 길이"),
         "gap" => language.pick("gap", "유격"),
+        "elastic_modulus" => language.pick("Young's modulus", "탄성계수"),
+        "shear_modulus" => language.pick("shear modulus", "전단탄성계수"),
+        "poisson_ratio" => language.pick("Poisson's ratio", "푸아송비"),
+        "along" => language.pick("side along the motion", "진동 방향 변"),
+        "across" => language.pick("side across the motion", "직각 방향 변"),
         "axial_stiffness" => language.pick("axial stiffness", "축강성"),
         "tension_strength" => language.pick("tensile strength", "인장강도"),
         "strength" => language.pick("compressive strength", "압축강도"),

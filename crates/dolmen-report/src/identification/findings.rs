@@ -8,7 +8,7 @@ use super::solutions::stiffness_quantities;
 use super::words::{Words, counted};
 use crate::document::{Finding, Tone};
 use dolmen::structure::{Choice, StiffnessNote};
-use dolmen_project::{Project, Structure};
+use dolmen_project::{Project, Quantity as Input, Structure};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, Values, messages};
 use dolmen_work::surveyed::{StiffnessAnswer, SurveyAnswer, WithoutStiffness};
 
@@ -67,6 +67,10 @@ messages! {
             en: "no real stiffness explains the measured modes ({modes}).",
             ko: "계측 모드 {modes}개를 설명하는 실수 강성이 없다.",
         },
+        OfSurveys { surveys: Vec<String>, said: Sentence } => {
+            en: "Survey {surveys}: {said}",
+            ko: "{surveys} 조사: {said}",
+        },
         Then { first: Sentence, then: Sentence } => { en: "{first} {then}", ko: "{first} {then}" },
     }
 }
@@ -86,13 +90,25 @@ pub(crate) fn findings(project: &Project, all: &[SurveyAnswer]) -> Vec<Finding> 
     let is_asked = |answer: &StiffnessAnswer| answer.convention.is_none() || answer.convention == asked;
     let own = each().filter(|(_, answer)| is_asked(answer));
     let own = own.map(|(survey, answer)| choice(&survey.name, answer));
+    let soil = match &project.structure {
+        Structure::Chain(part) => part.soil.as_ref().map(|soil| soil.build(&mut Input::nominal)),
+        _ => None,
+    };
+    let beds = each().filter_map(|(survey, answer)| {
+        let is_one = answer.solutions.choice == Choice::One && answer.peaks_below_hz.is_empty();
+        let lowest = answer.solutions.solutions.first().filter(|_| is_one)?;
+        Some(crate::chain::identified(
+            soil.as_ref()?,
+            &survey.name,
+            *lowest.stiffness.first()?,
+        ))
+    });
     let others = each().filter(|(_, answer)| !is_asked(answer));
     let others = others.map(|(survey, answer)| Finding {
         tone: Tone::Plain,
         is_key: false,
         ..choice(&survey.name, answer)
     });
-    let unsought = all.iter().filter_map(|survey| survey.without_stiffness.as_ref());
     let in_plan = all
         .iter()
         .filter_map(|survey| Some((survey, survey.plan.as_ref()?)));
@@ -101,11 +117,38 @@ pub(crate) fn findings(project: &Project, all: &[SurveyAnswer]) -> Vec<Finding> 
         .iter()
         .filter_map(|survey| Some((survey, survey.factors.as_ref()?)));
     let joint_by_joint = joint_by_joint.flat_map(|(survey, answer)| joints::findings(&survey.name, answer));
-    own.chain(in_plan)
+    own.chain(beds)
+        .chain(in_plan)
         .chain(joint_by_joint)
-        .chain(unsought.map(without))
+        .chain(unsought(all))
         .chain(others)
         .collect()
+}
+
+/// Why surveys seek no stiffness: once for all that have the same reason.
+fn unsought(all: &[SurveyAnswer]) -> Vec<Finding> {
+    let mut reasons: Vec<(&WithoutStiffness, Vec<String>)> = Vec::new();
+    for survey in all {
+        let Some(why) = &survey.without_stiffness else {
+            continue;
+        };
+        match reasons.iter_mut().find(|(known, _)| *known == why) {
+            Some((_, surveys)) => surveys.push(survey.name.clone()),
+            None => reasons.push((why, vec![survey.name.clone()])),
+        }
+    }
+    let each = reasons.into_iter().map(|(why, surveys)| match all.len() {
+        1 => without(why),
+        _ => {
+            let found = without(why);
+            let said = found.sentence;
+            Finding {
+                sentence: Found::OfSurveys { surveys, said }.into(),
+                ..found
+            }
+        }
+    });
+    each.collect()
 }
 
 fn without(why: &WithoutStiffness) -> Finding {

@@ -14,6 +14,7 @@ pub(crate) fn check(part: &ChainPart, pick: Pick<'_>) -> Result<ChainCheck, Work
         let beside = check_one_stone(&chain, stone.build(pick), stiffness.as_deref(), &check.modes)?;
         check.one_stone = Some(beside);
     }
+    check.on_soil = part.on_soil(pick);
     Ok(check)
 }
 

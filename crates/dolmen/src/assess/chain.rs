@@ -18,6 +18,27 @@ pub struct ChainCheck {
     pub centroids: Vec<CentroidEffect>,
     /// Beside the pole without joints; `None` if its stone is not known. [`check_one_stone`](super::check_one_stone) makes it.
     pub one_stone: Option<OneStoneCheck>,
+    /// The lowest joint and the soil below it; `None` if nothing is known of the soil.
+    pub on_soil: Option<JointOnSoil>,
+}
+
+/// The lowest joint in series with the soil that it stands on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct JointOnSoil {
+    /// Rocking stiffness of the footing on the soil, N m/rad.
+    pub soil_n_m_rad: f64,
+    /// Stiffness of the joint alone, N m/rad; `None` if it is not known.
+    pub joint_n_m_rad: Option<f64>,
+    /// Both in series, which is what moves, N m/rad.
+    pub together_n_m_rad: Option<f64>,
+}
+
+impl JointOnSoil {
+    /// What the soil turns of all that both turn.
+    pub fn soil_share(&self) -> Option<f64> {
+        Some(self.together_n_m_rad? / self.soil_n_m_rad)
+    }
 }
 
 /// By how much each centre of mass is lowered to show what it does: 20 %, as in Table 3 of Choi (2021).
@@ -58,6 +79,7 @@ pub fn check_chain(chain: &Chain, stiffness_n_m_rad: Option<&[f64]>) -> Result<C
             .map(|link| centroid_effect(chain, link, CENTROID_CHANGE, stiffness_n_m_rad))
             .collect::<Result<_, _>>()?,
         one_stone: None,
+        on_soil: None,
     })
 }
 

@@ -41,6 +41,7 @@ mod rocking_and_sliding;
 mod rocking_block;
 mod setups;
 mod sliding_pile;
+mod soil;
 mod spreading_arches;
 mod stack_contacts;
 mod stack_ends;

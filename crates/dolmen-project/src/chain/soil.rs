@@ -1,0 +1,61 @@
+//! The soil below a chain.
+
+use super::file::HalfSpaceRaw;
+use super::soil_part::{FootingPart, SoilPart};
+use crate::error::Fault;
+use crate::file_number::{At, QuantityRaw};
+use crate::measure::{Bound, Measure};
+use crate::ratio::below;
+use crate::reader::Reader;
+use crate::usual::within;
+use crate::wrong::WrongChain;
+
+/// Largest Poisson's ratio: that of water-saturated clay.
+const POISSON_RATIO_MOST: f64 = 0.5;
+/// Shear modulus, Pa: peat to sound rock, with room.
+const SHEAR_MODULUS_PA: (f64, f64) = (0.3e6, 40e9);
+
+pub(super) fn soil(reader: &mut Reader, raw: Option<&At<HalfSpaceRaw>>) -> Option<SoilPart> {
+    let raw = raw?;
+    reader.mark("soil", &raw.span);
+    let keys = &raw.value;
+    let of = |reader: &mut Reader, raw: &Option<At<QuantityRaw>>, key: &str, measure| {
+        reader.quantity(raw.as_ref(), &format!("soil.{key}"), measure, Bound::Positive)
+    };
+    let shear_modulus = of(reader, &keys.shear_modulus, "shear_modulus", Measure::Stress);
+    let poisson_ratio = of(reader, &keys.poisson_ratio, "poisson_ratio", Measure::Ratio);
+    let poisson_ratio = poisson_ratio.and_then(|ratio| {
+        let raw = keys.poisson_ratio.as_ref();
+        below(reader, ratio, raw, POISSON_RATIO_MOST, WrongChain::PoissonOfSoil)
+    });
+    let diameter = of(reader, &keys.diameter, "diameter", Measure::Length);
+    let along = of(reader, &keys.along, "along", Measure::Length);
+    let across = of(reader, &keys.across, "across", Measure::Length);
+    let are_given = [&keys.diameter, &keys.along, &keys.across].map(Option::is_some);
+    let footing = match are_given {
+        [true, false, false] => FootingPart::Circle(diameter?),
+        [false, true, true] => FootingPart::Rectangle([along?, across?]),
+        _ => {
+            let fault = Fault::new(reader.place("soil"), "soil", WrongChain::SoilNeedsFooting);
+            reader.fault(fault.help(WrongChain::SoilKeys));
+            return None;
+        }
+    };
+    Some(SoilPart {
+        shear_modulus: shear_modulus?,
+        poisson_ratio: poisson_ratio?,
+        footing,
+    })
+}
+
+/// Probable slips of its numbers.
+pub(super) fn judge_soil(reader: &mut Reader, soil: &SoilPart) {
+    let modulus = &soil.shear_modulus;
+    if !within(modulus.value, SHEAR_MODULUS_PA) {
+        let message = WrongChain::ModulusOfNoSoil {
+            path: modulus.path.clone(),
+            written: modulus.written.clone(),
+        };
+        reader.slip(&modulus.path, message, WrongChain::SoilModulusInPa);
+    }
+}

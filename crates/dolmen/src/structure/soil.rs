@@ -1,0 +1,72 @@
+//! Rocking of a rigid footing on soil, and a joint in series with it.
+
+/// What a structure stands on: the plan of a rigid footing.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Footing {
+    /// A circle.
+    Circle {
+        /// Its diameter, m.
+        diameter_m: f64,
+    },
+    /// A rectangle.
+    Rectangle {
+        /// Its side in the direction of motion, m.
+        along_m: f64,
+        /// Its side across it, m.
+        across_m: f64,
+    },
+}
+
+/// A rigid footing that rests on the surface of an elastic half-space and stays in contact with it.
+///
+/// ```text
+/// circle      K = 8 G R³ / (3 (1 − ν))
+/// rectangle   about the long axis    K = G b³/(1 − ν) [3.2 L/B + 0.8]
+///             about the short axis   K = G b³/(1 − ν) [3.73 (L/B)^2.4 + 0.27]      b: half the short side
+/// ```
+///
+/// SOURCE   the circle: a tilted rigid disc, in closed form; the rectangle: the fit of Pais, A. and Kausel, E. (1988) Soil Dynamics and
+///          Earthquake Engineering 7(4), 213-227.
+/// ASSUMES  no embedment, no layer of rock below, small strain: the shear modulus of shaking is lower, and that of a quake much lower.
+/// CHECKED  `soil::holds_pressures_on_a_half_space_give_the_same_stiffness`: squares of pressure under the footing.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Soil {
+    /// Shear modulus G, Pa.
+    pub shear_modulus_pa: f64,
+    /// Poisson's ratio ν.
+    pub poisson_ratio: f64,
+    /// The footing.
+    pub footing: Footing,
+}
+
+impl Soil {
+    /// Rocking stiffness K in the direction of motion, N m/rad.
+    pub fn rocking_n_m_rad(&self) -> f64 {
+        let modulus_pa = self.shear_modulus_pa / (1.0 - self.poisson_ratio);
+        match self.footing {
+            Footing::Circle { diameter_m } => modulus_pa * diameter_m.powi(3) / 3.0,
+            Footing::Rectangle { along_m, across_m } => {
+                let half_m = 0.5 * along_m.min(across_m);
+                let slenderness = along_m.max(across_m) / along_m.min(across_m);
+                let shape = match along_m > across_m {
+                    // it rocks about its short axis
+                    true => 3.73 * slenderness.powf(2.4) + 0.27,
+                    false => 3.2 * slenderness + 0.8,
+                };
+                modulus_pa * half_m.powi(3) * shape
+            }
+        }
+    }
+
+    /// A joint and the soil in series, N m/rad: 1/k = 1/k_joint + 1/K.
+    pub fn in_series_n_m_rad(&self, joint_n_m_rad: f64) -> f64 {
+        let soil = self.rocking_n_m_rad();
+        joint_n_m_rad * soil / (joint_n_m_rad + soil)
+    }
+
+    /// The joint that, in series with the soil, has this stiffness, N m/rad; `None` where the soil alone is no stiffer.
+    pub fn joint_n_m_rad(&self, together_n_m_rad: f64) -> Option<f64> {
+        let soil = self.rocking_n_m_rad();
+        (together_n_m_rad < soil).then(|| together_n_m_rad * soil / (soil - together_n_m_rad))
+    }
+}
