@@ -65,13 +65,16 @@ impl WatchAnswer {
             .count()
     }
 
-    /// Confirmed alarms that no repair and no inspection answered.
+    /// Confirmed alarms that no repair and no inspection answered; modes that vanished are one.
     pub fn open_alarms(&self) -> usize {
-        self.watched
-            .alarms
-            .iter()
-            .filter(|alarm| !alarm.is_answered)
-            .count()
+        let open = self.watched.alarms.iter().filter(|alarm| !alarm.is_answered);
+        open.count() + usize::from(self.watched.is_mode_lost())
+    }
+
+    /// The first survey that misses a mode, where modes vanished beyond chance.
+    pub fn lost_since(&self) -> Option<usize> {
+        let since = self.watched.lost.iter().map(|of| of.since).min();
+        since.filter(|_| self.watched.is_mode_lost())
     }
 
     /// Sensors that fail in the newest record.
@@ -90,7 +93,7 @@ impl WatchAnswer {
         let beyond = leans.filter(LeanNow::is_beyond).map(|lean| lean.size);
         let logs = self.logs.iter().filter(|log| log.is_tilt() && log.is_beyond());
         beyond
-            .chain(logs.map(|log| log.trend.now.abs()))
+            .chain(logs.map(|log| log.trend.size_to_judge().abs()))
             .max_by(f64::total_cmp)
     }
 

@@ -137,5 +137,44 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             }
         }
     }
+    seen(histories);
     Ok(())
+}
+
+/// How often a step halfway of the size that an unchanged history of this length states is found in the first mode, and smaller ones.
+fn seen(histories: u64) {
+    println!(
+        "\nsteps halfway over what unchanged histories state to be seen with 80 %, {histories} histories each"
+    );
+    println!("surveys  stated  found at 0.5, 0.7 and 1 times that");
+    let options = WatchOptions::default();
+    for surveys in [15, 25, 40, 80, 200, 365] {
+        let made = |seed: u64, step: Option<(usize, f64)>| {
+            let of = MadeHistory {
+                surveys,
+                seed,
+                step,
+                ..MadeHistory::default()
+            };
+            watch(&made_history(&of), &options).ok()
+        };
+        let stated = (0..20).filter_map(|seed| made(900_000 + seed, None)?.modes[0].seen_from_ratio);
+        let mut stated: Vec<f64> = stated.collect();
+        stated.sort_by(f64::total_cmp);
+        let size = stated[stated.len() / 2];
+        let found = [0.5, 0.7, 1.0].map(|factor| {
+            let finds = |seed: &u64| {
+                let found = made(*seed, Some((surveys / 2, -size * factor)));
+                found.is_some_and(|found| !found.modes[0].changes.is_empty())
+            };
+            100.0 * (0..histories).into_par_iter().filter(finds).count() as f64 / histories as f64
+        });
+        println!(
+            "{surveys:>7}  {:.2} %  {:>3.0} %  {:>3.0} %  {:>3.0} %",
+            100.0 * size,
+            found[0],
+            found[1],
+            found[2]
+        );
+    }
 }

@@ -161,6 +161,9 @@ fn sensors(reader: &mut Reader, source: &RecordSource, path: &str) {
     }
 }
 
+/// A frequency is known from another survey that has one so near, relative. Chosen here.
+const KNOWN_WITHIN: f64 = 0.1;
+
 /// Modes of a direction by their number against those of the other surveys.
 fn modes(reader: &mut Reader, survey: &Survey, surveys: &[Survey]) {
     let numbered = |survey: &Survey, direction: &str| -> Vec<f64> {
@@ -181,7 +184,11 @@ fn modes(reader: &mut Reader, survey: &Survey, surveys: &[Survey]) {
             }
             let usual = same[same.len() / 2];
             let against = mode.frequency.value / usual;
-            if !(1.0 / UNLIKE..=UNLIKE).contains(&against) {
+            // a survey that misses a mode numbers those above it anew
+            let is_near = |hz: &f64| (hz / mode.frequency.value - 1.0).abs() <= KNOWN_WITHIN;
+            let others = surveys.iter().filter(|other| other.name != survey.name);
+            let known = others.filter(|other| numbered(other, direction).iter().any(is_near));
+            if !(1.0 / UNLIKE..=UNLIKE).contains(&against) && known.count() < SURVEYS_LEAST - 1 {
                 let path = &mode.frequency.path;
                 let (measured, others) = (hertz(mode.frequency.value), hertz(usual));
                 reader.doubt(

@@ -92,7 +92,21 @@ pub fn watch_json(answer: &WatchAnswer) -> Value {
         .map(|(_, alarm)| alarm)
         .chain(sensors)
         .collect();
+    let lost = watched.lost.iter().map(|lost| {
+        json!({
+            "mode": lost.mode + 1,
+            "frequency_hz": frequency(lost.mode),
+            "since": name(lost.since),
+            "surveys_missing": lost.missed,
+            "found_before": lost.found,
+            "surveys_before": lost.of,
+            "p_value": lost.chance,
+            "began_hz": lost.began_hz,
+        })
+    });
     json!({
+        "modes_lost": lost.collect::<Vec<_>>(),
+        "is_mode_lost": watched.is_mode_lost(),
         "project": project(&answer.project, &answer.file),
         "surveys": answer.surveys.iter().map(|survey| json!({
             "name": survey.name,
@@ -247,6 +261,8 @@ fn log(log: &WatchedLog, answer: &WatchAnswer) -> Value {
         "per_c": trend.per_c.map(|known| known.0),
         "per_c_sd": trend.per_c.map(|known| known.1),
         "now": trend.now,
+        "newest": trend.newest,
+        "days_at_limit": trend.at_limit.len(),
         "limit": trend.limit.map(|limit| limit.size),
         "beyond_limit": trend.is_beyond_limit(),
         "years_to_limit": reach.and_then(|reach| reach.years),

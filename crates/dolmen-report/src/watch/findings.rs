@@ -2,13 +2,13 @@
 
 use super::failing::failing;
 use super::logs::logs;
+use super::lost::{last_apart, lost, wandering};
 use super::numbers::{HALF_95, bare_percent, hertz, name, percent, plain};
 use super::tilts::{jumped, leans, tilt};
 use crate::document::{Finding, Tone};
 use dolmen::monitoring::{
     ChangeForm, LastOff, NotJudged, StructureAlarm, WatchedChange, WatchedMode, WeatherKnown,
 };
-use dolmen::numeric::quantile;
 use dolmen_project::{WorkKind, WorkPart};
 use dolmen_words::{Language, Quantity, Sentence, messages};
 use dolmen_work::watched::WatchAnswer;
@@ -63,10 +63,6 @@ messages! {
             en: "Whether a frequency changed lastingly from {from} to {to} cannot be said: no mode was found in 8 surveys or more. Measure on, or compare two surveys (`dolmen compare`).",
             ko: "{from}부터 {to}까지 고유진동수가 지속적으로 변하였는지 판단할 수 없다. 8회 이상의 조사에서 확인된 모드가 없다. 계측을 계속하거나 두 조사를 비교한다(`dolmen compare`).",
         },
-        LastApart { last: String, frequency: Quantity, change: Quantity, usual: Quantity, times: Quantity } => {
-            en: "The last survey, {last}, has {frequency}: {change} from the median of those before it, {usual}, and {times} times the standard deviations of both. With so few surveys that gives no alarm, and the weather may do it; look at it with `dolmen compare`.",
-            ko: "마지막 조사 {last}의 고유진동수는 {frequency}(으)로, 이전 조사의 중앙값 {usual}에서 {change} 변하였으며 표준편차의 {times}배이다. 조사가 적어 경보로 판정하지 않으며 기상의 영향일 수 있다. `dolmen compare`로 살펴본다.",
-        },
         Missed { frequency: Quantity, least: Quantity } => {
             en: "Beside that, a lasting step of {least} would have been seen with 80 % probability, in the mode that shows least ({frequency}).",
             ko: "이 밖에 {least} 이상의 계단형 변화가 있었다면 80 % 확률로 검출되었을 것이다(가장 불리한 모드 {frequency}).",
@@ -74,6 +70,10 @@ messages! {
         Worked { date: String, frequency: Quantity, by: Quantity, half: Quantity } => {
             en: "With the repair of {date} {frequency} changed by {by} ± {half}.",
             ko: "{date} 보수 전후로 {frequency} 모드는 {by} ± {half} 변하였다.",
+        },
+        SensorOrStructure { survey: String } => {
+            en: "Shapes and frequencies jumped on {survey}: a sensor that was moved or turned changes shapes alone, so look at both, the sensors and the structure.",
+            ko: "{survey}에 모드형상과 고유진동수가 함께 급변하였다. 센서의 이동이나 방향 변경은 형상만 바꾸므로 센서와 구조물을 모두 점검한다.",
         },
         NoTemperature => {
             en: "Temperatures are not known: only repeating seasons can tell a lasting change from the weather. Enter temperature_c with each survey.",
@@ -135,12 +135,14 @@ pub(super) fn chance(p: f64) -> Sentence {
 /// The findings: alarms, changes, what could have been missed, tilts, what is doubtful.
 pub(crate) fn findings(answer: &WatchAnswer) -> Vec<Finding> {
     // no alarm is no good news where something changed and nobody answered it
+    let mut all = lost(answer);
     let alarms = alarms(answer);
     let is_news = alarms.iter().any(|of| of.tone == Tone::Bad) || !has_unanswered(answer);
-    let (mut all, after) = match is_news {
+    let (before, after) = match is_news {
         true => (alarms, Vec::new()),
         false => (Vec::new(), alarms),
     };
+    all.extend(before);
     all.extend(far_ahead(answer));
     all.extend(last_survey(answer));
     all.extend(changes(answer));
@@ -191,6 +193,11 @@ fn mode_hz(answer: &WatchAnswer, mode: usize) -> Quantity {
     )
 }
 
+/// Whether the last survey tells of the modes at all.
+fn is_doubtful(answer: &WatchAnswer) -> bool {
+    !answer.watched.lost.is_empty() || last_survey(answer).is_some()
+}
+
 fn alarms(answer: &WatchAnswer) -> Vec<Finding> {
     let watched = &answer.watched;
     let open: Vec<&StructureAlarm> = watched.alarms.iter().filter(|alarm| !alarm.is_answered).collect();
@@ -201,9 +208,12 @@ fn alarms(answer: &WatchAnswer) -> Vec<Finding> {
     let Some(first) = open.first() else {
         let last = name(answer, answer.surveys.len().saturating_sub(1));
         let answered = watched.alarms.len();
+        if watched.is_mode_lost() {
+            return Vec::new();
+        }
         return match is_judged {
             true => {
-                let tone = match has_unanswered(answer) {
+                let tone = match has_unanswered(answer) || is_doubtful(answer) {
                     true => Tone::Plain,
                     false => Tone::Good,
                 };
@@ -263,6 +273,9 @@ fn has_unanswered(answer: &WatchAnswer) -> bool {
     })
 }
 
+/// Standard deviations by which a frequency falls with a repair from which that is said first. Chosen here.
+const FALLS_FROM: f64 = 3.0;
+
 /// Why the last survey was not judged, where no mode of it was.
 fn last_survey(answer: &WatchAnswer) -> Option<Finding> {
     let last = answer.surveys.len().checked_sub(1)?;
@@ -293,57 +306,6 @@ fn last_survey(answer: &WatchAnswer) -> Option<Finding> {
     Some(Finding::key(Tone::Unknown, Found::LastNotJudged { last, reason }))
 }
 
-/// Deviations from the median of the surveys before it from which the last one is pointed at, where none is judged. Chosen here.
-const APART_FROM: f64 = 4.0;
-
-/// Modes that the last survey has elsewhere than those before it, the farthest first.
-fn last_apart(answer: &WatchAnswer) -> Vec<Finding> {
-    let Some(last) = answer.surveys.len().checked_sub(1) else {
-        return Vec::new();
-    };
-    let mut apart: Vec<(f64, Found)> = Vec::new();
-    for mode in &answer.watched.modes {
-        let read = |survey: usize| {
-            let at = (*mode.track.modes.get(survey)?)?;
-            let of = answer.surveys.get(survey)?;
-            Some((
-                *of.frequencies_hz.get(at)?,
-                of.frequency_sds_hz.get(at)?.unwrap_or(0.0),
-            ))
-        };
-        let before: Vec<(f64, f64)> = (0..last).filter_map(read).collect();
-        let Some((now_hz, now_sd_hz)) = read(last).filter(|_| before.len() >= 2) else {
-            continue;
-        };
-        let usual_hz = middle(&before.iter().map(|(hz, _)| *hz).collect::<Vec<_>>());
-        let off: Vec<f64> = before.iter().map(|(hz, _)| (hz - usual_hz).abs()).collect();
-        let stated = middle(&before.iter().map(|(_, sd)| *sd).collect::<Vec<_>>());
-        // the normal deviation of a median of absolute deviations, and no less than what the surveys state
-        let usual_sd_hz = stated.max(1.4826 * middle(&off));
-        let times = (now_hz - usual_hz).abs() / now_sd_hz.hypot(usual_sd_hz);
-        if times.is_finite() && times >= APART_FROM {
-            let found = Found::LastApart {
-                last: name(answer, last),
-                frequency: hertz(now_hz),
-                change: percent(now_hz / usual_hz - 1.0, 1),
-                usual: hertz(usual_hz),
-                times: plain(times, 0),
-            };
-            apart.push((times, found));
-        }
-    }
-    apart.sort_by(|a, b| b.0.total_cmp(&a.0));
-    apart
-        .into_iter()
-        .map(|(_, found)| Finding::key(Tone::Warn, found))
-        .collect()
-}
-
-/// The median; not a number of none.
-fn middle(values: &[f64]) -> f64 {
-    quantile(values, 0.5).unwrap_or(f64::NAN)
-}
-
 fn changes(answer: &WatchAnswer) -> Vec<Finding> {
     let watched = &answer.watched;
     let listed: Vec<(&WatchedMode, &WatchedChange)> = watched
@@ -370,6 +332,7 @@ fn changes(answer: &WatchAnswer) -> Vec<Finding> {
         .iter()
         .filter_map(|mode| Some(last_off(answer, mode, mode.last_off?)))
         .collect();
+    let wandering = wandering(answer);
     if listed.is_empty() {
         let said = Found::Unchanged {
             modes: watched.modes.len(),
@@ -377,11 +340,21 @@ fn changes(answer: &WatchAnswer) -> Vec<Finding> {
             to,
             least: percent(least, 2),
         };
-        let unchanged = match off.is_empty() {
+        let unchanged = match off.is_empty() && wandering.is_empty() && !is_doubtful(answer) {
             true => Finding::key(Tone::Good, said),
             false => Finding::new(Tone::Plain, said),
         };
-        return off.into_iter().chain([unchanged]).collect();
+        // the weather of the last survey is not known, or of no other: how far it is off all others says something all the same
+        let apart = match last_survey(answer).is_some() {
+            true => last_apart(answer),
+            false => Vec::new(),
+        };
+        return apart
+            .into_iter()
+            .chain(off)
+            .chain(wandering)
+            .chain([unchanged])
+            .collect();
     }
     let mut strongest = listed.clone();
     strongest.sort_by(|a, b| (b.1.ratio / b.1.sd).abs().total_cmp(&(a.1.ratio / a.1.sd).abs()));
@@ -489,7 +462,11 @@ fn works(answer: &WatchAnswer) -> Vec<Finding> {
                 by: bare_percent(effect.ratio, 2),
                 half: percent(HALF_95 * effect.sd, 2),
             };
-            Finding::new(Tone::Plain, said)
+            // a repair that loosens
+            match effect.ratio < -FALLS_FROM * effect.sd {
+                true => Finding::key(Tone::Warn, said),
+                false => Finding::new(Tone::Plain, said),
+            }
         })
     });
     each.collect()
@@ -499,7 +476,12 @@ fn sensors(answer: &WatchAnswer) -> Vec<Finding> {
     let tracked = &answer.watched.tracked;
     let sensors = tracked.sensors.iter().map(|change| {
         let survey = name(answer, change.survey);
+        let modes = answer.watched.modes.iter();
+        let mut changes = modes.flat_map(|mode| &mode.changes);
         let said = match &change.channel {
+            _ if changes.any(|of| (of.after..=of.before).contains(&change.survey)) => {
+                Found::SensorOrStructure { survey }
+            }
             Some(channel) => Found::Sensor {
                 survey,
                 channel: channel.clone(),
@@ -508,7 +490,16 @@ fn sensors(answer: &WatchAnswer) -> Vec<Finding> {
         };
         Finding::key(Tone::Warn, said)
     });
-    let jumped = tracked.jumped.iter().map(|jumped| {
+    let is_lost = |from_hz: f64| {
+        let mut lost = answer.watched.lost.iter();
+        lost.any(|of| {
+            let own = answer.watched.modes.get(of.mode);
+            of.began_hz.is_some() && own.is_some_and(|own| own.track.frequency_hz == from_hz)
+        })
+    };
+    // those that the last surveys miss come first
+    let jumped = tracked.jumped.iter().filter(|jumped| !is_lost(jumped.from_hz));
+    let jumped = jumped.map(|jumped| {
         let said = Found::Jumped {
             from: hertz(jumped.from_hz),
             to: hertz(jumped.to_hz),

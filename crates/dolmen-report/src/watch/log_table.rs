@@ -124,7 +124,7 @@ fn row(log: &WatchedLog, is_tilt: bool) -> Vec<Cell> {
         date(log.span().map(|span| span[1])),
         Cell::number(plain(trend.daily.days.len() as f64, 0)),
         match log.is_beyond() {
-            true => Cell::Bad(size(trend.now, 2)),
+            true => Cell::Bad(size(trend.size_to_judge(), 2)),
             false => Cell::number(size(trend.now, 2)),
         },
         Cell::Number(trend.limit.map(|limit| size(limit.size, 2))),

@@ -3,6 +3,7 @@
 use super::numbers::{HALF_95, bare_logged, logged, plain, slope};
 use crate::document::{Finding, Tone};
 use dolmen::monitoring::{NoSlope, TiltReach, TiltSlope};
+use dolmen_project::WorkKind;
 use dolmen_words::message::Both;
 use dolmen_words::{Language, Quantity, messages};
 use dolmen_work::date_text;
@@ -54,6 +55,14 @@ messages! {
         Wanders { label: Both, now: Quantity } => {
             en: "{label}: its months wander so far that no trend can be told from chance; look at the figure, and for what a work or event explains. Now {now}.",
             ko: "{label}: 월별 값의 변동이 커서 경향을 우연과 구별할 수 없다. 그림을 보고 보수나 사건으로 설명되는지 살펴본다. 현재 {now}이다.",
+        },
+        ZeroLost { label: Both, date: String, by: Quantity } => {
+            en: "{label}: with the sensors of {date} its readings shifted by {by}, and its zero is that of the sensor before. How near it is to its limit cannot be said: enter the zero of the new sensor as a log of its own.",
+            ko: "{label}: {date} 센서 교체 때 측정값이 {by} 변하였으나 영점은 이전 센서의 것이다. 한계까지의 여유를 판단할 수 없으므로 새 센서의 영점을 별도 기록으로 입력한다.",
+        },
+        WasAtLimit { label: Both, limit: Quantity, days: usize, last: String } => {
+            en: "{label} was at its limit of {limit} or beyond; days: {days}, the last one {last}.",
+            ko: "{label}의 측정값이 한계 {limit}에 이른 날이 {days}일 있었다(마지막 {last}).",
         },
         Shifted { label: Both, number: usize, date: String, by: Quantity, half: Quantity } => {
             en: "{label}: with work {number} ({date}) it shifted by {by} ± {half}.",
@@ -120,10 +129,11 @@ pub(super) fn logs(answer: &WatchAnswer) -> Vec<Finding> {
     let are_together = answer.logged_lean().is_some_and(|lean| lean.limit.is_some());
     for log in &answer.logs {
         // the limit of the structure holds for both directions together
-        all.push(trend(
-            log,
-            !(are_together && log.is_tilt() && log.part.limit.is_none()),
-        ));
+        let exchanged = exchanged(log, answer);
+        let has_own_limit = !(are_together && log.is_tilt() && log.part.limit.is_none());
+        all.push(trend(log, has_own_limit && exchanged.is_none()));
+        all.extend(exchanged);
+        all.extend(was_at_limit(log));
         all.extend(shifts(log, answer));
         if let Some(jump) = log.trend.jump {
             let said = Logged::Jumped {
@@ -157,11 +167,9 @@ fn trend(log: &WatchedLog, has_own_limit: bool) -> Finding {
     let (is_tilt, label) = (log.is_tilt(), label(log));
     let now = logged(log.trend.now, is_tilt, 2);
     if let Some(limit) = log.trend.limit.filter(|_| log.is_beyond()) {
-        let size = if log.trend.now < 0.0 {
-            -limit.size
-        } else {
-            limit.size
-        };
+        let judged = log.trend.size_to_judge();
+        let size = limit.size.copysign(judged);
+        let now = logged(judged, is_tilt, 2);
         let limit = logged(size, is_tilt, 2);
         return Finding::key(Tone::Bad, Logged::Beyond { label, now, limit });
     }
@@ -178,7 +186,12 @@ fn trend(log: &WatchedLog, has_own_limit: bool) -> Finding {
     };
     if !log.trend.is_beyond_chance() {
         let least = logged(slope.seen_from_per_year, is_tilt, 3);
-        return Finding::key(Tone::Good, Logged::Steady { label, least, now });
+        let said = Logged::Steady { label, least, now };
+        // no slope is no good news beside a jump
+        return match log.trend.jump.is_some() || !log.trend.at_limit.is_empty() {
+            true => Finding::new(Tone::Plain, said),
+            false => Finding::key(Tone::Good, said),
+        };
     }
     let (yearly, half) = (
         bare_logged(slope.per_year, is_tilt, 3),
@@ -207,6 +220,39 @@ fn trend(log: &WatchedLog, has_own_limit: bool) -> Finding {
             Finding::key(Tone::Warn, said)
         }
     }
+}
+
+/// That its zero is that of a sensor before: what it reads now is not how far it has come.
+fn exchanged(log: &WatchedLog, answer: &WatchAnswer) -> Option<Finding> {
+    let shifted = log
+        .trend
+        .levels
+        .iter()
+        .filter(|level| level.p_value < SHIFT_BELOW);
+    let mut of_sensors = shifted.filter_map(|level| {
+        let (_, work) = answer.works.get(level.work)?;
+        (work.kind == WorkKind::Sensors).then_some((work, level))
+    });
+    let (work, level) = of_sensors.next_back()?;
+    let said = Logged::ZeroLost {
+        label: label(log),
+        date: work.date.clone(),
+        by: logged(level.shift, log.is_tilt(), 2),
+    };
+    Some(Finding::key(Tone::Warn, said))
+}
+
+/// That it was at its limit, and is not now.
+fn was_at_limit(log: &WatchedLog) -> Option<Finding> {
+    let limit = log.trend.limit.filter(|_| !log.is_beyond())?;
+    let last = log.trend.at_limit.last()?;
+    let said = Logged::WasAtLimit {
+        label: label(log),
+        limit: logged(limit.size, log.is_tilt(), 2),
+        days: log.trend.at_limit.len(),
+        last: date_text(*last),
+    };
+    Some(Finding::key(Tone::Warn, said))
 }
 
 /// The month so many years behind a day.

@@ -4,6 +4,7 @@ mod failing;
 mod findings;
 mod log_table;
 mod logs;
+mod lost;
 mod numbers;
 mod tables;
 mod tilts;
@@ -53,11 +54,12 @@ messages! {
 }
 
 /// The sentences on a history as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 8] = [
+pub(crate) const TEMPLATES: [&[Template]; 9] = [
     logs::Logged::TEMPLATES,
     log_table::LogTable::TEMPLATES,
     Years::TEMPLATES,
     findings::Found::TEMPLATES,
+    lost::Missing::TEMPLATES,
     tilts::Tilted::TEMPLATES,
     findings::Cause::TEMPLATES,
     failing::Failing::TEMPLATES,

@@ -68,6 +68,11 @@ pub fn open_alarms(answer: &WatchAnswer) -> Vec<OpenAlarm> {
             date,
         })
         .collect();
+    all.extend(answer.lost_since().and_then(name).map(|since| OpenAlarm {
+        sort: AlarmSort::Structure,
+        date: day(since),
+        key: format!("modes lost since {}", day(since)),
+    }));
     let last_work = answer.works.last().map_or("-", |(_, work)| work.date.as_str());
     let last_survey = answer
         .surveys

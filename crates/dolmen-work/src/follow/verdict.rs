@@ -50,13 +50,19 @@ pub fn verdict(answer: &WatchAnswer, survey: &str) -> Verdict {
         return Verdict::NoMode;
     };
     let modes = &answer.watched.modes;
-    let confirmed: Vec<f64> = answer
+    let mut confirmed: Vec<f64> = answer
         .watched
         .alarms
         .iter()
         .filter(|alarm| alarm.alarm.survey == at && !alarm.is_answered)
         .filter_map(|alarm| Some(modes.get(alarm.mode)?.track.frequency_hz))
         .collect();
+    if answer.watched.is_mode_lost() {
+        let lost = answer.watched.lost.iter().filter(|lost| lost.since <= at);
+        let missing = lost.filter_map(|lost| Some(&modes.get(lost.mode)?.track));
+        let missing = missing.filter(|track| track.modes.get(at).is_none_or(Option::is_none));
+        confirmed.extend(missing.map(|track| track.frequency_hz));
+    }
     if !confirmed.is_empty() {
         return Verdict::Alarm {
             frequencies_hz: confirmed,

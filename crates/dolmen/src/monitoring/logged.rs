@@ -115,8 +115,12 @@ pub struct LoggedTrend {
     pub levels: Vec<LoggedLevel>,
     /// For each day the reading without season and temperature; empty without a slope.
     pub line: Vec<f64>,
-    /// The reading on the last day: of the slope, or the median of the last seven days.
+    /// The reading on the last day: of a slope beyond chance, or the median of the last seven days.
     pub now: f64,
+    /// The median of the last day as it was read, whatever the days before say: no newest reading is a spike.
+    pub newest: f64,
+    /// Days at the limit, without spikes.
+    pub at_limit: Vec<f64>,
     /// Probability below which a slope is beyond chance.
     pub significance: f64,
     /// What must not be reached.
@@ -129,12 +133,22 @@ impl LoggedTrend {
         self.slope.is_ok_and(|slope| slope.p_value < self.significance)
     }
 
+    /// What is held against the limit: the last day's reading, or the slope's on that day where that is larger.
+    pub fn size_to_judge(&self) -> f64 {
+        let is_larger = match self.limit {
+            Some(limit) if limit.is_one_sided => self.newest > self.now,
+            _ => self.newest.abs() > self.now.abs(),
+        };
+        match is_larger {
+            true => self.newest,
+            false => self.now,
+        }
+    }
+
     /// Whether the readings are at their limit now.
     pub fn is_beyond_limit(&self) -> bool {
-        self.limit.is_some_and(|limit| match limit.is_one_sided {
-            true => self.now >= limit.size,
-            false => self.now.abs() >= limit.size,
-        })
+        self.limit
+            .is_some_and(|limit| limit.is_reached(self.size_to_judge()))
     }
 }
 
@@ -185,8 +199,10 @@ pub fn logged_trend(series: &LoggedSeries, options: &LoggedOptions) -> Result<Lo
         trend.slope = Err(NoSlope::Wanders);
         return Ok(trend);
     }
-    trend.now = worst.slope.now;
     trend.slope = Ok(worst.slope);
+    if trend.is_beyond_chance() {
+        trend.now = worst.slope.now;
+    }
     trend.block_days = worst.block_days;
     trend.season = Some(worst.season);
     trend.per_c = worst.per_c;
@@ -235,13 +251,15 @@ fn sound(series: &LoggedSeries, options: &LoggedOptions) -> (LoggedTrend, Vec<f6
         true => of(&series.temperatures_c),
         false => Vec::new(),
     };
-    let last = daily.days.last().copied().unwrap_or(f64::NAN);
-    let newest = daily.days.iter().zip(&daily.values);
-    let newest = newest
-        .filter(|(day, _)| **day > last - NOW_DAYS)
-        .map(|(_, value)| *value);
+    let read = || all.days[..until].iter().zip(values);
+    let last = all.days[..until].last().copied().unwrap_or(f64::NAN);
+    let newest = read().filter(|(day, _)| **day > last - NOW_DAYS);
+    let calm = (0..until).filter(|i| !is_wild(i));
+    let at_limit = calm.filter(|i| options.limit.is_some_and(|limit| limit.is_reached(values[*i])));
     let trend = LoggedTrend {
-        now: middle_mean(newest.collect()),
+        now: middle_mean(newest.map(|(_, value)| *value).collect()),
+        newest: values.last().copied().unwrap_or(f64::NAN),
+        at_limit: at_limit.map(|i| all.days[i]).collect(),
         slope: Err(NoSlope::TooFew {
             days: daily.days.len(),
         }),
@@ -529,7 +547,8 @@ mod tests {
         let reach = trend.slope.unwrap().reach.unwrap();
         let [earliest, latest] = [reach.years_earliest, reach.years_latest].map(Option::unwrap);
         assert!(earliest < 3.0 && 3.0 < latest && latest < 5.0, "{reach:?}");
-        assert!(!trend.is_beyond_limit());
+        // the last day's own reading, with season and disturbance, is there already
+        assert!(trend.now < 12.0 && trend.newest >= 12.0 && trend.is_beyond_limit());
         // a crack that closes never gets there
         let mut closing = series;
         closing.daily.values.iter_mut().for_each(|value| *value = -*value);

@@ -223,6 +223,16 @@ pub struct SlopeLimit {
     pub is_one_sided: bool,
 }
 
+impl SlopeLimit {
+    /// Whether a reading is at it.
+    pub(super) fn is_reached(&self, reading: f64) -> bool {
+        match self.is_one_sided {
+            true => reading >= self.size,
+            false => reading.abs() >= self.size,
+        }
+    }
+}
+
 /// The slope of a fit whose first column is the level at the last reading and whose second is years from it.
 pub(super) fn slope_of(
     fit: &Fit,

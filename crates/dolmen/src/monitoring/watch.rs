@@ -4,6 +4,7 @@ use super::MonitoringError;
 use super::alarm::{AlarmOptions, JudgedMode, ModeAlarm, alarm_limit, judge};
 use super::changes::{Changes, Seeking, changes};
 use super::history::{History, HistorySurvey};
+use super::lost::{LostMode, is_beyond_chance, lost};
 use super::outliers::outliers;
 use super::scan::ChangeForm;
 use super::t_squared::{SurveyTSquared, t_squared};
@@ -81,6 +82,8 @@ pub struct Watched {
     pub tracked: Tracked,
     /// Confirmed alarms, by time.
     pub alarms: Vec<StructureAlarm>,
+    /// Modes that the last surveys do not show, and that nobody has looked for since.
+    pub lost: Vec<LostMode>,
     /// T² of each survey that has one.
     pub t_squared: Vec<SurveyTSquared>,
     /// Tilts.
@@ -102,6 +105,7 @@ impl Watched {
             modes: Vec::new(),
             tracked: Tracked::default(),
             alarms: Vec::new(),
+            lost: Vec::new(),
             t_squared: Vec::new(),
             tilts: Vec::new(),
             interval_days: 0.0,
@@ -109,6 +113,11 @@ impl Watched {
             false_alarm_probability: 0.0,
             significance,
         }
+    }
+
+    /// Whether modes vanished beyond chance: an alarm like one of a frequency.
+    pub fn is_mode_lost(&self) -> bool {
+        !self.lost.is_empty() && is_beyond_chance(&self.lost)
     }
 }
 
@@ -173,6 +182,7 @@ pub fn watch(history: &History, options: &WatchOptions) -> Result<Watched, Monit
     let years = (days[days.len() - 1] - days[0]) / YEAR_DAYS;
     Ok(Watched {
         t_squared: t_squared(&judged, days.len())?,
+        lost: lost(history, &tracked.tracks, &tracked.jumped, answered),
         modes,
         alarms,
         tilts: tilts(history, options)?,

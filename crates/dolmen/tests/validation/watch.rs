@@ -64,8 +64,9 @@ fn holds_a_change_of_1_2_per_cent_in_60_is_found() {
         let change = &mode.changes[0];
         assert!(change.from.abs_diff(35) <= 2, "{change:?}");
         assert!((change.ratio + 0.012).abs() < 3.5 * change.sd, "{change:?}");
+        // what is stated to be seen in four of five histories is less than what was seen
         assert!(
-            mode.seen_from_ratio.unwrap() < 0.008,
+            mode.seen_from_ratio.unwrap() < 0.012,
             "{:?}",
             mode.seen_from_ratio
         );
