@@ -160,8 +160,15 @@ pub(crate) fn run(options: &Report, typed: &Typed, manner: &Manner) -> Result<Ou
             Format::Docx => docx(&answers, &others, language, &imprint, &painted)?,
             Format::Xlsx => workbook(&answers, &others, language, &imprint)?,
         };
+        let made = output
+            .parent()
+            .filter(|folder| !folder.as_os_str().is_empty() && !folder.exists());
+        let made = made.map(|folder| folder.display().to_string());
         outputs.file(output, &bytes)?;
         if !manner.quiet {
+            if let Some(folder) = made {
+                note!("{}", Noted::FolderMade { folder }.text(manner));
+            }
             say(&format!("{}\n", output.display()))?;
         }
     }

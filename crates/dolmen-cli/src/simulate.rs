@@ -12,16 +12,15 @@ use crate::typed::Typed;
 use crate::wrong::{CommandError, Noted};
 use anyhow::Result;
 use dolmen_folder::{Found, Outputs};
-use dolmen_report::files::{simulation_files, simulation_value};
+use dolmen_report::files::{simulate_answer_value, simulation_files};
 use dolmen_report::simulation_headline_text;
 use dolmen_report::text::{
     TextStyle, building_simulation_text, chain_simulation_text, frame_simulation_text,
     simulation_inputs_text, simulation_text,
 };
 use dolmen_work::judgement::{Verb, judge_simulation};
-use dolmen_work::simulation::{SimulateAnswer, Simulation};
+use dolmen_work::simulation::Simulation;
 use dolmen_work::{FlagVerb, prepare};
-use serde_json::{Value, json};
 
 pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<Outcome> {
     let found = Found::open(&options.project, manner.access())?;
@@ -46,7 +45,7 @@ pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<O
     }
     let answer = prepared.run(&Terminal::new(manner.quiet))?;
     if manner.json {
-        say_json(&answer_json(&answer))?;
+        say_json(&simulate_answer_value(&answer))?;
     } else {
         if answer.does_not_stand.is_none() {
             say(&simulation_headline_text(
@@ -66,7 +65,7 @@ pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<O
         let language = manner.language();
         let outputs = keeping_motion(Outputs::of(manner.access(), &found), &options.motion.motion_file);
         for simulation in &answer.simulations {
-            outputs.folder(folder, &simulation_files(simulation, &answer.evidence, language)?)?;
+            outputs.folder(folder, &simulation_files(simulation, &answer, language)?)?;
         }
         if !manner.quiet {
             let folder = folder.display().to_string();
@@ -80,25 +79,6 @@ pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<O
     Ok(Outcome::Judged(
         judge_simulation(&answer).exit_status(Verb::Simulate),
     ))
-}
-
-fn answer_json(answer: &SimulateAnswer) -> Value {
-    if let Some(why) = &answer.does_not_stand {
-        let outcome = json!({ "kind": "does_not_stand", "why": why.to_string() });
-        return json!({ "file": answer.file, "outcome": outcome });
-    }
-    match answer.simulations.as_slice() {
-        [] => json!({ "simulations": [] }),
-        [Simulation::Frame(_), ..] => {
-            let all: Vec<Value> = answer
-                .simulations
-                .iter()
-                .map(|run| simulation_value(run, &answer.evidence))
-                .collect();
-            json!({ "simulations": all })
-        }
-        [one, ..] => simulation_value(one, &answer.evidence),
-    }
 }
 
 fn text_of(simulation: &Simulation, style: TextStyle) -> String {

@@ -240,6 +240,10 @@ messages! {
             en: "files that were still being written or too new: {files}; what rests by now was taken, the others are left for the next time",
             ko: "아직 쓰는 중이거나 너무 새로운 파일이 {files}개 있었다. 그사이 완료된 것은 처리하였고 나머지는 다음에 처리한다",
         },
+        FolderMade { folder: String } => {
+            en: "the folder {folder} was not there and is new",
+            ko: "폴더 {folder}이(가) 없어 새로 만들었다",
+        },
         Histories { folder: String } => {
             en: "histories and figures are in {folder}",
             ko: "시간이력과 그림을 {folder}에 썼다",

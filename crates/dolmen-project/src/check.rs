@@ -277,7 +277,13 @@ impl<'t, 'i> SchemaCheck<'t, 'i> {
                 fault = fault.at_top();
                 fault = match name {
                     "schema" => fault.help(WrongKey::WriteSchemaAsFirst),
-                    "kind" => fault.help(WrongKey::WriteKindChainFrame),
+                    "kind" => {
+                        let kinds = property.iter().flat_map(|of| branches(self.schema, of));
+                        let kinds: Vec<&str> = kinds.flat_map(words).collect();
+                        fault.help(WrongKey::WriteKind {
+                            kinds: alternatives(&kinds),
+                        })
+                    }
                     _ => fault,
                 };
             }

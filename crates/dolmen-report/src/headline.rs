@@ -62,6 +62,10 @@ messages! {
         },
         WordTie { word: Both } => { en: "{word} (a tie broke)", ko: "{word}(결속재 파단)" },
         WordNoLimit { word: Both } => { en: "{word} (no limit is known)", ko: "{word}(판정 기준 없음)" },
+        WordNoResponse { word: Both } => {
+            en: "{word} (the response to this spectrum is not computed)",
+            ko: "{word}(이 스펙트럼에 대한 응답을 계산하지 못함)",
+        },
         WordNoBed { word: Both, part: String } => {
             en: "{word} (the bed below ‘{part}’ is not known)",
             ko: "{word}(‘{part}’ 하부 접합면의 폭 미상)",
@@ -93,7 +97,7 @@ messages! {
             ko: "{word}(지진 없이도 서 있지 못함)",
         },
         WordOpen { word: Both } => { en: "{word} (the run is not whole)", ko: "{word}(해석 미완료)" },
-        Alarm => { en: "over the years: an open alarm, or a tilt or crack beyond its limit", ko: "경년 변화: 조치되지 않은 경보가 있거나 기울기·균열이 한계를 넘음" },
+        Alarm => { en: "Over the years: an open alarm, or a tilt or crack beyond its limit", ko: "경년 변화: 조치되지 않은 경보가 있거나 기울기·균열이 한계를 넘음" },
         TiltLeftOut { survey: String, tilt: String } => {
             en: "not in it: tilt {tilt} of survey {survey}",
             ko: "{survey} 조사의 기울기 {tilt} 미반영",
@@ -302,6 +306,7 @@ fn word(of: &EarthquakeFinding) -> Headline {
         },
         (DecidedBy::Strength, _) => Headline::WordTie { word },
         (DecidedBy::NoLimit, _) => Headline::WordNoLimit { word },
+        (DecidedBy::NoResponse, _) => Headline::WordNoResponse { word },
         (DecidedBy::BedUnknown, _) => Headline::WordNoBed {
             word,
             part: of.part.clone().unwrap_or_default(),

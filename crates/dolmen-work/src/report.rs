@@ -130,6 +130,7 @@ fn simulated(
         simulations,
         variant: None,
         does_not_stand: None,
-        evidence: Evidence::none(), // said by the check
+        evidence: Evidence::none(), // of the check, as the next
+        is_marginal: false,
     })
 }

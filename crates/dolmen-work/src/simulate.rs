@@ -16,6 +16,7 @@ use crate::version::Version;
 use crate::{building, chain, frame, stack};
 use dolmen::blocks::ContactRule;
 use dolmen::dynamics::ChainRotations;
+use dolmen::stability::Verdict;
 use dolmen_project::{Project, Quantity, Structure, parse_angle_rad};
 use dolmen_records::Files;
 
@@ -130,6 +131,12 @@ pub(crate) fn evidence(project: &Project, variant: Option<&str>) -> Result<Evide
     Ok(check.map_or_else(Evidence::none, |check| Evidence::of(project, &check)))
 }
 
+/// Whether the load factor of a chain, frame or building leaves little in hand; of a stack its check says so.
+fn is_marginal(project: &Project) -> Result<bool, WorkError> {
+    let factor = kinds::least_load_factor(project, &mut Quantity::nominal)?;
+    Ok(factor.map(Verdict::of_load_factor) == Some(Verdict::Marginal))
+}
+
 impl PreparedSimulation<'_> {
     /// The project, or its variant.
     pub fn project(&self) -> &Project {
@@ -157,6 +164,7 @@ impl PreparedSimulation<'_> {
             variant: version.variant.map(str::to_owned),
             does_not_stand: None,
             evidence: evidence(version.project, version.variant)?,
+            is_marginal: is_marginal(version.project)?,
         };
         match (&version.project.structure, motion) {
             (Structure::Survey, _) => return Err(WorkError::SurveySimulated),

@@ -45,4 +45,6 @@ pub struct SimulateAnswer {
     pub does_not_stand: Option<Standing>,
     /// What surveys say of the model of the structure as it is.
     pub evidence: Evidence,
+    /// Whether a chain, frame or building has little in hand under its own weight alone.
+    pub is_marginal: bool,
 }

@@ -264,9 +264,33 @@ pub struct Sampled {
     /// Probability that a combination of wind and static loads brings a joint to its limit; `None` where there are none.
     pub under_loads: Option<Probability>,
     /// λ of each sample, ascending. For a frame the smallest of its directions.
+    #[serde(rename = "load_factor_quantiles", serialize_with = "as_quantiles")]
     pub load_factors: Vec<f64>,
     /// Paths of the inputs that were drawn.
     pub inputs: Vec<String>,
+}
+
+/// Shares of the samples whose load factors are printed.
+const QUANTILES: [(&str, f64); 3] = [("5 %", 0.05), ("50 %", 0.5), ("95 %", 0.95)];
+
+impl Sampled {
+    /// λ below which 5, 50 and 95 % of the samples lie.
+    pub fn quantiles(&self) -> [f64; 3] {
+        quantiles(&self.load_factors)
+    }
+}
+
+fn quantiles(ascending: &[f64]) -> [f64; 3] {
+    let last = ascending.len().saturating_sub(1);
+    QUANTILES.map(|(_, share)| {
+        let place = (share * last as f64).round() as usize;
+        ascending.get(place).copied().unwrap_or(f64::NAN)
+    })
+}
+
+fn as_quantiles<S: serde::Serializer>(load_factors: &[f64], serializer: S) -> Result<S::Ok, S::Error> {
+    let shares = QUANTILES.iter().map(|(share, _)| share);
+    serializer.collect_map(shares.zip(quantiles(load_factors)))
 }
 
 impl State {

@@ -277,3 +277,105 @@ fn holds_a_damper_whose_mode_hardly_moves_its_way_is_asked_about() {
     );
     assert!(!words.contains("hardly moves"), "{words}");
 }
+
+#[test]
+fn holds_check_and_simulate_hold_the_drift_along_the_axes_against_one_limit() {
+    let floor = "schema = 1\nkind = \"building\"\nname = \"Floor\"\np_delta = false\nlimits = { storey_drift = \"1 %\" }\n\
+        damping = { ratio = 0.02 }\nfloors = [{ name = \"roof\", mass = \"100 t\", sides = [10, 8], height = 30,\n\
+        stiffness = { x = \"500 kN/m\", y = \"400 kN/m\", rotation = \"2e7 N*m/rad\", centre = [0, 0] } }]\n";
+    let (_, of) = judgement(
+        "turned",
+        floor,
+        "simulate project.toml --motion el-centro-1940-ns --turn 45 --json",
+    );
+    let reasons = &of["versions"][0]["earthquake"]["reasons"][0];
+    let (_, words) = said(
+        "turned-said",
+        floor,
+        "simulate project.toml --motion el-centro-1940-ns --turn 45",
+    );
+    assert!(
+        words.contains("direction x") || words.contains("direction y"),
+        "{words}"
+    );
+    let drift = words
+        .split("drifts ")
+        .nth(1)
+        .and_then(|rest| rest.split(' ').next());
+    let drift: f64 = drift.unwrap_or_default().parse().unwrap_or_default();
+    let ratio = reasons["capacity_over_demand"].as_f64().unwrap();
+    assert!((ratio * drift - 1.0).abs() < 0.01, "{drift} {ratio}");
+}
+
+#[test]
+fn holds_a_run_says_that_the_weight_leaves_little_in_hand() {
+    let soft = GATE.replace(
+        "[9.0, 6.0], damping_ratio = 0.03",
+        "[0.19, 0.12], damping_ratio = 0.03",
+    );
+    let (_, checked) = said("little", &soft, CHECK);
+    assert!(checked.contains("VERDICT Own weight: marginal"), "{checked}");
+    let words = "simulate project.toml --motion el-centro-1940-ns --peak 0.01g --direction y";
+    let (_, run) = said("little-run", &soft, words);
+    assert!(run.contains("Own weight: marginal"), "{run}");
+    let (_, sound) = said("sound-run", GATE, words);
+    assert!(!sound.contains("Own weight"), "{sound}");
+}
+
+#[test]
+fn holds_a_spectrum_that_gives_no_response_is_not_called_a_missing_limit() {
+    let site = "[site]\ncode = \"table\"\nperiods_s = [0, 0.2, 0.5]\naccelerations = [0.3, 0.6, 0.4]\nunit = \"g\"\ndamping_ratio = 0.05\n";
+    let floor = "schema = 1\nkind = \"building\"\nname = \"Floor\"\np_delta = false\nlimits = { storey_drift = \"1 %\" }\n\
+        damping = { ratio = 0.05 }\nfloors = [{ name = \"roof\", mass = \"100 t\", sides = [10, 8], height = 30,\n\
+        stiffness = { x = \"500 kN/m\", y = \"400 kN/m\", rotation = \"2e7 N*m/rad\", centre = [0, 0] } }]\n";
+    let (_, words) = said("short-table", &format!("{floor}{site}"), CHECK);
+    assert!(
+        words.contains("the response to this spectrum is not computed")
+            && !words.contains("no limit is known"),
+        "{words}"
+    );
+}
+
+#[test]
+fn holds_a_measured_direction_that_the_model_does_not_have_is_named() {
+    let post = "schema = 1\nkind = \"stack\"\nname = \"Post\"\ndensity = 2600\njoint = { friction = 0.7 }\n\
+        blocks = [{ name = \"post\", width = 0.6, height = 4.2 }]\n[survey.2024-05-01]\nfrequencies.weak = [0.2]\n";
+    let (_, words) = said("weak", post, CHECK);
+    assert!(
+        words.contains("direction weak, which this model does not have"),
+        "{words}"
+    );
+}
+
+#[test]
+fn holds_a_brief_answers_what_was_asked_for() {
+    let scratch = Scratch::new("asked");
+    let file = GATE.replace("mass = 40", "mass = { value = 40, cov = 0.1 }");
+    fs::write(scratch.path().join("project.toml"), file).unwrap();
+    let answer = scratch.briefly("check project.toml --sensitivity");
+    assert!(
+        answer.stdout.contains("answers most to these inputs"),
+        "{}",
+        answer.stdout
+    );
+    let answer = scratch.briefly("check project.toml --samples 5000 --json");
+    let value: serde_json::Value = serde_json::from_str(&answer.stdout).unwrap();
+    let quantiles = value["state"]["sampled"]["load_factor_quantiles"]
+        .as_object()
+        .unwrap();
+    assert_eq!(quantiles.keys().collect::<Vec<_>>(), ["5 %", "50 %", "95 %"]);
+    assert!(answer.stdout.len() < 100_000, "{}", answer.stdout.len());
+}
+
+#[test]
+fn holds_what_several_surveys_do_not_give_is_said_once() {
+    let surveys: String = (2021..2024)
+        .map(|year| format!("[survey.{year}-05-01]\ntilt = {{ x = \"1/300\" }}\n"))
+        .collect();
+    let post = "schema = 1\nkind = \"stack\"\nname = \"Post\"\ndensity = 2600\n\
+        joint = { friction = 0.7, normal_stiffness = \"1 GPa/m\", shear_stiffness = \"0.4 GPa/m\" }\n\
+        blocks = [{ name = \"post\", width = 0.6, height = 4.2 }]\n";
+    let (_, words) = said("once", &format!("{post}{surveys}"), "identify project.toml");
+    let times = words.matches("No factors on the springs").count();
+    assert!(times <= 1, "{times}: {words}");
+}

@@ -40,9 +40,9 @@ messages! {
             en: "write schema = 1 as the first line: it is the version of the file format",
             ko: "첫 줄에 schema = 1을 쓴다. 파일 형식의 버전이다",
         },
-        WriteKindChainFrame => {
-            en: "write kind = \"chain\", \"frame\", \"stack\" or \"survey\" near the top",
-            ko: "파일 위쪽에 kind = \"chain\", \"frame\", \"stack\" 또는 \"survey\"를 쓴다",
+        WriteKind { kinds: Both } => {
+            en: "write kind = {kinds} near the top",
+            ko: "파일 위쪽에 kind = {kinds}을(를) 쓴다",
         },
         IsNotKnown { path: String, word: String } => {
             en: "{path} = \"{word}\" is not known",

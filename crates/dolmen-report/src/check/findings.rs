@@ -101,10 +101,14 @@ pub(super) fn unread(answer: &CheckAnswer) -> Option<Finding> {
 /// All of a check, what is worst first.
 pub(crate) fn findings(answer: &CheckAnswer) -> Vec<Finding> {
     let mut all = Vec::new();
+    all.extend(sampled::sensitive(answer));
     let states = answer.state.iter();
     all.extend(states.flat_map(|state| of_state(&answer.project, state)));
+    let checks = answer.state.iter().map(|state| &state.check);
+    all.extend(checks.flat_map(|check| measured::other_directions(&answer.project, check)));
     all.extend(measured::beyond_its_limit(&answer.project));
     all.extend(measured::severe_damage(&answer.project));
+    all.extend(measured::over_the_years(&answer.project));
     all.extend(variants::findings(answer));
     all.extend(building::variant_findings(&answer.variants));
     all.extend(assumed::findings(answer));

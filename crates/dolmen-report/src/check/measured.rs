@@ -3,10 +3,12 @@
 use crate::document::{Finding, Tone};
 use crate::engineer::damage_words;
 use dolmen::stability::Verdict;
-use dolmen_project::{Project, Severity, Survey, date_of};
+use dolmen_project::{LogKind, Project, Severity, Survey, date_of};
+use dolmen_words::message::Both;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
-use dolmen_work::judgement::tilt_beyond_limit;
+use dolmen_work::judgement::{lowest_measured, tilt_beyond_limit};
 use dolmen_work::state::{Check, FrequencyContradiction, State, TiltCheck};
+use dolmen_work::watch::can_watch;
 
 /// Digits of a tilt in a sentence.
 const DIGITS: usize = 3;
@@ -58,6 +60,18 @@ messages! {
             en: "Survey {survey} measured {measured} in direction {direction}; this model has {computed}, which survey {later} decides. `dolmen compare` says what changed between them.",
             ko: "{survey} 조사의 {direction} 방향 실측 고유진동수는 {measured}, 해석 모델은 {computed}이다. 판정은 이후의 {later} 조사에 따른다. 두 조사 사이의 변화는 `dolmen compare`로 본다.",
         },
+        OtherDirection { survey: String, measured: Quantity, direction: String, known: Vec<String> } => {
+            en: "Survey {survey} measured {measured} in direction {direction}, which this model does not have: it is not compared. The directions of the model: {known}.",
+            ko: "{survey} 조사의 실측 고유진동수 {measured}은(는) 모델에 없는 {direction} 방향의 값이어서 비교하지 않았다. 모델의 방향: {known}.",
+        },
+        LogsUnread { logs: Vec<Both> } => {
+            en: "What loggers read of tilts and cracks is not in this answer ({logs}): `dolmen watch` holds it against its limits. If they show a lean, write it as the tilt of a survey.",
+            ko: "기울기·균열 계측 기록({logs})은 이 검토에 반영하지 않았다. 한계와의 비교는 `dolmen watch`에 나온다. 기울기가 나타나면 조사의 tilt로 입력한다.",
+        },
+        YearsNotAsked { surveys: usize } => {
+            en: "Whether an alarm is open over the years is not asked here; surveys with a date: {surveys}. `dolmen watch` and `dolmen report` say so.",
+            ko: "여러 해의 조사에서 조치되지 않은 경보가 있는지는 이 검토에서 다루지 않는다(날짜가 있는 조사 {surveys}회). `dolmen watch`와 `dolmen report`에 나온다.",
+        },
         Likely { contradicted: Sentence, likely: Sentence } => { en: "{contradicted} {likely}", ko: "{contradicted} {likely}" },
         Contradicted { survey: String, measured: Quantity, direction: String, computed: Quantity } => {
             en: "Survey {survey} measured {measured} in direction {direction}; this model has {computed}. Its stiffness or mass is not that of the structure measured, and the verdict is on the model.",
@@ -107,6 +121,54 @@ pub(super) fn severe_damage(project: &Project) -> Vec<Finding> {
         (!found.is_empty()).then(|| Finding::key(Tone::Warn, Measured::SevereDamage { survey, found }))
     });
     each.collect()
+}
+
+/// What the years say that this answer does not.
+pub(super) fn over_the_years(project: &Project) -> Vec<Finding> {
+    let logs = project.watch.logs.iter();
+    let logs = logs.filter(|log| log.kind != LogKind::Temperature);
+    let logs: Vec<Both> = logs.map(|log| log.name.as_str().into()).collect();
+    let mut all = Vec::new();
+    if !logs.is_empty() {
+        all.push(Finding::key(Tone::Unknown, Measured::LogsUnread { logs }));
+    } else if can_watch(project) {
+        let dated = project
+            .surveys
+            .iter()
+            .filter(|survey| date_of(&survey.name).is_some());
+        let surveys = dated.count();
+        all.push(Finding::key(Tone::Plain, Measured::YearsNotAsked { surveys }));
+    }
+    all
+}
+
+/// Measured frequencies in directions that the model does not have.
+pub(super) fn other_directions(project: &Project, check: &Check) -> Vec<Finding> {
+    let known: Vec<String> = match check {
+        // it is the same in all
+        Check::Chain(_) => return Vec::new(),
+        Check::Frame(all) => all.iter().map(|of| of.direction.clone()).collect(),
+        Check::Stack(_) | Check::Building(_) => ["x", "y", "torsion"].map(str::to_owned).to_vec(),
+    };
+    let each = project
+        .surveys
+        .iter()
+        .flat_map(|survey| survey.modes.iter().map(move |of| (survey, of)));
+    let each = each.filter(|(_, (direction, _))| !known.contains(direction));
+    let found = each.filter_map(|(survey, (direction, modes))| {
+        let said = Measured::OtherDirection {
+            survey: survey.name.clone(),
+            measured: hertz(lowest_measured(modes)?.frequency.value),
+            direction: direction.clone(),
+            known: known.clone(),
+        };
+        Some(Finding::key(Tone::Unknown, said))
+    });
+    found.collect()
+}
+
+fn hertz(value: f64) -> Quantity {
+    Quantity::new(value, Unit::si("Hz"), Digits::Significant(4))
 }
 
 fn one_in(ratio: f64) -> Sentence {
@@ -178,9 +240,8 @@ fn tilt(of: &TiltCheck, check: &Check) -> Finding {
 }
 
 fn contradiction(found: &FrequencyContradiction) -> Finding {
-    let frequency = |value| Quantity::new(value, Unit::si("Hz"), Digits::Significant(4));
     let (survey, direction) = (found.survey.clone(), found.direction.clone());
-    let (measured, computed) = (frequency(found.measured_hz), frequency(found.computed_hz));
+    let (measured, computed) = (hertz(found.measured_hz), hertz(found.computed_hz));
     if let Some(later) = found.superseded_by.clone() {
         let said = Measured::Superseded {
             survey,

@@ -5,7 +5,7 @@ use crate::figures::load_factor_distribution;
 use crate::html::words::{input_words, path_words};
 use dolmen::assess::Probability;
 use dolmen_words::message::Both;
-use dolmen_words::{Digits, Quantity, Unit, messages};
+use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::answer::CheckAnswer;
 use dolmen_work::state::{Sampled, SensitivityOf, State};
 
@@ -22,6 +22,15 @@ messages! {
         Overloaded { count: usize, samples: usize, estimate: Quantity, confidence: Quantity, lower: Quantity, upper: Quantity } => {
             en: "Wind and static loads bring a joint to its limit, in one combination or more, in {count} of {samples} samples: {estimate}, {confidence} interval {lower} to {upper}.",
             ko: "바람과 정적 하중의 조합에서 접합부가 한계에 이르는 표본은 {samples}개 중 {count}개이다: {estimate}, {confidence} 신뢰구간 {lower}–{upper}.",
+        },
+        Most { result: Sentence, inputs: Vec<Sentence> } => {
+            en: "{result} answers most to these inputs, for 1 % more of each: {inputs}.",
+            ko: "입력이 1 % 커질 때 {result}의 변화가 큰 순서: {inputs}.",
+        },
+        OfInput { input: Both, change: Sentence } => { en: "{input} {change} %", ko: "{input} {change} %" },
+        Hardly { result: Sentence } => {
+            en: "{result} hardly answers to any input.",
+            ko: "{result}은(는) 어떤 입력에도 거의 변하지 않는다.",
         },
         Head => { en: "Uncertain inputs", ko: "입력의 불확실성" },
         Drawn { samples: usize } => {
@@ -40,7 +49,7 @@ messages! {
         LoadFactor => { en: "λ", ko: "λ" },
         FirstMotion => { en: "acceleration of first motion", ko: "최초 거동 가속도" },
         EqualJoints => { en: "equal joint stiffness needed", ko: "균등 접합부 필요 강성" },
-        Sensitivity { result: dolmen_words::Sentence, shown: usize, all: usize } => {
+        Sensitivity { result: Sentence, shown: usize, all: usize } => {
             en: "Sensitivity of {result}, {shown} of {all} inputs.",
             ko: "{result}의 민감도, 입력 {all}개 중 {shown}개.",
         },
@@ -51,13 +60,13 @@ messages! {
         Input => { en: "Input", ko: "입력" },
         InputName { input: Both } => { en: "{input}", ko: "{input}" },
         Value => { en: "value, SI", ko: "값, SI" },
-        Change { result: dolmen_words::Sentence } => {
+        Change { result: Sentence } => {
             en: "change of {result} (%) for +1 % of the input",
             ko: "입력 +1 %에 대한 {result}의 변화 (%)",
         },
         Signed { sign: String, value: Quantity } => { en: "{sign}{value}", ko: "{sign}{value}" },
         Cov => { en: "coefficient of variation", ko: "변동계수" },
-        From { result: dolmen_words::Sentence } => {
+        From { result: Sentence } => {
             en: "scatter of {result} from it",
             ko: "그로 인한 {result}의 변동",
         },
@@ -136,6 +145,47 @@ fn overloaded(of: Share) -> Scatter {
     }
 }
 
+/// Which inputs the result answers to most, where that was asked.
+pub(super) fn sensitive(answer: &CheckAnswer) -> Option<Finding> {
+    const NAMED: usize = 3;
+    let shown = answer.sensitivities.iter();
+    let mut shown: Vec<_> = shown
+        .filter(|of| of.elasticity.abs() >= ELASTICITY_SHOWN_LEAST)
+        .collect();
+    shown.sort_by(|a, b| b.elasticity.abs().total_cmp(&a.elasticity.abs()));
+    let result = result(answer);
+    let inputs = shown.iter().take(NAMED).map(|of| {
+        let input = Both::of(|language| input_words(&answer.project.structure, &of.input, language));
+        let change = signed(of.elasticity, Digits::Significant(2)).into();
+        Scatter::OfInput { input, change }.into()
+    });
+    let said = match shown.is_empty() {
+        true => Scatter::Hardly { result },
+        false => Scatter::Most {
+            result,
+            inputs: inputs.collect(),
+        },
+    };
+    (!answer.sensitivities.is_empty()).then(|| Finding::key(Tone::Plain, said).with_code("sensitivity"))
+}
+
+/// A change with its sign.
+fn signed(change: f64, digits: Digits) -> Scatter {
+    Scatter::Signed {
+        sign: if change > 0.0 { "+" } else { "" }.to_owned(),
+        value: Quantity::new(change, Unit::ratio(), digits),
+    }
+}
+
+/// What sensitivities are of.
+fn result(answer: &CheckAnswer) -> Sentence {
+    match answer.sensitivity_of {
+        SensitivityOf::LoadFactor => Scatter::LoadFactor.into(),
+        SensitivityOf::FirstMotion => Scatter::FirstMotion.into(),
+        SensitivityOf::EqualJoints => Scatter::EqualJoints.into(),
+    }
+}
+
 /// Samples and sensitivities.
 pub(crate) fn sections(answer: &CheckAnswer) -> Document<'_> {
     let mut document = Document::default();
@@ -174,16 +224,11 @@ fn samples<'a>(document: &mut Document<'a>, sampled: &'a Sampled, nominal: Optio
         let samples = sampled.load_factors.iter().copied();
         vec![Series::numbers(Scatter::LoadFactor, "", samples)]
     }));
-    let last = sampled.load_factors.len().saturating_sub(1);
-    let at = |share: f64| {
-        let place = (share * last as f64).round() as usize;
-        let factor = sampled.load_factors.get(place).copied();
-        Quantity::beside_one(factor.unwrap_or(f64::NAN), 4)
-    };
+    let [low, middle, high] = sampled.quantiles().map(|factor| Quantity::beside_one(factor, 4));
     document.paragraph(Scatter::Quantiles {
-        low: at(0.05),
-        middle: at(0.5),
-        high: at(0.95),
+        low,
+        middle,
+        high,
         seed: usize::try_from(sampled.unstable.seed).unwrap_or(usize::MAX),
     });
     let input = |path: &String| Both::of(|language| path_words(path, language));
@@ -193,11 +238,6 @@ fn samples<'a>(document: &mut Document<'a>, sampled: &'a Sampled, nominal: Optio
 }
 
 fn table(answer: &CheckAnswer) -> Table {
-    let result = || match answer.sensitivity_of {
-        SensitivityOf::LoadFactor => Scatter::LoadFactor.into(),
-        SensitivityOf::FirstMotion => Scatter::FirstMotion.into(),
-        SensitivityOf::EqualJoints => Scatter::EqualJoints.into(),
-    };
     let shown = answer
         .sensitivities
         .iter()
@@ -205,10 +245,7 @@ fn table(answer: &CheckAnswer) -> Table {
     let share = |value: f64| Quantity::new(value, Unit::percent(), Digits::Significant(2));
     let rows: Vec<Vec<Cell>> = shown
         .map(|of| {
-            let signed = Scatter::Signed {
-                sign: if of.elasticity > 0.0 { "+" } else { "" }.to_owned(),
-                value: Quantity::new(of.elasticity, Unit::ratio(), Digits::Fixed(4)),
-            };
+            let signed = signed(of.elasticity, Digits::Fixed(4));
             let scatter = of.cov.map(|cov| share(cov * of.elasticity.abs()));
             vec![
                 Cell::words(Scatter::InputName {
@@ -225,7 +262,7 @@ fn table(answer: &CheckAnswer) -> Table {
     Table {
         caption: vec![
             Scatter::Sensitivity {
-                result: result(),
+                result: result(answer),
                 shown: rows.len(),
                 all: answer.sensitivities.len(),
             }
@@ -235,9 +272,19 @@ fn table(answer: &CheckAnswer) -> Table {
         columns: vec![
             Column::words(Scatter::Input),
             numbers(Scatter::Value, Unit::ratio()),
-            numbers(Scatter::Change { result: result() }, Unit::ratio()),
+            numbers(
+                Scatter::Change {
+                    result: result(answer),
+                },
+                Unit::ratio(),
+            ),
             numbers(Scatter::Cov, Unit::percent()),
-            numbers(Scatter::From { result: result() }, Unit::percent()),
+            numbers(
+                Scatter::From {
+                    result: result(answer),
+                },
+                Unit::percent(),
+            ),
         ],
         rows,
     }

@@ -22,7 +22,7 @@ pub use motion::motion_files;
 pub use named::NamedFile;
 pub use ranking::ranking_files;
 pub use sensors::sensors_files;
-pub use simulation::{simulation_files, simulation_value};
+pub use simulation::{simulate_answer_value, simulation_files};
 pub use study::{StudyFilesError, study_files};
 pub use suite::suite_files;
 pub use survey::{change_files, identification_files, watch_files};

@@ -15,20 +15,37 @@ use crate::tables::{
 };
 use dolmen_records::meshes::{PoseError, stack_3dec, stack_json, stack_obj};
 use dolmen_words::Language;
-use dolmen_work::judgement::{Evidence, judge_run};
-use dolmen_work::simulation::Simulation;
+use dolmen_work::judgement::{judge_run, judge_simulation};
+use dolmen_work::simulation::{SimulateAnswer, Simulation};
 use dolmen_work::stack::{StackRuns, StackSimulation};
-use serde_json::Value;
+use serde_json::{Value, json};
 
-/// A simulation of any kind as JSON, judged beside what surveys say of the model.
-pub fn simulation_value(simulation: &Simulation, evidence: &Evidence) -> Value {
+/// What came of `dolmen simulate` as JSON: of a frame each direction, and one judgement of all.
+pub fn simulate_answer_value(answer: &SimulateAnswer) -> Value {
+    if let Some(why) = &answer.does_not_stand {
+        let outcome = json!({ "kind": "does_not_stand", "why": why.to_string() });
+        return json!({ "file": answer.file, "outcome": outcome });
+    }
+    match answer.simulations.as_slice() {
+        [] => json!({ "simulations": [] }),
+        [Simulation::Frame(_), ..] => {
+            let each = answer.simulations.iter();
+            let all: Vec<Value> = each.map(|run| simulation_value(run, answer)).collect();
+            json!({ "judgement": judgement(&judge_simulation(answer)), "simulations": all })
+        }
+        [one, ..] => simulation_value(one, answer),
+    }
+}
+
+/// A simulation of any kind as JSON, judged with what its answer says of the model.
+pub(crate) fn simulation_value(simulation: &Simulation, of: &SimulateAnswer) -> Value {
     let mut value = match simulation {
         Simulation::Chain(run) => chain_simulation_json(run),
         Simulation::Frame(run) => frame_simulation_json(run),
         Simulation::Stack(runs) => stack_runs_json(runs),
         Simulation::Building(run) => building_simulation_json(run),
     };
-    value["judgement"] = judgement(&judge_run(simulation, evidence));
+    value["judgement"] = judgement(&judge_run(simulation, of));
     value
 }
 
@@ -38,10 +55,10 @@ pub fn simulation_value(simulation: &Simulation, evidence: &Evidence) -> Value {
 /// [`PoseError`], where a history has no pose for each block.
 pub fn simulation_files(
     simulation: &Simulation,
-    evidence: &Evidence,
+    of: &SimulateAnswer,
     language: Language,
 ) -> Result<Vec<NamedFile>, PoseError> {
-    let value = simulation_value(simulation, evidence);
+    let value = simulation_value(simulation, of);
     let mut files = vec![NamedFile::json("simulation.json", &value)];
     let mut put = |name: &str, text: String| files.push(NamedFile::new(name, text));
     let figures = match simulation {

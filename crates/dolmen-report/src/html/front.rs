@@ -68,12 +68,17 @@ pub(crate) fn has_headline(answer: &ProjectReport) -> bool {
 pub(crate) fn headline_line(answer: &ProjectReport, language: Language) -> String {
     let judgement = judge(&answer.answers);
     let mut all = Vec::new();
+    all.extend(alarm(&judgement, language));
     all.extend(judgement.headline().map(|of| headline(of, language)));
     all.extend(worse(answer, &judgement, language));
-    if judgement.is_alarming {
-        all.push(Sentence::from(Headline::Alarm).text(language));
-    }
     format!("{} {}", judgement_sign(&judgement), all.join("; "))
+}
+
+/// What the surveys over the years leave open, which no verdict on weight or shaking holds.
+fn alarm(judgement: &Judgement, language: Language) -> Option<String> {
+    judgement
+        .is_alarming
+        .then(|| Sentence::from(Headline::Alarm).text(language))
 }
 
 /// What an earthquake does to a version that is not above demand, a word each.
@@ -135,7 +140,9 @@ pub(crate) fn banner(answer: &ProjectReport, state: &State, language: Language) 
     let verdict = state.verdict();
     let judgement = judge(&answer.answers);
     let judged = judgement.headline();
-    let words = judged.map_or_else(String::new, |of| headline(of, language));
+    let words = judged.map(|of| headline(of, language));
+    let words: Vec<String> = alarm(&judgement, language).into_iter().chain(words).collect();
+    let words = words.join(" · ");
     let shaken = judged.map_or_else(Vec::new, |of| shaken(of, &answer.project.structure, language));
     let stack = match &state.check {
         Check::Stack(answer) => Some(answer),

@@ -11,17 +11,28 @@ use serde_json::{Value, json};
 pub(crate) fn judgement(judgement: &Judgement) -> Value {
     json!({
         "colour": judgement.colour().word(),
-        "words": judgement.headline().map(|of| of.words(Language::English)),
+        "words": words(judgement),
         "headline": judgement.headline().map(|of| headline(of, Language::English)),
         "finished": judgement.is_done,
         "versions": judgement.versions.iter().map(version).collect::<Vec<_>>(),
     })
 }
 
+/// Those of the headline, then those of each worse variant.
+fn words(judgement: &Judgement) -> Option<Vec<String>> {
+    let mut words = judgement.headline()?.words(Language::English);
+    words.extend(judgement.worse().map(|of| {
+        let variant = of.variant.as_deref().unwrap_or_default();
+        format!("variant {variant}: {}", of.words(Language::English).join(", "))
+    }));
+    Some(words)
+}
+
 fn version(version: &VersionJudgement) -> Value {
     let earthquake = version.earthquake_word();
     json!({
         "variant": version.variant,
+        "words": version.words(Language::English),
         "colour": version.colour().word(),
         "weight": version.weight.map(weight),
         "governed_by": version.governed_by.as_ref().map(|by| by.key()),

@@ -1,8 +1,9 @@
 //! What records say of modes in plain words.
 
 use super::notes::note_words;
+use super::setup_remarks::setup_faults;
 use super::steps::step_words;
-use super::values::{frequency, hertz};
+use super::values::{all_hertz, frequency, hertz};
 use crate::document::{Finding, Tone};
 use dolmen::modal::{DrivenMode, Mode, Note, SensorDoubt};
 use dolmen::signal::Processing;
@@ -64,6 +65,10 @@ messages! {
             en: "Only {share} % of the motion at {frequency} follows the measured input: wind, people or noise move the rest, and clocks that differ or noise of the input would show as this too. Is it a mode on a held base?",
             ko: "{frequency}의 운동 중 계측한 입력을 따르는 것은 {share} %뿐이다. 나머지는 바람, 사람, 잡음에 의한 것이며, 시계가 다르거나 입력에 잡음이 많아도 이렇게 나타난다. 기초가 고정된 모드인지 확인한다.",
         },
+        PeaksBelow { peaks: Values, lowest: Quantity } => {
+            en: "Below the lowest mode found, {lowest}, the spectrum has peaks that a test refused: {peaks}. The first mode may be among them; with --full the record says which test, and what admits it.",
+            ko: "찾은 최저차 모드 {lowest} 아래에 판정 기준에서 제외된 피크가 있다: {peaks}. 1차 모드일 수 있다. 제외 사유와 채택 방법은 --full의 기록 항목에 있다.",
+        },
         OneFault => {
             en: "1 fault was seen in its channels; it is named with the record.",
             ko: "채널에서 이상 1건이 발견되었다(기록 항목 참조).",
@@ -116,6 +121,8 @@ fn of_survey(survey: &SurveyAnswer) -> Vec<Finding> {
     let mut all: Vec<Finding> = survey.records.iter().flat_map(of_record).collect();
     if let Some(setups) = &survey.setups {
         all.push(of_setups(setups));
+        let faults = setup_faults(setups).into_iter();
+        all.extend(faults.map(|said| Finding::key(Tone::Warn, said).with_code("setups")));
         all.extend(accepted(&setups.modes().modes));
         all.extend(setups.records.iter().flat_map(doubts));
     }
@@ -168,9 +175,32 @@ fn of_record(record: &RecordAnswer) -> Vec<Finding> {
         ),
     };
     let mut all = vec![first];
+    all.extend(peaks_below(record, &found));
     all.extend(accepted(&modes.modes));
     all.extend(doubts(record));
     all
+}
+
+/// Peaks of the spectrum below the lowest mode that no test admits: one of them may be the first mode.
+fn peaks_below(record: &RecordAnswer, found: &[&Mode]) -> Option<Finding> {
+    let lowest_hz = found
+        .iter()
+        .map(|mode| mode.frequency_hz)
+        .min_by(f64::total_cmp)?;
+    let peaks = record.analysis.notes.iter().find_map(|note| match note {
+        Note::PeaksWithoutMode { peaks } => Some(peaks),
+        _ => None,
+    })?;
+    let below = peaks
+        .iter()
+        .map(|peak| peak.frequency_hz)
+        .filter(|hz| *hz < lowest_hz);
+    let below: Vec<f64> = below.collect();
+    let said = Found::PeaksBelow {
+        peaks: all_hertz(&below),
+        lowest: hertz(lowest_hz),
+    };
+    (!below.is_empty()).then(|| Finding::key(Tone::Warn, said).with_code("mode-missing"))
 }
 
 fn frequencies(modes: &[&Mode]) -> Values {

@@ -111,6 +111,15 @@ pub(crate) fn setup_remarks(setups: &SetupsAnswer) -> Vec<Sentence> {
     said.into_iter().map(Sentence::from).collect()
 }
 
+/// What makes shapes that are put together wrong: references of another gain, and modes that look otherwise in other setups.
+pub(super) fn setup_faults(setups: &SetupsAnswer) -> Vec<Sentence> {
+    let merged = &setups.merged;
+    let faults = merged.reference_faults.iter().map(fault_words);
+    let left_out = left_out(&merged.partial).into_iter();
+    let unlike = left_out.filter(|said| matches!(said, Remarks::OtherShapes { .. }));
+    faults.chain(unlike).map(Sentence::from).collect()
+}
+
 fn counted_from_one(setups: &[usize]) -> Vec<usize> {
     setups.iter().map(|setup| setup + 1).collect()
 }

@@ -38,6 +38,14 @@ messages! {
             en: "Damper {damper}: {given} of the motion without it as in the file, {rule} at the place of the rule, {best} placed and tuned best, where {most} of its stroke was asked for.",
             ko: "제진장치 {damper}: 비제어 대비 입력 상태 {given}, 논문의 규칙에 따른 위치 {rule}, 행정을 입력 상태의 {most}배로 제한하여 구한 최적 위치와 동조 {best}.",
         },
+        OfDeviations { said: Sentence } => {
+            en: "{said} These are standard deviations: the largest peak is sought for single dampers only.",
+            ko: "{said} 이 값은 표준편차의 비이며, 최대 피크는 단일 제진장치에 대해서만 구한다.",
+        },
+        OffOnlyAlone { share: Quantity } => {
+            en: "Frequencies off by {share} are taken into account for each damper by itself, not for all together.",
+            ko: "진동수 오차 {share}은(는) 제진장치별 설계에만 반영하였고 전체 동시 설계에는 반영하지 않았다.",
+        },
         ComparedTogether { given: Quantity, best: Quantity } => {
             en: "All dampers together: {given} of the motion without them as in the file, {best} placed and tuned best together.",
             ko: "제진장치 전체: 비제어 대비 입력 상태 {given}, 위치와 동조 동시 최적 {best}.",
@@ -53,6 +61,11 @@ messages! {
 pub(crate) fn findings(tunings: &[&TuneAnswer], together: &[&TogetherAnswer]) -> Vec<Finding> {
     let mut all: Vec<Finding> = tunings.iter().flat_map(|answer| of_one(answer)).collect();
     all.extend(together.iter().flat_map(|answer| of_all(answer)));
+    let off = tunings.iter().map(|answer| answer.off_by).fold(0.0, f64::max);
+    if off > 0.0 && !together.is_empty() {
+        let share = Quantity::percent(off, 3);
+        all.push(Finding::key(Tone::Plain, Found::OffOnlyAlone { share }));
+    }
     let mut rooms = tunings.iter().map(|answer| &answer.room);
     let mut others = together.iter().map(|answer| &answer.room);
     if rooms.any(RoomCheck::is_unjudged) || others.any(RoomCheck::is_unjudged) {
@@ -124,6 +137,10 @@ fn of_all(answer: &TogetherAnswer) -> Vec<Finding> {
         let said = match answer.stroke_most.map(part) {
             None => Found::ComparedTogether { given, best },
             Some(most) => Found::ComparedTogetherKept { given, best, most },
+        };
+        let said = match answer.peaks_not_sought {
+            true => Found::OfDeviations { said: said.into() },
+            false => said,
         };
         all.push(Finding::key(Tone::Plain, said));
     }

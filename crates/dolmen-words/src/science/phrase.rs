@@ -41,6 +41,7 @@ const PHRASES: &[(&str, &str)] = &[
         "1 or more (infinite for a deviation that is known)",
         "1 이상(표준편차를 알면 무한대)",
     ),
+    ("1 or more", "1 이상"),
     ("2 or more", "2 이상"),
     ("6 or more", "6 이상"),
     ("at least 1", "1 이상"),

@@ -2,7 +2,7 @@
 
 use super::{BuildingAnswer, BuildingSimulation};
 use crate::part_limit::{Limited, Part, PartLimit};
-use dolmen::assess::demand::DriftLimit;
+use dolmen::assess::demand::{DRIFT_RATIO_MOST, DriftLimit};
 use dolmen_project::{BuiltDamper, strokes_of};
 
 /// By the spectrum of the site, with the dampers where there are any; empty where that is not computed.
@@ -49,19 +49,23 @@ fn rooms(dampers: &[BuiltDamper], strokes_m: impl Iterator<Item = f64>) -> Vec<P
 }
 
 impl BuildingSimulation {
-    /// Each storey against its allowable drift in any direction, and each damper against its room.
+    /// Each storey against its allowable drift at its edges along x and along y, as by the spectrum of the site, and each damper against its
+    /// room.
     pub fn parts(&self) -> Vec<PartLimit> {
         let storeys = self.floors.iter().zip(self.building.building().storeys());
         let drifts = storeys.zip(&self.history.peaks.storeys);
         let mut all: Vec<PartLimit> = drifts
-            .map(|((floor, storey), peak)| {
-                let ratio = peak.resultant.size_m / storey.height_m;
-                PartLimit::of_drift(
-                    Part::BelowFloor(floor.clone()),
-                    "",
-                    ratio,
-                    self.drift_limit.as_ref(),
-                )
+            .flat_map(|((floor, storey), peak)| {
+                let along_x = peak.edge_drift_x_m.unwrap_or(peak.drift_x_m);
+                let along_y = peak.edge_drift_y_m.unwrap_or(peak.drift_y_m);
+                [("x", along_x), ("y", along_y)].map(|(direction, drift_m)| {
+                    PartLimit::of_drift(
+                        Part::BelowFloor(floor.clone()),
+                        direction,
+                        drift_m.value.abs() / storey.height_m,
+                        self.drift_limit.as_ref(),
+                    )
+                })
             })
             .collect();
         let strokes = self.history.peaks.strokes_m.iter();
@@ -69,8 +73,8 @@ impl BuildingSimulation {
         all
     }
 
-    /// Whether a storey drifted beyond what any model of small drifts can tell of.
+    /// Whether a storey drifted, in any direction, beyond what any model of small drifts can tell of.
     pub fn falls(&self) -> bool {
-        self.parts().iter().any(PartLimit::falls)
+        self.drift().ratio > DRIFT_RATIO_MOST || self.parts().iter().any(PartLimit::falls)
     }
 }

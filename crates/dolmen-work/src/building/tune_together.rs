@@ -321,8 +321,17 @@ impl All<'_> {
             Freedom::Kept => TogetherChoice::Best,
             Freedom::Free => TogetherChoice::BestShared,
         };
-        let mut row = self.judged(choice, &dampers)?;
-        row.end = Some(found.end);
-        Ok(row)
+        let row = TogetherRow {
+            end: Some(found.end),
+            ..self.judged(choice.clone(), &dampers)?
+        };
+        // a search that ends worse than it began, as under a limit of strokes that the start keeps, has found nothing
+        Ok(match row.cost <= start.cost {
+            true => row,
+            false => TogetherRow {
+                choice,
+                ..start.clone()
+            },
+        })
     }
 }

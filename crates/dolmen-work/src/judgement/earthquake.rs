@@ -3,7 +3,7 @@
 use super::colour::Colour;
 use crate::building::RowStroke;
 use crate::part_limit::{Limited, NotCompared, Part, PartLimit, WhyNotCompared, worst_part};
-use crate::state::State;
+use crate::state::{Check, State};
 use dolmen::assess::DamageState;
 use dolmen::stability::stack::DemandVerdict;
 use dolmen_words::Language;
@@ -51,8 +51,10 @@ pub enum DecidedBy {
     StoodOnEdge,
     /// The stroke of a damper over its room.
     Room,
-    /// Nothing: there is no limit to hold the answer against, or it could not be compared.
+    /// Nothing: there is no limit to hold the answer against.
     NoLimit,
+    /// Nothing: no response to the spectrum of the site could be computed.
+    NoResponse,
     /// Nothing: the bed of a joint is not known.
     BedUnknown,
     /// Nothing: the stiffness is not known, at least in one direction.
@@ -193,6 +195,7 @@ impl DecidedBy {
             DecidedBy::BedUnknown => "bed_unknown",
             DecidedBy::StiffnessUnknown => "stiffness_unknown",
             DecidedBy::Contradicted => "contradicted",
+            DecidedBy::NoResponse => "no_response",
             DecidedBy::DoesNotStand => "does_not_stand",
             DecidedBy::Unfinished => "unfinished",
         }
@@ -210,9 +213,15 @@ pub(super) fn of_site(state: &State) -> Vec<EarthquakeFinding> {
             ..EarthquakeFinding::new(Earthquake::of_demand(stack.verdict), DecidedBy::CodeDemand, None)
         }];
     }
-    let mut found: Vec<EarthquakeFinding> = demand.compared.not_compared.iter().map(of_none).collect();
-    if found.is_empty() || !demand.compared.parts.is_empty() {
-        found.extend(of_parts(&demand.compared.parts, None));
+    let compared = &demand.compared;
+    let is_read = demand.refused.is_none() && !matches!(state.check, Check::Building(_));
+    if compared.parts.is_empty() && compared.not_compared.is_empty() && !is_read {
+        let none = EarthquakeFinding::new(Earthquake::NotDecided, DecidedBy::NoResponse, None);
+        return vec![none];
+    }
+    let mut found: Vec<EarthquakeFinding> = compared.not_compared.iter().map(of_none).collect();
+    if found.is_empty() || !compared.parts.is_empty() {
+        found.extend(of_parts(&compared.parts, None));
     }
     found
 }

@@ -10,7 +10,6 @@ use super::version::{VersionJudgement, leaning, version};
 use super::weight::Weight;
 use crate::answer::{Answer, CheckAnswer};
 use crate::building::{TogetherAnswer, TogetherChoice, TuneAnswer};
-use crate::chain::ChainSimulation;
 use crate::identify::lowest_of_records;
 use crate::inventory::InventoryLine;
 use crate::simulation::{SimulateAnswer, Simulation};
@@ -50,7 +49,7 @@ impl Judgement {
     /// Runs of one version each; a structure that does not stand without any shaking is unstable.
     fn add_runs(&mut self, simulated: &SimulateAnswer) {
         for run in &simulated.simulations {
-            self.add_run(run, &simulated.evidence);
+            self.add_run(run, simulated);
         }
         if simulated.does_not_stand.is_some() {
             let variant = simulated.variant.as_deref();
@@ -62,7 +61,8 @@ impl Judgement {
         }
     }
 
-    fn add_run(&mut self, run: &Simulation, evidence: &Evidence) {
+    fn add_run(&mut self, run: &Simulation, of: &SimulateAnswer) {
+        let evidence = &of.evidence;
         let (mut found, is_done) = of_simulation(run);
         let is_as_it_is = run.variant().is_none();
         // a stack rests on shapes and friction, and a variant has no survey of its own
@@ -77,21 +77,14 @@ impl Judgement {
             if evidence.is_contradicted() && is_as_it_is {
                 version.evidence = evidence.clone();
             }
+            // a chain that falls without any shaking is unstable, whatever the motion did
+            version.weight = match run {
+                Simulation::Chain(run) if run.falls_by_itself() => Some(Weight::Unstable),
+                _ if of.is_marginal && version.weight.is_none() => Some(Weight::Marginal),
+                _ => version.weight,
+            };
         }
         self.is_done &= is_done;
-        if let Simulation::Chain(run) = run {
-            self.add_weight(run);
-        }
-    }
-
-    /// A chain that falls without any shaking is unstable, whatever the motion did.
-    fn add_weight(&mut self, run: &ChainSimulation) {
-        let mut versions = self.versions.iter_mut();
-        if run.falls_by_itself()
-            && let Some(version) = versions.find(|version| version.variant == run.variant)
-        {
-            version.weight = Some(Weight::Unstable);
-        }
     }
 
     /// The worst colour of all versions: that of banner, index and exit.
@@ -217,10 +210,10 @@ pub fn judge_simulation(simulated: &SimulateAnswer) -> Judgement {
     judgement
 }
 
-/// The judgement of one simulation, beside what surveys say of the model.
-pub fn judge_run(run: &Simulation, evidence: &Evidence) -> Judgement {
+/// The judgement of one simulation of an answer.
+pub fn judge_run(run: &Simulation, of: &SimulateAnswer) -> Judgement {
     let mut judgement = Judgement::empty();
-    judgement.add_run(run, evidence);
+    judgement.add_run(run, of);
     judgement
 }
 
