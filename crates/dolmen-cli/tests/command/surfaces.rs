@@ -379,3 +379,15 @@ fn holds_what_several_surveys_do_not_give_is_said_once() {
     let times = words.matches("No factors on the springs").count();
     assert!(times <= 1, "{times}: {words}");
 }
+
+#[test]
+fn holds_a_check_says_what_it_did_not_look_at() {
+    let post = "schema = 1\nkind = \"stack\"\nname = \"Post\"\ndensity = 2600\njoint = { friction = 0.7 }\n\
+        blocks = [{ name = \"post\", width = 0.6, height = 4.2 }]\n[watch.log.tx]\nfile = \"log.csv\"\nkind = \"tilt\"\n\
+        direction = \"x\"\nunit = \"mm/m\"\nlimit = \"6.67 mm/m\"\n";
+    let (_, words) = said("unread-log", post, CHECK);
+    assert!(
+        words.contains("What loggers read of tilts and cracks is not in this answer (tx)"),
+        "{words}"
+    );
+}

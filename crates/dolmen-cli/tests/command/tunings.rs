@@ -275,3 +275,46 @@ fn holds_rooms_are_held_against_strokes_under_the_motions_of_the_file() {
     let said = "the file has no motion or site to hold it against";
     assert!(unwrapped(&answer.stdout).contains(said), "{}", answer.stdout);
 }
+
+/// A floor that twists, with two masses at its ends.
+const TWO_MASSES: &str = "schema = 1\nkind = \"building\"\nname = \"Two\"\nunits = { length = \"m\", mass = \"t\", stiffness = \"N/mm\" }\n\
+    p_delta = false\nfloors = [{ name = \"roof\", mass = 100, sides = [10, 8], height = 30, walls = [\n\
+    { x = 0, y = -4, stiffness_x = 260 }, { x = 0, y = 4, stiffness_x = 260 },\n\
+    { x = -5, y = 0, stiffness_y = 240 }, { x = 5, y = 0, stiffness_y = 130 }] }]\ndamping = { ratio = 0.02 }\n\
+    points = [{ name = \"l\", floor = 1, place = [-5, 0] }, { name = \"r\", floor = 1, place = [5, 0] }]\n\
+    [damper.a]\nkind = \"tmd\"\nfloor = 1\nplace = [5, 0]\ndirection = \"y\"\nmass = 2\ntuning = \"den_hartog\"\n\
+    [damper.b]\nkind = \"tmd\"\nfloor = 1\nplace = [-5, 0]\ndirection = \"y\"\nmass = 1.5\nmode = 3\ntuning = \"den_hartog\"\n";
+
+#[test]
+fn regress_a_search_that_fails_is_never_the_best_and_options_of_single_dampers_say_so() {
+    let scratch = Scratch::new("two-masses");
+    fs::write(scratch.path().join("project.toml"), TWO_MASSES).unwrap();
+    let answer = scratch.dolmen("--json tune project.toml --load base --stroke-most 0.5 --map 3");
+    let json: serde_json::Value =
+        serde_json::from_str(&answer.stdout).unwrap_or_else(|_| panic!("{}", answer.stderr));
+    let rows = json["together"][0]["rows"].as_array().unwrap();
+    let cost = |choice: &str| {
+        let row = rows.iter().find(|row| row["choice"] == choice).unwrap();
+        row["cost_ratio"].as_f64().unwrap()
+    };
+    assert!(
+        cost("best") <= cost("tuned_best") * (1.0 + 1e-9),
+        "{} {}",
+        cost("best"),
+        cost("tuned_best")
+    );
+    let words = |flags: &str| {
+        unwrapped(
+            &scratch
+                .briefly(&format!("tune project.toml {flags} --map 3"))
+                .stdout,
+        )
+    };
+    let off = words("--load base --off 0.1");
+    assert!(
+        off.contains("for each damper by itself, not for all together"),
+        "{off}"
+    );
+    let peaks = words("--load force --goal largest-peak");
+    assert!(peaks.contains("These are standard deviations"), "{peaks}");
+}

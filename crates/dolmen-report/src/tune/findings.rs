@@ -61,11 +61,6 @@ messages! {
 pub(crate) fn findings(tunings: &[&TuneAnswer], together: &[&TogetherAnswer]) -> Vec<Finding> {
     let mut all: Vec<Finding> = tunings.iter().flat_map(|answer| of_one(answer)).collect();
     all.extend(together.iter().flat_map(|answer| of_all(answer)));
-    let off = tunings.iter().map(|answer| answer.off_by).fold(0.0, f64::max);
-    if off > 0.0 && !together.is_empty() {
-        let share = Quantity::percent(off, 3);
-        all.push(Finding::key(Tone::Plain, Found::OffOnlyAlone { share }));
-    }
     let mut rooms = tunings.iter().map(|answer| &answer.room);
     let mut others = together.iter().map(|answer| &answer.room);
     if rooms.any(RoomCheck::is_unjudged) || others.any(RoomCheck::is_unjudged) {
@@ -143,6 +138,10 @@ fn of_all(answer: &TogetherAnswer) -> Vec<Finding> {
             false => said,
         };
         all.push(Finding::key(Tone::Plain, said));
+    }
+    if answer.off_by > 0.0 {
+        let share = Quantity::percent(answer.off_by, 3);
+        all.push(Finding::key(Tone::Plain, Found::OffOnlyAlone { share }));
     }
     all
 }

@@ -244,6 +244,8 @@ pub struct TogetherRow {
 /// All dampers of a project at once.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TogetherAnswer {
+    /// By how much the frequencies of single dampers are off in their designs: here they are not.
+    pub off_by: f64,
     /// Path of the project file as the user named it.
     pub file: String,
     /// The building.

@@ -73,6 +73,7 @@ pub(crate) fn of_all(
     let each: Vec<Vec<BuiltDamper>> = rows.iter().map(|row| row.dampers.clone()).collect();
     let room = room_check((project, part), files, &each)?;
     Ok(Some(TogetherAnswer {
+        off_by: options.off_by,
         file: file.to_owned(),
         name: project.name.clone(),
         variant,

@@ -74,13 +74,14 @@ impl Judgement {
         let mut versions = self.versions.iter_mut();
         if let Some(version) = versions.find(|of| of.variant.as_deref() == run.variant()) {
             version.leans = leaning(run).or(version.leans.take());
-            if evidence.is_contradicted() && is_as_it_is {
+            let is_contradicted = evidence.is_contradicted() && is_as_it_is;
+            if is_contradicted {
                 version.evidence = evidence.clone();
             }
             // a chain that falls without any shaking is unstable, whatever the motion did
             version.weight = match run {
                 Simulation::Chain(run) if run.falls_by_itself() => Some(Weight::Unstable),
-                _ if of.is_marginal && version.weight.is_none() => Some(Weight::Marginal),
+                _ if of.is_marginal && !is_contradicted && version.weight.is_none() => Some(Weight::Marginal),
                 _ => version.weight,
             };
         }
