@@ -5,9 +5,9 @@ use super::tracking::{Jumped, Track};
 
 /// Surveys that could have shown a mode before it can be missed. Chosen here.
 const SURVEYS_LEAST: usize = 5;
-/// Probability of missing so many surveys by chance below which it is an alarm. Chosen here: two surveys running of a mode that twenty showed.
+/// Probability of missing so many surveys by chance below which it is an alarm, however seldom surveys are. Chosen here.
 const CHANCE_MOST: f64 = 0.005;
-/// Modes missed more often than this say nothing together with others: one poor record misses them all. Chosen here.
+/// Modes missed more often than this say nothing together with others. Chosen here.
 const REGULAR_FROM: f64 = 0.15;
 
 /// A mode that the last surveys do not show.
@@ -23,8 +23,12 @@ pub struct LostMode {
     pub found: usize,
     /// of how many that could show it.
     pub of: usize,
+    /// The most of these that missed it running.
+    pub gap: usize,
     /// Probability of missing it so often by chance.
     pub chance: f64,
+    /// Whether each survey that misses it shows a mode that none had before: it was no poor record.
+    pub is_replaced: bool,
     /// Frequency of a mode of like shape that began since, Hz.
     pub began_hz: Option<f64>,
 }
@@ -37,14 +41,13 @@ impl LostMode {
     }
 }
 
-/// Whether what is lost is beyond chance: one mode alone, or regular ones together.
-pub(super) fn is_beyond_chance(lost: &[LostMode]) -> bool {
-    let together: f64 = lost
-        .iter()
-        .filter(|of| of.is_regular())
-        .map(|of| of.chance)
-        .product();
-    lost.iter().any(|of| of.chance <= CHANCE_MOST) || together <= CHANCE_MOST
+/// Whether what is lost is beyond chance: one mode alone, longer than ever before, or regular ones together where surveys show others instead.
+/// `surveys_between`: surveys times modes among which one false alarm is allowed.
+pub(super) fn is_beyond_chance(lost: &[LostMode], surveys_between: f64) -> bool {
+    let most = CHANCE_MOST.min(1.0 / surveys_between);
+    let regular = lost.iter().filter(|of| of.is_regular() && of.is_replaced);
+    let together: f64 = regular.map(|of| of.chance).product();
+    lost.iter().any(|of| of.chance <= most && of.missed > of.gap) || together <= most
 }
 
 /// The modes that the last surveys miss.
@@ -62,42 +65,134 @@ pub(super) fn lost(
     jumped: &[Jumped],
     answered: impl Fn(usize) -> bool,
 ) -> Vec<LostMode> {
+    let surveys = &history.surveys;
     let each = tracks.iter().enumerate().filter_map(|(mode, track)| {
         let last = track.modes.iter().rposition(Option::is_some)?;
-        let surveys = &history.surveys;
         let is_known = |direction: &str| {
             let mut before = surveys[..=last].iter().flat_map(|survey| &survey.modes);
             before.any(|mode| mode.direction.as_deref() == Some(direction))
         };
-        let could = |survey: &HistorySurvey| {
-            survey
-                .modes
-                .iter()
-                .any(|other| match (&track.direction, &other.direction) {
-                    // of another name than any before: the directions were named anew, or others measured
-                    (Some(own), Some(other)) => own == other || !is_known(other),
-                    _ => true,
-                })
+        let fits = |other: Option<&str>| match (track.direction.as_deref(), other) {
+            // of another name than any before: the directions were named anew, or others measured
+            (Some(own), Some(other)) => own == other || !is_known(other),
+            _ => true,
         };
-        let of = surveys[..=last].iter().filter(|survey| could(survey)).count();
-        let after = || (last + 1..surveys.len()).filter(|i| could(&surveys[*i]));
-        let (since, missed, found) = (after().next()?, after().count(), track.found());
+        let could = |survey: &HistorySurvey| survey.modes.iter().any(|mode| fits(mode.direction.as_deref()));
+        let before: Vec<usize> = (0..=last).filter(|i| could(&surveys[*i])).collect();
+        let after: Vec<usize> = (last + 1..surveys.len())
+            .filter(|i| could(&surveys[*i]))
+            .collect();
+        let (since, missed, of) = (*after.first()?, after.len(), before.len());
         if of < SURVEYS_LEAST || answered(since) {
             return None;
         }
-        let each_misses = (of.saturating_sub(found) + 1) as f64 / (of + 2) as f64;
-        let began = jumped
+        let found = track.found().min(of);
+        let is_new = |survey: usize| {
+            let old = tracks
+                .iter()
+                .filter(|other| other.modes[..since].iter().any(Option::is_some));
+            let taken: Vec<usize> = old.filter_map(|other| other.modes[survey]).collect();
+            let modes = surveys[survey].modes.iter().enumerate();
+            let mut own = modes.filter(|(_, mode)| fits(mode.direction.as_deref()));
+            own.any(|(i, _)| !taken.contains(&i))
+        };
+        let runs = before.split(|i| track.modes[*i].is_some());
+        let each_misses = (of - found + 1) as f64 / (of + 2) as f64;
+        let mut began = jumped
             .iter()
             .filter(|of| of.at >= since && of.from_hz == track.frequency_hz);
         Some(LostMode {
             mode,
             since,
             missed,
-            found: found.min(of),
+            found,
             of,
+            gap: runs.map(<[usize]>::len).max().unwrap_or(0),
             chance: each_misses.powi(missed.min(1000) as i32),
-            began_hz: began.map(|of| of.to_hz).next(),
+            is_replaced: after.iter().all(|survey| is_new(*survey)),
+            began_hz: began.next().map(|of| of.to_hz),
         })
     });
     each.collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::modal::ObservedMode;
+    use crate::numeric::Random;
+
+    fn observed(frequency_hz: f64) -> ObservedMode {
+        ObservedMode {
+            frequency_hz,
+            frequency_sd_hz: None,
+            damping_ratio: None,
+            damping_ratio_sd: None,
+            degrees_of_freedom: f64::INFINITY,
+            direction: None,
+            accepted: false,
+            shape: Vec::new(),
+        }
+    }
+
+    /// Daily surveys that miss each of three modes with a probability, the first one for good in the last `gone` of them.
+    fn missed(seed: u64, probability: f64, gone: usize) -> Vec<LostMode> {
+        const SURVEYS: usize = 200;
+        let mut random = Random::new(seed, 0);
+        let mut tracks: Vec<Track> = [2.0, 3.0, 5.0]
+            .map(|frequency_hz| Track {
+                frequency_hz,
+                direction: None,
+                modes: Vec::new(),
+                assurances: Vec::new(),
+            })
+            .to_vec();
+        let mut surveys = Vec::new();
+        for survey in 0..SURVEYS {
+            let mut modes = vec![observed(1.0)];
+            for (m, track) in tracks.iter_mut().enumerate() {
+                let is_gone = m == 0 && survey >= SURVEYS - gone;
+                let found = random.uniform() >= probability && !is_gone;
+                track.modes.push(found.then_some(modes.len()));
+                if found {
+                    modes.push(observed(track.frequency_hz));
+                }
+            }
+            surveys.push(HistorySurvey {
+                name: survey.to_string(),
+                day: survey as f64,
+                temperature_c: None,
+                modes,
+                tilts: Vec::new(),
+            });
+        }
+        // the mode of 1 Hz is followed, too
+        tracks.push(Track {
+            frequency_hz: 1.0,
+            direction: None,
+            modes: vec![Some(0); SURVEYS],
+            assurances: Vec::new(),
+        });
+        let history = History {
+            surveys,
+            works: Vec::new(),
+        };
+        lost(&history, &tracks, &[], |_| false)
+    }
+
+    /// Daily surveys of four modes, one false alarm in ten years.
+    const BETWEEN: f64 = 3652.5 * 4.0;
+
+    #[test]
+    fn holds_chance_misses_are_no_alarm_and_lasting_ones_are() {
+        let alarms = |probability: f64, gone: usize| {
+            (0..300)
+                .filter(|seed| is_beyond_chance(&missed(*seed, probability, gone), BETWEEN))
+                .count()
+        };
+        // 300 days, of which one in 3,650 may alarm
+        assert!(alarms(0.1, 0) <= 1 && alarms(0.3, 0) <= 1);
+        assert_eq!(alarms(0.0, 3), 300);
+        assert!(alarms(0.1, 8) >= 290, "{}", alarms(0.1, 8));
+    }
 }

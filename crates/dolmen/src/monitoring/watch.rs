@@ -84,6 +84,8 @@ pub struct Watched {
     pub alarms: Vec<StructureAlarm>,
     /// Modes that the last surveys do not show, and that nobody has looked for since.
     pub lost: Vec<LostMode>,
+    /// Surveys times modes among which one false alarm is allowed.
+    pub surveys_between: f64,
     /// T² of each survey that has one.
     pub t_squared: Vec<SurveyTSquared>,
     /// Tilts.
@@ -106,6 +108,7 @@ impl Watched {
             tracked: Tracked::default(),
             alarms: Vec::new(),
             lost: Vec::new(),
+            surveys_between: 1.0,
             t_squared: Vec::new(),
             tilts: Vec::new(),
             interval_days: 0.0,
@@ -117,7 +120,7 @@ impl Watched {
 
     /// Whether modes vanished beyond chance: an alarm like one of a frequency.
     pub fn is_mode_lost(&self) -> bool {
-        !self.lost.is_empty() && is_beyond_chance(&self.lost)
+        !self.lost.is_empty() && is_beyond_chance(&self.lost, self.surveys_between)
     }
 }
 
@@ -183,6 +186,7 @@ pub fn watch(history: &History, options: &WatchOptions) -> Result<Watched, Monit
     Ok(Watched {
         t_squared: t_squared(&judged, days.len())?,
         lost: lost(history, &tracked.tracks, &tracked.jumped, answered),
+        surveys_between: surveys_between * count as f64,
         modes,
         alarms,
         tilts: tilts(history, options)?,
