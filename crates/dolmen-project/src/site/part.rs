@@ -79,7 +79,7 @@ pub struct MotionPart {
     pub name: String,
     /// Its files, or what it is called.
     pub from: MotionSource,
-    /// The column or channel of each component's file, by name or number, where it is said.
+    /// The column or channel of each component's file, by name or number, where the file gives it.
     pub columns: Vec<(Component, String)>,
     /// Where x points, degrees from north, clockwise, of channels that say which way they point.
     pub x_azimuth_deg: Option<f64>,

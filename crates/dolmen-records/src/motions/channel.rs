@@ -69,7 +69,7 @@ pub fn read_channels(bytes: &[u8], options: &MotionOptions) -> Result<Vec<Compon
     each.collect()
 }
 
-/// The channels as they are, where what is told of them can be.
+/// The channels as they are, where that agrees with what the user says of them.
 fn checked_raw(bytes: &[u8], options: &MotionOptions) -> Result<Vec<Raw>, MotionError> {
     if let Some(given) = options.time_step_s
         && !(given > 0.0 && given.is_finite())
@@ -122,7 +122,7 @@ pub fn read_component(bytes: &[u8], options: &MotionOptions) -> Result<Component
     finished(channels.swap_remove(at), options)
 }
 
-/// The only channel, or the one that is named: by its name, of any case and with or without its unit, or by its number from 1.
+/// The only channel, or the one that the user names: by its name, of any case and with or without its unit, or by its number from 1.
 fn chosen(channels: &[Raw], given: Option<&str>) -> Result<usize, MotionError> {
     let names = || channels.iter().map(|channel| channel.name.clone()).collect();
     let Some(given) = given else {

@@ -12,7 +12,7 @@ use dolmen::signal::Channel;
 /// Names that the reader of records gives to columns without any.
 const UNNAMED: [&str; 2] = ["ch1", "ch2"];
 
-/// The samples as the file prints them: of the column that is told, else of every column beside the time.
+/// The samples as the file prints them: of the column that the user names, else of every column beside the time.
 pub(super) fn read(bytes: &[u8], options: &MotionOptions) -> Result<Vec<Raw>, MotionError> {
     let (reading, column) = read_wanted(bytes, options)?;
     let Layout::Csv(layout) = &reading.layout else {
@@ -42,7 +42,7 @@ pub(super) fn read(bytes: &[u8], options: &MotionOptions) -> Result<Vec<Raw>, Mo
     Ok(each.collect())
 }
 
-/// The column to read: the one that is told, or the channel where that is a name. A number counts channels.
+/// The column to read: the one that the user names, or the channel where that is a name. A number counts channels.
 fn wanted(options: &MotionOptions) -> Option<Column> {
     let named = |name: &&String| name.parse::<usize>().is_err();
     let channel = options.channel.as_ref().filter(named);
@@ -52,7 +52,7 @@ fn wanted(options: &MotionOptions) -> Option<Column> {
         .or_else(|| channel.map(|name| Column::Named(name.clone())))
 }
 
-/// The columns read, and which was meant where one is told: "EW" is also the one column "EW (gal)".
+/// The columns read, and which was meant where the user names one: "EW" is also the one column "EW (gal)".
 fn read_wanted(bytes: &[u8], options: &MotionOptions) -> Result<(Reading, Option<Column>), MotionError> {
     let column = wanted(options);
     let refused = match read_columns(bytes, options, column.clone()) {

@@ -82,7 +82,7 @@ impl Nodes {
         };
         for channel in channels {
             let direction = channel.direction.map_or(0, code);
-            // two channels of one direction at one place are told apart by their nodes
+            // two channels of one direction at one place have nodes of their own
             let is_free = |node: usize| !nodes.channels.contains(&(node, direction));
             let place = channel.position_m;
             let there = (0..nodes.places.len())

@@ -16,7 +16,7 @@ const LEFT_PX: f64 = 120.0;
 const ABOVE_PX: f64 = 66.0;
 const CELL_MOST_PX: f64 = 46.0;
 
-/// A row a measured mode, a column a mode of the model; what was told to be one has a frame.
+/// A row a measured mode, a column a mode of the model; a pair taken for one mode has a frame.
 pub(crate) fn model_likeness(model: &ModelModes, language: Language) -> String {
     let columns = model.of_model.len().max(1) as f64;
     let cell = ((WIDTH_PX - LEFT_PX - 8.0) / columns).min(CELL_MOST_PX);

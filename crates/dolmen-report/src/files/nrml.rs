@@ -15,7 +15,7 @@ use dolmen_work::study::{CombinationFragility, ShakingMeasure, StateFragility, S
 use std::fmt::Write as _;
 
 /// Share of the capacities beyond the ends of the range of a curve, of the weakest state below and of the strongest above. OpenQuake holds a curve at
-/// its ends; below the lower one it is told that there is no damage, or frequent small shaking would count with this share. Chosen here.
+/// its ends; below the lower one NRML takes it for undamaged, or frequent small shaking would count with this share. Chosen here.
 const END: f64 = 1e-6;
 
 /// What OpenQuake calls a measure, and how many of its unit are one of SI; `None` for measures that it does not know.
