@@ -112,7 +112,7 @@ fn holds_a_repair_that_loosens_stands_first() {
         &history(|_, survey| Some(if survey >= 20 { 0.98 } else { 1.0 }), &repair),
     );
     assert!(
-        words.contains("◆ With the repair of") && words.contains("changed by −"),
+        words.contains("◆ With the repair of") && words.contains("changed by −") && !words.contains('●'),
         "{words}"
     );
 }

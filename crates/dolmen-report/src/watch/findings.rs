@@ -7,7 +7,7 @@ use super::numbers::{HALF_95, bare_percent, hertz, name, percent, plain};
 use super::tilts::{jumped, leans, tilt};
 use crate::document::{Finding, Tone};
 use dolmen::monitoring::{
-    ChangeForm, LastOff, NotJudged, StructureAlarm, WatchedChange, WatchedMode, WeatherKnown,
+    ChangeForm, LastOff, NotJudged, StructureAlarm, WatchedChange, WatchedMode, WeatherKnown, WorkEffect,
 };
 use dolmen_project::{WorkKind, WorkPart};
 use dolmen_words::{Language, Quantity, Sentence, messages};
@@ -193,9 +193,15 @@ fn mode_hz(answer: &WatchAnswer, mode: usize) -> Quantity {
     )
 }
 
-/// Whether the last survey tells of the modes at all.
+/// Whether the last surveys say too little of the modes, or a repair loosened something: no alarm is no good news then.
 fn is_doubtful(answer: &WatchAnswer) -> bool {
-    !answer.watched.lost.is_empty() || last_survey(answer).is_some()
+    let mut effects = answer.watched.modes.iter().flat_map(|mode| &mode.works);
+    !answer.watched.lost.is_empty() || last_survey(answer).is_some() || effects.any(loosens)
+}
+
+/// Whether a frequency fell with a repair.
+fn loosens(effect: &WorkEffect) -> bool {
+    effect.ratio < -FALLS_FROM * effect.sd
 }
 
 fn alarms(answer: &WatchAnswer) -> Vec<Finding> {
@@ -463,7 +469,7 @@ fn works(answer: &WatchAnswer) -> Vec<Finding> {
                 half: percent(HALF_95 * effect.sd, 2),
             };
             // a repair that loosens
-            match effect.ratio < -FALLS_FROM * effect.sd {
+            match loosens(effect) {
                 true => Finding::key(Tone::Warn, said),
                 false => Finding::new(Tone::Plain, said),
             }
