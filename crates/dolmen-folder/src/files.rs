@@ -192,13 +192,16 @@ pub fn write(path: &Path, bytes: &[u8]) -> Result<()> {
     };
     let folder = folder_of(&target);
     fs::create_dir_all(folder).map_err(|why| cannot_make(folder, why))?;
-    // twice: in between, another process may have taken the part for one that was left behind
-    let written = match part_then_rename(folder, &target, bytes) {
-        Err(fault) if fault.kind() == std::io::ErrorKind::NotFound => {
-            part_then_rename(folder, &target, bytes)
+    // again: in between, each process that begins may take the part for one that was left behind
+    let mut written = part_then_rename(folder, &target, bytes);
+    for _ in 0..TRIES {
+        match &written {
+            Err(fault) if fault.kind() == std::io::ErrorKind::NotFound => {
+                written = part_then_rename(folder, &target, bytes);
+            }
+            _ => break,
         }
-        written => written,
-    };
+    }
     written.map_err(failed)
 }
 
@@ -210,6 +213,8 @@ pub(crate) fn folder_of(file: &Path) -> &Path {
 
 /// Parts in the making are named so: hidden, with the process and a number.
 const PART: (&str, &str) = (".dolmen-", ".part");
+/// How often a part is begun anew that another process cleared away.
+const TRIES: usize = 20;
 /// Parts made by this process.
 static PARTS: AtomicUsize = AtomicUsize::new(0);
 

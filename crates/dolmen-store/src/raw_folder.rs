@@ -17,6 +17,9 @@ const ENDING: &str = ".z";
 #[derive(Clone, Debug)]
 pub(crate) struct RawFolder(PathBuf);
 
+/// How often a file is begun anew that another process cleared away.
+const TRIES: usize = 20;
+
 /// Files made by this process.
 static PARTS: AtomicUsize = AtomicUsize::new(0);
 
@@ -77,11 +80,16 @@ impl RawFiles for RawFolder {
         let is_new_folder = !folder.exists();
         fs::create_dir_all(folder).map_err(|why| told(folder, &why))?;
         let packed = packed(bytes);
-        // twice: before it is locked, another process may take the part for one that was left behind
-        let written = match self.part_then_rename(&packed, &path) {
-            Err(why) if why.kind() == ErrorKind::NotFound => self.part_then_rename(&packed, &path),
-            written => written,
-        };
+        // again: before it is locked, each process that begins may take the part for one that was left behind
+        let mut written = self.part_then_rename(&packed, &path);
+        for _ in 0..TRIES {
+            match &written {
+                Err(why) if why.kind() == ErrorKind::NotFound => {
+                    written = self.part_then_rename(&packed, &path);
+                }
+                _ => break,
+            }
+        }
         written.map_err(|why| told(&path, &why))?;
         sync(folder).map_err(|why| told(folder, &why))?;
         if is_new_folder {

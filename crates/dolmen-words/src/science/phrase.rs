@@ -6,7 +6,6 @@ pub(super) fn phrase(english: &str) -> &str {
     known.map_or(english, |(_, korean)| korean)
 }
 
-/// English as the science writes it, and Korean.
 const PHRASES: &[(&str, &str)] = &[
     ("a positive number", "양수"),
     ("below 30° (0.524 rad) in size", "크기가 30°(0.524 rad) 미만"),
