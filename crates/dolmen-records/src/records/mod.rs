@@ -57,5 +57,5 @@ pub use read::read_record;
 pub use reading::Reading;
 pub use stamps::RateSource;
 pub use stations::{Station, join_stations};
-pub use uff_write::{UffNumbers, record_uff};
+pub use uff_write::{UffNumbers, exponential, record_uff};
 pub use unit::FileUnit;

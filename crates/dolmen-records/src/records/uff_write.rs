@@ -227,8 +227,8 @@ fn line(text: &str) -> String {
     }
 }
 
-/// 1.23457E-02, as FORTRAN writes it.
-fn exponential(value: f64, digits: usize) -> String {
+/// 1.23457E-02, as FORTRAN writes it: so many digits behind the point, two or more in the exponent.
+pub fn exponential(value: f64, digits: usize) -> String {
     let written = format!("{value:.digits$E}");
     match written.split_once('E') {
         Some((digits, exponent)) => {

@@ -9,6 +9,7 @@ use super::named::NamedFile;
 use crate::figures::Wires;
 use crate::mode_film::mode_film;
 use dolmen::modal::{Mode, Modes};
+use dolmen_records::records::exponential;
 use std::f64::consts::TAU;
 use std::fmt::Write;
 
@@ -191,21 +192,8 @@ fn universal(survey: &str, modes: &Modes) -> Option<String> {
 fn numbers(values: &[f64]) -> String {
     values
         .iter()
-        .map(|value| format!("{:>13}", exponential(*value)))
+        .map(|value| format!("{:>13}", exponential(*value, 5)))
         .collect()
-}
-
-/// 1.23457E-02
-fn exponential(value: f64) -> String {
-    let written = format!("{value:.5E}");
-    match written.split_once('E') {
-        Some((digits, exponent)) => {
-            let exponent: i32 = exponent.parse().unwrap_or(0);
-            let sign = if exponent < 0 { '-' } else { '+' };
-            format!("{digits}E{sign}{:02}", exponent.abs())
-        }
-        None => written,
-    }
 }
 
 #[cfg(test)]
@@ -229,7 +217,7 @@ mod tests {
             numbers(&[0.012_345_67, -3.0e12, 0.0]),
             "  1.23457E-02 -3.00000E+12  0.00000E+00"
         );
-        assert_eq!(exponential(1e-120), "1.00000E-120");
+        assert_eq!(exponential(1e-120, 5), "1.00000E-120");
     }
 
     /// Read as the format is described, with a reader that shares no code with the writer.

@@ -279,7 +279,7 @@ fn has_unanswered(answer: &WatchAnswer) -> bool {
     })
 }
 
-/// Standard deviations by which a frequency falls with a repair from which that is said first. Chosen here.
+/// Standard deviations by which a frequency falls with a repair from which that stands first. Chosen here.
 const FALLS_FROM: f64 = 3.0;
 
 /// Why the last survey was not judged, where no mode of it was.
