@@ -4,6 +4,7 @@ mod breaks;
 mod files;
 mod limits;
 mod log;
+mod log_times;
 pub mod meshes;
 pub mod motions;
 mod number;
@@ -16,6 +17,7 @@ mod sheet;
 mod start;
 mod text_code;
 mod unit;
+mod workbook;
 mod wrong;
 
 pub use files::{

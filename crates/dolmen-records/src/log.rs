@@ -1,9 +1,10 @@
 //! Readings of slow sensors over time: files of a Campbell logger (TOA5) and tables of text, a time and values a row.
 
+use crate::log_times::{TimeCells, UnclearDay, says_when};
 use crate::number::parse_number;
-use crate::records::{date_time, has_half_day};
-use crate::start::start_of_text;
+use crate::sheet::SheetError;
 use crate::text_code::decoded;
+use crate::workbook::{is_workbook, workbook_as_csv};
 use dolmen_words::sentences;
 
 /// Lines of a TOA5 file before its readings: the station, names, units, how each was made.
@@ -37,6 +38,13 @@ pub struct Log {
 pub enum LogError {
     /// It is no table of text.
     NotText,
+    /// The workbook is refused.
+    Workbook(SheetError),
+    /// Dates whose day may be their month.
+    WhichDay {
+        /// The first of them.
+        found: String,
+    },
     /// No line has a time and values behind it.
     NoRows,
     /// There is no such column.
@@ -72,6 +80,14 @@ sentences! {
         NotText => {
             en: "the log is no text in UTF-8 or CP949: save it as TOA5 or CSV",
             ko: "기록 파일이 UTF-8이나 CP949 텍스트가 아니다. TOA5나 CSV로 저장한다",
+        },
+        Workbook(why) => {
+            en: "the workbook {why}",
+            ko: "통합 문서: {why}",
+        },
+        WhichDay { found } => {
+            en: "the log has dates such as \"{found}\", and no row says whether their day or their month stands first: write them as 2026-11-25",
+            ko: "기록 파일의 날짜 \"{found}\"에서 일과 월의 순서를 알 수 없다. 2026-11-25처럼 쓴다",
         },
         NoRows => {
             en: "the log holds no readings: a row begins with its time (\"2026-11-25 10:00\") and has values behind it",
@@ -110,6 +126,14 @@ sentences! {
 /// # Ok::<(), dolmen_records::LogError>(())
 /// ```
 pub fn read_log(bytes: &[u8], column: Option<&str>) -> Result<Log, LogError> {
+    let table;
+    let bytes = match is_workbook(bytes) {
+        true => {
+            table = workbook_as_csv(bytes).map_err(LogError::Workbook)?;
+            &table
+        }
+        false => bytes,
+    };
     let turned = decoded(bytes);
     let text = std::str::from_utf8(&turned.bytes).map_err(|_| LogError::NotText)?;
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
@@ -129,7 +153,10 @@ pub fn read_log(bytes: &[u8], column: Option<&str>) -> Result<Log, LogError> {
         true => cells(lines.get(2).copied().unwrap_or_default(), ','),
         false => Vec::new(),
     };
-    let at = place(&names, column, is_toa5)?;
+    let first_row = cells(lines.get(first).copied().unwrap_or_default(), sign);
+    let dates = lines.iter().skip(first).map(|line| first_cell(line, sign));
+    let times = TimeCells::of(&first_row, dates).map_err(|UnclearDay(found)| LogError::WhichDay { found })?;
+    let at = place(&names, column, (times, is_toa5))?;
     let mut rows = Vec::new();
     let mut log = Log {
         times_s: Vec::new(),
@@ -146,10 +173,9 @@ pub fn read_log(bytes: &[u8], column: Option<&str>) -> Result<Log, LogError> {
             continue;
         }
         let row = cells(row, sign);
-        let when = row.first().map_or("", String::as_str);
-        let at_s = time(when).ok_or_else(|| LogError::NoTime {
+        let at_s = times.at(&row).ok_or_else(|| LogError::NoTime {
             line: line + 1,
-            found: shown(when),
+            found: shown(&row[..row.len().min(times.cells())].join(" ")),
         })?;
         log.set_back += usize::from(at_s < before);
         before = at_s;
@@ -227,12 +253,12 @@ fn headed(lines: &[&str]) -> Option<(char, Vec<String>, usize)> {
     let first = lines.iter().position(|line| {
         [',', ';', '\t'].iter().any(|sign| {
             let row = cells(line, *sign);
-            row.len() > 1 && time(&row[0]).is_some()
+            row.len() > 1 && says_when(&row[0])
         })
     })?;
     let sign = [';', '\t', ','].into_iter().find(|sign| {
         let row = cells(lines[first], *sign);
-        row.len() > 1 && time(&row[0]).is_some()
+        row.len() > 1 && says_when(&row[0])
     })?;
     let names = match first.checked_sub(1).and_then(|above| lines.get(above)) {
         Some(head) => cells(head, sign),
@@ -243,9 +269,13 @@ fn headed(lines: &[&str]) -> Option<(char, Vec<String>, usize)> {
     Some((sign, names, first))
 }
 
-fn place(names: &[String], column: Option<&str>, is_toa5: bool) -> Result<usize, LogError> {
+fn place(
+    names: &[String],
+    column: Option<&str>,
+    (times, is_toa5): (TimeCells, bool),
+) -> Result<usize, LogError> {
     // the number of the record of a Campbell logger is no reading
-    let is_reading = |(at, name): &(usize, &String)| *at > 0 && !(is_toa5 && *name == "RECORD");
+    let is_reading = |(at, name): &(usize, &String)| *at >= times.cells() && !(is_toa5 && *name == "RECORD");
     let all: Vec<(usize, &String)> = names.iter().enumerate().filter(is_reading).collect();
     let known = || {
         let names: Vec<String> = all.iter().take(SHOWN_MOST).map(|(_, name)| shown(name)).collect();
@@ -279,43 +309,10 @@ fn cells(row: &str, sign: char) -> Vec<String> {
     all.iter().map(|cell| cell.trim().to_owned()).collect()
 }
 
-/// "2026-11-25 10:00:00", "2026/11/25T10:00", "2026-11-25", "2026-11-25 오후 10:00": year, month, day first; s from 1970.
-fn time(cell: &str) -> Option<f64> {
-    if has_half_day(cell) {
-        let is_dated = cell.chars().take(4).all(|sign| sign.is_ascii_digit());
-        return date_time(cell).filter(|_| is_dated).map(|at| at.seconds);
-    }
-    let (whole, part) = match cell.split_once('.') {
-        Some((whole, part)) if whole.len() > "2026-11-25".len() => (whole, part),
-        _ => (cell, ""),
-    };
-    let whole = whole.trim_end_matches('Z');
-    let is_time = |sign: char| sign.is_ascii_digit() || matches!(sign, '-' | '/' | ':' | ' ' | 'T' | '.');
-    if !whole.chars().all(is_time) || !whole.starts_with(|sign: char| sign.is_ascii_digit()) {
-        return None;
-    }
-    let digits = whole.chars().filter(char::is_ascii_digit).count();
-    let missing = match digits {
-        8 => "000000",
-        12 => "00",
-        14 => "",
-        _ => return None,
-    };
-    let day = whole.get(.."2026-11-25".len())?;
-    if !day
-        .chars()
-        .enumerate()
-        .all(|(at, sign)| matches!(at, 4 | 7) != sign.is_ascii_digit())
-    {
-        return None;
-    }
-    let seconds = start_of_text(&format!("{}{missing}", whole.replace('.', "-")))?;
-    let part: f64 = if part.is_empty() {
-        0.0
-    } else {
-        format!("0.{}", part.trim_end_matches('Z')).parse().ok()?
-    };
-    Some(seconds + part)
+/// The first cell of a row that holds no separator.
+fn first_cell(row: &str, sign: char) -> &str {
+    let cell = row.split(sign).next().unwrap_or_default();
+    cell.trim().trim_matches('"').trim()
 }
 
 /// A number; `Some(None)` where there is no reading, `None` where there is something else.
@@ -424,6 +421,25 @@ mod tests {
         let log = read_log(bytes, Some("기온")).unwrap();
         assert_eq!(log.times_s, [TEN_S, TEN_S + 7200.0]);
         assert_eq!(log.values, [3.5, 4.5]);
+    }
+
+    #[test]
+    fn exact_columns_of_date_and_time_and_days_that_stand_first() {
+        let apart = "Date,Time,Tilt\n25/11/2026,10:00,1\n25/11/2026,11:00,2\n";
+        let log = read_log(apart.as_bytes(), None).unwrap();
+        assert_eq!(
+            (log.times_s, log.values),
+            (vec![TEN_S, TEN_S + 3600.0], vec![1.0, 2.0])
+        );
+        let dots = "Datum;Neigung\n25.11.2026 10:00;1,5\n";
+        assert_eq!(read_log(dots.as_bytes(), None).unwrap().times_s, [TEN_S]);
+        let unclear = "Date,Tilt\n05/11/2026,1\n06/11/2026,2\n";
+        assert_eq!(
+            read_log(unclear.as_bytes(), None).unwrap_err(),
+            LogError::WhichDay {
+                found: "05/11/2026".into()
+            }
+        );
     }
 
     #[test]

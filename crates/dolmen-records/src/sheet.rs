@@ -1,7 +1,7 @@
 //! Tables of stones and storeys as people keep them: XLSX, ODS and CSV to rows of cells that know their place.
 
 use crate::text_code::decoded;
-use calamine::{Data, Dimensions, Ods, Range, Reader, Xlsx};
+use calamine::{Data, DataRef, Dimensions, ExcelDateTime, Ods, Range, Reader, Xlsx};
 use std::io::{Cursor, Read as _};
 
 /// Most bytes of a table.
@@ -63,6 +63,11 @@ pub enum SheetError {
         /// Those there are.
         known: String,
     },
+    /// Several sheets of a workbook of samples hold something.
+    SeveralTables {
+        /// They.
+        known: String,
+    },
     /// A table of text has sheets.
     NoSheets,
     /// Nothing stands in it.
@@ -93,7 +98,7 @@ pub enum SheetError {
 pub fn read_sheet(bytes: &[u8], file: &str, sheet: Option<&str>) -> Result<Vec<Vec<SheetCell>>, SheetError> {
     let ending = file.rsplit('.').next().map(str::to_lowercase);
     let mut rows = match ending.as_deref() {
-        Some("xlsx") => of_xlsx(bytes, sheet, ROWS_MOST)?,
+        Some("xlsx") => of_xlsx(bytes, sheet, SheetUse::Parts)?,
         Some("ods") => of_ods(bytes, sheet)?,
         Some("csv" | "tsv" | "txt") if sheet.is_some() => return Err(SheetError::NoSheets),
         Some("csv" | "tsv" | "txt") => of_text(bytes)?,
@@ -112,32 +117,44 @@ pub fn read_sheet(bytes: &[u8], file: &str, sheet: Option<&str>) -> Result<Vec<V
 /// Rows of a workbook of samples: as many as a sheet of Excel has.
 const SAMPLES_MOST: usize = 1 << 20;
 
-/// Whether a file begins as a workbook does.
-pub(crate) fn is_workbook(bytes: &[u8]) -> bool {
-    bytes.starts_with(b"PK\x03\x04")
+/// What a sheet is read for.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum SheetUse {
+    /// Parts of a structure: dates are mistakes.
+    Parts,
+    /// Samples or readings, with dates and times as text.
+    Samples,
 }
 
-/// The only sheet of a workbook (XLSX) of samples, as the same table in CSV.
+impl SheetUse {
+    fn rows_most(self) -> usize {
+        match self {
+            SheetUse::Parts => ROWS_MOST,
+            SheetUse::Samples => SAMPLES_MOST,
+        }
+    }
+}
+
+/// The sheets of a workbook (XLSX) that hold something.
 ///
 /// # Errors
-/// As [`read_sheet`].
-pub(crate) fn workbook_as_csv(bytes: &[u8]) -> Result<Vec<u8>, SheetError> {
-    let mut text = String::new();
-    for row in of_xlsx(bytes, None, SAMPLES_MOST)? {
-        let cells: Vec<String> = row
-            .iter()
-            .map(|cell| match &cell.value {
-                SheetValue::Empty => String::new(),
-                SheetValue::Number(number) => number.to_string(),
-                SheetValue::Text(text) => {
-                    format!("\"{}\"", text.replace('"', "'").replace(char::is_control, " "))
-                }
-            })
-            .collect();
-        text += &cells.join(",");
-        text.push('\n');
+/// [`SheetError::Unreadable`], [`SheetError::TooLarge`].
+pub(crate) fn filled_sheets(bytes: &[u8]) -> Result<Vec<String>, SheetError> {
+    refuse_bomb(bytes)?;
+    let mut book: Xlsx<_> = Xlsx::new(Cursor::new(bytes)).map_err(unreadable)?;
+    let mut filled = Vec::new();
+    for name in book.sheet_names() {
+        let mut each = book.worksheet_cells_reader(&name).map_err(unreadable)?;
+        let mut holds = false;
+        while let Some(cell) = each.next_cell().map_err(unreadable)?.filter(|_| !holds) {
+            holds = !matches!(cell.get_value(), DataRef::Empty);
+        }
+        drop(each);
+        if holds {
+            filled.push(name);
+        }
     }
-    Ok(text.into_bytes())
+    Ok(filled)
 }
 
 /// "C4" of a column and row from 0.
@@ -182,7 +199,11 @@ fn chosen(names: &[String], sheet: Option<&str>) -> Result<String, SheetError> {
     }
 }
 
-fn of_xlsx(bytes: &[u8], sheet: Option<&str>, rows_most: usize) -> Result<Vec<Vec<SheetCell>>, SheetError> {
+pub(crate) fn of_xlsx(
+    bytes: &[u8],
+    sheet: Option<&str>,
+    of: SheetUse,
+) -> Result<Vec<Vec<SheetCell>>, SheetError> {
     refuse_bomb(bytes)?;
     let mut book: Xlsx<_> = Xlsx::new(Cursor::new(bytes)).map_err(unreadable)?;
     let name = chosen(&book.sheet_names(), sheet)?;
@@ -193,9 +214,9 @@ fn of_xlsx(bytes: &[u8], sheet: Option<&str>, rows_most: usize) -> Result<Vec<Ve
             place: format!("{}:{}", corner(*start), corner(*end)),
         });
     }
-    refuse_far(&mut book, &name, rows_most)?;
+    refuse_far(&mut book, &name, of.rows_most())?;
     refuse_formula(&book.worksheet_formula(&name).map_err(unreadable)?)?;
-    cells(&book.worksheet_range(&name).map_err(unreadable)?, rows_most)
+    cells(&book.worksheet_range(&name).map_err(unreadable)?, of)
 }
 
 /// Refuses a sheet with a cell far from the others before room is made for all between: one at XFD1048576 would take half a terabyte.
@@ -226,7 +247,7 @@ fn of_ods(bytes: &[u8], sheet: Option<&str>) -> Result<Vec<Vec<SheetCell>>, Shee
     let mut book: Ods<_> = Ods::new(Cursor::new(bytes)).map_err(unreadable)?;
     let name = chosen(&book.sheet_names(), sheet)?;
     refuse_formula(&book.worksheet_formula(&name).map_err(unreadable)?)?;
-    cells(&book.worksheet_range(&name).map_err(unreadable)?, ROWS_MOST)
+    cells(&book.worksheet_range(&name).map_err(unreadable)?, SheetUse::Parts)
 }
 
 fn refuse_formula(formulas: &Range<String>) -> Result<(), SheetError> {
@@ -240,10 +261,10 @@ fn refuse_formula(formulas: &Range<String>) -> Result<(), SheetError> {
     }
 }
 
-fn cells(range: &Range<Data>, rows_most: usize) -> Result<Vec<Vec<SheetCell>>, SheetError> {
+fn cells(range: &Range<Data>, of: SheetUse) -> Result<Vec<Vec<SheetCell>>, SheetError> {
     let (first_row, first_column) = range.start().unwrap_or_default();
     let (rows, columns) = range.get_size();
-    if rows > rows_most || columns > COLUMNS_MOST {
+    if rows > of.rows_most() || columns > COLUMNS_MOST {
         return Err(SheetError::TooMany { rows, columns });
     }
     let cell = |row: usize, column: usize, value: &Data| {
@@ -254,6 +275,8 @@ fn cells(range: &Range<Data>, rows_most: usize) -> Result<Vec<Vec<SheetCell>>, S
             Data::Float(number) => SheetValue::Number(*number),
             Data::String(text) if text.trim().is_empty() => SheetValue::Empty,
             Data::String(text) => SheetValue::Text(text.trim().to_owned()),
+            Data::DateTime(at) if of == SheetUse::Samples => SheetValue::Text(moment(*at)),
+            Data::DateTimeIso(at) if of == SheetUse::Samples => SheetValue::Text(at.replace('T', " ")),
             other => {
                 let what = match other {
                     Data::Error(error) => format!("the error {error}"),
@@ -270,6 +293,18 @@ fn cells(range: &Range<Data>, rows_most: usize) -> Result<Vec<Vec<SheetCell>>, S
         each.map(|(column, value)| cell(number, column, value)).collect()
     };
     range.rows().enumerate().map(of_row).collect()
+}
+
+/// "2026-11-25 10:00:00.005", "2026-11-25" of a day without a time, "10:00:00.005" of a time without a day.
+fn moment(at: ExcelDateTime) -> String {
+    let (year, month, day, hour, minute, second, millisecond) = at.to_ymd_hms_milli();
+    let clock = format!("{hour:02}:{minute:02}:{second:02}.{millisecond:03}");
+    let day = format!("{year:04}-{month:02}-{day:02}");
+    match at.as_f64() {
+        days if days < 1.0 => clock,
+        days if days.fract() == 0.0 => day,
+        _ => format!("{day} {clock}"),
+    }
 }
 
 /// CSV with commas, semicolons or tabs, by its first line.

@@ -8,7 +8,13 @@ const DAY_S: f64 = 86_400.0;
 /// # Source
 /// Hinnant (2021) *chrono-Compatible Low-Level Date Algorithms*, days_from_civil.
 pub(crate) fn days(year: i64, month: i64, day: i64) -> Option<i64> {
-    if !(1..=9999).contains(&year) || !(1..=12).contains(&month) || !(1..=31).contains(&day) {
+    let is_leap = year % 4 == 0 && (year % 100 != 0 || year % 400 == 0);
+    let days_of_month = match month {
+        2 => 28 + i64::from(is_leap),
+        4 | 6 | 9 | 11 => 30,
+        _ => 31,
+    };
+    if !(1..=9999).contains(&year) || !(1..=12).contains(&month) || !(1..=days_of_month).contains(&day) {
         return None;
     }
     let y = if month <= 2 { year - 1 } else { year };
@@ -106,6 +112,18 @@ mod tests {
         );
         assert_eq!(time_of([2018.0, 1.5, 24.0, 19.0, 51.0, 37.5]), None);
         assert_eq!(start_of_text("2018/13/24 19:51:37"), None);
+        for (day, is_one) in [
+            ("2018/02/29", false),
+            ("2020/02/29", true),
+            ("1900/02/29", false),
+            ("2018/04/31", false),
+        ] {
+            assert_eq!(
+                start_of_text(&format!("{day} 00:00:00")).is_some(),
+                is_one,
+                "{day}"
+            );
+        }
         assert_eq!(start_of_text("yesterday"), None);
         for (seconds, text) in [
             (1e300, "1e300 s from 1970"),

@@ -58,6 +58,17 @@ impl WatchAnswer {
         last.is_some_and(|last| day > last.day + ANSWERED_DAYS)
     }
 
+    /// The newest day of which surveys or logs say something.
+    pub fn newest_day(&self) -> Option<f64> {
+        let surveys = self.surveys.last().map(|survey| survey.day.floor());
+        let logs = self
+            .logs
+            .iter()
+            .filter_map(WatchedLog::span)
+            .map(|[_, last]| last);
+        logs.chain(surveys).max_by(f64::total_cmp)
+    }
+
     /// In how many surveys the user insists on the mode that is followed.
     pub fn accepted_in(&self, track: &Track) -> usize {
         let both = track.modes.iter().zip(&self.surveys);

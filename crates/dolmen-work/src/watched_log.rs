@@ -3,6 +3,10 @@
 use dolmen::monitoring::LoggedTrend;
 use dolmen_project::{LogKind, LogPart};
 
+/// Days, and usual gaps between readings, without a reading from which on a log has fallen silent. Chosen here.
+const SILENT_DAYS: f64 = 7.0;
+const SILENT_GAPS: f64 = 5.0;
+
 /// What a log of the project says; tilts are ratios, widths m.
 #[derive(Clone, Debug)]
 pub struct WatchedLog {
@@ -36,6 +40,16 @@ impl WatchedLog {
     /// Whether it is at its limit.
     pub fn is_beyond(&self) -> bool {
         self.trend.is_beyond_limit()
+    }
+
+    /// The last day with a reading, where something newer is known of the structure than that by a week and by five usual gaps of the log.
+    pub fn silent_since(&self, newest: Option<f64>) -> Option<f64> {
+        let days = &self.trend.daily.days;
+        let last = *days.last()?;
+        let mut gaps: Vec<f64> = days.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        gaps.sort_by(f64::total_cmp);
+        let usual = gaps.get(gaps.len() / 2).copied().unwrap_or(1.0);
+        (newest? - last > SILENT_DAYS.max(SILENT_GAPS * usual)).then_some(last)
     }
 
     /// The first and the last day that counted, from 1970-01-01.

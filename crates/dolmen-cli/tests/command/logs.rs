@@ -152,6 +152,34 @@ fn holds_what_cannot_be_told_is_not_told() {
 }
 
 #[test]
+fn holds_a_log_that_fell_silent_is_no_good_news() {
+    let scratch = Scratch::new("logs-silent");
+    let second =
+        "[watch.log.foot]\nfile = \"foot.csv\"\nkind = \"tilt\"\ndirection = \"y\"\nunit = \"mm/m\"\n";
+    let found = |last: usize| {
+        tilt(&scratch, &days(1080, noise), second);
+        fs::write(scratch.path().join("foot.csv"), days(last, noise)).unwrap();
+        let answer = json(&scratch, "watch pole.toml");
+        let silent = log(&answer, "foot")["silent_since"].as_str().map(str::to_owned);
+        (silent, scratch.briefly("watch pole.toml"))
+    };
+    let (silent, brief) = found(1000);
+    assert!(silent.is_some());
+    let said = brief.words();
+    assert!(
+        said.contains("SENSOR: foot has no reading after") && said.contains("80 days before the newest"),
+        "{said}"
+    );
+    assert!(!said.contains("● foot"), "{said}");
+    let korean = scratch.briefly("watch pole.toml --language ko").words();
+    assert!(korean.contains("이후 측정값이 없다"), "{korean}");
+    // a week is no silence
+    let (silent, brief) = found(1073);
+    assert_eq!(silent, None);
+    assert!(!brief.words().contains("SENSOR"), "{}", brief.stdout);
+}
+
+#[test]
 fn refuses_units_that_contradict_the_file_and_keys_that_say_nothing() {
     let scratch = Scratch::with_examples("logs-wrong");
     let path = scratch.path().join("examples/pagoda_with_a_logger/project.toml");

@@ -1,5 +1,7 @@
 //! Days of the calendar.
 
+use dolmen_records::start_of_text;
+
 /// Year, month and day of a text such as "2026-05-12"; `None` if it is no day of the calendar.
 pub fn calendar_day(text: &str) -> Option<[u16; 3]> {
     let parts: Vec<&str> = text.split('-').collect();
@@ -7,7 +9,7 @@ pub fn calendar_day(text: &str) -> Option<[u16; 3]> {
     let numbers: Option<Vec<u16>> = parts.iter().map(|part| part.parse().ok()).collect();
     match (numbers?.as_slice(), parts.iter().all(digits)) {
         ([year, month, day], true) if parts.iter().map(|part| part.len()).eq([4, 2, 2]) => {
-            let is_there = (1..=12).contains(month) && (1..=days(*year, *month)).contains(day);
+            let is_there = start_of_text(&format!("{text} 00:00:00")).is_some();
             is_there.then_some([*year, *month, *day])
         }
         _ => None,
@@ -17,16 +19,6 @@ pub fn calendar_day(text: &str) -> Option<[u16; 3]> {
 /// Whether a text is a day of the calendar.
 pub fn is_day(text: &str) -> bool {
     calendar_day(text).is_some()
-}
-
-fn days(year: u16, month: u16) -> u16 {
-    let leap = year.is_multiple_of(4) && (!year.is_multiple_of(100) || year.is_multiple_of(400));
-    match month {
-        4 | 6 | 9 | 11 => 30,
-        2 if leap => 29,
-        2 => 28,
-        _ => 31,
-    }
 }
 
 #[cfg(test)]

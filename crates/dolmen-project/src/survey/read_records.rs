@@ -323,8 +323,8 @@ fn one_file(reader: &mut Reader, raw: &FileKeys<'_>, path: &str) -> Option<Recor
     })
 }
 
-/// Endings of workbooks, whose sheets are tables of stones and scores, but no records.
-const WORKBOOKS: [&str; 5] = ["xlsx", "xlsm", "xlsb", "xls", "ods"];
+/// Endings of workbooks that no reader of records knows.
+const WORKBOOKS: [&str; 3] = ["xlsb", "xls", "ods"];
 
 /// The format that is written, or that the ending means: texts are looked into, as many formats end in .txt.
 fn format(
@@ -352,7 +352,7 @@ fn format(
             let fault = Fault::new(file.span.clone(), &path, message);
             let is_workbook = WORKBOOKS.iter().any(|of| ending.eq_ignore_ascii_case(of));
             reader.fault(fault.help(match is_workbook {
-                true => WrongRecords::SaveTheSheetAsCsv,
+                true => WrongRecords::SaveAsXlsx,
                 false => WrongRecords::WriteFormatOneOf {
                     names: names.join(", "),
                 },

@@ -85,9 +85,9 @@ messages! {
             en: "write format = one of {names} beside it",
             ko: "그 옆에 format을 {names} 중 하나로 쓴다",
         },
-        SaveTheSheetAsCsv => {
-            en: "records are not read from workbooks: save the sheet as CSV (in a spreadsheet: Save as, CSV UTF-8) and name that file",
-            ko: "진동 기록은 통합 문서에서 읽지 않는다. 시트를 CSV로 저장하고(다른 이름으로 저장, CSV UTF-8) 그 파일을 쓴다",
+        SaveAsXlsx => {
+            en: "of workbooks only .xlsx is read: save it so, or the sheet as CSV (in a spreadsheet: Save as, CSV UTF-8), and name that file",
+            ko: "통합 문서는 .xlsx만 읽는다. .xlsx나 CSV로 저장하고(다른 이름으로 저장, CSV UTF-8) 그 파일을 쓴다",
         },
         IsNoUnitOf { path: String, unit: String } => {
             en: "{path} = \"{unit}\" is no unit of vibration",

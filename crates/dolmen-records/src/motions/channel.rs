@@ -3,8 +3,8 @@
 use super::plausible::refuse_implausible;
 use super::{MotionError, MotionFormat, MotionOptions, Orientation, SeismicError, StatedPeak, text};
 use crate::seismic::{Raw, motion_channels};
-use crate::sheet::{SheetError, is_workbook, workbook_as_csv};
 use crate::unit::Unit;
+use crate::workbook::{is_workbook, workbook_as_csv};
 use crate::wrong::OfStation;
 use dolmen::signal::Quantity;
 
@@ -87,19 +87,14 @@ fn checked_raw(bytes: &[u8], options: &MotionOptions) -> Result<Vec<Raw>, Motion
 /// The numbers of each channel as the file prints them; what no seismic format claims is text in columns, or a workbook of them.
 fn raw(bytes: &[u8], options: &MotionOptions) -> Result<Vec<Raw>, MotionError> {
     if is_workbook(bytes) {
-        return text::read(&workbook_as_csv(bytes).map_err(of_workbook)?, options);
+        return text::read(
+            &workbook_as_csv(bytes).map_err(|why| MotionError::Workbook { why })?,
+            options,
+        );
     }
     match motion_channels(bytes, options.unit.is_some()) {
         Some(read) => Ok(read?),
         None => text::read(bytes, options),
-    }
-}
-
-/// A sheet cannot be named here, so that a workbook has one.
-fn of_workbook(why: SheetError) -> MotionError {
-    match why {
-        SheetError::SeveralSheets { known } => MotionError::Sheets { known },
-        why => MotionError::Workbook { why },
     }
 }
 

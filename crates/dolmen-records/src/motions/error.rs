@@ -137,11 +137,6 @@ pub enum MotionError {
         /// Why.
         why: SheetError,
     },
-    /// The workbook has several sheets.
-    Sheets {
-        /// Their names.
-        known: String,
-    },
     /// The text in columns is refused.
     Record(RecordError),
     /// The samples make no motion.

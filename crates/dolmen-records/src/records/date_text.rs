@@ -66,11 +66,6 @@ pub(crate) fn date_time(text: &str) -> Option<At> {
     })
 }
 
-/// Whether a text says which half of the day it is of.
-pub(crate) fn has_half_day(text: &str) -> bool {
-    without_half_day(text).1.is_some()
-}
-
 /// A text in lower case without its word for the half of the day, and the hour at which that begins.
 fn without_half_day(text: &str) -> (String, Option<f64>) {
     let lower = text.trim().to_lowercase();
@@ -112,7 +107,12 @@ fn hour_of_day(hour: f64, half_day_h: Option<f64>) -> Option<f64> {
 
 /// Whether a cell is a date, a time of the day, or both.
 pub(super) fn is_date(text: &str) -> bool {
-    date_time(text).is_some() || calendar(text.trim()).and_then(time_of).is_some()
+    date_time(text).is_some() || calendar_day(text).is_some()
+}
+
+/// The midnight with which a day begins, s from 1970.
+pub(crate) fn calendar_day(text: &str) -> Option<f64> {
+    calendar(text).and_then(time_of)
 }
 
 /// Year, month, day and midnight of "2024-06-05", "2024/6/5", "2024. 6. 5.", "2024년 6월 5일", "05.06.2024", "6/5/2024".

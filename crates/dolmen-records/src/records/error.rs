@@ -3,6 +3,7 @@
 use super::not_a_table::NotATable;
 use crate::limits::LimitError;
 use crate::seismic::SeismicError;
+use crate::sheet::SheetError;
 use dolmen::signal::SignalError;
 use dolmen_words::message::Both;
 
@@ -23,6 +24,11 @@ pub enum RecordError {
     },
     /// No table of numbers: nothing of it is quoted.
     NotATable(NotATable),
+    /// The workbook is refused.
+    Workbook {
+        /// Why.
+        why: SheetError,
+    },
     /// Text of two bytes a letter.
     Utf16,
     /// The unit is not one of [`Unit`](super::Unit).

@@ -31,11 +31,13 @@ pub enum RecordFormat {
     Esm,
     /// COSMOS, or CSMIP before it.
     Cosmos,
+    /// Workbook of one sheet with columns as those of text.
+    Xlsx,
 }
 
 impl RecordFormat {
     /// All of them, as [`name`](Self::name) has them.
-    pub const ALL: [RecordFormat; 13] = [
+    pub const ALL: [RecordFormat; 14] = [
         RecordFormat::Csv,
         RecordFormat::Npy,
         RecordFormat::Uff,
@@ -49,9 +51,10 @@ impl RecordFormat {
         RecordFormat::KNet,
         RecordFormat::Esm,
         RecordFormat::Cosmos,
+        RecordFormat::Xlsx,
     ];
 
-    /// "csv", "npy", "uff", "wav", "mat", "saf", "gcf", "tdms", "miniseed", "sac", "k-net", "esm", "cosmos".
+    /// "csv", "npy", "uff", "wav", "mat", "saf", "gcf", "tdms", "miniseed", "sac", "k-net", "esm", "cosmos", "xlsx".
     pub fn name(self) -> &'static str {
         match self {
             RecordFormat::Csv => "csv",
@@ -67,6 +70,7 @@ impl RecordFormat {
             RecordFormat::KNet => "k-net",
             RecordFormat::Esm => "esm",
             RecordFormat::Cosmos => "cosmos",
+            RecordFormat::Xlsx => "xlsx",
         }
     }
 
@@ -96,6 +100,7 @@ impl RecordFormat {
             "tdms" => RecordFormat::Tdms,
             "mseed" | "miniseed" | "msd" => RecordFormat::MiniSeed,
             "sac" => RecordFormat::Sac,
+            "xlsx" | "xlsm" => RecordFormat::Xlsx,
             "knet" | "kik" | "ns" | "ew" | "ud" => RecordFormat::KNet,
             _ => return None,
         })

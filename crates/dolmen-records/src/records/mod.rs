@@ -45,7 +45,7 @@ pub use crate::unit::Unit;
 pub(crate) use column_units::unit_in_name as bracketed_unit;
 pub use csv::read_csv;
 pub use csv_write::record_csv;
-pub(crate) use date_text::{date_time, has_half_day};
+pub(crate) use date_text::{calendar_day, date_time};
 pub use dialect::{Decimal, Delimiter};
 pub use error::RecordError;
 pub use format::RecordFormat;

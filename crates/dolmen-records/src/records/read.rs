@@ -7,11 +7,12 @@ use super::{
     wav,
 };
 use crate::limits::head;
+use crate::workbook::{is_workbook, workbook_as_csv};
 use crate::wrong::Unread;
 use dolmen::signal::scale;
 use dolmen_words::message::Both;
 
-/// A record from the bytes of a file: CSV, NPY, UFF 58, WAV, MAT 5 and 7.3, SAF, GCF, TDMS, miniSEED, SAC, K-NET, ESM, COSMOS.
+/// A record from the bytes of a file: CSV, XLSX, NPY, UFF 58, WAV, MAT 5 and 7.3, SAF, GCF, TDMS, miniSEED, SAC, K-NET, ESM, COSMOS.
 ///
 /// Channels of one file that begin apart or are sampled differently are [joined](dolmen::signal::join).
 ///
@@ -46,6 +47,10 @@ pub fn read_record(bytes: &[u8], options: &RecordOptions) -> Result<Reading, Rec
         };
     }
     let reading = match options.format {
+        None | Some(RecordFormat::Xlsx) if is_workbook(bytes) => {
+            let table = workbook_as_csv(bytes).map_err(|why| RecordError::Workbook { why })?;
+            read_csv(&table, options)?
+        }
         None if is_npy => read_npy(bytes, options)?,
         Some(RecordFormat::Npy) => read_npy(bytes, options)?,
         None | Some(RecordFormat::Csv) if !is_npy => read_csv(bytes, options)?,
@@ -97,6 +102,8 @@ fn sort(bytes: &[u8]) -> Both {
     let is_sign = |b: &u8| *b >= b' ' || b.is_ascii_whitespace();
     if bytes.starts_with(super::npy::MAGIC) {
         Unread::NpyFile
+    } else if is_workbook(bytes) {
+        Unread::WorkbookFile
     } else if head(bytes).iter().all(is_sign) {
         Unread::Text
     } else {

@@ -25,10 +25,6 @@ sentences! {
             en: "the workbook {why}",
             ko: "통합 문서: {why}",
         },
-        Sheets { known } => {
-            en: "the workbook has several sheets ({known}): save the one with the record as a workbook of its own, or as CSV",
-            ko: "통합 문서에 시트가 여럿이다({known}). 기록이 든 시트만 따로 저장하거나 CSV로 저장한다",
-        },
         NoUnit => {
             en: "the unit of the accelerations is not known: the file does not say it; give unit = g, gal or m/s2",
             ko: "가속도의 단위를 알 수 없다. 파일에 없으므로 unit을 g, gal 또는 m/s2로 입력한다",

@@ -21,6 +21,10 @@ sentences! {
             en: "line {line} holds both names and numbers: if it names the columns, say that the header is present; if it holds samples, correct it",
             ko: "{line}행에 이름과 수가 섞여 있다. 열 이름이면 header를 \"present\"로 하고, 자료이면 고친다",
         },
+        Workbook { why } => {
+            en: "the workbook {why}",
+            ko: "통합 문서: {why}",
+        },
         Utf16 => {
             en: "the file is UTF-16 text: save it as UTF-8 (\"CSV UTF-8\" in spreadsheets)",
             ko: "파일이 UTF-16 텍스트이다. UTF-8로 저장한다(스프레드시트의 \"CSV UTF-8\")",

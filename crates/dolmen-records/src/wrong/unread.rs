@@ -37,6 +37,7 @@ messages! {
         Nothing => { en: "nothing", ko: "없음" },
         FileOf { format: String } => { en: "a {format} file", ko: "{format} 파일" },
         NpyFile => { en: "an npy file", ko: "npy 파일" },
+        WorkbookFile => { en: "a workbook or a ZIP", ko: "통합 문서나 ZIP 파일" },
         Text => { en: "text", ko: "텍스트" },
         BinaryFile => { en: "a binary file", ko: "이진 파일" },
         SamplesOfType { code: String, path: String } => {

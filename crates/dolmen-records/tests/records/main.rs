@@ -10,3 +10,4 @@ mod motions;
 mod npy_records;
 mod palisaden;
 mod record_formats;
+mod workbook_records;

@@ -276,6 +276,7 @@ fn log(log: &WatchedLog, answer: &WatchAnswer) -> Value {
             "p_value": level.p_value,
         })).collect::<Vec<_>>(),
         "stuck_since": trend.stuck_since.map(date_text),
+        "silent_since": log.silent_since(answer.newest_day()).map(date_text),
         "jump": trend.jump.map(|jump| json!({
             "after": date_text(jump.after), "before": date_text(jump.before), "by": jump.by,
         })),

@@ -76,6 +76,10 @@ messages! {
             en: "SENSOR: {label} reads one value since {since}: look at the sensor. What followed is left out.",
             ko: "센서: {label}이(가) {since}부터 같은 값만 기록한다. 센서를 점검한다. 이후의 값은 제외하였다.",
         },
+        Silent { label: Both, since: String, days: usize, newest: String } => {
+            en: "SENSOR: {label} has no reading after {since}, {days} days before the newest of this structure ({newest}): look at the sensor, its power and the logger. What the log says ends on that day.",
+            ko: "센서: {label}은(는) {since} 이후 측정값이 없다. 이 구조물의 가장 최근 자료({newest})보다 {days}일 앞선다. 센서, 전원, 기록계를 점검한다. 판단은 그날까지의 기록에 따른 것이다.",
+        },
         NoZero { label: Both } => {
             en: "{label}: held against no limit. What the structure has when the sensor reads 0 is not known: give zero in the log.",
             ko: "{label}: 한계와 비교하지 않았다. 센서가 0을 가리킬 때의 값을 알 수 없다. 기록에 zero를 입력한다.",
@@ -131,7 +135,25 @@ pub(super) fn logs(answer: &WatchAnswer) -> Vec<Finding> {
         // the limit of the structure holds for both directions together
         let exchanged = exchanged(log, answer);
         let has_own_limit = !(are_together && log.is_tilt() && log.part.limit.is_none());
-        all.push(trend(log, has_own_limit && exchanged.is_none()));
+        let silent = log.silent_since(answer.newest_day());
+        let found = trend(log, has_own_limit && exchanged.is_none());
+        // what ended says nothing of today
+        all.push(match silent {
+            Some(_) if found.tone == Tone::Good => Finding {
+                tone: Tone::Unknown,
+                ..found
+            },
+            _ => found,
+        });
+        if let (Some(since), Some(newest)) = (silent, answer.newest_day()) {
+            let said = Logged::Silent {
+                label: label(log),
+                since: date_text(since),
+                days: (newest - since) as usize,
+                newest: date_text(newest),
+            };
+            all.push(Finding::key(Tone::Warn, said));
+        }
         all.extend(exchanged);
         all.extend(was_at_limit(log));
         all.extend(shifts(log, answer));
