@@ -79,6 +79,7 @@ messages! {
             ko: "{word}(지점 이동 전 {ratio})",
         },
         WordMoved { word: Both } => { en: "{word} (its supports moved)", ko: "{word}(지점 이동)" },
+        WordHeldByLoads { word: Both } => { en: "{word} (static loads without mass hold it)", ko: "{word}(질량 없는 정하중이 누름)" },
         WordNoStiffness { word: Both } => { en: "{word} (the stiffness is not known)", ko: "{word}(강성 미상)" },
         WordNoStiffnessIn { word: Both, direction: String } => {
             en: "{word} (the stiffness of direction {direction} is not known)",
@@ -332,6 +333,7 @@ fn word(of: &EarthquakeFinding) -> Headline {
             ratio: ratio(known),
         },
         (DecidedBy::SupportsMoved, _) => Headline::WordMoved { word },
+        (DecidedBy::HeldByLoads, _) => Headline::WordHeldByLoads { word },
         (DecidedBy::DoesNotStand, _) => Headline::WordDoesNotStand { word },
         (DecidedBy::Unfinished, _) => Headline::WordOpen { word },
         (DecidedBy::Room, Some(of_room)) => Headline::WordRoom {

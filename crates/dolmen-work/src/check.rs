@@ -95,7 +95,7 @@ fn own_inputs(project: &Project, variant: &Project) -> Vec<Quantity> {
     inputs.filter(is_own).cloned().collect()
 }
 
-fn state_of(project: &Project, options: &CheckOptions) -> Result<Option<State>, WorkError> {
+pub(crate) fn state_of(project: &Project, options: &CheckOptions) -> Result<Option<State>, WorkError> {
     let Some(mut check) = kinds::check(project, &mut Quantity::nominal)? else {
         return Ok(None);
     };
@@ -144,7 +144,19 @@ fn tilts(project: &Project, check: &Check) -> Vec<TiltCheck> {
         tilt: tilt.ratio,
         uplift_tilt,
     });
-    each.collect()
+    let mut all: Vec<TiltCheck> = each.collect();
+    // a joint opens to the side to which the whole leans, not along x and along y by themselves
+    if let [first, second] = all.as_slice()
+        && uplift_tilt.is_some()
+    {
+        let together = TiltCheck {
+            direction: format!("{}+{}", first.direction, second.direction),
+            tilt: TiltCheck::resultant(&all),
+            ..first.clone()
+        };
+        all.push(together);
+    }
+    all
 }
 
 /// Where the lowest measured frequency of a direction and that of the model differ too much to be of one structure.
@@ -182,7 +194,9 @@ fn sampled(project: &Project, sampling: Sampling) -> Result<Option<Sampled>, Wor
         .iter()
         .filter_map(|q| Some((*q, q.cov.filter(|cov| *cov > 0.0)?)))
         .collect();
-    if scatters.is_empty() || kinds::load_factor(project, &mut Quantity::nominal)?.is_none() {
+    // without P-delta there is nothing to draw
+    let factor = kinds::load_factor(project, &mut Quantity::nominal)?;
+    if scatters.is_empty() || factor.is_none_or(f64::is_infinite) {
         return Ok(None);
     }
     let is_overloaded = |pick: Pick<'_>| -> Result<Option<bool>, WorkError> {

@@ -131,6 +131,6 @@ fn simulated(
         variant: None,
         does_not_stand: None,
         evidence: Evidence::none(), // of the check, as the next
-        is_marginal: false,
+        without_shaking: None,
     })
 }

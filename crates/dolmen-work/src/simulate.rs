@@ -2,14 +2,16 @@
 
 use crate::building::simulate::BuildingOptions;
 use crate::chain::simulate::ChainOptions;
+use crate::check::{CheckOptions, state_of};
 use crate::error::{Within as _, WorkError};
 use crate::frame::simulate::FrameOptions;
-use crate::judgement::Evidence;
+use crate::judgement::{Evidence, Weight};
 use crate::kinds;
+use crate::loads::Governing;
 use crate::motion::{MotionAnswer, MotionRequest, prepared};
 use crate::opened::Opened;
 use crate::progress::Progress;
-use crate::simulation::{SimulateAnswer, Simulation};
+use crate::simulation::{SimulateAnswer, Simulation, WithoutShaking};
 use crate::stack::simulate::{Shaken, StackOptions};
 use crate::stack::{Law, Repeating};
 use crate::version::Version;
@@ -131,10 +133,22 @@ pub(crate) fn evidence(project: &Project, variant: Option<&str>) -> Result<Evide
     Ok(check.map_or_else(Evidence::none, |check| Evidence::of(project, &check)))
 }
 
-/// Whether the load factor of a chain, frame or building leaves little in hand; of a stack its check says so.
-fn is_marginal(project: &Project) -> Result<bool, WorkError> {
+/// What a chain, frame or building is without any shaking, where that is not "stable": a chain with what acts on it beside its weight; of a stack its check says so.
+fn without_shaking(project: &Project) -> Result<Option<WithoutShaking>, WorkError> {
+    if matches!(project.structure, Structure::Chain(_)) && !project.loads.is_empty() {
+        let state = state_of(project, &CheckOptions::default())?;
+        let found = state.map(|state| WithoutShaking {
+            weight: Weight::of(&state, false),
+            governed_by: state.governing_loads().map(Governing::of),
+        });
+        return Ok(found.filter(|found| found.weight != Weight::Stable));
+    }
     let factor = kinds::least_load_factor(project, &mut Quantity::nominal)?;
-    Ok(factor.map(Verdict::of_load_factor) == Some(Verdict::Marginal))
+    let is_marginal = factor.map(Verdict::of_load_factor) == Some(Verdict::Marginal);
+    Ok(is_marginal.then_some(WithoutShaking {
+        weight: Weight::Marginal,
+        governed_by: None,
+    }))
 }
 
 impl PreparedSimulation<'_> {
@@ -164,7 +178,7 @@ impl PreparedSimulation<'_> {
             variant: version.variant.map(str::to_owned),
             does_not_stand: None,
             evidence: evidence(version.project, version.variant)?,
-            is_marginal: is_marginal(version.project)?,
+            without_shaking: without_shaking(version.project)?,
         };
         match (&version.project.structure, motion) {
             (Structure::Survey, _) => return Err(WorkError::SurveySimulated),

@@ -3,7 +3,8 @@
 use crate::building::BuildingSimulation;
 use crate::chain::ChainSimulation;
 use crate::frame::FrameSimulation;
-use crate::judgement::Evidence;
+use crate::judgement::{Evidence, Weight};
+use crate::loads::Governing;
 use crate::stack::StackRuns;
 use dolmen::stability::stack::Standing;
 
@@ -32,6 +33,15 @@ impl Simulation {
     }
 }
 
+/// What a structure is before it is shaken.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WithoutShaking {
+    /// The word.
+    pub weight: Weight,
+    /// What of wind and static loads decides it; `None` where its own weight does.
+    pub governed_by: Option<Governing>,
+}
+
 /// What came of `dolmen simulate`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SimulateAnswer {
@@ -45,6 +55,6 @@ pub struct SimulateAnswer {
     pub does_not_stand: Option<Standing>,
     /// What surveys say of the model of the structure as it is.
     pub evidence: Evidence,
-    /// Whether a chain, frame or building has little in hand under its own weight alone.
-    pub is_marginal: bool,
+    /// What a chain, frame or building is under its weight, the static loads and the wind of the file, where that is not "stable".
+    pub without_shaking: Option<WithoutShaking>,
 }

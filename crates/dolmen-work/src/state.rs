@@ -86,7 +86,7 @@ pub const FREQUENCY_RATIO_MOST: f64 = 1.1;
 pub struct TiltCheck {
     /// The survey.
     pub survey: String,
-    /// Direction of the tilt, "x".
+    /// Direction of the tilt, "x"; "x+y" of both together.
     pub direction: String,
     /// Horizontal / vertical.
     pub tilt: f64,
@@ -97,7 +97,13 @@ pub struct TiltCheck {
 impl TiltCheck {
     /// The tilt of all directions together, which are across each other, rad.
     pub(crate) fn resultant(tilts: &[TiltCheck]) -> f64 {
-        tilts.iter().map(|of| of.tilt * of.tilt).sum::<f64>().sqrt()
+        let each = tilts.iter().filter(|of| !of.is_of_both());
+        each.map(|of| of.tilt * of.tilt).sum::<f64>().sqrt()
+    }
+
+    /// Whether it is that of two directions together.
+    fn is_of_both(&self) -> bool {
+        self.direction.contains('+')
     }
 
     /// Unstable if the tilt has reached the uplift limit, marginal within [`Verdict::MARGINAL_BELOW`] of it.
@@ -367,7 +373,11 @@ impl State {
     /// The verdict on the load factor alone, of a stack on its least margin without shaking.
     pub fn stability_verdict(&self) -> Verdict {
         match &self.check {
-            Check::Chain(chain) => chain.stability.as_ref().map_or(Verdict::Unknown, |s| s.verdict),
+            Check::Chain(chain) => {
+                let along = chain.stability.as_ref().map_or(Verdict::Unknown, |s| s.verdict);
+                let across = chain.on_soil.and_then(|of| of.across?.load_factor);
+                worst([along].into_iter().chain(across.map(Verdict::of_load_factor)))
+            }
             Check::Frame(directions) => {
                 let of =
                     |check: &FrameCheck| check.stability.as_ref().map_or(Verdict::Unknown, |s| s.verdict);

@@ -53,6 +53,31 @@ fn holds_soil_and_bed_act_in_series() {
 }
 
 #[test]
+fn exact_own_weight_is_judged_across_too_where_the_footing_is_softer_there() {
+    let soil = "soil = { shear_modulus = \"0.3 MPa\", poisson_ratio = 0.3, along = 3, across = 1 }\n";
+    let file = |soil: &str| format!("{POLE}{soil}joints = [{{ stiffness = \"60 MN*m/rad\" }}]\n");
+    let (scratch, value) = json("soil-across", &file(soil), "check project.toml --json");
+    // Pais & Kausel (1988), b = 0.5 m, L/B = 3: G b³/(1 − ν) [3.2 L/B + 0.8], in series with the bed, over 120 kN · 5 m
+    let across = 0.3e6 * 0.125 / 0.7 * (3.2 * 3.0 + 0.8);
+    let factor = 1.0 / (1.0 / 60e6 + 1.0 / across) / 600e3;
+    let found = &value["state"]["check"]["chain"]["on_soil"]["across"]["load_factor"];
+    assert!(
+        (found.as_f64().unwrap() / factor - 1.0).abs() < 1e-9,
+        "{found} {factor}"
+    );
+    let answer = scratch.briefly("check project.toml");
+    assert_eq!(answer.status, 1, "{}", answer.stdout);
+    let words = answer.words();
+    assert!(
+        words.contains("Own weight: unstable") && words.contains("Across the motion the footing is softer"),
+        "{words}"
+    );
+    let square = soil.replace("along = 3, across = 1", "along = 2, across = 2");
+    let (_scratch, value) = json("soil-square", &file(&square), "check project.toml --json");
+    assert!(value["state"]["check"]["chain"]["on_soil"]["across"].is_null());
+}
+
+#[test]
 fn holds_the_stiffness_of_a_survey_is_written_back_as_the_bed_alone() {
     let bed = 60e6;
     let file = format!("{POLE}{SOIL}joints = [{{ stiffness = \"60 MN*m/rad\" }}]\n");
@@ -107,6 +132,14 @@ fn holds_soil_without_a_footing_or_in_the_wrong_unit_is_asked_about() {
         (
             "soil = { shear_modulus = 40000, poisson_ratio = 0.3, diameter = 2 }",
             "but soil and rock have 0.3 MPa to 40 GPa",
+        ),
+        (
+            "soil = { shear_modulus = \"40 MPa\", poisson_ratio = 0.3, along = 1000, across = 1200 }",
+            "at most 40 m wide",
+        ),
+        (
+            "soil = { shear_modulus = \"40 MPa\", poisson_ratio = 0.3, diameter = 0.2 }",
+            "but the bed that stands on it is wider",
         ),
         (
             "soil = { shear_modulus = \"40 MPa\", poisson_ratio = 0.6, diameter = 2 }",

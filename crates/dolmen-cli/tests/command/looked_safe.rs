@@ -203,3 +203,92 @@ fn holds_tilts_alone_are_watched() {
         "{words}"
     );
 }
+
+/// Three stones with 30 kN on top; by hand it bears 0.35 of its weight and the load's.
+const LAMP: &str = "schema = 1\nkind = \"chain\"\nname = \"Pole\"\nunits = { force = \"kN\", stiffness = \"kN*m/rad\" }\ndamping_ratio = 0.02\n\
+    loads = [{ name = \"lamp\", at = \"top\", LOAD }]\nlinks = [\
+    { name = \"low\", weight = 30, length = 3.0, centroid = 1.4, breadth = 0.7, bed_width = 0.7 },\
+    { name = \"middle\", weight = 18, length = 2.5, centroid = 1.2, breadth = 0.55, bed_width = 0.55 },\
+    { name = \"top\", weight = 9, length = 2.0, centroid = 0.95, breadth = 0.4, bed_width = 0.4 }]\njoints = [JOINTS]\n";
+
+fn lamp(load: &str, factor: f64) -> String {
+    let joints = [250.0, 150.0, 60.0].map(|k| format!("{{ stiffness = {} }}", k * factor));
+    LAMP.replace("LOAD", load).replace("JOINTS", &joints.join(", "))
+}
+
+#[test]
+fn holds_what_a_pole_carries_swings_with_it_and_what_makes_it_fall_is_no_green_run() {
+    let push = "simulate project.toml --push 0.001";
+    let (status, words) = said("lamp-falls", &lamp("weight = 30", 1.0), push);
+    assert!(
+        status == 1 && words.contains("Weight and loads: unstable"),
+        "{words}"
+    );
+    // the frequency of the run is that of the pole with a stone of the lamp's weight at its top: 3 kN of 0.2 m
+    let first_hz = |text: &str| {
+        let (_, words) = said("lamp-swings", text, &format!("{push} --json"));
+        let answer: serde_json::Value = serde_json::from_str(words.trim()).unwrap();
+        answer["simulations"][0]["first_frequency_hz"].as_f64().unwrap()
+    };
+    let (with, without) = (
+        first_hz(&lamp("weight = 3", 10.0)),
+        first_hz(&lamp("weight = 0", 10.0)),
+    );
+    assert!(with < 0.95 * without, "{with} {without}");
+    let (status, words) = said("lamp-pushes", &lamp("force = 0.1", 10.0), push);
+    assert!(
+        status == 0
+            && words.contains("Forces and moments of static loads")
+            && words.contains("do not act in this run"),
+        "{words}"
+    );
+}
+
+#[test]
+fn holds_a_load_without_mass_holds_no_stone_in_an_earthquake() {
+    let pillar = |loads: &str| {
+        format!(
+            "schema = 1\nkind = \"stack\"\nname = \"Pillar\"\nunits = {{ force = \"kN\" }}\ndensity = 2600\njoint = {{ friction = 0.6 }}\n{loads}\
+            blocks = [{{ name = \"base\", width = 1.2, depth = 0.8, height = 0.4 }}, {{ name = \"pillar\", width = 0.5, depth = 0.4, height = 2.5 }}]\n\
+            [site]\ncode = \"KDS 17 10 00\"\nzone = \"I\"\nreturn_period_years = 1000\nsoil = \"S2\"\n"
+        )
+    };
+    let (bare, plain) = said("pillar-bare", &pillar(""), "check project.toml");
+    assert!(bare == 1 && plain.contains("below demand"), "{plain}");
+    let snow = pillar("loads = [{ name = \"snow\", at = \"pillar\", height = 2.9, force = [0, 0, -50] }]\n");
+    let (status, words) = said("pillar-snow", &snow, "check project.toml");
+    assert!(status == 1 && words.contains("below demand"), "{words}");
+    assert!(words.contains("without them at 0.160 g"), "{words}");
+}
+
+#[test]
+fn holds_loads_that_no_combination_counts_are_not_in_the_word() {
+    let text = format!("{}[combination.x]\nweight = 1.35\n", lamp("force = 0.5", 100.0));
+    let (_, words) = said("loads-in-none", &text, "check project.toml");
+    assert!(
+        words.contains("VERDICT Own weight: stable") && !words.contains("Weight and loads: stable"),
+        "{words}"
+    );
+}
+
+#[test]
+fn holds_tilts_of_two_directions_are_held_together_against_the_edge() {
+    // the edge of the bed is at N b/2 over N h = 0.3/1.5: 1/5; 1/6.5 along each is 1/4.6 together
+    let text = format!(
+        "{POLE}[survey.2026-04-02]\ntilt = {{ x = \"1/6.5\", y = \"1/6.5\" }}\nas_surveyed = \"none\"\n"
+    );
+    let text = text
+        .replace("as_surveyed = \"none\"\n", "")
+        .replace("damping_ratio", "as_surveyed = \"none\"\ndamping_ratio");
+    let (status, words) = said("tilts-together", &text, "check project.toml");
+    assert!(
+        status == 1 && words.contains("Own weight: unstable") && words.contains("x+y"),
+        "{words}"
+    );
+    let (status, words) = said(
+        "tilt-alone",
+        &text.replace(", y = \"1/6.5\"", ""),
+        "check project.toml",
+    );
+    assert!(status == 0 && !words.contains("x+y"), "{words}");
+}

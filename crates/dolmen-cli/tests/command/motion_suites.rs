@@ -212,7 +212,10 @@ fn exact_columns_of_one_file_are_components_everywhere() {
     assert_eq!(peaks(&alone), [&up, &north, &east].map(|samples| peak(samples)));
     let components = [&east, &north, &up].map(|samples| peak(samples));
     assert_eq!(peaks(&of("station.csv --columns x=EW,y=ns,z=UD")), components);
-    assert_eq!(peaks(&of("station.csv --columns x=3,y=2,z=1")), components);
+    // numbers count the columns of the file, as a spreadsheet does: its second is the time
+    assert_eq!(peaks(&of("station.csv --columns x=4,y=3,z=1")), components);
+    let time = scratch.dolmen("motion station.csv --columns x=2,y=3");
+    assert_eq!(time.status, 2, "{}", time.stdout);
     assert_eq!(peaks(&of("station.csv --x-azimuth 90")), components);
     let project = |lines: &str| {
         fs::write(

@@ -2,6 +2,7 @@
 
 use super::soil_part::SoilPart;
 use crate::heaviness::Heaviness;
+use crate::loads::LoadsPart;
 use crate::quantity::{Pick, Quantity};
 use dolmen::assess::JointOnSoil;
 use dolmen::dynamics::{ChainJoint, ChainModel, ChainRotations, DynamicsError, JointFriction, JointOpening};
@@ -190,6 +191,7 @@ impl ChainPart {
             soil_n_m_rad: soil.rocking_n_m_rad(),
             joint_n_m_rad,
             together_n_m_rad: joint_n_m_rad.map(|joint| soil.in_series_n_m_rad(joint)),
+            across: None,
         })
     }
 
@@ -200,12 +202,14 @@ impl ChainPart {
         Some(joints.iter().map(damping).collect())
     }
 
-    /// The chain with its springs, dashpots, beds, friction and lean, for time histories; `None` if the joints are unknown.
+    /// The chain with its springs, dashpots, beds, friction and lean, and the masses of its static loads, for time histories; `None` if the
+    /// joints are unknown.
     ///
     /// # Errors
     /// [`DynamicsError`] for a damping ratio of a chain that falls by itself; else none with the file's own values.
     pub fn moving(
         &self,
+        loads: &LoadsPart,
         rotations: ChainRotations,
         pick: Pick<'_>,
     ) -> Result<Option<ChainModel>, DynamicsError> {
@@ -213,6 +217,7 @@ impl ChainPart {
             return Ok(None);
         };
         let chain = self.build(pick)?;
+        let chain = chain.with_added_masses(&loads.added_masses(&chain, pick))?;
         let mut built = Vec::with_capacity(joints.len());
         for ((part, link), stiffness_n_m_rad) in joints.iter().zip(chain.links()).zip(stiffness) {
             let by_bed = match link.bed_width_m {

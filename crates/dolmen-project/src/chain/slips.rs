@@ -61,7 +61,9 @@ pub(crate) fn judge_chain(reader: &mut Reader, chain: &ChainPart) {
         judge_stone(reader, stone);
     }
     if let Some(soil) = &chain.soil {
-        judge_soil(reader, soil);
+        let lowest = chain.links.first();
+        let bed = lowest.and_then(|link| link.bed_width.as_ref().or(link.breadth.as_ref()));
+        judge_soil(reader, soil, bed);
     }
 }
 

@@ -5,6 +5,7 @@ use super::soil_part::{FootingPart, SoilPart};
 use crate::error::Fault;
 use crate::file_number::{At, QuantityRaw};
 use crate::measure::{Bound, Measure};
+use crate::quantity::Quantity;
 use crate::ratio::below;
 use crate::reader::Reader;
 use crate::usual::within;
@@ -12,6 +13,10 @@ use crate::wrong::WrongChain;
 
 /// Largest Poisson's ratio: that of water-saturated clay.
 const POISSON_RATIO_MOST: f64 = 0.5;
+/// Least side of a footing over the width of the bed that it carries: a stone may overhang a little. Chosen here.
+const FOOTING_OF_BED_LEAST: f64 = 0.8;
+/// Largest side of a footing, m: that of a tower or a chimney, with room.
+const FOOTING_MOST_M: f64 = 40.0;
 /// Shear modulus, Pa: peat to sound rock, with room.
 const SHEAR_MODULUS_PA: (f64, f64) = (0.3e6, 40e9);
 
@@ -48,8 +53,37 @@ pub(super) fn soil(reader: &mut Reader, raw: Option<&At<HalfSpaceRaw>>) -> Optio
     })
 }
 
+/// A footing carries the bed above it, and is no larger than one of a pole.
+fn judge_side(reader: &mut Reader, side: &Quantity, bed: Option<&Quantity>) {
+    let (path, written) = (side.path.clone(), side.written.clone());
+    match bed {
+        Some(bed) if side.value < FOOTING_OF_BED_LEAST * bed.value => {
+            let (bed_path, bed) = (bed.path.clone(), bed.written.clone());
+            let message = WrongChain::FootingBelowBed {
+                path,
+                written,
+                bed_path,
+                bed,
+            };
+            reader.slip(&side.path, message, WrongChain::FootingBelowStones);
+        }
+        _ if side.value > FOOTING_MOST_M => {
+            let message = WrongChain::FootingOfNoPole { path, written };
+            reader.slip(&side.path, message, WrongChain::FootingInUnits);
+        }
+        _ => {}
+    }
+}
+
 /// Probable slips of its numbers.
-pub(super) fn judge_soil(reader: &mut Reader, soil: &SoilPart) {
+pub(super) fn judge_soil(reader: &mut Reader, soil: &SoilPart, bed: Option<&Quantity>) {
+    let sides: Vec<&Quantity> = match &soil.footing {
+        FootingPart::Circle(diameter) => vec![diameter],
+        FootingPart::Rectangle(sides) => sides.iter().collect(),
+    };
+    for side in sides {
+        judge_side(reader, side, bed);
+    }
     let modulus = &soil.shear_modulus;
     if !within(modulus.value, SHEAR_MODULUS_PA) {
         let message = WrongChain::ModulusOfNoSoil {

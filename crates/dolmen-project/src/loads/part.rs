@@ -4,6 +4,7 @@ use crate::quantity::{Pick, Quantity};
 use dolmen::structure::wind::{
     EurocodeTerrain, EurocodeWind, Kds41Exposure, Kds41Wind, TurbulenceSpectrum, Wind,
 };
+use dolmen::structure::{AddedMass, Chain};
 
 /// The speed or pressure of a wind, and what it is.
 #[derive(Clone, Debug, PartialEq)]
@@ -123,6 +124,22 @@ pub struct LoadPart {
     pub moment: Option<Quantity>,
 }
 
+impl LoadPart {
+    /// Whether it pushes or turns a link of a chain.
+    pub fn pushes(&self) -> bool {
+        let both = [&self.force, &self.moment];
+        both.into_iter().flatten().any(|of| of.value != 0.0)
+    }
+
+    /// Height above the joint below the link of a chain that carries it, m: the top of the link where the file says none.
+    pub fn above_joint_m(&self, chain: &Chain, pick: Pick<'_>) -> f64 {
+        let length_m = chain.links()[self.part].length_m;
+        self.height.as_ref().map_or(length_m, |height| {
+            (pick(height) - chain.joint_heights_m()[self.part]).clamp(0.0, length_m)
+        })
+    }
+}
+
 /// Factors of a combination.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CombinationPart {
@@ -223,6 +240,20 @@ impl LoadsPart {
     /// Whether anything acts beside the weight.
     pub fn is_empty(&self) -> bool {
         self.wind().is_none() && self.loads.is_empty()
+    }
+
+    /// The masses of loads that a chain carries; forces and moments have none.
+    pub fn added_masses(&self, chain: &Chain, pick: Pick<'_>) -> Vec<AddedMass> {
+        let heavy = self
+            .loads
+            .iter()
+            .filter_map(|load| Some((load, load.weight.as_ref()?)));
+        let each = heavy.map(|(load, weight)| AddedMass {
+            link: load.part,
+            height_m: load.above_joint_m(chain, pick),
+            mass_kg: pick(weight) / chain.gravity_m_s2(),
+        });
+        each.collect()
     }
 
     pub(crate) fn inputs<'a>(&'a self, all: &mut Vec<&'a Quantity>) {

@@ -152,6 +152,22 @@ messages! {
             en: "{path} = {written}, but soil and rock have 0.3 MPa to 40 GPa",
             ko: "{path} = {written}인데 흙과 암반은 0.3 MPa~40 GPa이다",
         },
+        FootingBelowBed { path: String, written: String, bed_path: String, bed: String } => {
+            en: "{path} = {written}, but the bed that stands on it is wider: {bed_path} = {bed}",
+            ko: "{path} = {written}인데 그 위의 접합면이 더 넓다: {bed_path} = {bed}",
+        },
+        FootingBelowStones => {
+            en: "a footing is at least as wide as what stands on it: is the unit that of units.length, and is this the whole side, not half of it?",
+            ko: "기초는 그 위의 부재보다 좁지 않다. 길이 단위(units.length)가 맞는가? 한 변의 절반이 아니라 전체 길이인가?",
+        },
+        FootingOfNoPole { path: String, written: String } => {
+            en: "{path} = {written}, but footings of poles and towers are at most 40 m wide",
+            ko: "{path} = {written}인데 당간이나 탑의 기초는 40 m를 넘지 않는다",
+        },
+        FootingInUnits => {
+            en: "a bare number is in units.length, m without it: is it in mm?",
+            ko: "단위 없는 수는 units.length, 그것도 없으면 m이다. mm로 쓴 값인가?",
+        },
         SoilModulusInPa => {
             en: "is it in Pa, kPa or MPa? A shear wave of 150 m/s in 1800 kg/m3 has 40 MPa. A bare number is in units.stress, Pa without it",
             ko: "단위가 Pa, kPa, MPa 중 어느 것인가? 전단파속도 150 m/s, 밀도 1800 kg/m3이면 40 MPa이다. 단위 없는 수는 units.stress, 그것도 없으면 Pa이다",

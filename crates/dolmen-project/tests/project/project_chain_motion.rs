@@ -39,7 +39,7 @@ fn moving(keys: &str, first: &str, second: &str) -> ChainModel {
     let Structure::Chain(part) = &project.structure else {
         panic!("no chain");
     };
-    part.moving(ChainRotations::Large, &mut Quantity::nominal)
+    part.moving(&project.loads, ChainRotations::Large, &mut Quantity::nominal)
         .unwrap()
         .unwrap()
 }

@@ -1,7 +1,8 @@
 //! Motions of several components from files of one channel each.
 
 use super::channel::same_step;
-use super::{ComponentReading, Lengths, MotionError, MotionOptions, read_component};
+use super::{ComponentReading, Lengths, MotionError, MotionOptions, Orientation, read_component};
+use crate::wrong::Turned;
 use dolmen::signal::{Component, GroundMotion, Processing};
 
 /// Share of a time step by which components may begin apart. Chosen here: half of it decides which sample is meant.
@@ -76,7 +77,43 @@ pub fn read_columns_as(
         })?;
         read.push((source.component, one));
     }
+    refuse_mistaken(sources, &read)?;
     motion_of(name, read, options)
+}
+
+/// Refuses channels whose names say another direction, and a channel that is taken twice.
+fn refuse_mistaken(
+    sources: &[ComponentSource<'_>],
+    read: &[(Component, ComponentReading)],
+) -> Result<(), MotionError> {
+    let refused = |why: Turned| Err(MotionError::Orientation { why: why.into() });
+    for (component, one) in read {
+        let (channel, component) = (one.name.clone(), component.name().to_owned());
+        match (component.as_str(), one.orientation) {
+            ("z", Some(Orientation::Horizontal { .. })) => {
+                return refused(Turned::HorizontalAs { channel, component });
+            }
+            ("x" | "y", Some(Orientation::Up | Orientation::Down)) => {
+                return refused(Turned::VerticalAs { channel, component });
+            }
+            _ => {}
+        }
+    }
+    let each = sources.iter().zip(read).enumerate();
+    for (at, (source, (component, one))) in each {
+        let mut before = sources[..at].iter().zip(&read[..at]);
+        let same = before.find(|(other, (_, of_other))| {
+            other.channel.is_some() && other.bytes == source.bytes && of_other.name == one.name
+        });
+        if let Some((_, (first, _))) = same {
+            return refused(Turned::TakenTwice {
+                channel: one.name.clone(),
+                first: first.name().to_owned(),
+                second: component.name().to_owned(),
+            });
+        }
+    }
+    Ok(())
 }
 
 /// A motion from channels that are known to point along x, y or z.

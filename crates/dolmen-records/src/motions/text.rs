@@ -18,6 +18,18 @@ pub(super) fn read(bytes: &[u8], options: &MotionOptions) -> Result<Vec<Raw>, Mo
     let Layout::Csv(layout) = &reading.layout else {
         return Err(RecordError::Empty.into()); // the reader of CSV gives no other layout
     };
+    if let Some(Column::Number(number)) = &column
+        && let at = number.saturating_sub(1)
+        && layout.time_column.is_some()
+        && layout.time_column.as_ref() == layout.columns.get(at)
+    {
+        let mut others = layout.columns.clone();
+        others.remove(at);
+        return Err(MotionError::Channels {
+            given: Some(number.to_string()),
+            names: others,
+        });
+    }
     let channels = reading.record.channels();
     let are_several = channels.len() > 1;
     let given = options.time_step_s;
@@ -42,14 +54,16 @@ pub(super) fn read(bytes: &[u8], options: &MotionOptions) -> Result<Vec<Raw>, Mo
     Ok(each.collect())
 }
 
-/// The column to read: the one that the user names, or the channel where that is a name. A number counts channels.
+/// The column to read: the one that the user names, by its name or by its number in the file, the time counted as a spreadsheet does.
 fn wanted(options: &MotionOptions) -> Option<Column> {
-    let named = |name: &&String| name.parse::<usize>().is_err();
-    let channel = options.channel.as_ref().filter(named);
-    options
-        .column
-        .clone()
-        .or_else(|| channel.map(|name| Column::Named(name.clone())))
+    let of_channel = || {
+        let given = options.channel.as_ref()?;
+        Some(match given.parse() {
+            Ok(number) => Column::Number(number),
+            Err(_) => Column::Named(given.clone()),
+        })
+    };
+    options.column.clone().or_else(of_channel)
 }
 
 /// The columns read, and which was meant where the user names one: "EW" is also the one column "EW (gal)".

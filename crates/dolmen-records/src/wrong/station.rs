@@ -67,6 +67,18 @@ messages! {
             en: "there are {horizontal} horizontal and {vertical} vertical channels, but must be two and at most one",
             ko: "수평 채널이 {horizontal}개, 연직 채널이 {vertical}개인데 수평 2개, 연직 1개 이하이어야 한다",
         },
+        VerticalAs { channel: String, component: String } => {
+            en: "channel \"{channel}\" is vertical by its name, but is given as {component}",
+            ko: "채널 \"{channel}\"은(는) 이름으로 보아 연직인데 {component}(으)로 지정되었다",
+        },
+        HorizontalAs { channel: String, component: String } => {
+            en: "channel \"{channel}\" is horizontal by its name, but is given as {component}",
+            ko: "채널 \"{channel}\"은(는) 이름으로 보아 수평인데 {component}(으)로 지정되었다",
+        },
+        TakenTwice { channel: String, first: String, second: String } => {
+            en: "channel \"{channel}\" is given as {first} and as {second}",
+            ko: "채널 \"{channel}\"이(가) {first}와(과) {second}에 모두 지정되었다",
+        },
         NearlyParallel { first_deg: f64, second_deg: f64 } => {
             en: "the horizontal channels point to {first_deg}° and {second_deg}°, less than 30° apart",
             ko: "수평 채널의 방위각이 {first_deg}°와 {second_deg}°로 30°보다 가깝다",

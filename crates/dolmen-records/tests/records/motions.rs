@@ -291,6 +291,24 @@ fn refuses_columns_that_are_not_there_are_meant_twice_or_contradict() {
         bare.starts_with("column \"EW\": the unit of the accelerations is not known"),
         "{bare}"
     );
+    let as_xy = |x, y| {
+        let source = |component, channel| ComponentSource {
+            component,
+            bytes: STATION.as_bytes(),
+            channel: Some(channel),
+        };
+        let sources = [source(Component::X, x), source(Component::Y, y)];
+        read_columns_as("station", &sources, &MotionOptions::default())
+            .unwrap_err()
+            .to_string()
+    };
+    let vertical = as_xy("EW", "UD");
+    assert!(
+        vertical.contains("is vertical by its name, but is given as y"),
+        "{vertical}"
+    );
+    let both = as_xy("EW", "EW");
+    assert!(both.contains("is given as x and as y"), "{both}");
     let x = read_oriented(
         "",
         &[b"time,x_m_s2,y_m_s2\n0,0,0\n0.01,1,2\n0.02,-2,1\n"],

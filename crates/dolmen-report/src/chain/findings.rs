@@ -77,6 +77,7 @@ pub(crate) fn findings(check: &ChainCheck) -> Vec<Finding> {
     all.extend(check.stability.as_ref().and_then(weakest));
     all.extend(passes_published(check));
     all.push(lowest_mode(check));
+    all.extend(check.on_soil.as_ref().and_then(super::soil::across));
     all.extend(check.on_soil.as_ref().map(super::soil::finding));
     all.extend(super::one_stone::finding(check));
     // criteria of others, which decide nothing here

@@ -1,6 +1,8 @@
 //! Simulated motions of a chain: how they ended, link by link, in time; versions side by side.
 
-use super::simulation_ending::{beyond_small, ending, leans, simulation_findings, tilt_left_out, title};
+use super::simulation_ending::{
+    beyond_small, ending, leans, loads, simulation_findings, tilt_left_out, title,
+};
 use super::simulation_run::{bed_notes, course, run};
 use super::simulation_tables::{joints, links, versions};
 use crate::document::{Block, Document, Figure, TextStyle, document_text, findings_text};
@@ -88,6 +90,11 @@ fn ended(document: &mut Document<'_>, simulation: &ChainSimulation) {
     document.blocks.extend(
         leans(simulation)
             .or_else(|| tilt_left_out(simulation))
+            .map(|found| Block::Note(found.sentence)),
+    );
+    document.blocks.extend(
+        loads(simulation)
+            .into_iter()
             .map(|found| Block::Note(found.sentence)),
     );
     document

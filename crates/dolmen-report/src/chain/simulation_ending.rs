@@ -1,8 +1,9 @@
 //! How simulated chains ended.
 
 use crate::document::{Finding, Tone};
+
 use crate::simulated::{
-    Simulated, capitalised, cut, millimetres, milliradians, seconds, undamped, under, version_name,
+    Simulated, capitalised, cut, kilo, millimetres, milliradians, seconds, undamped, under, version_name,
 };
 use dolmen::dynamics::ChainOutcome;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
@@ -56,6 +57,14 @@ messages! {
             en: "The run starts plumb: the tilt of survey {survey} ({tilt}) is not in it, and what leans falls sooner. as_surveyed = \"{survey}\" takes it over.",
             ko: "이 해석은 연직 상태에서 시작하며 {survey} 조사의 실측 기울기({tilt})를 반영하지 않았다. 기울어진 구조물은 더 일찍 전도된다. 반영하려면 as_surveyed = \"{survey}\"(으)로 한다.",
         },
+        Carries { weight: Quantity } => {
+            en: "It carries the weight of its static loads, {weight}, which swings with it.",
+            ko: "정하중의 중량 {weight}이(가) 함께 진동하는 것으로 해석하였다.",
+        },
+        ForcesLeftOut => {
+            en: "Forces and moments of static loads and the wind of the file do not act in this run: `dolmen check` judges them.",
+            ko: "이 해석에는 정하중의 힘·모멘트와 바람을 반영하지 않았다. `dolmen check`에서 판정한다.",
+        },
         WordStood => { en: "stood", ko: "안정 유지" },
         WordOpened => { en: "joints opened", ko: "접합면 벌어짐" },
         WordFell => { en: "fell", ko: "전도" },
@@ -76,6 +85,7 @@ pub(crate) fn simulation_findings(simulations: &[&ChainSimulation]) -> Vec<Findi
             .chain(beyond_small(simulation))
             .chain(leans(simulation))
             .chain(tilt_left_out(simulation))
+            .chain(loads(simulation))
     })
     .collect()
 }
@@ -100,6 +110,17 @@ pub(super) fn leans(simulation: &ChainSimulation) -> Option<Finding> {
         lean: milliradians(lean.lean_rad),
     };
     Some(Finding::key(Tone::Plain, said))
+}
+
+/// What of the static loads and the wind is in the run, and what is not.
+pub(super) fn loads(simulation: &ChainSimulation) -> Vec<Finding> {
+    let carries = (simulation.carried_n != 0.0).then(|| Ending::Carries {
+        weight: Quantity::new(simulation.carried_n, kilo("N"), Digits::Significant(3)),
+    });
+    let left_out = simulation.loads_left_out.then_some(Ending::ForcesLeftOut);
+    let carries = carries.map(|said| Finding::key(Tone::Plain, said));
+    let left_out = left_out.map(|said| Finding::key(Tone::Warn, said));
+    carries.into_iter().chain(left_out).collect()
 }
 
 pub(super) fn tilt_left_out(simulation: &ChainSimulation) -> Option<Finding> {

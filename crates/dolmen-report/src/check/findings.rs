@@ -44,7 +44,16 @@ pub(super) fn of_state(project: &Project, state: &State) -> Vec<Finding> {
         Check::Chain(_) | Check::Frame(_) | Check::Building(_) => (Vec::new(), measured),
     };
     all.extend(before);
-    all.extend(of_kind(&state.check));
+    let is_contradicted = Evidence::of(project, &state.check).is_contradicted();
+    let of_model = of_kind(&state.check).into_iter();
+    all.extend(of_model.map(|found| match found.tone {
+        // good news of a model that is not the structure is none; a stack rests on shapes and friction
+        Tone::Good if is_contradicted && !matches!(state.check, Check::Stack(_)) => Finding {
+            tone: Tone::Unknown,
+            ..found
+        },
+        _ => found,
+    }));
     all.extend(loads::findings(project, state));
     all.extend(demand::findings(state.demand.as_ref()));
     all.extend(unusual(state));
@@ -106,7 +115,7 @@ pub(crate) fn findings(answer: &CheckAnswer) -> Vec<Finding> {
     all.extend(states.flat_map(|state| of_state(&answer.project, state)));
     let checks = answer.state.iter().map(|state| &state.check);
     all.extend(checks.flat_map(|check| measured::other_directions(&answer.project, check)));
-    all.extend(measured::beyond_its_limit(&answer.project));
+    all.extend(measured::against_its_limit(&answer.project));
     all.extend(measured::severe_damage(&answer.project));
     all.extend(measured::over_the_years(&answer.project));
     all.extend(variants::findings(answer));

@@ -6,7 +6,7 @@ use dolmen::stability::Verdict;
 use dolmen_project::{LogKind, Project, Severity, Survey, date_of};
 use dolmen_words::message::Both;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
-use dolmen_work::judgement::{lowest_measured, tilt_beyond_limit};
+use dolmen_work::judgement::{lowest_measured, tilt_against_limit};
 use dolmen_work::state::{Check, FrequencyContradiction, State, TiltCheck};
 use dolmen_work::watch::can_watch;
 
@@ -46,6 +46,14 @@ messages! {
         BeyondItsLimit { survey: String, tilt: Sentence, limit: Sentence } => {
             en: "The tilt that survey {survey} measured, {tilt} by all directions together, is beyond the limit of {limit} that the file sets (tilt_limit).",
             ko: "{survey} 조사의 실측 기울기는 모든 방향을 합하여 {tilt}(으)로, 파일에서 정한 한계(tilt_limit) {limit}을(를) 넘는다.",
+        },
+        NearItsLimit { survey: String, tilt: Sentence, limit: Sentence } => {
+            en: "The tilt that survey {survey} measured, {tilt} by all directions together, is near the limit of {limit} that the file sets (tilt_limit).",
+            ko: "{survey} 조사의 실측 기울기는 모든 방향을 합하여 {tilt}(으)로, 파일에서 정한 한계(tilt_limit) {limit}에 가깝다.",
+        },
+        WithinItsLimit { survey: String, tilt: Sentence, limit: Sentence } => {
+            en: "The tilt that survey {survey} measured, {tilt} by all directions together, is within the limit of {limit} that the file sets (tilt_limit).",
+            ko: "{survey} 조사의 실측 기울기는 모든 방향을 합하여 {tilt}(으)로, 파일에서 정한 한계(tilt_limit) {limit} 이내이다.",
         },
         SevereDamage { survey: String, found: Vec<Sentence> } => {
             en: "Survey {survey} found severe damage, which is not in the model: {found}.",
@@ -87,15 +95,16 @@ pub(super) fn measured(state: &State) -> Vec<Finding> {
     contradictions.chain(tilts).collect()
 }
 
-/// A measured tilt beyond the limit that the file sets, by the last survey that states any.
-pub(super) fn beyond_its_limit(project: &Project) -> Option<Finding> {
-    let beyond = tilt_beyond_limit(project)?;
-    let said = Measured::BeyondItsLimit {
-        tilt: one_in(beyond.tilt),
-        limit: one_in(beyond.limit),
-        survey: beyond.survey,
-    };
-    Some(Finding::key(Tone::Bad, said))
+/// A measured tilt against the limit that the file sets, by the last survey that states any.
+pub(super) fn against_its_limit(project: &Project) -> Option<Finding> {
+    let found = tilt_against_limit(project)?;
+    let (tilt, limit) = (one_in(found.tilt), one_in(found.limit));
+    let survey = found.survey.clone();
+    Some(match (found.is_beyond(), found.is_near()) {
+        (true, _) => Finding::key(Tone::Bad, Measured::BeyondItsLimit { tilt, limit, survey }),
+        (false, true) => Finding::key(Tone::Warn, Measured::NearItsLimit { tilt, limit, survey }),
+        (false, false) => Finding::new(Tone::Good, Measured::WithinItsLimit { tilt, limit, survey }),
+    })
 }
 
 /// Severe damage: of each part what the last survey says that lists it.

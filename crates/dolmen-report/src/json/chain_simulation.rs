@@ -53,6 +53,8 @@ pub fn chain_simulation_json(simulation: &ChainSimulation) -> Value {
         "output_step_s": simulation.options.output_step_s,
         "fall_rad": simulation.options.fall_rad,
         "undamped": simulation.undamped.is_some(),
+        "carried_weight_n": simulation.carried_n,
+        "loads_left_out": simulation.loads_left_out,
         "duration_s": simulation.duration_s(),
         "first_frequency_hz": simulation.first_frequency_hz,
         "growth": simulation.growth.as_ref().map(|growth| json!({

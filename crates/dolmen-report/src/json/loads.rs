@@ -11,6 +11,11 @@ pub(super) fn loads(answer: &LoadsAnswer) -> Value {
         Some(Err(why)) => (None, Some(why.to_string())),
     };
     json!({
+        "with_their_weight": answer.carried.map(|of| json!({
+            "weight_n": of.weight_n,
+            "load_factor": of.load_factor,
+            "frequency_hz": of.frequency_hz,
+        })),
         "verdict": answer.verdict(),
         "load_factor": answer.factor().filter(|factor| factor.is_finite()),
         "wind": wind,

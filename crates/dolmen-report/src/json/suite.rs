@@ -8,6 +8,7 @@ use serde_json::{Value, json};
 pub fn suite_json(answer: &SuiteAnswer) -> Value {
     let not_taken = answer.not_taken.iter().map(|(file, why)| match why {
         NotTaken::Vertical => json!({ "file": file, "kind": "vertical", "why": null }),
+        NotTaken::CopyOf { file: first } => json!({ "file": file, "kind": "copy", "why": first }),
         NotTaken::Refused { why } => json!({ "file": file, "kind": "refused", "why": why.english }),
     });
     json!({

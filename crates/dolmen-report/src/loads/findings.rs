@@ -1,6 +1,7 @@
 //! What wind and static loads do, in plain words.
 
 use crate::document::{Finding, Tone};
+use crate::simulated::kilo;
 use crate::stack::{direction, joints_moving};
 use dolmen::assess::StackUnderLoads;
 use dolmen::stability::Verdict;
@@ -44,6 +45,14 @@ messages! {
         Heavy { what: Sentence, factor: Quantity, stable: Quantity } => {
             en: "{what}: it falls at {factor} times what it weighs with its loads; “stable” needs {stable}.",
             ko: "{what}: 하중의 무게를 포함한 자중의 {factor}배에서 전도되며 ‘안정’ 판정에는 {stable}배가 필요하다.",
+        },
+        Carried { weight: Quantity, factor: Quantity, frequency: Quantity } => {
+            en: "The load factor and the frequencies above are without what the static loads weigh ({weight}); with it the load factor is {factor} and the lowest frequency {frequency}.",
+            ko: "위의 하중배율과 고유진동수에는 정하중의 중량({weight})이 포함되지 않았다. 포함하면 하중배율은 {factor}, 최저 고유진동수는 {frequency}이다.",
+        },
+        CarriedFalls { weight: Quantity, factor: Quantity } => {
+            en: "The load factor and the frequencies above are without what the static loads weigh ({weight}); with it the load factor is {factor}.",
+            ko: "위의 하중배율과 고유진동수에는 정하중의 중량({weight})이 포함되지 않았다. 포함하면 하중배율은 {factor}이다.",
         },
         NothingPushes { what: Sentence } => {
             en: "{what}: nothing pushes from the side, so that the weight alone was judged.",
@@ -200,6 +209,23 @@ pub(crate) fn findings(project: &Project, state: &State) -> Vec<Finding> {
     if let Some(Err(why)) = &answer.wind {
         let why = why_not(why, matches!(state.check, Check::Stack(_)));
         all.push(Finding::key(Tone::Unknown, Found::NotKnown { why }));
+    }
+    if let Some(of) = &answer.carried {
+        let (weight, factor) = (
+            Quantity::new(of.weight_n, kilo("N"), Digits::Significant(DIGITS)),
+            Quantity::beside_one(of.load_factor, DIGITS),
+        );
+        all.push(match of.frequency_hz {
+            Some(frequency_hz) => Finding::key(
+                Tone::Plain,
+                Found::Carried {
+                    weight,
+                    factor,
+                    frequency: hertz(frequency_hz),
+                },
+            ),
+            None => Finding::key(Tone::Warn, Found::CarriedFalls { weight, factor }),
+        });
     }
     let in_none = |of: fn(&CombinationAnswer) -> f64| answer.combinations.iter().all(|each| of(each) == 0.0);
     if answer.has_wind && in_none(|of| of.wind) && !answer.combinations.is_empty() {

@@ -57,6 +57,10 @@ messages! {
             en: "Vertical channels, without a part: {count}.",
             ko: "연직 성분이라 뺀 채널: {count}개.",
         },
+        CopyOf { file: String, first: String } => {
+            en: "Not taken: {file} has the samples of {first}.",
+            ko: "뺀 파일: {file}은(는) {first}와(과) 표본이 같다.",
+        },
         Refused { file: String, why: Both } => {
             en: "Not taken: {file}: {why}",
             ko: "뺀 파일: {file}: {why}",
@@ -195,6 +199,10 @@ fn remarks(answer: &SuiteAnswer) -> Vec<Sentence> {
         NotTaken::Refused { why } => Some(Sentence::from(Suite::Refused {
             file: file.clone(),
             why: why.clone(),
+        })),
+        NotTaken::CopyOf { file: first } => Some(Sentence::from(Suite::CopyOf {
+            file: file.clone(),
+            first: first.clone(),
         })),
         NotTaken::Vertical => None,
     });

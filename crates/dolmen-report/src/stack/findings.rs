@@ -2,7 +2,7 @@
 
 use super::lean::lean;
 use super::mechanism::moving;
-use super::notes::note;
+use super::notes::{is_less, note};
 use super::supports;
 use super::verdict::banner;
 use super::words::{at, direction, first_with_ties, joint_moves, moves_together};
@@ -79,8 +79,11 @@ fn noted(of: &StackNote, stack: &Stack) -> Finding {
         StackNote::FrictionStood => Finding::key(Tone::Plain, said),
         StackNote::FrictionNoRest | StackNote::FrictionNotRun { .. } => Finding::key(Tone::Unknown, said),
         StackNote::FrictionCarries => Finding::key(Tone::Warn, said),
+        StackNote::LoadsWithoutMass { with_g, without_g } if is_less(*without_g, *with_g) => {
+            Finding::key(Tone::Warn, said)
+        }
         StackNote::SharedLoad
-        | StackNote::LoadsWithoutMass
+        | StackNote::LoadsWithoutMass { .. }
         | StackNote::AnalysisLower { .. }
         | StackNote::AnalysisBetween { .. }
         | StackNote::StrengthNotInAnalysis

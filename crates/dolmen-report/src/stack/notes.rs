@@ -32,6 +32,14 @@ messages! {
             en: "Static loads press on stones, but have no mass in an earthquake: what rests on the stones and shakes with them is a block of its own.",
             ko: "정하중은 석재를 누르나 지진 시 질량이 없다. 석재 위에 놓여 함께 흔들리는 것은 별도의 블록으로 입력한다.",
         },
+        LoadsHold { with: Quantity, without: Quantity } => {
+            en: "Static loads press on stones and have no mass in an earthquake. With them it begins to move at {with}, without them at {without}: the demand of the site is held against the worse of both. What rests on the stones and shakes with them is a block of its own.",
+            ko: "정하중은 석재를 누르나 지진 시 질량이 없다. 정하중이 있으면 {with}에서, 없으면 {without}에서 움직이기 시작하므로 부지의 요구는 둘 중 불리한 쪽으로 판정하였다. 석재 위에 놓여 함께 흔들리는 것은 별도의 블록으로 입력한다.",
+        },
+        LoadsHoldUp => {
+            en: "Static loads press on stones and have no mass in an earthquake, and without them it does not stand. What rests on the stones and shakes with them is a block of its own.",
+            ko: "정하중은 석재를 누르나 지진 시 질량이 없으며, 정하중이 없으면 서 있지 못한다. 석재 위에 놓여 함께 흔들리는 것은 별도의 블록으로 입력한다.",
+        },
         FrictionCarries => {
             en: "Friction carries it: forces that balance the weight exist, which is necessary but does not prove that it stands, since joints that slip may choose other forces. No run under its own weight was made, so the verdict is no better than marginal.",
             ko: "마찰이 하중을 지탱한다: 자중과 평형을 이루는 힘이 존재하나 이는 필요조건이며, 미끄러지는 접합면은 다른 힘을 택할 수 있으므로 서 있음을 증명하지는 않는다. 자중에 대한 시간이력 해석을 하지 않았으므로 판정은 '여유 부족'을 넘지 않는다.",
@@ -83,6 +91,18 @@ messages! {
     }
 }
 
+/// Whether a stack bears less without its static loads; without a limit it does not stand.
+pub(super) fn is_less(without_g: Option<f64>, with_g: Option<f64>) -> bool {
+    match (without_g, with_g) {
+        (Some(without), Some(with)) => without < with * (1.0 - LESS),
+        (None, with) => with.is_some(),
+        (Some(_), None) => false,
+    }
+}
+
+/// By how much less before the answer gives both: what the solver loses is 1e-8.
+const LESS: f64 = 1e-3;
+
 /// A note of the check.
 pub(super) fn note(of: &StackNote, stack: &Stack) -> Sentence {
     let said = match of {
@@ -107,7 +127,16 @@ pub(super) fn note(of: &StackNote, stack: &Stack) -> Sentence {
             at_least: in_g(*at_least_g),
             analysis: in_g(*analysis_g),
         },
-        StackNote::LoadsWithoutMass => Notes::LoadsWithoutMass,
+        StackNote::LoadsWithoutMass { with_g, without_g } if is_less(*without_g, *with_g) => {
+            match (*without_g, *with_g) {
+                (Some(without), Some(with)) => Notes::LoadsHold {
+                    with: in_g(with),
+                    without: in_g(without),
+                },
+                _ => Notes::LoadsHoldUp,
+            }
+        }
+        StackNote::LoadsWithoutMass { .. } => Notes::LoadsWithoutMass,
         StackNote::AnalysisFalls => Notes::Falls,
         StackNote::FrictionCarries => Notes::FrictionCarries,
         StackNote::FrictionStood => Notes::FrictionStood,

@@ -1,8 +1,9 @@
 //! The check of a chain.
 
 use crate::error::WorkError;
-use dolmen::assess::{ChainCheck, check_chain, check_one_stone};
+use dolmen::assess::{AcrossOnSoil, ChainCheck, check_chain, check_one_stone};
 use dolmen::stability::{chain_limits, chain_stability};
+use dolmen::structure::Chain;
 use dolmen_project::{ChainPart, Pick};
 
 /// What is known of a chain, each input with the value that `pick` chooses.
@@ -15,7 +16,41 @@ pub(crate) fn check(part: &ChainPart, pick: Pick<'_>) -> Result<ChainCheck, Work
         check.one_stone = Some(beside);
     }
     check.on_soil = part.on_soil(pick);
+    if let Some(on_soil) = &mut check.on_soil {
+        on_soil.across = across(part, &chain, stiffness, pick)?;
+    }
     Ok(check)
+}
+
+/// The chain across the motion, where its footing is softer there: own weight knows no direction.
+fn across(
+    part: &ChainPart,
+    chain: &Chain,
+    stiffness_along: Option<Vec<f64>>,
+    pick: Pick<'_>,
+) -> Result<Option<AcrossOnSoil>, WorkError> {
+    let Some(along) = part.soil.as_ref().map(|soil| soil.build(pick)) else {
+        return Ok(None);
+    };
+    let across = along.across();
+    let soil_n_m_rad = across.rocking_n_m_rad();
+    if soil_n_m_rad >= along.rocking_n_m_rad() {
+        return Ok(None);
+    }
+    let load_factor = match stiffness_along {
+        None => None,
+        Some(mut stiffness) => {
+            let bed = stiffness.first().and_then(|lowest| along.joint_n_m_rad(*lowest));
+            if let (Some(lowest), Some(bed)) = (stiffness.first_mut(), bed) {
+                *lowest = across.in_series_n_m_rad(bed);
+            }
+            Some(chain_stability(chain, &stiffness)?.load_factor)
+        }
+    };
+    Ok(Some(AcrossOnSoil {
+        soil_n_m_rad,
+        load_factor,
+    }))
 }
 
 /// The load factor; `None` unless every joint is known.

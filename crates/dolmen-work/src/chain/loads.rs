@@ -1,14 +1,16 @@
 //! A chain under wind, static loads and their combinations.
 
 use crate::error::WorkError;
-use crate::loads::{ChainCombination, CombinationAnswer, Combined, LoadsAnswer, WindMet, WindOnLink};
+use crate::loads::{
+    Carried, ChainCombination, CombinationAnswer, Combined, LoadsAnswer, WindMet, WindOnLink,
+};
 use dolmen::assess::ChainCheck;
 use dolmen::dynamics::JointOpening;
 use dolmen::stability::{
     ChainLoading, ChainUnderLoads, JointHold, LinkLoad, chain_stability, chain_under_loads,
 };
 use dolmen::structure::wind::{WindBody, WindError};
-use dolmen::structure::{Chain, Inertia, Link, lowest_frequency_hz};
+use dolmen::structure::{AddedMass, Chain, lowest_frequency_hz};
 use dolmen_project::{ChainPart, CombinationPart, LoadPart, LoadsPart, Pick, WindArea, WindGiven};
 
 /// What loads beside the weight do to a chain; `None` if there are none.
@@ -23,15 +25,28 @@ pub(crate) fn loads(
         return Ok(None);
     }
     let chain = part.build(pick)?;
-    let acting: Vec<Acting> = given.loads.iter().map(|load| acting(load, pick)).collect();
+    let acting: Vec<Acting> = given
+        .loads
+        .iter()
+        .map(|load| acting(load, &chain, pick))
+        .collect();
     let stiffness = part.stiffness_n_m_rad(pick);
-    let frequency_hz = match (&stiffness, acting.iter().any(|load| load.weight_n != 0.0)) {
-        // what loads weigh swings too
-        (Some(stiffness), true) => {
+    let weight_n: f64 = acting.iter().map(|load| load.weight_n).sum();
+    // what loads weigh swings too
+    let carried = match &stiffness {
+        Some(stiffness) if weight_n != 0.0 => {
             let heavy = weighted(&chain, &acting, [1.0, 1.0])?;
-            lowest_frequency_hz(&heavy.natural_modes(stiffness)?)
+            Some(Carried {
+                weight_n,
+                load_factor: chain_stability(&heavy, stiffness)?.load_factor,
+                frequency_hz: lowest_frequency_hz(&heavy.natural_modes(stiffness)?),
+            })
         }
-        _ => lowest_frequency_hz(&check.modes),
+        _ => None,
+    };
+    let frequency_hz = match carried {
+        Some(carried) => carried.frequency_hz,
+        None => lowest_frequency_hz(&check.modes),
     };
     let wind = given
         .wind()
@@ -39,6 +54,7 @@ pub(crate) fn loads(
     let mut answer = LoadsAnswer {
         has_wind: given.wind().is_some(),
         has_loads: !given.loads.is_empty(),
+        carried,
         tilt_rad,
         combinations: Vec::new(),
         wind,
@@ -82,11 +98,16 @@ pub(crate) fn at_rest(
     tilt_rad: f64,
     pick: Pick<'_>,
 ) -> Result<AtRest, WorkError> {
+    let chain = part.build(pick)?;
     let model = Model {
-        chain: part.build(pick)?,
         stiffness: part.stiffness_n_m_rad(pick),
         holds: holds(part, pick),
-        loads: given.loads.iter().map(|load| acting(load, pick)).collect(),
+        loads: given
+            .loads
+            .iter()
+            .map(|load| acting(load, &chain, pick))
+            .collect(),
+        chain,
         met: None,
         tilt_rad,
     };
@@ -121,16 +142,16 @@ fn holds(part: &ChainPart, pick: Pick<'_>) -> Vec<JointHold> {
 /// A static load in numbers.
 struct Acting {
     link: usize,
-    height_m: Option<f64>,
+    above_joint_m: f64,
     force_n: f64,
     weight_n: f64,
     moment_n_m: f64,
 }
 
-fn acting(load: &LoadPart, pick: Pick<'_>) -> Acting {
+fn acting(load: &LoadPart, chain: &Chain, pick: Pick<'_>) -> Acting {
     Acting {
         link: load.part,
-        height_m: load.height.as_ref().map(&mut *pick),
+        above_joint_m: load.above_joint_m(chain, pick),
         force_n: load.force.as_ref().map_or(0.0, &mut *pick),
         weight_n: load.weight.as_ref().map_or(0.0, &mut *pick),
         moment_n_m: load.moment.as_ref().map_or(0.0, &mut *pick),
@@ -273,7 +294,7 @@ impl Model<'_> {
         for load in &self.loads {
             all.push(LinkLoad {
                 link: load.link + 1,
-                height_m: above_joint_m(&self.chain, load),
+                height_m: load.above_joint_m,
                 force_n: combination.loads * load.force_n,
                 moment_n_m: combination.loads * load.moment_n_m,
             });
@@ -290,25 +311,11 @@ impl Model<'_> {
 /// The chain with a factor on its weight, and, with another, the weight that static loads add in their place.
 fn weighted(chain: &Chain, loads: &[Acting], [weight, loaded]: [f64; 2]) -> Result<Chain, WorkError> {
     let gravity_m_s2 = chain.gravity_m_s2() * weight;
-    let mut links: Vec<Link> = chain.links().to_vec();
-    for load in loads {
-        let added_kg = loaded * load.weight_n / gravity_m_s2;
-        let at_m = above_joint_m(chain, load);
-        let link = &mut links[load.link];
-        let mass_kg = link.mass_kg + added_kg;
-        let own_kg_m2 = link.inertia_kg_m2();
-        let apart_m = at_m - link.centroid_m;
-        let reduced_kg = link.mass_kg * added_kg / mass_kg;
-        link.inertia = Inertia::Given(own_kg_m2 + reduced_kg * apart_m * apart_m);
-        link.centroid_m = (link.mass_kg * link.centroid_m + added_kg * at_m) / mass_kg;
-        link.mass_kg = mass_kg;
-    }
-    Ok(Chain::new(links, gravity_m_s2)?)
-}
-
-fn above_joint_m(chain: &Chain, load: &Acting) -> f64 {
-    let length_m = chain.links()[load.link].length_m;
-    load.height_m.map_or(length_m, |height_m| {
-        (height_m - chain.joint_heights_m()[load.link]).clamp(0.0, length_m)
-    })
+    let heavier = Chain::new(chain.links().to_vec(), gravity_m_s2)?;
+    let added = loads.iter().map(|load| AddedMass {
+        link: load.link,
+        height_m: load.above_joint_m,
+        mass_kg: loaded * load.weight_n / gravity_m_s2,
+    });
+    Ok(heavier.with_added_masses(&added.collect::<Vec<_>>())?)
 }

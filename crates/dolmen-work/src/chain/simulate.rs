@@ -15,7 +15,7 @@ use dolmen::dynamics::{
     ChainModel, ChainRotations, ChainRun, DynamicsError, TimeFunction, chain_at_rest, chain_growth,
     simulate_chain,
 };
-use dolmen_project::{ChainPart, Quantity};
+use dolmen_project::{ChainPart, LoadPart, LoadsPart, Quantity};
 
 /// Length of a run that begins with a push alone, s: a pole of 0.3 Hz swings twenty times. Chosen here.
 const PUSHED_S: f64 = 60.0;
@@ -50,7 +50,8 @@ pub(crate) fn simulate(
     if motion.is_none() && options.push_rad == 0.0 {
         return Err(WorkError::NothingMovesChain);
     }
-    let Some(model) = part.moving(options.rotations, &mut Quantity::nominal)? else {
+    let loads = &version.project.loads;
+    let Some(model) = part.moving(loads, options.rotations, &mut Quantity::nominal)? else {
         return Err(WorkError::JointsUnknown);
     };
     let motion = match motion {
@@ -97,6 +98,8 @@ pub(crate) fn simulate(
             Some(_) => None,
             None => modes.first().map(|mode| mode.frequency_hz),
         },
+        carried_n: carried_n(loads),
+        loads_left_out: loads.wind().is_some() || loads.loads.iter().any(LoadPart::pushes),
         undamped: (!is_damped).then(|| Undamped::of(&version.project.surveys, None)),
         model,
         motion,
@@ -110,6 +113,12 @@ pub(crate) fn simulate(
         },
         history,
     })
+}
+
+/// Weight of the static loads, N.
+fn carried_n(loads: &LoadsPart) -> f64 {
+    let weights = loads.loads.iter().filter_map(|load| load.weight.as_ref());
+    weights.map(|weight| weight.value).sum()
 }
 
 /// Where a run begins: at rest as the chain leans, or, where it does not come to rest so, as it leans.

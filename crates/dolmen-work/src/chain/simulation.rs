@@ -36,6 +36,10 @@ pub struct ChainSimulation {
     pub undamped: Option<Undamped>,
     /// How a survey found it to lean, from which the run starts.
     pub lean: Option<ChainLean>,
+    /// Weight of the static loads that it carries, N.
+    pub carried_n: f64,
+    /// Whether the file has forces, moments or a wind that do not act in the run.
+    pub loads_left_out: bool,
     /// A surveyed tilt that the run does not start from.
     pub tilt_left_out: Option<TiltLeftOut>,
     /// What happened.

@@ -7,7 +7,7 @@ use crate::told::{told, told_both};
 use crate::wrong::CaseRefused;
 use dolmen::dynamics::{ChainModel, ChainOutcome, ChainRotations, ChainRun, TimeFunction, simulate_chain};
 use dolmen::signal::GroundMotion;
-use dolmen_project::{ChainPart, Pick, StudyPart};
+use dolmen_project::{ChainPart, LoadsPart, Pick, StudyPart};
 use dolmen_words::message::Both;
 
 /// Time between the samples that a run is judged by, s.
@@ -20,9 +20,9 @@ pub(crate) struct MovingChain {
 }
 
 /// The chain of a study, or why it cannot be.
-pub(crate) fn model(part: &ChainPart, pick: Pick<'_>) -> Result<MovingChain, Both> {
+pub(crate) fn model(part: &ChainPart, loads: &LoadsPart, pick: Pick<'_>) -> Result<MovingChain, Both> {
     let chain = part
-        .moving(ChainRotations::Large, pick)
+        .moving(loads, ChainRotations::Large, pick)
         .map_err(|why| told_both(&why))?;
     let Some(chain) = chain else {
         return Err(CaseRefused::JointsUnknown.into());

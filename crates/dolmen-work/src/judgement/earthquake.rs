@@ -63,6 +63,8 @@ pub enum DecidedBy {
     Contradicted,
     /// Nothing: supports moved, and the comparison is of the shape before; the ratio is that one.
     SupportsMoved,
+    /// Nothing: static loads without mass hold the stones while they are shaken.
+    HeldByLoads,
     /// Nothing: it does not stand without shaking.
     DoesNotStand,
     /// Nothing: the run was stopped, or ended before it could tell.
@@ -114,10 +116,19 @@ impl EarthquakeFinding {
 impl EarthquakeFinding {
     /// The same of a stack whose supports moved, where it is of the shape before: what was enough there is not known to be. What was too little stays.
     pub(super) fn before_supports_moved(self) -> Self {
+        self.not_known_to_be_enough(DecidedBy::SupportsMoved)
+    }
+
+    /// The same of a stack that loads without mass press together.
+    pub(super) fn held_by_loads(self) -> Self {
+        self.not_known_to_be_enough(DecidedBy::HeldByLoads)
+    }
+
+    fn not_known_to_be_enough(self, decided_by: DecidedBy) -> Self {
         match self.word {
             Earthquake::Above | Earthquake::Near => EarthquakeFinding {
                 word: Earthquake::NotDecided,
-                decided_by: DecidedBy::SupportsMoved,
+                decided_by,
                 ..self
             },
             Earthquake::NotAsked | Earthquake::NotDecided | Earthquake::BelowDemand => self,
@@ -190,6 +201,7 @@ impl DecidedBy {
             DecidedBy::BedEdge => "bed_edge",
             DecidedBy::StoodOnEdge => "stood_on_edge",
             DecidedBy::SupportsMoved => "supports_moved",
+            DecidedBy::HeldByLoads => "held_by_loads",
             DecidedBy::Room => "room",
             DecidedBy::NoLimit => "no_limit",
             DecidedBy::BedUnknown => "bed_unknown",

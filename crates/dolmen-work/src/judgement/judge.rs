@@ -81,7 +81,13 @@ impl Judgement {
             // a chain that falls without any shaking is unstable, whatever the motion did
             version.weight = match run {
                 Simulation::Chain(run) if run.falls_by_itself() => Some(Weight::Unstable),
-                _ if of.is_marginal && !is_contradicted && version.weight.is_none() => Some(Weight::Marginal),
+                // what speaks against a model never makes its judgement better
+                _ if version.weight.is_none() => {
+                    let found = of.without_shaking.as_ref();
+                    let found = found.filter(|of| !is_contradicted || of.weight == Weight::Unstable);
+                    version.governed_by = found.and_then(|of| of.governed_by.clone());
+                    found.map(|of| of.weight)
+                }
                 _ => version.weight,
             };
         }
@@ -103,9 +109,9 @@ impl Judgement {
 
     /// The variants that are worse than the headline.
     pub fn worse(&self) -> impl Iterator<Item = &VersionJudgement> {
-        let headline = self.headline().map(VersionJudgement::colour);
+        let headline = self.headline();
         let variants = self.versions.iter().filter(|version| version.variant.is_some());
-        variants.filter(move |version| Some(version.colour()) > headline)
+        variants.filter(move |version| headline.is_none_or(|of| version.is_worse_than(of)))
     }
 
     /// The exit status of a verb that answered so.
@@ -318,6 +324,22 @@ mod tests {
         assert_eq!(judgement.colour(), Colour::Red);
         assert_eq!(judgement.headline().map(|of| of.colour()), Some(Colour::Green));
         assert_eq!(judgement.exit_status(Verb::Report), 1);
+    }
+
+    #[test]
+    fn holds_a_variant_that_does_not_stand_is_worse_than_a_structure_below_demand() {
+        let of = |variant, weight, word| version(variant, weight, word);
+        let judgement = Judgement {
+            versions: vec![
+                of(None, Weight::Stable, Earthquake::BelowDemand),
+                of(Some("thin"), Weight::Unstable, Earthquake::BelowDemand),
+                of(Some("thick"), Weight::Stable, Earthquake::Near),
+            ],
+            is_done: true,
+            is_alarming: false,
+        };
+        let worse: Vec<_> = judgement.worse().map(|of| of.variant.clone()).collect();
+        assert_eq!(worse, [Some("thin".to_owned())]);
     }
 
     #[test]

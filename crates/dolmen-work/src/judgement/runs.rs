@@ -44,6 +44,9 @@ pub(super) fn of_stack_runs(runs: &StackRuns) -> (Vec<EarthquakeFinding>, bool) 
         .as_ref()
         .and_then(|repeats| of_repeats(repeats, motion));
     found.extend(worst.filter(|worst| worst.word > Earthquake::worst(&found)));
+    if runs.deciding.stack.is_pressed() {
+        found = found.into_iter().map(EarthquakeFinding::held_by_loads).collect();
+    }
     if !runs.deciding.stack.support_movements().is_empty() {
         let of_before = found.into_iter();
         found = of_before.map(EarthquakeFinding::before_supports_moved).collect();

@@ -116,6 +116,23 @@ impl VersionJudgement {
         Colour::worst(weight.into_iter().chain(others).chain(beyond).chain(left_out))
     }
 
+    /// Whether its colour is worse than that of another version, or that of one question is: a structure that is below demand may have a variant
+    /// that does not even stand.
+    pub fn is_worse_than(&self, other: &VersionJudgement) -> bool {
+        let each = |of: &VersionJudgement| {
+            [
+                Some(of.colour()),
+                of.weight.map(Weight::colour),
+                Some(of.earthquake_word().colour()),
+                Some(of.wind_word().colour()),
+            ]
+        };
+        each(self)
+            .into_iter()
+            .zip(each(other))
+            .any(|(own, other)| own > other && other.is_some())
+    }
+
     /// The word for weight, with the combination of loads that decides it.
     pub fn weight_words(&self, weight: Weight, language: Language) -> String {
         match &self.governed_by {
@@ -167,10 +184,12 @@ pub(super) fn version(
         version.earthquake = found.map(EarthquakeFinding::if_model_were_right).collect();
     }
     version.wind = of_wind(project, state, is_contradicted);
-    version.with_loads = state
-        .loads
-        .as_ref()
-        .is_some_and(|loads| !loads.combinations.is_empty());
+    version.with_loads = state.loads.as_ref().is_some_and(|loads| {
+        loads
+            .combinations
+            .iter()
+            .any(|of| of.wind != 0.0 || of.loads != 0.0)
+    });
     version.governed_by = state.governing_loads().map(Governing::of);
     version.demand_source = state.demand.as_ref().map(|demand| {
         let site = &demand.site;

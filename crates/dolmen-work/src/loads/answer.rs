@@ -16,10 +16,23 @@ pub struct LoadsAnswer {
     pub has_loads: bool,
     /// The wind as it meets the structure; why it is not known; `None` without wind.
     pub wind: Option<Result<WindMet, WindError>>,
+    /// A chain with what its static loads weigh; `None` if they weigh nothing, or its stiffness is not known.
+    pub carried: Option<Carried>,
     /// Tilt as surveyed that is counted with every combination, rad.
     pub tilt_rad: f64,
     /// Each combination; empty where the wind is not known.
     pub combinations: Vec<CombinationAnswer>,
+}
+
+/// A chain with the weight of its static loads as they are.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Carried {
+    /// What they weigh, N.
+    pub weight_n: f64,
+    /// Factor on the weight of all at which it falls.
+    pub load_factor: f64,
+    /// Lowest natural frequency, Hz; `None` where it falls.
+    pub frequency_hz: Option<f64>,
 }
 
 /// Wind as it meets a structure, without a factor of a combination.

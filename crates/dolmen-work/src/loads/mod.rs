@@ -3,5 +3,5 @@
 mod answer;
 mod words;
 
-pub use answer::{ChainCombination, CombinationAnswer, Combined, LoadsAnswer, WindMet, WindOnLink};
+pub use answer::{Carried, ChainCombination, CombinationAnswer, Combined, LoadsAnswer, WindMet, WindOnLink};
 pub use words::{Governed, Governing};

@@ -87,6 +87,11 @@ pub enum NotTaken {
     },
     /// It is vertical.
     Vertical,
+    /// Its samples are those of a record before it.
+    CopyOf {
+        /// The file of that one.
+        file: String,
+    },
 }
 
 /// A suite of records whose mean spectrum follows a demand.
@@ -176,6 +181,12 @@ pub fn suite(options: &SuiteOptions, names: &[String], files: &dyn Files) -> Res
                 not_taken.push((place, NotTaken::Vertical));
                 continue;
             }
+            let same = |one: &&Found| one.reading.acceleration_m_s2 == reading.acceleration_m_s2;
+            if let Some(first) = found.iter().find(same) {
+                let file = first.file.clone();
+                not_taken.push((place, NotTaken::CopyOf { file }));
+                continue;
+            }
             match of_channel(options, name, reading, &periods_s) {
                 Ok(one) => found.push(one),
                 Err(why) => {
@@ -238,7 +249,7 @@ fn refuse_none(files: usize, found: &[Found], not_taken: &[(String, NotTaken)]) 
     }
     let refused = not_taken.iter().find_map(|(file, why)| match why {
         NotTaken::Refused { why } => Some((file.clone(), why.clone())),
-        NotTaken::Vertical => None,
+        NotTaken::Vertical | NotTaken::CopyOf { .. } => None,
     });
     Err(match refused {
         Some((file, why)) => MotionRequestError::NoneReadable { files, file, why },

@@ -29,6 +29,7 @@ pub(crate) fn loads(
     let mut found = LoadsAnswer {
         has_wind: given.wind().is_some(),
         has_loads: !given.loads.is_empty(),
+        carried: None,
         tilt_rad: 0.0,
         combinations: Vec::new(),
         wind: None,

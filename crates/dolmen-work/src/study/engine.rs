@@ -18,7 +18,7 @@ use dolmen::assess::{ScaleTrial, next_in_bracket};
 use dolmen::blocks::StackRun;
 use dolmen::stability::stack::{StackLimitStates, StackLimits, stack_limits};
 use dolmen::structure::stack::Stack;
-use dolmen_project::{Quantity, Structure, StudyPart};
+use dolmen_project::{Project, Quantity, Structure, StudyPart};
 use dolmen_words::message::Both;
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
@@ -201,14 +201,14 @@ fn prepare(plan: &Plan<'_>, job: usize, runs: Vec<Run>) -> Result<Job, WorkError
     (motion, scan.turn_rad) = plan.motion(&project, job / turns % plan.motions.len(), scan.turn_rad)?;
     scan.grid = plan.scales(&motion);
     scan.motion = Some(motion);
-    scan.model = model_of(plan.study, &project.structure, &sample);
+    scan.model = model_of(plan.study, &project, &sample);
     Ok(scan)
 }
 
 /// A structure ready to be shaken, or why it cannot be.
-pub(super) fn model_of(study: &StudyPart, structure: &Structure, sample: &Drawn) -> Result<Model, Both> {
+pub(super) fn model_of(study: &StudyPart, project: &Project, sample: &Drawn) -> Result<Model, Both> {
     let pick = &mut |quantity: &Quantity| sample.pick(quantity);
-    match structure {
+    match &project.structure {
         Structure::Stack(part) => match part.build(pick) {
             Ok(stack) => stack_model(stack),
             Err(why) => Err(told_both(&why)),
@@ -216,7 +216,9 @@ pub(super) fn model_of(study: &StudyPart, structure: &Structure, sample: &Drawn)
         Structure::Frame(part) => {
             frame::study::model(study, part, pick).map(|model| Model::Frame(Box::new(model)))
         }
-        Structure::Chain(part) => chain::study::model(part, pick).map(|model| Model::Chain(Box::new(model))),
+        Structure::Chain(part) => {
+            chain::study::model(part, &project.loads, pick).map(|model| Model::Chain(Box::new(model)))
+        }
         Structure::Building(part) => {
             building::study::model(part, pick).map(|model| Model::Building(Box::new(model)))
         }

@@ -87,5 +87,5 @@ fn case_model(plan: &Plan<'_>, case: usize) -> Result<Result<Model, Both>, WorkE
         Some(_) => drawn(&project, plan.study.seed, (case % plan.samples()) as u64)?,
         None => Drawn::default(),
     };
-    Ok(model_of(plan.study, &project.structure, &sample))
+    Ok(model_of(plan.study, &project, &sample))
 }

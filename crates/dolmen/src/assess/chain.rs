@@ -32,6 +32,18 @@ pub struct JointOnSoil {
     pub joint_n_m_rad: Option<f64>,
     /// Both in series, which is what moves, N m/rad.
     pub together_n_m_rad: Option<f64>,
+    /// Across the motion, where the footing is softer there.
+    pub across: Option<AcrossOnSoil>,
+}
+
+/// A chain on a footing that is softer across the motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct AcrossOnSoil {
+    /// Rocking stiffness of the footing there, N m/rad.
+    pub soil_n_m_rad: f64,
+    /// Load factor there, with joints as stiff as along; `None` if they are not known.
+    pub load_factor: Option<f64>,
 }
 
 impl JointOnSoil {

@@ -96,6 +96,17 @@ pub fn check_stack(stack: &Stack, options: &StackCheckOptions) -> Result<StackCh
     if check.limits.standing.stands() {
         analyse(stack, options, &mut check)?;
     }
+    if stack.is_pressed() {
+        let free = StackCheckOptions {
+            demand: None,
+            ..options.clone()
+        };
+        let without = check_stack(&stack.clone().without_static_loads(), &free)?;
+        check.notes.push(StackNote::LoadsWithoutMass {
+            with_g: check.capacity.map(|capacity| capacity.acceleration_g),
+            without_g: without.capacity.map(|capacity| capacity.acceleration_g),
+        });
+    }
     if check.verdict != Verdict::Unstable && !stack.support_movements().is_empty() {
         let following = SupportMovementOptions {
             loads: options.limits.loads.clone(),
@@ -144,9 +155,6 @@ fn note_what_is_left_out(stack: &Stack, options: &StackCheckOptions, check: &mut
     }
     if !stack.ties().is_empty() {
         check.notes.push(StackNote::TiesLeftOut);
-    }
-    if stack.static_loads().iter().any(|load| load.force_n[2] < 0.0) {
-        check.notes.push(StackNote::LoadsWithoutMass);
     }
     if options.demand.is_some_and(|demand| demand.spectral.is_none()) {
         check.notes.push(StackNote::PeriodUnknown);

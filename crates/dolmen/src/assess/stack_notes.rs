@@ -57,7 +57,12 @@ pub enum StackNote {
     /// The joints one by one find it standing, the limit analysis does not.
     AnalysisFalls,
     /// Static loads press on stones; an earthquake does not shake what they stand for.
-    LoadsWithoutMass,
+    LoadsWithoutMass {
+        /// Acceleration at which it begins to move with them, over gravity; `None` where it has no such limit.
+        with_g: Option<f64>,
+        /// And without them.
+        without_g: Option<f64>,
+    },
     /// Forces were found that balance it, but they need friction: joints that slip may choose others, so only a run under its
     /// own weight shows that it stands.
     FrictionCarries,
@@ -126,7 +131,7 @@ impl fmt::Display for StackNote {
                 f,
                 "joint by joint it seems to stand, but no forces in the joints balance its weight and static loads"
             ),
-            StackNote::LoadsWithoutMass => write!(
+            StackNote::LoadsWithoutMass { .. } => write!(
                 f,
                 "static loads press on stones, but have no mass in an earthquake"
             ),

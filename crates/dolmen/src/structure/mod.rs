@@ -18,7 +18,7 @@ mod stiffness_words;
 pub mod wind;
 
 pub use building::Building;
-pub use chain::{Chain, ChainStiffness, Inertia, Link, SideSupport, SingleMass, chain_stiffness};
+pub use chain::{AddedMass, Chain, ChainStiffness, Inertia, Link, SideSupport, SingleMass, chain_stiffness};
 pub use directional::{DirectionalModes, directional_modes};
 pub use error::StructureError;
 pub use frame::{

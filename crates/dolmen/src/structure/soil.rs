@@ -58,6 +58,20 @@ impl Soil {
         }
     }
 
+    /// The soil for motion across: the sides of the footing exchanged.
+    pub fn across(&self) -> Soil {
+        Soil {
+            footing: match self.footing {
+                Footing::Circle { .. } => self.footing,
+                Footing::Rectangle { along_m, across_m } => Footing::Rectangle {
+                    along_m: across_m,
+                    across_m: along_m,
+                },
+            },
+            ..*self
+        }
+    }
+
     /// A joint and the soil in series, N m/rad: 1/k = 1/k_joint + 1/K.
     pub fn in_series_n_m_rad(&self, joint_n_m_rad: f64) -> f64 {
         let soil = self.rocking_n_m_rad();

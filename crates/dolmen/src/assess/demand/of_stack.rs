@@ -42,6 +42,8 @@ pub struct StackDemandCheck {
     pub rows: Vec<StackDemandRow>,
     /// The worst of all.
     pub verdict: DemandVerdict,
+    /// Whether these are numbers of the stack without its static loads: they press on it and have no mass, and without them it bears less.
+    pub without_loads: bool,
 }
 
 impl StackDemandCheck {
@@ -74,7 +76,7 @@ impl StackDemandCheck {
 ///
 /// # Limits
 /// Those of [`check_stack`] and [`compare_with_demand`]. That the whole vertical peak comes with the whole horizontal one is
-/// on the safe side. Along x and y the capacity is that of the limit analysis, without
+/// on the safe side. Where static loads press on stones, the stack without them is looked at too, and the worse of both counts. Along x and y the capacity is that of the limit analysis, without
 /// strength of the stone and turning of the soil. By modes the joints stay closed and linear, until something tips or slides: a corner opens
 /// earlier (of a rectangle at a third), which lengthens the periods. Where stones share their load, the largest force and moment of every stone act at once in a limit
 /// analysis, which is on the safe side. The vertical acceleration is not amplified by the stack.
@@ -82,6 +84,31 @@ impl StackDemandCheck {
 /// # Source
 /// Kim, Koo & Hong (2018), eqs 9 and 16, as published. By modes: Der Kiureghian (1981) for ρ; Lindley & Yow (1980) for the part in phase.
 pub fn stack_against_site(
+    stack: &Stack,
+    options: &StackCheckOptions,
+    site: &SiteDemand,
+    modes: Option<&[StackMode]>,
+) -> Result<Option<StackDemandCheck>, AssessError> {
+    let with = match against_site(stack, options, site, modes)? {
+        Some(with) if stack.is_pressed() => with,
+        with => return Ok(with),
+    };
+    let free = against_site(&stack.clone().without_static_loads(), options, site, modes)?;
+    let ratio = |of: &StackDemandCheck| of.least_ratio().unwrap_or(f64::INFINITY);
+    let worse = free.filter(|free| {
+        let (own, other) = (severity(&free.verdict), severity(&with.verdict));
+        own > other || (own == other && ratio(free) < ratio(&with))
+    });
+    Ok(Some(match worse {
+        Some(free) => StackDemandCheck {
+            without_loads: true,
+            ..free
+        },
+        None => with,
+    }))
+}
+
+fn against_site(
     stack: &Stack,
     options: &StackCheckOptions,
     site: &SiteDemand,
@@ -167,22 +194,26 @@ pub fn stack_against_site(
     Ok(Some(StackDemandCheck {
         vertical_acceleration_m_s2: vertical,
         verdict: worst(rows.iter().map(|row| row.verdict)),
+        without_loads: false,
         rows,
     }))
 }
 
 /// Below if any is; else unknown if any is; else the worse of the rest.
 fn worst(verdicts: impl IntoIterator<Item = DemandVerdict>) -> DemandVerdict {
-    let severity = |verdict: &DemandVerdict| match verdict {
-        DemandVerdict::Below => 3,
-        DemandVerdict::Unknown => 2,
-        DemandVerdict::Near => 1,
-        DemandVerdict::Above => 0,
-    };
     verdicts
         .into_iter()
         .max_by_key(severity)
         .unwrap_or(DemandVerdict::Unknown)
+}
+
+fn severity(verdict: &DemandVerdict) -> u8 {
+    match verdict {
+        DemandVerdict::Below => 3,
+        DemandVerdict::Unknown => 2,
+        DemandVerdict::Near => 1,
+        DemandVerdict::Above => 0,
+    }
 }
 
 /// Least acceleration at which the stack begins to move in a direction; `None` if it does not stand.

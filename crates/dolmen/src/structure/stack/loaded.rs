@@ -41,6 +41,11 @@ impl Stack {
         Ok(self)
     }
 
+    /// Whether static loads press on stones.
+    pub fn is_pressed(&self) -> bool {
+        self.static_loads.iter().any(|load| load.force_n[2] < 0.0)
+    }
+
     /// Static forces on its blocks.
     pub fn static_loads(&self) -> &[StaticLoad] {
         &self.static_loads
