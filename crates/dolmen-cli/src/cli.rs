@@ -272,18 +272,25 @@ pub(crate) struct Simulate {
     /// springs, and rigid contact beside them where the file does not say that normal_stiffness was measured
     #[arg(long, value_enum)]
     pub(crate) law: Option<Law>,
+    /// Blow the wind of the file on a building in time, along x and along y, instead of shaking its ground
+    #[arg(long)]
+    pub(crate) wind: bool,
+    /// Seed of the first history of the wind, 1 without it; those after it count on. The same seed gives the same bits
+    #[arg(long, value_name = "N")]
+    pub(crate) seed: Option<u64>,
     /// Run a stack so often in all, each time but the first with differences that nobody can measure: friction by 2 %, edges of beds by 1 mm,
-    /// the motion by 0.5 %; without it 8 times where one run shows damage that they may make worse and that takes seconds, else once
+    /// the motion by 0.5 %; without it 8 times where one run shows damage that they may make worse and that takes seconds, else once. Of a
+    /// building the histories of its wind, 10 without it
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1000))]
     pub(crate) repeats: Option<u16>,
     /// Contact points of a joint of a stack: 16 is exact in rocking and 3 % off in twisting; 4 is faster and too stiff in both
     #[arg(long, value_enum, default_value_t = Points::P16)]
     pub(crate) points: Points,
-    /// Time step, s, of springs if two laws are run; the longest stable one times 0.9 without it, with --law rigid 1e-3, and 2e-4 where friction_kinetic is below friction; of a building that of the histories
+    /// Time step, s, of springs if two laws are run; the longest stable one times 0.9 without it, with --law rigid 1e-3, and 2e-4 where friction_kinetic is below friction; of a building that of the histories, in the wind 0.02 or a 32nd of its period
     #[arg(long, value_name = "S", value_parser = positive)]
     pub(crate) step: Option<f64>,
     /// Length of the run, s; without it the motion and 2 s more for a stack, then until it rests, 20 s more for a frame or chain, 60 s for a
-    /// push alone; for a building 20 s more, and ten periods of its slowest mode or damper at least
+    /// push alone; for a building 20 s more, and ten periods of its slowest mode or damper at least; in the wind 600
     #[arg(long, value_name = "S", value_parser = positive)]
     pub(crate) duration: Option<f64>,
     /// Time between samples of the histories, s

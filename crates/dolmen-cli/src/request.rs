@@ -9,9 +9,9 @@ use dolmen::dynamics::ChainRotations;
 use dolmen::signal::Component;
 use dolmen_folder::Outputs;
 use dolmen_records::MOTION_BYTES_MOST;
-use dolmen_work::SimulateOptions;
 use dolmen_work::motion::{GivenFile, MotionRequest};
 use dolmen_work::stack::{Law, Repeating};
+use dolmen_work::{SimulateOptions, WindAsked};
 use std::path::Path;
 
 /// The motion that was asked for, its files read.
@@ -93,6 +93,10 @@ pub(crate) fn simulation(options: &Simulate, manner: &Manner) -> Result<Simulate
         repeats: options
             .repeats
             .map_or(Repeating::QUICK, |times| Repeating::Times(times.into())),
+        wind: options.wind.then(|| WindAsked {
+            seed: options.seed.unwrap_or(1),
+            repeats: options.repeats.map(usize::from),
+        }),
         // numbers alone are of one run
         compare: options.output.is_some() || !manner.json,
         keep: options.output.is_some(),

@@ -12,19 +12,21 @@ use crate::typed::Typed;
 use crate::wrong::{CommandError, Noted};
 use anyhow::Result;
 use dolmen_folder::{Found, Outputs};
+use dolmen_project::Structure;
 use dolmen_report::files::{simulate_answer_value, simulation_files};
 use dolmen_report::simulation_headline_text;
 use dolmen_report::text::{
     TextStyle, building_simulation_text, chain_simulation_text, frame_simulation_text,
-    simulation_inputs_text, simulation_text,
+    simulation_inputs_text, simulation_text, wind_simulation_text,
 };
 use dolmen_work::judgement::{Verb, judge_simulation};
 use dolmen_work::simulation::Simulation;
-use dolmen_work::{FlagVerb, prepare};
+use dolmen_work::{FlagVerb, WorkError, prepare};
 
 pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<Outcome> {
     let found = Found::open(&options.project, manner.access())?;
     typed.refuse_foreign(FlagVerb::Simulate, &[&found.opened.project])?;
+    refuse_without_wind(options, typed, &found)?;
     let how = request::simulation(options, manner)?;
     // a push needs no motion, and then nothing is there to be changed
     let motion = &how.motion;
@@ -81,11 +83,25 @@ pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<O
     ))
 }
 
+/// Refuses flags of a building that have no effect with the wind, or without it.
+fn refuse_without_wind(options: &Options, typed: &Typed, found: &Found) -> Result<()> {
+    if !matches!(found.opened.project.structure, Structure::Building(_)) {
+        return Ok(());
+    }
+    let without = ["seed", "repeats"].into_iter().find(|flag| typed.has(flag));
+    match (options.wind, without) {
+        (false, Some(flag)) => Err(WorkError::NoWindAsked { flag }.into()),
+        (true, _) if typed.has("output-step") => Err(WorkError::OutputStepOfWind.into()),
+        _ => Ok(()),
+    }
+}
+
 fn text_of(simulation: &Simulation, style: TextStyle) -> String {
     match simulation {
         Simulation::Chain(run) => chain_simulation_text(run, style),
         Simulation::Frame(run) => frame_simulation_text(run, style),
         Simulation::Stack(run) => simulation_text(run, style),
         Simulation::Building(run) => building_simulation_text(run, style),
+        Simulation::Wind(run) => wind_simulation_text(run, style),
     }
 }

@@ -88,7 +88,7 @@ pub(super) struct FileRaw {
     pub(super) contacts: Option<Vec<At<ContactRaw>>>,
     /// kind = "stack": dowels and clamps.
     pub(super) ties: Option<Vec<At<TieRaw>>>,
-    /// kind = "stack": what stands beside blocks and holds them.
+    /// kind = "stack": what stands beside blocks and holds them. kind = "chain": posts that hold it, { height, stiffness, gap }.
     pub(super) side_supports: Option<Vec<At<SideSupportRaw>>>,
     /// kind = "stack": how far the ground moves under single blocks: supports that spread or settle.
     pub(super) support_movement: Option<Vec<At<SupportMovementRaw>>>,

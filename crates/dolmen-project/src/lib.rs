@@ -59,7 +59,8 @@ pub use building::{
     WatchedPart, strokes_of,
 };
 pub use chain::{
-    Cap, ChainLean, ChainPart, FootingPart, JointFrictionPart, JointPart, LinkPart, SoilPart, StonePart,
+    Cap, ChainLean, ChainPart, ChainSupportPart, FootingPart, JointFrictionPart, JointPart, LinkPart,
+    SoilPart, StonePart,
 };
 pub use combine::{canonical_text, parse_combination};
 pub use content::{Project, Structure, Variant, Warning, WarningKind};

@@ -64,6 +64,7 @@ pub(super) const KEYS_OF_KIND: &[(&str, &[&str])] = &[
             "damping_ratio",
             "stone",
             "soil",
+            "side_supports",
             "as_surveyed",
         ],
     ),

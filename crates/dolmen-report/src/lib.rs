@@ -50,6 +50,7 @@ mod tune;
 pub mod typeset;
 mod watch;
 mod whole;
+mod wind_simulation;
 pub mod xlsx;
 
 pub use check::{against_text, check_text};

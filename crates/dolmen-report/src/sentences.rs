@@ -9,7 +9,7 @@ use crate::surveys_given::Given;
 use crate::{
     building, building_simulation, chain, change, check, demand, document, engineer, figures, frame,
     frame_simulation, headline, identification, kept, limits, loads, modal, motion, processing, rank, score,
-    sensors, simulated, stack, stack_simulation, study, text, tune, watch, xlsx,
+    sensors, simulated, stack, stack_simulation, study, text, tune, watch, wind_simulation, xlsx,
 };
 use dolmen_words::Template;
 
@@ -46,6 +46,7 @@ pub fn sentences() -> Vec<Template> {
     groups.push(text::SIMULATION_INPUTS);
     groups.extend(stack_simulation::TEMPLATES);
     groups.extend(building_simulation::TEMPLATES);
+    groups.extend(wind_simulation::TEMPLATES);
     groups.extend(tune::TEMPLATES);
     groups.extend(change::TEMPLATES);
     groups.extend(watch::TEMPLATES);

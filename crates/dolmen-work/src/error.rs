@@ -230,6 +230,17 @@ pub enum WorkError {
     },
     /// A building falls, so that nothing can be simulated.
     BuildingFalls,
+    /// The wind shall blow, and the file gives none.
+    NoWindGiven,
+    /// Both wind and a motion of the ground are asked for.
+    WindAndMotion,
+    /// A seed or repeats of a building are given without the wind.
+    NoWindAsked {
+        /// The flag.
+        flag: &'static str,
+    },
+    /// Histories of the wind are written at their own steps.
+    OutputStepOfWind,
     /// A point of a building was lost.
     PointNotWatched,
 

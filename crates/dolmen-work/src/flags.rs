@@ -180,7 +180,15 @@ const FLAGS: &[Flag] = &[
         ..flag(FlagVerb::Simulate, "rotations", &[Chain])
     },
     flag(FlagVerb::Simulate, "law", &[Stack]),
-    flag(FlagVerb::Simulate, "repeats", &[Stack]),
+    flag(FlagVerb::Simulate, "repeats", &[Stack, Building]),
+    Flag {
+        is_for: Some(|| FlagWords::BlowsWind),
+        ..flag(FlagVerb::Simulate, "wind", &[Building])
+    },
+    Flag {
+        is_for: Some(|| FlagWords::DrawsWind),
+        ..flag(FlagVerb::Simulate, "seed", &[Building])
+    },
     flag(FlagVerb::Simulate, "points", &[Stack]),
     flag(FlagVerb::Simulate, "step", &[Stack, Building]),
     flag(FlagVerb::Simulate, "duration", MOVING),

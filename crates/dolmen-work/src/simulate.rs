@@ -1,6 +1,7 @@
 //! `dolmen simulate`: a structure under a ground motion, or pushed.
 
 use crate::building::simulate::BuildingOptions;
+use crate::building::wind_history::{WindOptions, simulate_wind};
 use crate::chain::simulate::ChainOptions;
 use crate::check::{CheckOptions, state_of};
 use crate::error::{Within as _, WorkError};
@@ -51,6 +52,8 @@ pub struct SimulateOptions {
     pub however_long: bool,
     /// How often a stack is run in all, each but the first with small differences.
     pub repeats: Repeating,
+    /// How the wind of the file blows on a building, instead of a motion of the ground; `None`: it does not.
+    pub wind: Option<WindAsked>,
     /// Whether a building is also run without its dampers.
     pub compare: bool,
     /// Whether every history of a building is kept.
@@ -73,10 +76,20 @@ impl Default for SimulateOptions {
             to_the_end: false,
             however_long: false,
             repeats: Repeating::QUICK,
+            wind: None,
             compare: true,
             keep: true,
         }
     }
+}
+
+/// Histories of the wind.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct WindAsked {
+    /// Seed of the first; those after it count on.
+    pub seed: u64,
+    /// How many there are of the wind along x and along y; 10 without it.
+    pub repeats: Option<usize>,
 }
 
 /// What is to be simulated, its inputs known: a run can be announced before it begins.
@@ -101,7 +114,17 @@ pub fn prepare<'a>(
     if options.push.is_some() && !is_chain {
         return Err(WorkError::PushOfOther);
     }
-    let motion = match is_chain && !options.motion.is_given() {
+    if options.wind.is_some() {
+        let motion = &options.motion;
+        if motion.is_given() || motion.is_changed() || motion.of_files().is_some() {
+            return Err(WorkError::WindAndMotion);
+        }
+        if version.project.loads.wind().is_none() {
+            return Err(WorkError::NoWindGiven);
+        }
+    }
+    let stays_still = options.wind.is_some() || is_chain && !options.motion.is_given();
+    let motion = match stays_still {
         true => None,
         false => Some(prepared(&options.motion, (version.project, files))?),
     };
@@ -194,6 +217,21 @@ impl PreparedSimulation<'_> {
                 };
                 let run = chain::simulate::simulate(&version, part, motion, &how, progress)?;
                 answer.simulations.push(Simulation::Chain(Box::new(run)));
+            }
+            (Structure::Building(part), None) if options.wind.is_some() => {
+                let asked = options.wind.unwrap_or(WindAsked {
+                    seed: 1,
+                    repeats: None,
+                });
+                let how = WindOptions {
+                    duration_s: options.duration_s,
+                    step_s: options.step_s,
+                    seed: asked.seed,
+                    repeats: asked.repeats,
+                };
+                let run = simulate_wind(&version, part, &how)?;
+                let run = run.ok_or(WorkError::BuildingFalls)?;
+                answer.simulations.push(Simulation::Wind(Box::new(run)));
             }
             (_, None) => return Err(WorkError::NoMotionPrepared),
             (Structure::Frame(part), Some(motion)) => {

@@ -1,6 +1,6 @@
 //! What `dolmen simulate` found, of any kind.
 
-use crate::building::BuildingSimulation;
+use crate::building::{BuildingSimulation, WindSimulation};
 use crate::chain::ChainSimulation;
 use crate::frame::FrameSimulation;
 use crate::judgement::{Evidence, Weight};
@@ -19,6 +19,8 @@ pub enum Simulation {
     Stack(Box<StackRuns>),
     /// Of a building.
     Building(Box<BuildingSimulation>),
+    /// Of a building in the wind of its file.
+    Wind(Box<WindSimulation>),
 }
 
 impl Simulation {
@@ -29,6 +31,7 @@ impl Simulation {
             Simulation::Frame(of) => of.variant.as_deref(),
             Simulation::Stack(of) => of.deciding.variant.as_deref(),
             Simulation::Building(of) => of.variant.as_deref(),
+            Simulation::Wind(of) => of.variant.as_deref(),
         }
     }
 }

@@ -1,5 +1,6 @@
 //! The chain of a project file, and the chain of the science it builds.
 
+use super::side_supports::ChainSupportPart;
 use super::soil_part::SoilPart;
 use crate::heaviness::Heaviness;
 use crate::loads::LoadsPart;
@@ -100,6 +101,8 @@ pub struct ChainPart {
     pub stone: Option<Box<StonePart>>,
     /// The soil below, in series with the lowest joint; `None` if the joint holds it.
     pub soil: Option<Box<SoilPart>>,
+    /// What holds it at its side.
+    pub side_supports: Vec<ChainSupportPart>,
     /// Acceleration of gravity, m/s², that turns weights into masses.
     pub gravity_m_s2: f64,
     /// How a survey found it to lean; `None` if none did, or the file leaves that out.
@@ -143,7 +146,12 @@ impl ChainPart {
         });
         let mut links: Vec<Link> = links.collect();
         self.take_crushed_beds(&mut links, pick);
-        Chain::new(links, self.gravity_m_s2)
+        let alone = Chain::new(links, self.gravity_m_s2)?;
+        let supports = self.side_supports.iter().map(|support| support.build(pick));
+        supports
+            .collect::<Vec<_>>()
+            .into_iter()
+            .try_fold(alone, Chain::with_side_support)
     }
 
     /// Takes N/(f w) off the width of each bed that crushes: half of what is left, times N, is the moment of its stress block.
@@ -273,5 +281,6 @@ impl ChainPart {
             all.extend([&stone.elastic_modulus, &stone.poisson_ratio, &stone.density]);
         }
         all.extend(self.soil.iter().flat_map(|soil| soil.inputs()));
+        all.extend(self.side_supports.iter().flat_map(|support| support.inputs()));
     }
 }

@@ -3,6 +3,7 @@
 use super::file::{CapRaw, JointRaw, LinkRaw, OpeningRaw};
 use super::friction::{chain_damping, joint_friction};
 use super::part::{Cap, ChainPart, JointPart, LinkPart};
+use super::side_supports::side_supports;
 use super::soil::soil;
 use super::stone::{shafts_are_shafts, stone};
 use super::strength::beds_bear;
@@ -180,6 +181,7 @@ pub(crate) fn chain(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) -> Op
     if cap == Cap::LeftOut {
         reader.warn(WarningKind::CapLeftOut, "cap", Warned::CapLeftOut);
     }
+    let side_supports = side_supports(reader, raw.side_supports.as_deref(), &links);
     let joints = joints?;
     edges_known(reader, &links, joints.as_deref());
     let damping_ratio = chain_damping(reader, raw.damping_ratio.as_ref(), joints.as_deref());
@@ -190,6 +192,7 @@ pub(crate) fn chain(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) -> Op
         damping_ratio,
         stone: stone(reader, raw.stone.as_ref()).map(Box::new),
         soil: soil(reader, raw.soil.as_ref()).map(Box::new),
+        side_supports: side_supports?,
         gravity_m_s2,
         lean: None,
     };

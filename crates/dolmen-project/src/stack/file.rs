@@ -266,22 +266,21 @@ pub(crate) struct SupportMovementRaw {
     pub(super) z: Option<At<QuantityRaw>>,
 }
 
-/// Something beside a block that it meets after a gap.
+/// Something beside a block or a chain that it meets after a gap.
 #[derive(Debug, serde::Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct SideSupportRaw {
-    /// The block.
-    #[schemars(required)]
-    pub(super) block: Option<At<String>>,
-    /// Point of the block that meets it: [x, y, z], z up from the ground.
-    #[schemars(required)]
-    pub(super) position: Option<At<Vec<At<QuantityRaw>>>>,
-    /// Direction in which the block must move to meet it.
-    #[schemars(required)]
-    pub(super) direction: Option<At<WayRaw>>,
-    /// How far it must move; 0 if not given.
-    pub(super) gap: Option<At<QuantityRaw>>,
+    /// kind = "stack": the block.
+    pub(crate) block: Option<At<String>>,
+    /// kind = "stack": point of the block that meets it: [x, y, z], z up from the ground.
+    pub(crate) position: Option<At<Vec<At<QuantityRaw>>>>,
+    /// kind = "stack": direction in which the block must move to meet it.
+    pub(crate) direction: Option<At<WayRaw>>,
+    /// kind = "chain": height above the lowest joint.
+    pub(crate) height: Option<At<QuantityRaw>>,
+    /// How far it must move, a chain to either side; 0 if not given.
+    pub(crate) gap: Option<At<QuantityRaw>>,
     /// Stiffness once met, a force per length.
     #[schemars(required)]
-    pub(super) stiffness: Option<At<QuantityRaw>>,
+    pub(crate) stiffness: Option<At<QuantityRaw>>,
 }

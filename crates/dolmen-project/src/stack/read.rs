@@ -222,6 +222,16 @@ fn side_support(
     names: &[String],
 ) -> Option<SideSupportPart> {
     let support = &raw.value;
+    if support.height.is_some() {
+        let key = format!("{path}.height");
+        let fault = Fault::new(
+            reader.place(path),
+            &key,
+            WrongStack::SupportOfChain { path: key.clone() },
+        );
+        reader.fault(fault.help(WrongStack::SupportHasPosition));
+        return None;
+    }
     let block = block_index(reader, support.block.as_ref(), &format!("{path}.block"), names);
     let position_path = format!("{path}.position");
     let position = support

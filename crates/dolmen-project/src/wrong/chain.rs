@@ -49,6 +49,23 @@ messages! {
             en: "centroid is measured from the link's lower joint, not from the ground",
             ko: "centroid는 지면이 아니라 부재 하단 접합부에서 잰다",
         },
+        SupportNeeds { path: String } => { en: "a side support needs {path}", ko: "측면 지지에는 {path}이(가) 필요하다" },
+        SupportKeys => {
+            en: "side_supports = [ {{ height = \"1.2 m\", stiffness = \"20 kN/mm\", gap = \"5 mm\" }} ], the height above the lowest joint",
+            ko: "side_supports = [ {{ height = \"1.2 m\", stiffness = \"20 kN/mm\", gap = \"5 mm\" }} ]를 쓴다. height는 최하단 접합면에서 잰다",
+        },
+        SupportOfStack { path: String } => {
+            en: "{path} is for blocks: a chain is held at a height",
+            ko: "{path}은(는) 블록에 쓴다. chain은 높이로 지지 위치를 정한다",
+        },
+        SupportAboveTop { path: String, written: String, top: String } => {
+            en: "{path} = {written} lies above the top of the chain, {top}",
+            ko: "{path} = {written}이(가) 체인 상단({top})보다 높다",
+        },
+        SupportHeight => {
+            en: "height is measured from the lowest joint, and lies on the chain",
+            ko: "height는 최하단 접합면에서 재며 체인 위에 있어야 한다",
+        },
         ChainNeedsLinks => { en: "a chain needs links", ko: "chain에는 links가 필요하다" },
         LinksWeightLengthCentroid => {
             en: "links = [ {{ weight = …, length = …, centroid = … }}, … ]",

@@ -6,6 +6,14 @@ use dolmen_words::messages;
 messages! {
     /// What is wrong with a stack.
     pub(crate) enum WrongStack in "project.error.stack" {
+        SupportOfChain { path: String } => {
+            en: "{path} is for a chain: a block meets its side support at a point",
+            ko: "{path}은(는) chain에 쓴다. 블록의 측면 지지는 점으로 위치를 정한다",
+        },
+        SupportHasPosition => {
+            en: "give block, position and direction",
+            ko: "block, position, direction을 쓴다",
+        },
         NeedsNameOfBlock => {
             en: "needs the name of a block, or \"ground\"",
             ko: "부재 이름 또는 \"ground\"가 필요하다",

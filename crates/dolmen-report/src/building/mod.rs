@@ -11,9 +11,10 @@ mod words;
 
 pub(crate) use dampers::rest;
 pub(crate) use findings::{findings, variant_findings};
+pub(crate) use wind_findings::slender;
 pub(crate) use words::{
-    beside, direction_words, fixed, floor_words, kilonewtons, millimetres, name, number, of_both,
-    significant, stroke_words, tonnes,
+    axis_words, beside, direction_words, fixed, floor_words, kilonewtons, millimetres, name, number, of_both,
+    scaled, significant, stroke_words, tonnes,
 };
 
 use crate::document::Document;

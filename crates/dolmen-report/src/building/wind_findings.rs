@@ -2,9 +2,10 @@
 
 use super::words::{axis_words, floor_words, millimetres, significant, stroke_words};
 use crate::document::{Finding, Tone};
+use dolmen::structure::Building;
 use dolmen_words::message::Both;
 use dolmen_words::{Quantity, Sentence, Unit, messages};
-use dolmen_work::building::{BuildingAnswer, BuildingWind, StandingBuilding};
+use dolmen_work::building::{BuildingAnswer, BuildingWind, StandingBuilding, WindAlong};
 
 /// Height over √(breadth × depth) from which gusts across the wind are expected to move a building more than those along it. Our choice,
 /// the bound from which codes ask for wind across.
@@ -75,7 +76,9 @@ pub(super) fn wind_findings(answer: &BuildingAnswer, standing: &StandingBuilding
     all.extend(acceleration(wind));
     all.extend(drift(answer, standing, wind));
     all.extend(with_dampers(standing, wind).map(|said| Finding::key(Tone::Plain, said)));
-    all.extend(slender(standing, wind).map(|said| Finding::key(Tone::Warn, said)));
+    // breadths across the wind along x and along y: depth and breadth
+    let breadths_m = wind.along.each_ref().map(WindAlong::breadth_m);
+    all.extend(slender(&standing.building, breadths_m).map(|said| Finding::key(Tone::Warn, said)));
     all
 }
 
@@ -152,13 +155,9 @@ fn with_dampers(standing: &StandingBuilding, wind: &BuildingWind) -> Option<Blow
     })
 }
 
-fn slender(standing: &StandingBuilding, wind: &BuildingWind) -> Option<Blown> {
-    let height_m = standing.building.floor_heights_m().last().copied()?;
-    // breadths across the wind along x and along y: depth and breadth
-    let [across_x, across_y] = wind.along.each_ref().map(|along| {
-        let sum: f64 = along.met.iter().map(|met| met.breadth_m).sum();
-        sum / along.met.len() as f64
-    });
+/// That it is slender; the breadths are those across the wind along x and along y, m.
+pub(crate) fn slender(building: &Building, [across_x, across_y]: [f64; 2]) -> Option<Blown> {
+    let height_m = building.floor_heights_m().last().copied()?;
     let slenderness = height_m / (across_x * across_y).sqrt();
     (slenderness >= SLENDER).then(|| Blown::Slender {
         slenderness: Quantity::ratio(slenderness, 3),

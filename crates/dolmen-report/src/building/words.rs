@@ -75,7 +75,7 @@ pub(crate) fn of_both([english, korean]: &[String; 2]) -> Sentence {
 }
 
 /// x (0) or y (1).
-pub(super) fn axis_words(axis: usize) -> Sentence {
+pub(crate) fn axis_words(axis: usize) -> Sentence {
     Sentence::of_symbol(["x", "y"][axis])
 }
 

@@ -79,6 +79,7 @@ pub(crate) fn findings(check: &ChainCheck) -> Vec<Finding> {
     all.push(lowest_mode(check));
     all.extend(check.on_soil.as_ref().and_then(super::soil::across));
     all.extend(check.on_soil.as_ref().map(super::soil::finding));
+    all.extend(super::side_supports::findings(check));
     all.extend(super::one_stone::finding(check));
     // criteria of others, which decide nothing here
     all.push(published(&check.limits));

@@ -29,7 +29,10 @@ messages! {
             en: "All stiffnesses could be multiplied by 1/λ = {needed} and the chain would just stand; by hand, this factor lies between max M/k = {least} and Σ M/k = {most} (Dunkerley).",
             ko: "모든 강성에 1/λ = {needed}을(를) 곱하면 안정 한계에 이른다. 손계산으로는 이 값이 max M/k = {least}와(과) Σ M/k = {most} 사이에 있다(Dunkerley).",
         },
-        SideSupport => { en: "The side support is counted.", ko: "측면 지지가 반영되어 있다." },
+        SideSupport => {
+            en: "Side supports without a gap are counted.",
+            ko: "간격 없는 측면 지지가 반영되어 있다.",
+        },
         NoCheckOfOverturning => {
             en: "A linear joint spring is no check against overturning: the uplift limit N·b/2 is the largest moment that weight alone lets a bed without tension pass, and the bed begins to open well before.",
             ko: "선형 회전 스프링은 전도 검토를 대신하지 못한다. 들림 한계 N·b/2는 인장을 받지 못하는 접합면이 자중만으로 전달할 수 있는 최대 모멘트이며, 접합면은 그보다 훨씬 전에 벌어지기 시작한다.",

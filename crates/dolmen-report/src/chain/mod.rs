@@ -6,6 +6,7 @@ mod limits;
 mod margins;
 mod modes;
 mod one_stone;
+mod side_supports;
 mod simulation;
 mod simulation_ending;
 mod simulation_run;
@@ -48,13 +49,14 @@ messages! {
 }
 
 /// The sentences on chains as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 12] = [
+pub(crate) const TEMPLATES: [&[Template]; 13] = [
     findings::Found::TEMPLATES,
     Stability::TEMPLATES,
     limits::Limits::TEMPLATES,
     margins::Margins::TEMPLATES,
     modes::Modes::TEMPLATES,
     one_stone::OneStone::TEMPLATES,
+    side_supports::Supports::TEMPLATES,
     soil::OnSoil::TEMPLATES,
     centroids::Centroids::TEMPLATES,
     simulation::Shown::TEMPLATES,

@@ -1,8 +1,7 @@
 //! Simulated motions of a chain: how they ended, link by link, in time; versions side by side.
 
-use super::simulation_ending::{
-    beyond_small, ending, leans, loads, simulation_findings, tilt_left_out, title,
-};
+use super::side_supports::{in_time, table};
+use super::simulation_ending::{beyond_small, ending, leans, simulation_findings, tilt_left_out, title};
 use super::simulation_run::{bed_notes, course, run};
 use super::simulation_tables::{joints, links, versions};
 use crate::document::{Block, Document, Figure, TextStyle, document_text, findings_text};
@@ -106,6 +105,7 @@ fn details<'a>(document: &mut Document<'a>, simulation: &'a ChainSimulation) {
     document.put(Block::Paragraph(course(simulation)));
     document.put(Block::Table(joints(simulation)));
     document.put(Block::Table(links(simulation)));
+    document.blocks.extend(table(simulation).map(Block::Table));
     limits::section(document, &simulation.parts(), None);
     bed_notes(document, simulation);
     let plots = ChainPlot::all(simulation).into_iter();
@@ -130,6 +130,7 @@ fn tells(plot: ChainPlot, simulation: &ChainSimulation) -> bool {
         | ChainPlot::Rotations
         | ChainPlot::Openings
         | ChainPlot::Slips
+        | ChainPlot::Supports
         | ChainPlot::Energy => true,
     }
 }
@@ -143,6 +144,7 @@ fn caption(plot: ChainPlot, simulation: &ChainSimulation) -> Vec<Sentence> {
             vec![Shown::Loop { name }.into(), Shown::LoopMeaning.into()]
         }
         ChainPlot::Openings => vec![Shown::Openings.into(), Shown::OpeningsMeaning.into()],
+        ChainPlot::Supports => in_time(),
         ChainPlot::Slips => vec![Shown::Slips.into(), Shown::SlipsMeaning.into()],
         ChainPlot::Energy => vec![Simulated::Energy.into(), Simulated::EnergyMeaning.into()],
     }

@@ -1,5 +1,6 @@
 //! How simulated chains ended.
 
+use super::side_supports::met;
 use crate::document::{Finding, Tone};
 
 use crate::simulated::{
@@ -85,7 +86,7 @@ pub(crate) fn simulation_findings(simulations: &[&ChainSimulation]) -> Vec<Findi
             .chain(beyond_small(simulation))
             .chain(leans(simulation))
             .chain(tilt_left_out(simulation))
-            .chain(loads(simulation))
+            .chain(met(simulation))
     })
     .collect()
 }

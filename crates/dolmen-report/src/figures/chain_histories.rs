@@ -6,7 +6,9 @@ use super::history_series::{band_series, history_series, loop_series};
 use super::lines::{Lines, Series};
 use super::words::{Axes, Signs, Titles, say};
 use dolmen::dynamics::ChainEnergy;
+use dolmen::structure::SideSupport;
 use dolmen_words::Language;
+use dolmen_words::number;
 use dolmen_work::chain::ChainSimulation;
 
 /// A figure of a simulated chain.
@@ -18,6 +20,8 @@ pub(crate) enum ChainPlot {
     Loop(usize),
     Openings,
     Slips,
+    /// Forces of side supports.
+    Supports,
     Energy,
 }
 
@@ -31,6 +35,7 @@ impl ChainPlot {
         all.extend((0..simulation.links.len()).map(Self::Loop));
         all.extend((!history.uplifts.is_empty()).then_some(Self::Openings));
         all.extend((!history.slips.is_empty()).then_some(Self::Slips));
+        all.extend((!history.support_force_n.is_empty()).then_some(Self::Supports));
         all.push(Self::Energy);
         all
     }
@@ -42,6 +47,7 @@ impl ChainPlot {
             Self::Loop(joint) => format!("loop-{}", joint + 1),
             Self::Openings => "openings".to_owned(),
             Self::Slips => "slips".to_owned(),
+            Self::Supports => "supports".to_owned(),
             Self::Energy => "energy".to_owned(),
         }
     }
@@ -49,7 +55,9 @@ impl ChainPlot {
     /// Its SVG; `None` without a sample.
     pub(crate) fn draw(self, simulation: &ChainSimulation, language: Language) -> Option<String> {
         match self {
-            Self::Ground | Self::Rotations | Self::Energy => self.lines(simulation, language)?.draw(language),
+            Self::Ground | Self::Rotations | Self::Supports | Self::Energy => {
+                self.lines(simulation, language)?.draw(language)
+            }
             Self::Loop(joint) => Some(hysteresis(simulation, joint, language)),
             Self::Openings => Some(openings(simulation, language)),
             Self::Slips => Some(slips(simulation, language)),
@@ -59,7 +67,7 @@ impl ChainPlot {
     /// Its numbers.
     pub(crate) fn series(self, simulation: &ChainSimulation) -> Vec<crate::document::Series> {
         match self {
-            Self::Ground | Self::Rotations | Self::Energy => {
+            Self::Ground | Self::Rotations | Self::Supports | Self::Energy => {
                 history_series(|language| self.lines(simulation, language))
             }
             Self::Loop(joint) => loop_series(LOOP, across_and_moment(simulation, joint)),
@@ -80,6 +88,7 @@ impl ChainPlot {
                 })
             }
             Self::Rotations => Some(rotations(simulation)),
+            Self::Supports => Some(supports(simulation)),
             Self::Energy => Some(energy(simulation, language)),
             Self::Loop(_) | Self::Openings | Self::Slips => None,
         }
@@ -115,6 +124,25 @@ fn rotations(simulation: &ChainSimulation) -> Lines {
         axis: Axes::LinkRotation,
         title: Titles::RotationOfTheLinksFromTheVertical,
         lines: links,
+    }
+}
+
+fn supports(simulation: &ChainSimulation) -> Lines {
+    let history = &simulation.history;
+    let supports = simulation.model.chain().side_supports().iter();
+    let line = |(support, forces): (&SideSupport, &Vec<f64>)| Series {
+        name: format!("{} m", number::significant(support.height_m, 3)),
+        points: history
+            .times_s
+            .iter()
+            .zip(forces)
+            .map(|(t, force)| [*t, 1e-3 * force])
+            .collect(),
+    };
+    Lines {
+        axis: Axes::Force,
+        title: Titles::ForceOfTheSideSupports,
+        lines: supports.zip(&history.support_force_n).map(line).collect(),
     }
 }
 

@@ -2,16 +2,16 @@
 
 use super::named::NamedFile;
 use super::paraview::paraview;
-use crate::figures::{self, building_histories, chain_histories, frame_histories};
+use crate::figures::{self, building_histories, chain_histories, frame_histories, wind_histories};
 use crate::film::stack_film;
 use crate::json::{
     building_simulation_json, chain_simulation_json, frame_simulation_json, judgement, simulation_json,
-    stack_runs_json,
+    stack_runs_json, wind_simulation_json,
 };
 use crate::tables::{
     building_histories_csv, building_peaks_csv, chain_energy_csv, chain_histories_csv, chain_slips_csv,
     chain_uplifts_csv, energy_csv, frame_energy_csv, frame_histories_csv, frame_slips_csv, joints_csv,
-    poses_csv,
+    poses_csv, wind_histories_csv, wind_peaks_csv,
 };
 use dolmen_records::meshes::{PoseError, stack_3dec, stack_json, stack_obj};
 use dolmen_words::Language;
@@ -44,6 +44,7 @@ pub(crate) fn simulation_value(simulation: &Simulation, of: &SimulateAnswer) -> 
         Simulation::Frame(run) => frame_simulation_json(run),
         Simulation::Stack(runs) => stack_runs_json(runs),
         Simulation::Building(run) => building_simulation_json(run),
+        Simulation::Wind(run) => wind_simulation_json(run),
     };
     value["judgement"] = judgement(&judge_run(simulation, of));
     value
@@ -85,6 +86,11 @@ pub fn simulation_files(
             put("peaks.csv", building_peaks_csv(run));
             building_histories(run, language)
         }
+        Simulation::Wind(run) => {
+            put("histories.csv", wind_histories_csv(run));
+            put("peaks.csv", wind_peaks_csv(run));
+            wind_histories(run, language)
+        }
     };
     files.extend(figures.into_iter().map(NamedFile::figure));
     Ok(match simulation {
@@ -92,7 +98,7 @@ pub fn simulation_files(
             let within = |file: NamedFile| file.within(&run.direction);
             files.into_iter().map(within).collect()
         }
-        Simulation::Chain(_) | Simulation::Stack(_) | Simulation::Building(_) => files,
+        Simulation::Chain(_) | Simulation::Stack(_) | Simulation::Building(_) | Simulation::Wind(_) => files,
     })
 }
 

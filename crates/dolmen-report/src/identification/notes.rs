@@ -121,11 +121,11 @@ messages! {
             ko: "주어지지 않은 관성모멘트는 가는 봉의 값으로 보았다. 이는 작은 값이므로 강성도 작게 추정된다.",
         },
         SideSupportTaken => {
-            en: "The side support is part of the model, its stiffness taken as given.",
+            en: "Side supports without a gap are part of the model, their stiffness taken as given.",
             ko: "측면 지지는 모델에 포함되며, 그 강성은 주어진 값으로 보았다.",
         },
         SideSupportWithGap => {
-            en: "The side support has a gap and is left out: the chain is taken not to touch it while it vibrates.",
+            en: "Side supports with a gap are left out: the chain is taken not to touch them while it vibrates.",
             ko: "측면 지지는 유격이 있어 제외하였다. 진동하는 동안 지지에 닿지 않는 것으로 본다.",
         },
         NoAxialForce => {

@@ -61,7 +61,7 @@ fn floor(of: &FloorInWind) -> Value {
     })
 }
 
-fn peak(of: &GustPeak) -> Value {
+pub(super) fn peak(of: &GustPeak) -> Value {
     json!({
         "mean": of.mean, "rms": of.rms, "up_crossing_hz": of.up_crossing_hz,
         "peak_factor": of.peak_factor, "peak": of.peak(),

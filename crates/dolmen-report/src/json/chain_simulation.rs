@@ -69,6 +69,11 @@ pub fn chain_simulation_json(simulation: &ChainSimulation) -> Value {
         "friction_events": history.friction_events,
         "steps": history.steps,
         "links": links.collect::<Vec<_>>(),
+        "side_supports": simulation.supports_met().iter().map(|met| json!({
+            "height_m": met.support.height_m, "gap_m": met.support.gap_m, "stiffness_n_m": met.support.stiffness_n_m,
+            "times_met": met.times, "first_met_s": met.first_s,
+            "peak_displacement_m": met.peak.displacement_m, "peak_force_n": met.peak.force_n, "peak_at_s": met.peak.at_s,
+        })).collect::<Vec<_>>(),
         "top_peak_m": history.top_peak_m, "top_peak_at_s": history.top_peak_at_s,
         "energy": {
             "input_j": end.input_j, "kinetic_j": end.kinetic_j, "gravity_j": end.gravity_j, "springs_j": end.springs_j,

@@ -23,6 +23,7 @@ mod study_state;
 mod suite;
 mod tune;
 mod watch;
+mod wind_simulation;
 mod with;
 
 pub use building::building_simulation_json;
@@ -42,3 +43,4 @@ pub use study_state::{missing_json, shard_json};
 pub use suite::suite_json;
 pub use tune::{together_json, tune_json};
 pub use watch::watch_json;
+pub use wind_simulation::wind_simulation_json;

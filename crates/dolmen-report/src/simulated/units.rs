@@ -12,6 +12,11 @@ pub(crate) fn seconds(at_s: f64) -> Quantity {
     Quantity::new(at_s, Unit::si("s"), Digits::Fixed(2))
 }
 
+/// Seconds without needless digits: "600 s".
+pub(crate) fn seconds_whole(length_s: f64) -> Quantity {
+    Quantity::new(length_s, Unit::si("s"), Digits::Trimmed(6))
+}
+
 /// A thousandth of a unit of SI: "mm", "mrad".
 pub(crate) fn milli(symbol: &str) -> Unit {
     Unit {

@@ -17,6 +17,9 @@ pub fn chain_histories_csv(simulation: &ChainSimulation) -> String {
             ",joint_{joint}_rotation_rad,joint_{joint}_moment_n_m,joint_{joint}_friction_moment_n_m"
         );
     }
+    for support in 1..=history.support_force_n.len() {
+        let _ = write!(out, ",support_{support}_force_n");
+    }
     out.push('\n');
     let across: Vec<Vec<f64>> = (0..links).map(|joint| history.across_rad(joint)).collect();
     for (sample, time) in history.times_s.iter().enumerate() {
@@ -36,6 +39,9 @@ pub fn chain_histories_csv(simulation: &ChainSimulation) -> String {
                 history.joint_moment_n_m[joint][sample],
                 history.friction_moment_n_m[joint][sample]
             );
+        }
+        for forces in &history.support_force_n {
+            let _ = write!(out, ",{}", forces[sample]);
         }
         out.push('\n');
     }

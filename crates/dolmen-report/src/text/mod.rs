@@ -16,6 +16,7 @@ pub use crate::document::TextStyle;
 pub use crate::frame_simulation::frame_simulation_text;
 pub use crate::stack_simulation::simulation_text;
 pub use crate::tune::{together_text, tune_text};
+pub use crate::wind_simulation::wind_simulation_text;
 pub use change::change_text;
 pub(crate) use grown::GROWN;
 pub(crate) use project_line::TEMPLATES as PROJECT_LINE;

@@ -37,7 +37,6 @@ korean_of! {
         DynamicsError::ChainPart { part, number, argument, given, allowed } => "{part} {number}: {argument}이(가) {given}인데 {allowed}이어야 한다", part = phrase(part), argument = phrase(argument), allowed = phrase(allowed);
         DynamicsError::ChainCount { argument, given, needed } => "{argument}의 항목이 {given}개인데 체인의 부재는 {needed}개이다. 부재마다 하나를 준다", argument = phrase(argument);
         DynamicsError::NoBedWidth { joint } => "접합면 {joint}이(가) 가장자리에서 벌어지는데 부재 {joint}에 bed_width_m이 없다. 입력하거나 접합면을 고정한다";
-        DynamicsError::SideSupport { height_m } => "체인이 높이 {height_m} m의 옆 지지에 기대어 있는데 시간이력에서는 다루지 않는다. 지지를 뺀다";
         DynamicsError::NoJointState { at_s, tried } => "{at_s} s에서 {tried}번 시도해도 접합면의 고착과 회전 상태를 찾지 못했다. 한 접합면의 마찰이 다른 것보다 너무 작거나 체인의 값들이 서로 너무 다르다";
         DynamicsError::StepTooShort { at_s, step_s } => "체인의 운동이 {at_s} s에서 더 나아가지 못한다. 남은 시간 간격이 {step_s} s이다. 다른 것보다 자릿수가 여럿 큰 감쇠나 스프링이 있는지 확인한다";
         DynamicsError::Matrix { matrix, needed } => "{matrix} 행렬은 {needed}이어야 한다", needed = phrase(needed), matrix = phrase(matrix);

@@ -175,6 +175,22 @@ const PHRASES: &[(&str, &str)] = &[
     ("at most friction_static", "friction_static 이하"),
     ("at most 4 000 000", "4 000 000 이하"),
     (
+        "the least damping ratio of modes and dampers",
+        "모드와 제진장치 감쇠비의 최솟값",
+    ),
+    (
+        "above 0: without damping the gusts make it swing ever more",
+        "0보다 큰 수(감쇠가 없으면 바람에 끝없이 더 흔들린다)",
+    ),
+    (
+        "the number of samples of a history of the wind",
+        "바람 시간이력의 자료 수",
+    ),
+    (
+        "at most 4 000 000: take a longer step or a shorter duration, or give the modes more damping",
+        "4 000 000 이하(간격을 키우거나 길이를 줄이거나 모드의 감쇠를 키운다)",
+    ),
+    (
         "at most 4 000 000: give end_s, or longer steps",
         "4 000 000 이하(end_s를 주거나 시간 간격을 키운다)",
     ),

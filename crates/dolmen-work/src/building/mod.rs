@@ -15,6 +15,10 @@ mod tune_together;
 mod tuned;
 pub(crate) mod wind;
 mod wind_answer;
+pub(crate) mod wind_history;
+mod wind_history_answer;
+mod wind_rows;
+mod wind_seen;
 
 pub use answer::{
     BuildingAnswer, BuildingSpectral, DampedSpectral, MINOR_RATIO, StandingBuilding, stiffness_word,
@@ -27,3 +31,4 @@ pub use tune_answer::{
 };
 pub use tuned::TuneOptions;
 pub use wind_answer::{BuildingWind, FloorInWind, FloorMet, WIND_DURATION_S, WindAlong, WindMotion};
+pub use wind_history_answer::{DriftInTime, HistoriesAlong, InTime, MotionInTime, WindSimulation};

@@ -2,12 +2,13 @@
 
 use super::StandingBuilding;
 use super::wind_answer::{BuildingWind, FloorInWind, FloorMet, WIND_DURATION_S, WindAlong, WindMotion};
+use super::wind_rows::{WindRows, largest, worst};
 use crate::error::WorkError;
 use crate::told::told_both;
-use dolmen::damper::{AttachedDamper, DamperError, GustMotion, GustPeak, gust_motion};
+use dolmen::damper::{AttachedDamper, DamperError, gust_motion};
 use dolmen::dynamics::LinearSystem;
 use dolmen::structure::Building;
-use dolmen::structure::building::{Outline, PlanDirection};
+use dolmen::structure::building::Outline;
 use dolmen::structure::wind::{COHERENCE_DECAY, GustFace, GustStrip, TurbulenceSpectrum, Wind};
 use dolmen_project::{BuildingPart, BuiltDamper, Pick, Project, WindGiven};
 
@@ -35,26 +36,12 @@ fn in_wind(
     given: &WindGiven,
     pick: Pick<'_>,
 ) -> Result<BuildingWind, WorkError> {
-    let building = &standing.building;
-    let wind = given.build(pick);
-    let coefficient = pick(&given.force_coefficient);
     let acceleration_limit = given.in_time.acceleration_limit.as_ref();
-    let structure = LinearSystem::new(
-        building.mass_matrix(),
-        building.damping_matrix(&part.damping(pick))?,
-        building.stiffness_matrix(),
-    )?;
-    let spectrum = given.in_time.spectrum.unwrap_or(wind.own_spectrum());
-    let blown = Blown {
-        building,
-        structure,
-        dampers: standing.dampers.iter().map(BuiltDamper::attached).collect(),
-        eccentricity: given.in_time.eccentricity,
-    };
-    let along = |axis: usize| blown.along(axis, face(building, &wind, (spectrum, coefficient), axis)?);
+    let blown = Blown::new((&standing.building, &standing.dampers), part, given, pick)?;
+    let along = |axis: usize| blown.along(axis);
     Ok(BuildingWind {
-        spectrum,
-        eccentricity: given.in_time.eccentricity,
+        spectrum: blown.spectrum,
+        eccentricity: blown.eccentricity,
         acceleration_limit_m_s2: acceleration_limit.map(pick),
         drift_limit: given.in_time.drift_limit,
         along: [along(0)?, along(1)?],
@@ -116,15 +103,62 @@ pub(crate) fn columns(building: &Building, axis: usize, eccentricity: f64) -> Ve
     each.map(column).collect()
 }
 
-struct Blown<'a> {
+/// A building and the wind that blows on it.
+pub(crate) struct Blown<'a> {
     building: &'a Building,
-    structure: LinearSystem,
-    dampers: Vec<AttachedDamper>,
+    pub(crate) structure: LinearSystem,
+    pub(crate) dampers: Vec<AttachedDamper>,
+    wind: Wind,
+    spectrum: TurbulenceSpectrum,
+    force_coefficient: f64,
     eccentricity: f64,
 }
 
-impl Blown<'_> {
-    fn along(&self, axis: usize, face: GustFace) -> Result<WindAlong, WorkError> {
+impl<'a> Blown<'a> {
+    pub(crate) fn new(
+        (building, dampers): (&'a Building, &[BuiltDamper]),
+        part: &BuildingPart,
+        given: &WindGiven,
+        pick: Pick<'_>,
+    ) -> Result<Self, WorkError> {
+        let wind = given.build(pick);
+        Ok(Blown {
+            building,
+            structure: LinearSystem::new(
+                building.mass_matrix(),
+                building.damping_matrix(&part.damping(pick))?,
+                building.stiffness_matrix(),
+            )?,
+            dampers: dampers.iter().map(BuiltDamper::attached).collect(),
+            spectrum: given.in_time.spectrum.unwrap_or(wind.own_spectrum()),
+            wind,
+            force_coefficient: pick(&given.force_coefficient),
+            eccentricity: given.in_time.eccentricity,
+        })
+    }
+
+    /// What meets the floors along x, 0, or y, 1.
+    pub(crate) fn face(&self, axis: usize) -> Result<GustFace, DamperError> {
+        face(
+            self.building,
+            &self.wind,
+            (self.spectrum, self.force_coefficient),
+            axis,
+        )
+    }
+
+    /// What a force on each floor does: at the middle of the breadth, then off it to either side.
+    pub(crate) fn columns(&self, axis: usize) -> Vec<Vec<Vec<f64>>> {
+        let offsets = match self.eccentricity > 0.0 {
+            true => vec![0.0, self.eccentricity, -self.eccentricity],
+            false => vec![0.0],
+        };
+        let each = offsets.iter();
+        each.map(|offset| columns(self.building, axis, *offset)).collect()
+    }
+
+    fn along(&self, axis: usize) -> Result<WindAlong, WorkError> {
+        let face = self.face(axis)?;
         let forces = face.mean_forces_n();
         let met = face
             .strips
@@ -152,65 +186,25 @@ impl Blown<'_> {
         face: &GustFace,
         dampers: &[AttachedDamper],
     ) -> Result<WindMotion, WorkError> {
-        let offsets = match self.eccentricity > 0.0 {
-            true => vec![0.0, self.eccentricity, -self.eccentricity],
-            false => vec![0.0],
-        };
-        let columns: Vec<Vec<Vec<f64>>> = offsets
-            .iter()
-            .map(|offset| columns(self.building, axis, *offset))
-            .collect();
+        let columns = self.columns(axis);
         let all = gust_motion(&self.structure, dampers, face, &columns, WIND_DURATION_S)?;
+        let rows = WindRows::of(self.building, axis, &all)?;
         let middle = &all[0];
-        let [shear_x, shear_y, torque] = self.building.base_rows();
-        let shear = if axis == 0 { shear_x } else { shear_y };
-        let strokes = (0..middle.strokes.len()).map(|k| worst(all.iter().map(|of| of.strokes[k])));
-        let floors = (0..self.building.floors().len()).map(|i| self.floor(i, axis, &all));
+        let strokes = (0..middle.strokes.len()).map(|k| largest(all.iter().map(|of| of.strokes[k])));
+        let floors = rows.floors.iter().map(|floor| FloorInWind {
+            displacement_m: middle.of(&floor.displacement),
+            drift_m: worst(&all, &floor.drift),
+            acceleration_m_s2: middle.of(&floor.acceleration),
+            across_m_s2: middle.of(&floor.across),
+            rotation_rad_s2: middle.of(&floor.rotation),
+            corner_m_s2: worst(&all, &floor.corner),
+        });
         Ok(WindMotion {
-            floors: floors.collect::<Result<_, WorkError>>()?,
-            base_shear_n: middle.displacement(&shear),
-            base_torque_n_m: worst(all.iter().map(|of| of.displacement(&torque))),
+            floors: floors.collect(),
+            base_shear_n: middle.of(&rows.base_shear),
+            base_torque_n_m: worst(&all, &rows.base_torque),
             strokes_m: strokes.collect(),
             frequencies: middle.frequencies,
         })
     }
-
-    fn floor(&self, i: usize, axis: usize, all: &[GustMotion]) -> Result<FloorInWind, WorkError> {
-        let (building, middle) = (self.building, &all[0]);
-        let unit = |k: usize| {
-            let mut row = vec![0.0; building.coordinates()];
-            row[3 * i + k] = 1.0;
-            row
-        };
-        let edges = building.edge_drift_rows(i + 1)?.into_iter().flatten();
-        let edges: Vec<Vec<f64>> = edges.skip(2 * axis).take(2).collect();
-        let corners = building.floors()[i].outline.iter().flat_map(Outline::corners_m);
-        let mut corner_rows = Vec::new();
-        for [x_m, y_m] in corners {
-            let row = |direction| building.point_row(i + 1, *x_m, *y_m, direction);
-            corner_rows.push([row(PlanDirection::X)?, row(PlanDirection::Y)?]);
-        }
-        Ok(FloorInWind {
-            displacement_m: middle.displacement(&unit(axis)),
-            drift_m: worst(
-                edges
-                    .iter()
-                    .flat_map(|row| all.iter().map(|of| of.displacement(row))),
-            ),
-            acceleration_m_s2: middle.acceleration(&unit(axis)),
-            across_m_s2: middle.acceleration(&unit(1 - axis)),
-            rotation_rad_s2: middle.acceleration(&unit(2)),
-            corner_m_s2: worst(
-                corner_rows
-                    .iter()
-                    .flat_map(|[x, y]| all.iter().map(|of| of.largest_acceleration([x, y]))),
-            ),
-        })
-    }
-}
-
-/// That with the largest peak.
-fn worst(all: impl Iterator<Item = GustPeak>) -> GustPeak {
-    all.max_by(|a, b| a.peak().total_cmp(&b.peak()))
-        .unwrap_or_default()
 }

@@ -129,6 +129,12 @@ impl BuildingWind {
 }
 
 impl WindAlong {
+    /// Breadth across the wind, the mean of what meets the floors, m.
+    pub fn breadth_m(&self) -> f64 {
+        let sum: f64 = self.met.iter().map(|met| met.breadth_m).sum();
+        sum / self.met.len() as f64
+    }
+
     /// With the dampers if there are any, else without.
     pub fn as_it_is(&self) -> &WindMotion {
         self.with.as_ref().unwrap_or(&self.without)

@@ -8,4 +8,4 @@ mod simulation;
 pub(crate) mod stiffness;
 pub(crate) mod study;
 
-pub use simulation::ChainSimulation;
+pub use simulation::{ChainSimulation, SupportMet};

@@ -3,9 +3,23 @@
 use crate::motion::MotionAnswer;
 use crate::tilt_left_out::TiltLeftOut;
 use crate::undamped::Undamped;
-use dolmen::dynamics::{ChainGrowth, ChainHistory, ChainModel, ChainOutcome, ChainRun};
+use dolmen::dynamics::{ChainGrowth, ChainHistory, ChainModel, ChainOutcome, ChainRun, ChainSupportPeak};
 use dolmen::signal::Component;
+use dolmen::structure::SideSupport;
 use dolmen_project::{ChainLean, Names};
+
+/// A side support of a chain in a motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SupportMet {
+    /// The support.
+    pub support: SideSupport,
+    /// Largest displacement at it, and its force there.
+    pub peak: ChainSupportPeak,
+    /// How often it was met.
+    pub times: usize,
+    /// When first, s; `None` if it was not.
+    pub first_s: Option<f64>,
+}
 
 /// A simulation of a chain in one plane, and its inputs.
 #[derive(Clone, Debug, PartialEq)]
@@ -54,6 +68,23 @@ impl ChainSimulation {
         })
     }
 
+    /// What happened at each side support.
+    pub fn supports_met(&self) -> Vec<SupportMet> {
+        let supports = self.model.chain().side_supports().iter();
+        let peaks = supports.zip(&self.history.support_peaks).enumerate();
+        let met = peaks.map(|(i, (support, peak))| {
+            let mut touches = self.history.touches.iter().filter(|touch| touch.support == i);
+            let times = touches.clone().count();
+            SupportMet {
+                support: *support,
+                peak: *peak,
+                times,
+                first_s: touches.next().map(|touch| touch.from_s),
+            }
+        });
+        met.collect()
+    }
+
     /// Whether a link fell.
     pub fn falls(&self) -> bool {
         matches!(self.history.outcome, ChainOutcome::Fell { .. })
@@ -61,7 +92,10 @@ impl ChainSimulation {
 
     /// Whether it falls without any shaking: its springs do not hold it, and no friction does.
     pub fn falls_by_itself(&self) -> bool {
-        self.first_frequency_hz.is_none() && !self.model.has_friction()
+        // posts with a gap may hold what falls upright, and the run says whether they do
+        let supports = self.model.chain().side_supports();
+        let may_lean = !self.falls() && supports.iter().any(|support| !support.acts_linearly());
+        self.first_frequency_hz.is_none() && !self.model.has_friction() && !may_lean
     }
 
     /// When the run ended, s, if that is before the motion did and no link had fallen: there is no verdict.

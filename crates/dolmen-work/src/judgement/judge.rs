@@ -8,6 +8,7 @@ use super::runs::{of_simulation, of_stack};
 use super::tilt_limit::tilt_beyond_limit;
 use super::version::{VersionJudgement, leaning, version};
 use super::weight::Weight;
+use super::wind::of_wind_histories;
 use crate::answer::{Answer, CheckAnswer};
 use crate::building::{TogetherAnswer, TogetherChoice, TuneAnswer};
 use crate::identify::lowest_of_records;
@@ -75,6 +76,9 @@ impl Judgement {
         if let Some(version) = versions.find(|of| of.variant.as_deref() == run.variant()) {
             version.leans = leaning(run).or(version.leans.take());
             let is_contradicted = evidence.is_contradicted() && is_as_it_is;
+            if let Simulation::Wind(run) = run {
+                version.wind = of_wind_histories(run, is_contradicted);
+            }
             if is_contradicted {
                 version.evidence = evidence.clone();
             }

@@ -30,6 +30,8 @@ pub(super) fn of_simulation(run: &Simulation) -> (Vec<EarthquakeFinding>, bool) 
         Simulation::Frame(run) => (of_frame(run), run.falls() || run.is_whole()),
         Simulation::Chain(run) => (of_chain(run), run.falls() || run.is_whole()),
         Simulation::Building(run) => (of_building(run), run.ended_before_the_motion_s().is_none()),
+        // no earthquake
+        Simulation::Wind(_) => (Vec::new(), true),
     }
 }
 

@@ -217,7 +217,7 @@ pub(super) fn leaning(run: &Simulation) -> Option<Leaning> {
             survey: lean.survey.clone(),
             tilt: lean.written.clone(),
         }),
-        Simulation::Frame(_) | Simulation::Building(_) => None,
+        Simulation::Frame(_) | Simulation::Building(_) | Simulation::Wind(_) => None,
     }
 }
 

@@ -1,9 +1,9 @@
 //! Wind: does it move no more than the user allows?
 
 use super::colour::Colour;
-use crate::building::StandingBuilding;
+use crate::building::{StandingBuilding, WindSimulation};
 use crate::state::{Check, State};
-use dolmen_project::{Project, strokes_of};
+use dolmen_project::{BuiltDamper, Project, strokes_of};
 use dolmen_words::Language;
 
 /// The fixed words, from the best to the worst.
@@ -116,12 +116,44 @@ pub(super) fn of_wind(project: &Project, state: &State, is_contradicted: bool) -
         };
         return is_limited.then_some(not_decided).into_iter().collect();
     }
-    let mut all = compared(standing, &answer.floors);
+    if_model_is_right(compared(standing, &answer.floors), is_contradicted)
+}
+
+/// The mean of the peaks of histories against the same limits.
+pub(super) fn of_wind_histories(run: &WindSimulation, is_contradicted: bool) -> Vec<WindFinding> {
+    let mut all = Vec::new();
+    if let Some(limit) = run.acceleration_limit_m_s2 {
+        let (_, top) = run.top_acceleration();
+        all.push(WindFinding::of(WindLimit::Acceleration, None, limit / top.peak()));
+    }
+    if let (Some(limit), Some(drift)) = (run.drift_limit, run.largest_drift()) {
+        let floor = run.floors[drift.storey].clone();
+        all.push(WindFinding::of(
+            WindLimit::Drift,
+            Some(floor),
+            limit / drift.of_height,
+        ));
+    }
+    all.extend(rooms(&run.dampers, run.strokes_m()));
+    if_model_is_right(all, is_contradicted)
+}
+
+/// A survey that contradicts the model leaves nothing within its limit.
+fn if_model_is_right(mut all: Vec<WindFinding>, is_contradicted: bool) -> Vec<WindFinding> {
     if is_contradicted {
         let within = all.iter_mut().filter(|of| of.word == WindWord::Within);
         within.for_each(|of| of.word = WindWord::NotDecided);
     }
     all
+}
+
+fn rooms(dampers: &[BuiltDamper], strokes_m: Vec<f64>) -> Vec<WindFinding> {
+    let strokes = strokes_of(dampers).into_iter().zip(strokes_m);
+    let all = strokes.filter_map(|(stroke, stroke_m)| {
+        let ratio = stroke.room_m? / stroke_m;
+        Some(WindFinding::of(WindLimit::Room, Some(stroke.name), ratio))
+    });
+    all.collect()
 }
 
 fn compared(standing: &StandingBuilding, floors: &[String]) -> Vec<WindFinding> {
@@ -141,10 +173,6 @@ fn compared(standing: &StandingBuilding, floors: &[String]) -> Vec<WindFinding> 
             limit / drift,
         ));
     }
-    let strokes = strokes_of(&standing.dampers).into_iter().zip(wind.strokes_m());
-    all.extend(strokes.filter_map(|(stroke, stroke_m)| {
-        let ratio = stroke.room_m? / stroke_m;
-        Some(WindFinding::of(WindLimit::Room, Some(stroke.name), ratio))
-    }));
+    all.extend(rooms(&standing.dampers, wind.strokes_m()));
     all
 }

@@ -21,6 +21,14 @@ messages! {
             ko: "chain, frame, building의 하중배율을 표본으로 구한다",
         },
         NamesDirection => { en: "names a direction of a frame", ko: "frame의 방향을 지정한다" },
+        BlowsWind => {
+            en: "blows the wind of the file on a building in time",
+            ko: "파일의 바람을 building에 시간이력으로 작용시킨다",
+        },
+        DrawsWind => {
+            en: "draws histories of the wind on a building",
+            ko: "building에 작용하는 바람의 시간이력을 뽑는다",
+        },
         LeansChain => { en: "lets a chain lean at the start", ko: "chain을 처음에 기울인다" },
         NotForStackCheck => {
             en: "it cannot draw for a stack yet: its verdict is without shaking; take --sensitivity for what moves it",

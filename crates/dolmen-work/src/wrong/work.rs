@@ -153,6 +153,22 @@ sentences! {
             en: "the building falls under its own weight, so that nothing was simulated: `dolmen check` says where",
             ko: "건물이 자중으로 쓰러져 해석하지 않았다. 어디서 쓰러지는지는 `dolmen check`로 본다",
         },
+        NoWindGiven => {
+            en: "--wind blows the wind of the file, and the file gives none: write wind = {{ speed = \"27 m/s\", means = \"10 min\", code = \"EN 1991-1-4\", terrain = \"III\", force_coefficient = 1.3 }} with your own numbers",
+            ko: "--wind는 파일의 바람을 작용시키는데 파일에 바람이 없다. wind = {{ speed = \"27 m/s\", means = \"10 min\", code = \"EN 1991-1-4\", terrain = \"III\", force_coefficient = 1.3 }}을 실제 값으로 적는다",
+        },
+        WindAndMotion => {
+            en: "--wind blows the wind of the file and moves no ground: leave --motion and what changes it out, or leave --wind out",
+            ko: "--wind는 파일의 바람만 작용시키고 지반은 움직이지 않는다. --motion과 이를 바꾸는 옵션을 빼거나 --wind를 뺀다",
+        },
+        NoWindAsked { flag } => {
+            en: "--{flag} of a building is for histories of the wind: give --wind too, or leave --{flag} out",
+            ko: "building의 --{flag}는 바람의 시간이력에 쓴다. --wind를 함께 주거나 --{flag}를 뺀다",
+        },
+        OutputStepOfWind => {
+            en: "--output-step has no effect with --wind: histories of the wind are written at every step; give --step instead",
+            ko: "--wind에는 --output-step이 쓰이지 않는다. 바람의 시간이력은 모든 시간 간격에서 쓴다. --step을 준다",
+        },
         PointNotWatched => {
             en: "a point of the file was not watched",
             ko: "파일의 점 하나를 살피지 않았다",

@@ -2,7 +2,7 @@
 
 use super::{AssessError, CentroidEffect, OneStoneCheck};
 use crate::stability::{ChainLimits, ChainStability, chain_limits, chain_stability};
-use crate::structure::{Chain, NaturalMode};
+use crate::structure::{Chain, NaturalMode, SideSupport};
 
 /// All that can be said of a chain at once.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,6 +20,10 @@ pub struct ChainCheck {
     pub one_stone: Option<OneStoneCheck>,
     /// The lowest joint and the soil below it; `None` if nothing is known of the soil.
     pub on_soil: Option<JointOnSoil>,
+    /// What stands at its side.
+    pub side_supports: Vec<SideSupport>,
+    /// The load factor without side supports; `None` without any that is counted, or if the stiffness is not known.
+    pub load_factor_without_supports: Option<f64>,
 }
 
 /// The lowest joint in series with the soil that it stands on.
@@ -92,6 +96,13 @@ pub fn check_chain(chain: &Chain, stiffness_n_m_rad: Option<&[f64]>) -> Result<C
             .collect::<Result<_, _>>()?,
         one_stone: None,
         on_soil: None,
+        side_supports: chain.side_supports().to_vec(),
+        load_factor_without_supports: match stiffness_n_m_rad {
+            Some(k) if chain.side_supports().iter().any(SideSupport::acts_linearly) => {
+                Some(chain_stability(&chain.without_side_supports(), k)?.load_factor)
+            }
+            _ => None,
+        },
     })
 }
 

@@ -172,7 +172,7 @@ impl DamperKind {
     ///
     /// ```text
     /// tuned mass            1 / (ω_d² − ω² + 2iζω_d ω)
-    /// liquid column        −α / (ω_d² − ω² + 2iζω_d ω)
+    /// liquid column         α / (ω_d² − ω² + 2iζω_d ω)
     /// liquid column mass    m_a / ((m_c + m_l)(ω_d² + 2iζω_d ω))
     /// ```
     pub(super) fn stroke_per_acceleration(&self, w: f64) -> Complex64 {
@@ -191,7 +191,7 @@ impl DamperKind {
                 frequency_hz,
                 damping_ratio,
                 ..
-            } => -length_ratio / (link(frequency_hz, damping_ratio) - w * w),
+            } => length_ratio / (link(frequency_hz, damping_ratio) - w * w),
             DamperKind::LiquidColumnMass {
                 frequency_hz,
                 damping_ratio,

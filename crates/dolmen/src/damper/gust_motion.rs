@@ -8,11 +8,13 @@
 //! | m_k | `moments` | ∫ (2πn)^2k Re[H E S_F Eᵀ H*] dn: of displacements, velocities, accelerations and their rates | n + strokes, squared |
 //! | ν, g | `up_crossing_hz`, `peak_factor` | rate of crossing the mean upwards; Davenport's factor | Hz, |
 
+use super::gust_row::{GustQuantity, GustRow};
+use super::gust_strokes::strokes_under;
 use super::{AttachedDamper, DamperError, DamperKind, ModalSynthesis};
 use crate::dynamics::{DynamicsError, LinearSystem, SystemModes};
 use crate::numeric::{Node, adaptive_nodes};
 use crate::structure::wind::GustFace;
-use dolmen_linalg::{Complex64, Matrix, solve};
+use dolmen_linalg::{Matrix, solve};
 use std::f64::consts::TAU;
 
 /// Of the variance of each mode, of its acceleration and of each stroke, by an estimate that errs on the safe side. Our choice: standard
@@ -98,13 +100,20 @@ impl GustMotion {
         GustPeak::of(0.0, of(2), of(3), self.duration_s)
     }
 
-    /// Acceleration of a point along the direction in which its standard deviation is largest, from its rows along x and y.
-    pub fn largest_acceleration(&self, [x, y]: [&[f64]; 2]) -> GustPeak {
+    /// What of a row is wanted, of the columns that this is of.
+    pub fn of(&self, row: &GustRow) -> GustPeak {
+        match row.quantity {
+            GustQuantity::Displacement => self.displacement(&row.row),
+            GustQuantity::Acceleration => self.acceleration(&row.row),
+        }
+    }
+
+    /// The row of a point along the direction in which the standard deviation of its acceleration is largest, from its rows along x and y.
+    pub fn most_accelerated(&self, [x, y]: [&[f64]; 2]) -> Vec<f64> {
         let of = |a: &[f64], b: &[f64]| self.moments[2].form(a, b);
         let angle = 0.5 * (2.0 * of(x, y)).atan2(of(x, x) - of(y, y));
         let (sin, cos) = angle.sin_cos();
-        let row: Vec<f64> = x.iter().zip(y).map(|(x, y)| cos * x + sin * y).collect();
-        self.acceleration(&row)
+        x.iter().zip(y).map(|(x, y)| cos * x + sin * y).collect()
     }
 }
 
@@ -205,46 +214,18 @@ impl Blown<'_> {
         let mut parts = [(); 2].map(|()| Matrix::zeros(strips, self.size()));
         for (strip, load) in self.loads[case].iter().enumerate() {
             let eta = self.synthesis.receptance(TAU * hz, load)?;
-            let moved = self
-                .active
-                .iter()
-                .map(|j| eta[*j])
-                .chain(self.strokes(&eta, TAU * hz));
+            let moved = self.active.iter().map(|j| eta[*j]).chain(strokes_under(
+                self.dampers,
+                &self.places,
+                &eta,
+                TAU * hz,
+            ));
             for (i, x) in moved.enumerate() {
                 parts[0][(strip, i)] = x.re;
                 parts[1][(strip, i)] = x.im;
             }
         }
         Ok(parts)
-    }
-
-    /// Strokes of the dampers, then the liquids of columns on springs.
-    fn strokes(&self, eta: &[Complex64], omega: f64) -> Vec<Complex64> {
-        let (mut strokes, mut liquids) = (Vec::new(), Vec::new());
-        for (damper, row) in self.dampers.iter().zip(&self.places) {
-            let place: Complex64 = row.iter().zip(eta).map(|(a, x)| x * *a).sum();
-            let stroke = match damper.kind {
-                DamperKind::Viscous { .. } => place,
-                _ => omega * omega * place * damper.kind.stroke_per_acceleration(omega),
-            };
-            strokes.push(stroke);
-            if let DamperKind::LiquidColumnMass {
-                length_ratio,
-                liquid_frequency_hz,
-                liquid_damping_ratio,
-                ..
-            } = damper.kind
-            {
-                let own = TAU * liquid_frequency_hz;
-                let link = Complex64::new(
-                    own * own - omega * omega,
-                    2.0 * liquid_damping_ratio * own * omega,
-                );
-                liquids.push(-length_ratio * omega * omega * (place + stroke) / link);
-            }
-        }
-        strokes.extend(liquids);
-        strokes
     }
 
     /// Active modes and strokes.

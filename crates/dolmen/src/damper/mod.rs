@@ -8,8 +8,11 @@ mod damped_spectrum;
 mod design;
 mod error;
 mod goal_cost;
+mod gust_history;
 mod gust_motion;
 mod gust_rms;
+mod gust_row;
+mod gust_strokes;
 mod head_loss;
 mod modal_synthesis;
 mod plan;
@@ -30,7 +33,9 @@ pub use damped_spectrum::{DampedSpectralAnalysis, damped_spectral_analysis};
 pub use design::{Design, DesignEnd, DesignOptions, Freedom, Goal, Place, design};
 pub use error::DamperError;
 pub use goal_cost::{goal_cost, point_values};
+pub use gust_history::{GustHistory, gust_history, gust_times};
 pub use gust_motion::{GustMotion, GustPeak, gust_motion};
+pub use gust_row::{GustQuantity, GustRow};
 pub use head_loss::{
     ColumnHistory, ColumnRun, EquivalentColumn, HeadLossColumn, equivalent_column, simulate_column,
 };

@@ -53,6 +53,28 @@ pub struct ChainUplift {
     pub to_s: f64,
 }
 
+/// The largest displacement at a side support, between the samples too.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ChainSupportPeak {
+    /// Displacement from where it is without stress, with its sign, m.
+    pub displacement_m: f64,
+    /// Force of the support there, with the same sign, N; 0 within its gap.
+    pub force_n: f64,
+    /// When, s.
+    pub at_s: f64,
+}
+
+/// One time in which a side support was touched.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ChainTouch {
+    /// The support, 0 the first.
+    pub support: usize,
+    /// It was met, s.
+    pub from_s: f64,
+    /// It was left, s; the end of the run if it was not.
+    pub to_s: f64,
+}
+
 /// One time in which a joint turned against its friction, all in one direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ChainSlip {
@@ -73,7 +95,7 @@ pub struct ChainEnergy {
     pub kinetic_j: f64,
     /// Of weight, 0 upright, else negative.
     pub gravity_j: f64,
-    /// In the springs of the joints.
+    /// In the springs of the joints and the side supports.
     pub springs_j: f64,
     /// Taken by the dashpots.
     pub damping_j: f64,
@@ -119,6 +141,12 @@ pub struct ChainHistory {
     pub top_peak_at_s: f64,
     /// When joints were open, in order of opening.
     pub uplifts: Vec<ChainUplift>,
+    /// Force of each side support at the samples, N, positive where it pushes against a displacement to the right; one row a support.
+    pub support_force_n: Vec<Vec<f64>>,
+    /// Largest displacement at each side support, and its force.
+    pub support_peaks: Vec<ChainSupportPeak>,
+    /// When side supports were touched, in order; one without a gap always.
+    pub touches: Vec<ChainTouch>,
     /// When joints turned against their friction, in the order in which they ended.
     pub slips: Vec<ChainSlip>,
     /// Times at which some joint began to turn against its friction, turned back or stopped; changes at one time count once.

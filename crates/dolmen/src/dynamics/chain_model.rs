@@ -10,7 +10,8 @@
 //! | f_s, f_k | `static_moment_n_m`, `kinetic_moment_n_m` | moment of dry friction before and while the joint turns | N m |
 
 use super::DynamicsError;
-use crate::structure::Chain;
+use super::chain_props::Prop;
+use crate::structure::{Chain, StructureError};
 use dolmen_linalg::generalized_symmetric_eigen;
 
 /// Lean of the whole that is refused, rad.
@@ -102,6 +103,7 @@ pub enum ChainRotations {
 /// ```text
 /// moment of joint i:  τ_i = k_i φ_i                                      held
 ///                     τ_i = k_i φ_i, at most N_i b_i/2 in size           at the edge of the bed
+/// side support:       F = s (u − g) beyond its gap g, 0 within; u = Σ c_i sin θ_i
 /// with friction:      τ_i + q_i, q_i = f_k sign φ_i' while it turns; while it sticks φ_i' = 0 and |q_i| ≤ f_s
 /// ```
 ///
@@ -118,24 +120,19 @@ pub struct ChainModel {
     /// N b/2, infinite for a held joint.
     pub(super) moment_most_n_m: Vec<f64>,
     pub(super) lean_rad: f64,
+    pub(super) props: Vec<Prop>,
 }
 
 impl ChainModel {
     /// A chain and its joints, lowest first.
     ///
     /// # Errors
-    /// [`DynamicsError::ChainCount`], [`DynamicsError::ChainPart`], [`DynamicsError::NoBedWidth`],
-    /// [`DynamicsError::SideSupport`].
+    /// [`DynamicsError::ChainCount`], [`DynamicsError::ChainPart`], [`DynamicsError::NoBedWidth`].
     pub fn new(
         chain: Chain,
         joints: Vec<ChainJoint>,
         rotations: ChainRotations,
     ) -> Result<Self, DynamicsError> {
-        if let Some(support) = chain.side_support() {
-            return Err(DynamicsError::SideSupport {
-                height_m: support.height_m,
-            });
-        }
         let needed = chain.links().len();
         if joints.len() != needed {
             return Err(DynamicsError::ChainCount {
@@ -190,7 +187,10 @@ impl ChainModel {
                 moment_most_n_m[i] = 0.5 * weight_n * width_m;
             }
         }
+        let supports = chain.side_supports().iter();
+        let props = supports.map(|support| Prop::of(&chain, support));
         Ok(ChainModel {
+            props: props.collect::<Result<_, StructureError>>()?,
             chain,
             joints,
             rotations,
@@ -199,7 +199,8 @@ impl ChainModel {
         })
     }
 
-    /// The same, without stress where all links lean by this angle, beds with them: the whole was turned about its foot.
+    /// The same, without stress where all links lean by this angle, beds with them: the whole was turned about its foot, and gaps of side supports
+    /// count from there.
     ///
     /// # Errors
     /// [`DynamicsError::Argument`] for an angle of 30° or more, either way: N b/2 is that of level beds.
@@ -212,6 +213,9 @@ impl ChainModel {
             });
         }
         self.lean_rad = lean_rad;
+        for prop in &mut self.props {
+            prop.leaning(lean_rad, self.rotations);
+        }
         Ok(self)
     }
 

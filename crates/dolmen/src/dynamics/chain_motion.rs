@@ -7,6 +7,7 @@ use super::chain_friction_state::Change;
 use super::chain_history::{ChainHistory, ChainOutcome};
 use super::chain_model::ChainModel;
 use super::chain_moving::{Run, TOGETHER_S};
+use super::chain_props::PropState;
 use super::chain_run::ChainRun;
 use super::chain_series::{JointState, Series};
 use super::{DynamicsError, TimeFunction};
@@ -22,11 +23,11 @@ const STEPS_A_CALL: usize = 256;
 /// ```text
 /// Σ_j M_ij (cos(θ_i − θ_j) θ_j'' + sin(θ_i − θ_j) θ_j'²) = G_i sin θ_i − τ_i + τ_{i+1} − δ_i + δ_{i+1} − Γ_i a_g cos θ_i
 /// τ_i = k_i φ_i, at most N_i b_i/2 in size where the joint opens;  δ_i = d_i φ_i';  φ_i = θ_i − θ_{i−1}         n links
-/// θ_0 = 0, or the lean of the whole
+/// θ_0 = 0, or the lean of the whole;  a side support adds −Σ c_i F cos θ_i, F = s (u − g) beyond its gap, u = Σ c_i sin θ_i
 /// with friction τ_i + q_i:  q_i = f_k sign φ_i' while the joint turns; while it sticks φ_i' = 0 and |q_i| ≤ f_s
 /// ```
 /// The solution is expanded in a Taylor series of degree 24 whose last terms are below rounding. The ground's acceleration is
-/// straight between its samples, where steps end. Where a joint opens or closes and where a link has fallen are the first
+/// straight between its samples, where steps end. Where a joint opens or closes, a side support is met or left, and a link has fallen are the first
 /// crossings of the polynomials so found: none is passed over, however short. Peaks are those of the polynomials too. Links that
 /// stuck joints join turn as one; friction is neither smoothed nor stepped over: where a joint sticks, goes or turns back is such a
 /// crossing, and what all joints at rest do then is found for all together.
@@ -37,7 +38,7 @@ const STEPS_A_CALL: usize = 256;
 /// [`DynamicsError`] for options out of range, and if a step becomes too short to go on. Nothing is smoothed or guessed.
 ///
 /// # Limits
-/// Motion in one plane; joints do not slide and lose nothing as they close; the axial forces are those at rest. A fall is a
+/// Motion in one plane; joints do not slide and lose nothing as they close, nor do side supports; the axial forces are those at rest. A fall is a
 /// rotation that is passed, with no ground to land on. Steps are
 /// explicit: a dashpot many decades above the others makes them as short. The balance of energy, measured over 100 s of five links without damping, is off
 /// by 1.5e-14 of the largest kinetic energy.
@@ -95,6 +96,7 @@ pub fn simulate_chain(
 enum Event {
     Joint(usize, JointState),
     Friction(usize, Change),
+    Prop(usize, PropState),
     Fall(usize),
 }
 
@@ -115,6 +117,9 @@ impl Run<'_> {
                 first = (sigma, Some(Event::Friction(i, change)));
             }
         }
+        for prop in 0..self.state.props.len() {
+            self.first_touch(prop, &mut first);
+        }
         let (part, event) = first;
         // a change at the very start of a step moves nothing
         if part > 0.0 {
@@ -123,6 +128,7 @@ impl Run<'_> {
         }
         self.history.steps += 1;
         self.changed.clear();
+        self.touched.clear();
         if part * h > TOGETHER_S {
             self.friction.moved_on();
         }
@@ -149,6 +155,10 @@ impl Run<'_> {
                 }
                 self.state.joints[joint] = state;
                 self.changed.push(joint);
+                false
+            }
+            Some(Event::Prop(prop, state)) => {
+                self.touch(prop, state);
                 false
             }
             Some(Event::Friction(joint, change)) => {
@@ -183,6 +193,28 @@ impl Run<'_> {
         }
     }
 
+    /// Brings `first` forward if a side support is met or left before it.
+    fn first_touch(&self, p: usize, first: &mut (f64, Option<Event>)) {
+        let gap_m = self.series.model.props[p].gap_m;
+        if gap_m == 0.0 {
+            return;
+        }
+        let changes = match self.state.props[p] {
+            PropState::Free => [1.0, -1.0].map(|sign| Some((-sign, gap_m, PropState::Touching(sign)))),
+            PropState::Touching(sign) => [Some((sign, -gap_m, PropState::Free)), None],
+        };
+        for (sign, limit, next) in changes.into_iter().flatten() {
+            let mut left = self.series.beside[p].map(|c| sign * c);
+            left[0] += limit;
+            if self.touched.contains(&p) && left[0].abs() < gap_m {
+                left[0] = 0.0;
+            }
+            if let Some(sigma) = first_descent(&left, 0.0).filter(|s| *s <= first.0) {
+                *first = (sigma, Some(Event::Prop(p, next)));
+            }
+        }
+    }
+
     fn finish(mut self) -> ChainHistory {
         for joint in 0..self.state.joints.len() {
             if self.state.joints[joint] != JointState::Closed {
@@ -193,6 +225,7 @@ impl Run<'_> {
             self.history.joint_moment_peaks_n_m[joint] =
                 self.series.model.moment_n_m(joint, across_rad).abs();
         }
+        self.end_touches();
         self.history.uplifts.sort_by(|a, b| a.from_s.total_cmp(&b.from_s));
         if self.history.times_s.last() != Some(&self.at_s) {
             self.sample();

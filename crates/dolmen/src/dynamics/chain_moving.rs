@@ -2,8 +2,11 @@
 
 use super::TimeFunction;
 use super::chain_friction_state::Friction;
-use super::chain_history::{ChainEnergy, ChainHistory, ChainOutcome, ChainPeak, ChainUplift};
+use super::chain_history::{
+    ChainEnergy, ChainHistory, ChainOutcome, ChainPeak, ChainSupportPeak, ChainTouch, ChainUplift,
+};
 use super::chain_model::{ChainModel, ChainRotations};
+use super::chain_props::{Prop, PropState};
 use super::chain_run::ChainRun;
 use super::chain_series::{ChainSeries, ChainState, DEGREE, JointState, Series, rate};
 use super::frame_model::Slider;
@@ -26,6 +29,10 @@ pub(super) struct Run<'a> {
     pub(super) fall_rad: f64,
     /// Joints that changed at the start of this step: they are at their limit, and rounding does not say on which side.
     pub(super) changed: Vec<usize>,
+    /// Side supports that were met or left at the start of this step.
+    pub(super) touched: Vec<usize>,
+    /// When each was met, s.
+    met_s: Vec<f64>,
     energy: ChainEnergy,
     pub(super) kinetic_most_j: f64,
     pub(super) left_over_most_j: f64,
@@ -68,6 +75,8 @@ impl<'a> Run<'a> {
                 Some(_) => Slider::Stuck,
             })
             .collect();
+        let of_prop = |prop: &Prop| prop.state(prop.beside_m(&theta, model.rotations));
+        let props: Vec<PropState> = model.props.iter().map(of_prop).collect();
         let samples = (duration_s / options.output_step_s) as usize + 2;
         let mut run = Run {
             series: ChainSeries::new(model),
@@ -76,6 +85,7 @@ impl<'a> Run<'a> {
                 theta,
                 joints,
                 sliders: sliders.clone(),
+                props,
             },
             friction: Friction::start(&sliders),
             friction_n_m: vec![0.0; n],
@@ -83,6 +93,8 @@ impl<'a> Run<'a> {
             output_step_s: options.output_step_s,
             fall_rad: options.fall_rad,
             changed: Vec::new(),
+            touched: Vec::new(),
+            met_s: vec![0.0; model.props.len()],
             energy: ChainEnergy::default(),
             kinetic_most_j: 0.0,
             left_over_most_j: 0.0,
@@ -103,6 +115,9 @@ impl<'a> Run<'a> {
                 top_peak_at_s: 0.0,
                 uplifts: Vec::new(),
                 slips: Vec::new(),
+                support_force_n: vec![Vec::with_capacity(samples); model.props.len()],
+                support_peaks: vec![ChainSupportPeak::default(); model.props.len()],
+                touches: Vec::new(),
                 friction_events: 0,
                 energy_left_over_ratio: 0.0,
                 steps: 0,
@@ -127,6 +142,34 @@ impl<'a> Run<'a> {
         });
     }
 
+    /// Takes a side support into what it does from now on.
+    pub(super) fn touch(&mut self, prop: usize, state: PropState) {
+        match state {
+            PropState::Touching(_) => self.met_s[prop] = self.at_s,
+            PropState::Free => self.left(prop),
+        }
+        self.state.props[prop] = state;
+        self.touched.push(prop);
+    }
+
+    fn left(&mut self, support: usize) {
+        self.history.touches.push(ChainTouch {
+            support,
+            from_s: self.met_s[support],
+            to_s: self.at_s,
+        });
+    }
+
+    /// The run is over: those that touch have done so until now.
+    pub(super) fn end_touches(&mut self) {
+        for support in 0..self.state.props.len() {
+            if self.state.props[support] != PropState::Free {
+                self.left(support);
+            }
+        }
+        self.history.touches.sort_by(|a, b| a.from_s.total_cmp(&b.from_s));
+    }
+
     /// Peaks, samples, energy and the new state of a step of `h` s.
     pub(super) fn record(&mut self, h: f64, whole_to_s: Option<f64>) {
         let n = self.state.theta.len();
@@ -143,6 +186,19 @@ impl<'a> Run<'a> {
                 h,
                 &mut self.history.joint_peaks[i],
             );
+        }
+        for (p, prop) in self.series.model.props.iter().enumerate() {
+            let largest = &mut self.history.support_peaks[p];
+            let mut peak = ChainPeak {
+                rotation_rad: largest.displacement_m,
+                at_s: largest.at_s,
+            };
+            look(&self.series.beside[p], self.at_s, h, &mut peak);
+            *largest = ChainSupportPeak {
+                displacement_m: peak.rotation_rad,
+                force_n: prop.force_n(peak.rotation_rad),
+                at_s: peak.at_s,
+            };
         }
         let mut top: Series = [0.0; DEGREE + 1];
         for (link, sin) in self.series.model.chain.links().iter().zip(&self.series.sin) {
@@ -229,6 +285,10 @@ impl<'a> Run<'a> {
             self.history.rotation_rad[i].push(self.state.theta[i]);
             self.history.velocity_rad_s[i].push(self.state.omega[i]);
         }
+        let model = self.series.model;
+        for (prop, forces) in model.props.iter().zip(&mut self.history.support_force_n) {
+            forces.push(prop.force_n(prop.beside_m(&self.state.theta, model.rotations)));
+        }
         self.history.energy.push(self.energy);
     }
 
@@ -252,6 +312,10 @@ impl<'a> Run<'a> {
             gravity -= 2.0 * self.series.gravity[i] * half * half;
             let model = self.series.model;
             springs += model.spring_energy_j(i, model.across_rad(i, theta));
+        }
+        let model = self.series.model;
+        for prop in &model.props {
+            springs += prop.energy_j(prop.beside_m(theta, model.rotations));
         }
         self.energy.kinetic_j = kinetic;
         self.energy.gravity_j = gravity;

@@ -2,6 +2,7 @@
 
 use super::DynamicsError;
 use super::chain_model::{ChainModel, ChainRotations};
+use super::chain_props::{Prop, PropState};
 use dolmen_linalg::{Matrix, cholesky, solve_lower, solve_lower_transposed};
 
 /// Newton's method is done when no link turns by more, rad.
@@ -13,7 +14,7 @@ const ROUNDS: usize = 50;
 /// upright of its joints' limits: it falls by itself, or a joint would open.
 ///
 /// ```text
-/// k_i φ_i − k_{i+1} φ_{i+1} = G_i sin θ_i,   φ_1 = θ_1 − lean,   |k_i φ_i| ≤ N_i b_i/2          θ for sin θ of small rotations
+/// k_i φ_i − k_{i+1} φ_{i+1} + Σ c_i F cos θ_i = G_i sin θ_i,   φ_1 = θ_1 − lean,   |k_i φ_i| ≤ N_i b_i/2          θ for sin θ of small rotations
 /// ```
 ///
 /// # Errors
@@ -26,9 +27,10 @@ pub fn chain_at_rest(model: &ChainModel) -> Result<Option<Vec<f64>>, DynamicsErr
     let n = chain.links().len();
     let gravity = chain.gravity_moments_n_m_rad();
     let stiffness: Vec<f64> = model.joints().iter().map(|j| j.stiffness_n_m_rad).collect();
-    let upright = chain.stiffness_matrix(&stiffness)?;
+    let upright = chain.without_side_supports().stiffness_matrix(&stiffness)?;
     let is_large = model.rotations() == ChainRotations::Large;
     let mut theta = vec![model.lean_rad(); n];
+    let mut props: Vec<PropState> = model.props.iter().map(|prop| prop.state(0.0)).collect();
     for _ in 0..ROUNDS {
         let moment = |i: usize, theta: &[f64]| match i < n {
             true => stiffness[i] * model.across_rad(i, theta),
@@ -44,9 +46,34 @@ pub fn chain_at_rest(model: &ChainModel) -> Result<Option<Vec<f64>>, DynamicsErr
             tangent[(i, i)] += gravity * (1.0 - cos);
             left.push(gravity * sin - moment(i, &theta) + moment(i + 1, &theta));
         }
-        // not positive definite: it falls by itself
-        let Ok(lower) = cholesky(&tangent) else {
-            return Ok(None);
+        for (prop, state) in model.props.iter().zip(&props) {
+            let PropState::Touching(sign) = *state else {
+                continue;
+            };
+            let beside_m = prop.beside_m(&theta, model.rotations());
+            let force_n = prop.stiffness_n_m * (beside_m - sign * prop.gap_m);
+            let arm = |i: usize| prop.lever_m[i] * if is_large { theta[i].cos() } else { 1.0 };
+            for i in 0..n {
+                left[i] -= force_n * arm(i);
+                for j in 0..n {
+                    tangent[(i, j)] += prop.stiffness_n_m * arm(i) * arm(j);
+                }
+                if is_large {
+                    tangent[(i, i)] -= force_n * prop.lever_m[i] * theta[i].sin();
+                }
+            }
+        }
+        // not positive definite: it falls by itself, onto a side support if one stands on its way
+        let lower = match cholesky(&tangent) {
+            Ok(lower) => lower,
+            Err(_) if props.contains(&PropState::Free) => {
+                let sign = if model.lean_rad() < 0.0 { -1.0 } else { 1.0 };
+                props
+                    .iter_mut()
+                    .for_each(|state| *state = PropState::Touching(sign));
+                continue;
+            }
+            Err(_) => return Ok(None),
         };
         let turned = solve_lower(&lower, Matrix::from_column(&left))
             .and_then(|half| solve_lower_transposed(&lower, half));
@@ -59,6 +86,13 @@ pub fn chain_at_rest(model: &ChainModel) -> Result<Option<Vec<f64>>, DynamicsErr
             most_rad = most_rad.max(turned.abs());
         }
         if most_rad <= FOUND_RAD {
+            // side supports keep what they do until all else is at rest: so a guess that goes too far does not let them go
+            let beside = |prop: &Prop| prop.state(prop.beside_m(&theta, model.rotations()));
+            let now: Vec<PropState> = model.props.iter().map(beside).collect();
+            if now != props {
+                props = now;
+                continue;
+            }
             let mut joints = model.moment_most_n_m().iter().enumerate();
             let holds = joints.all(|(i, most)| moment(i, &theta).abs() <= *most);
             return Ok(holds.then_some(theta));

@@ -7,12 +7,14 @@
 //! | P, R | `p`, `r` | Σ_{j≠i} M_ij s_j'' and Σ_{j≠i} M_ij c_j'' | kg m² |
 //! | G, Γ | `gravity`, `gamma` | gravity moment and base influence | N m, kg m |
 //! | a | `ground` | acceleration of the ground | m/s² |
+//! | u, F | `beside`, `pushed` | displacement at each side support, and its force | m, N |
 //! | q_i | `held` | moment of a stuck joint's friction, positive against a turn to the right | N m |
 //!
 //! Links that stuck joints join turn as one, or stand if they are joined to the ground: their equations are added up, and q follows
 //! from the balance of each link, from the top down.
 
 use super::chain_model::{ChainModel, ChainRotations};
+use super::chain_props::PropState;
 use super::frame_model::Slider;
 use super::{DynamicsError, TimeFunction};
 use crate::numeric::polynomial;
@@ -48,6 +50,7 @@ pub(super) struct ChainState {
     pub(super) omega: Vec<f64>,
     pub(super) joints: Vec<JointState>,
     pub(super) sliders: Vec<Slider>,
+    pub(super) props: Vec<PropState>,
 }
 
 /// The constants of the equations and the series of one step.
@@ -64,6 +67,9 @@ pub(super) struct ChainSeries<'a> {
     p: Vec<Series>,
     r: Vec<Series>,
     pub(super) held: Vec<Series>,
+    /// u and F of each side support.
+    pub(super) beside: Vec<Series>,
+    pushed: Vec<Series>,
     /// M_ij cos(θ_i − θ_j), lower triangle.
     turned: Vec<f64>,
     /// Which links turn as one; `None` for those that stand.
@@ -91,6 +97,8 @@ impl<'a> ChainSeries<'a> {
             p: zero.clone(),
             r: zero.clone(),
             held: zero,
+            beside: vec![[0.0; DEGREE + 1]; model.props.len()],
+            pushed: vec![[0.0; DEGREE + 1]; model.props.len()],
             turned: vec![0.0; n * n],
             group: vec![None; n],
             factor: Vec::with_capacity(n * n),
@@ -105,7 +113,11 @@ impl<'a> ChainSeries<'a> {
         let mut step = f64::INFINITY;
         for (i, joint) in joints.iter().enumerate() {
             let above = joints.get(i + 1).map_or(0.0, |j| j.stiffness_n_m_rad);
-            let stiffness = joint.stiffness_n_m_rad + above + self.gravity[i];
+            let props = self.model.props.iter();
+            let beside: f64 = props
+                .map(|prop| prop.stiffness_n_m * prop.lever_m[i].powi(2))
+                .sum();
+            let stiffness = joint.stiffness_n_m_rad + above + self.gravity[i] + beside;
             step = step.min((self.mass[(i, i)] / stiffness).sqrt());
         }
         step
@@ -131,7 +143,7 @@ impl<'a> ChainSeries<'a> {
     /// rounding; the series are in parts of that length.
     ///
     /// ```text
-    /// M_ii θ_i'' + Σ_{j≠i} M_ij (c_i s_j'' − s_i c_j'') = h² (G_i s_i − τ_i + τ_{i+1} − Γ_i a c_i) − h (δ_i − δ_{i+1})
+    /// M_ii θ_i'' + Σ_{j≠i} M_ij (c_i s_j'' − s_i c_j'') = h² (G_i s_i − τ_i + τ_{i+1} − Γ_i a c_i − Σ c_i F cos θ_i) − h (δ_i − δ_{i+1})
     /// (c_i s_j'' − s_i c_j'' = cos(θ_i − θ_j) θ_j'' + sin(θ_i − θ_j) θ_j'²)         s' = c θ',  c' = −s θ',  δ = d φ'
     /// ```
     /// Power k of it has one unknown a link, θ of power k + 2, with the matrix M_ij cos(θ_i − θ_j) of the start for every k.
@@ -216,6 +228,7 @@ impl<'a> ChainSeries<'a> {
                 self.sin[j][k + 2] = s / (k + 2) as f64;
                 self.cos[j][k + 2] = c / (k + 2) as f64;
             }
+            self.push(&state.props, k);
             for i in 0..n {
                 self.ground_cos[i][k] = (0..=k.min(ground_terms.saturating_sub(1)))
                     .map(|m| ground[m] * self.cos[i][k - m])
@@ -231,7 +244,7 @@ impl<'a> ChainSeries<'a> {
                 for m in 1..=k {
                     known += self.cos[i][m] * self.p[i][k - m] - self.sin[i][m] * self.r[i][k - m];
                 }
-                self.right[i] -= known;
+                self.right[i] -= known + h * h * self.pushed_moment(i, k, |c| c);
             }
             for i in 0..n {
                 let (joint, below) = (self.model.joints[i], i.checked_sub(1));
@@ -290,6 +303,37 @@ impl<'a> ChainSeries<'a> {
                 self.across[i][k] = self.theta[i][k] - self.below(i, k);
             }
         }
+        for k in DEGREE - 1..=DEGREE {
+            self.push(&state.props, k);
+        }
+    }
+
+    /// Coefficient k of the displacements at the side supports and of their forces.
+    fn push(&mut self, states: &[PropState], k: usize) {
+        for (p, prop) in self.model.props.iter().enumerate() {
+            let moved = prop.lever_m.iter().zip(&self.sin);
+            let own: f64 = moved.map(|(c, sin)| c * sin[k]).sum();
+            self.beside[p][k] = if k == 0 { own - prop.leaning_m } else { own };
+            self.pushed[p][k] = match states[p] {
+                PropState::Free => 0.0,
+                PropState::Touching(sign) if k == 0 => {
+                    prop.stiffness_n_m * (self.beside[p][0] - sign * prop.gap_m)
+                }
+                PropState::Touching(_) => prop.stiffness_n_m * self.beside[p][k],
+            };
+        }
+    }
+
+    /// Coefficient k of the moments of the side supports on link i, Σ c_i F cos θ_i, each term through `of`.
+    fn pushed_moment(&self, i: usize, k: usize, of: impl Fn(f64) -> f64) -> f64 {
+        let mut sum = 0.0;
+        for (prop, pushed) in self.model.props.iter().zip(&self.pushed) {
+            if prop.lever_m[i] > 0.0 {
+                let terms = (0..=k).map(|m| of(prop.lever_m[i] * pushed[m] * self.cos[i][k - m]));
+                sum += terms.sum::<f64>();
+            }
+        }
+        sum
     }
 
     /// Coefficient k of the rotation below joint i: of the link, or of the ground, which leans.
@@ -348,7 +392,7 @@ impl<'a> ChainSeries<'a> {
                 inertia += (self.sin[i][m] * self.r[i][k - m]).abs() / (h * h);
             }
             let above = if i + 1 < n { of_joint(i + 1) } else { 0.0 };
-            acts + inertia + of_joint(i) + above
+            acts + inertia + of_joint(i) + above + self.pushed_moment(i, k, f64::abs)
         };
         (0..n).map(of_link).fold(0.0, f64::max)
     }
@@ -389,6 +433,7 @@ impl<'a> ChainSeries<'a> {
             &mut self.sin,
             &mut self.ground_cos,
             &mut self.held,
+            &mut self.beside,
         ] {
             for series in list.iter_mut() {
                 let mut power = 1.0;

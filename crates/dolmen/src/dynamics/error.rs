@@ -113,14 +113,6 @@ pub enum DynamicsError {
         /// The joint, 1 the lowest.
         joint: usize,
     },
-    /// A chain with a support at its side, whose motion is not modelled.
-    #[error(
-        "the chain leans on a side support at {height_m} m, which its motion in time does not model: take the support away"
-    )]
-    SideSupport {
-        /// Its height, m.
-        height_m: f64,
-    },
     /// No stick and slip of the joints agrees with Coulomb's law at an event.
     #[error(
         "at {at_s} s no state of sticking and turning joints was found in {tried} tries: the friction of some joint is far below the others', or the numbers of the chain lie too far apart"
@@ -209,7 +201,6 @@ impl DynamicsError {
             | Self::ChainPart { .. }
             | Self::ChainCount { .. }
             | Self::NoBedWidth { .. }
-            | Self::SideSupport { .. }
             | Self::NoJointState { .. }
             | Self::StepTooShort { .. }
             | Self::Matrix { .. }

@@ -8,6 +8,7 @@ mod chain_history;
 mod chain_model;
 mod chain_motion;
 mod chain_moving;
+mod chain_props;
 mod chain_rest;
 mod chain_run;
 mod chain_series;
@@ -41,7 +42,9 @@ pub use building::{
     spectral_analysis,
 };
 pub use chain_growth::{ChainGrowth, MeasuredGrowth, chain_growth};
-pub use chain_history::{ChainEnergy, ChainHistory, ChainOutcome, ChainPeak, ChainSlip, ChainUplift};
+pub use chain_history::{
+    ChainEnergy, ChainHistory, ChainOutcome, ChainPeak, ChainSlip, ChainSupportPeak, ChainTouch, ChainUplift,
+};
 pub use chain_model::{ChainJoint, ChainModel, ChainRotations, JointFriction, JointOpening};
 pub use chain_motion::simulate_chain;
 pub use chain_rest::chain_at_rest;

@@ -137,8 +137,9 @@ pub fn failing_joint(chain: &Chain, stiffness_n_m_rad: &[f64]) -> Result<Option<
 
 fn side_support_counted(chain: &Chain) -> bool {
     chain
-        .side_support()
-        .is_some_and(|support| support.acts_linearly())
+        .side_supports()
+        .iter()
+        .any(|support| support.acts_linearly())
 }
 
 /// LDLᵀ from the last row up, without exchanges: the signs of the pivots are those of the eigenvalues.
@@ -161,7 +162,11 @@ fn first_pivot_not_positive_from_the_top(mut k: Matrix) -> Option<usize> {
 /// Tᵀ K_springs T with θ = T α: θ_i = Σ_{j≤i} α_j. Diagonal but for a side support.
 fn springs_in_joint_rotations(chain: &Chain, k: &[f64]) -> Result<Matrix, StabilityError> {
     let mut springs = Matrix::from_diagonal(k);
-    if let Some(support) = chain.side_support().filter(|support| support.acts_linearly()) {
+    for support in chain
+        .side_supports()
+        .iter()
+        .filter(|support| support.acts_linearly())
+    {
         let mut lever = chain.lever_m_rad(support.height_m)?;
         for i in (1..lever.len()).rev() {
             lever[i - 1] += lever[i]; // Tᵀ c: all links above joint i turn with it

@@ -355,10 +355,10 @@ impl fmt::Display for StiffnessNote {
                  too.",
             ),
             Self::SideSupportTaken => {
-                f.write_str("The side support is part of the model, its stiffness taken as given.")
+                f.write_str("Side supports without a gap are part of the model, their stiffness taken as given.")
             }
             Self::SideSupportWithGap => f.write_str(
-                "The side support has a gap and is left out: the chain is taken not to touch it while it vibrates.",
+                "Side supports with a gap are left out: the chain is taken not to touch them while it vibrates.",
             ),
             Self::NoAxialForce => {
                 f.write_str("No axial force is given: P-delta is left out, so stiffness comes out low.")

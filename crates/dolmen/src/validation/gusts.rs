@@ -1,11 +1,11 @@
 //! A turbulent wind on one mode: closed form of a narrow band, Annex B of EN 1991-1-4.
 
 use super::{Case, ValidationError};
-use crate::damper::{GustMotion, gust_motion};
+use crate::damper::{DamperError, GustMotion, GustQuantity, GustRow, gust_history, gust_motion};
 use crate::dynamics::LinearSystem;
 use crate::structure::wind::{
-    COHERENCE_DECAY, EUROCODE_AIR_KG_M3, EurocodeTerrain, EurocodeWind, GustFace, GustStrip,
-    TurbulenceSpectrum, Wind,
+    COHERENCE_DECAY, EUROCODE_AIR_KG_M3, EurocodeTerrain, EurocodeWind, GustDraw, GustFace, GustStrip,
+    GustTimes, TurbulenceSpectrum, Wind,
 };
 use dolmen_linalg::Matrix;
 use std::f64::consts::{PI, TAU};
@@ -41,18 +41,63 @@ pub(super) fn cases() -> Result<Vec<Case>, ValidationError> {
     Ok(vec![
         narrow_band(&face(COHERENCE_DECAY))?,
         annex_b(&face(DECAY_OF_ANNEX_B))?,
+        variance_of_histories(&face(COHERENCE_DECAY))?,
     ])
 }
 
-fn mode(face: &GustFace, damping_ratio: f64) -> Result<GustMotion, ValidationError> {
+/// Damping ratio of the mode in histories, and their number of hours.
+const DAMPING_RATIO_IN_TIME: f64 = 0.05;
+const HOURS: usize = 50;
+const TEN_MINUTES_S: f64 = 600.0;
+
+/// Displacement of the mode in hours of the wind, m.
+fn hours(face: &GustFace) -> Result<Vec<f64>, ValidationError> {
+    let times = GustTimes {
+        time_step_s: 0.1,
+        samples: HOURS * 36_000,
+        looked_at: HOURS * 36_000,
+    };
+    let draw = GustDraw { seed: 1, stream: 0 };
+    let gusts = face.histories(&times, &[draw]).map_err(DamperError::from)?;
+    let row = GustRow {
+        case: 0,
+        row: vec![1.0],
+        quantity: GustQuantity::Displacement,
+    };
+    let system = oscillator(DAMPING_RATIO_IN_TIME)?;
+    let mut history = gust_history(&system, &[], &[vec![vec![1.0]]], &[row], &gusts[0])?;
+    Ok(history.values.swap_remove(0))
+}
+
+fn variance_of_histories(face: &GustFace) -> Result<Case, ValidationError> {
+    let values = hours(face)?;
+    let moved = mode(face, DAMPING_RATIO_IN_TIME)?.displacement(&[1.0]);
+    let squares: f64 = values.iter().map(|x| (x - moved.mean).powi(2)).sum();
+    Ok(Case {
+        source: "Second methods",
+        what: "σ² of one mode in a turbulent wind: 50 hours in time".to_owned(),
+        unit: "mm²",
+        published: 1e6 * moved.rms * moved.rms,
+        computed: 1e6 * squares / values.len() as f64,
+        tolerance: 0.02 * 1e6 * moved.rms * moved.rms,
+        corrected: None,
+        note: "Beside the integral over frequency. The variance of 50 hours scatters by some 1 %.",
+    })
+}
+
+fn oscillator(damping_ratio: f64) -> Result<LinearSystem, ValidationError> {
     let omega = TAU * FREQUENCY_HZ;
     let one = |value: f64| Matrix::from_diagonal(&[value]);
-    let system = LinearSystem::new(
+    Ok(LinearSystem::new(
         one(MASS_KG),
         one(2.0 * damping_ratio * omega * MASS_KG),
         one(omega * omega * MASS_KG),
-    )?;
-    let mut motions = gust_motion(&system, &[], face, &[vec![vec![1.0]]], 600.0)?;
+    )?)
+}
+
+fn mode(face: &GustFace, damping_ratio: f64) -> Result<GustMotion, ValidationError> {
+    let system = oscillator(damping_ratio)?;
+    let mut motions = gust_motion(&system, &[], face, &[vec![vec![1.0]]], TEN_MINUTES_S)?;
     Ok(motions.remove(0))
 }
 

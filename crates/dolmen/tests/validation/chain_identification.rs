@@ -386,7 +386,7 @@ fn exact_the_side_support_is_part_of_the_model() {
     assert_stiffness(&found.solutions[0].stiffness, &k, 1e-8);
     assert!(found.notes.iter().any(|note| {
         note.to_string()
-            .starts_with("The side support is part of the model")
+            .starts_with("Side supports without a gap are part of the model")
     }));
 }
 

@@ -313,7 +313,7 @@ fn exact_the_worst_direction_is_that_of_the_principal_axes() {
     )
     .unwrap()[0];
     let [x, y] = [[1.0, 0.0, -2.0], [0.0, 1.0, 3.0]];
-    let worst = motion.largest_acceleration([&x, &y]).rms;
+    let worst = motion.acceleration(&motion.most_accelerated([&x, &y])).rms;
     let along = |degrees: f64| {
         let (sin, cos) = degrees.to_radians().sin_cos();
         let row: Vec<f64> = x.iter().zip(&y).map(|(x, y)| cos * x + sin * y).collect();

@@ -138,12 +138,12 @@ impl Sprung for Chain {
         if self.assumes_thin_rods() {
             notes.push(StiffnessNote::ThinRods);
         }
-        if let Some(support) = self.side_support() {
-            notes.push(if support.acts_linearly() {
-                StiffnessNote::SideSupportTaken
-            } else {
-                StiffnessNote::SideSupportWithGap
-            });
+        let supports = self.side_supports();
+        if supports.iter().any(|support| support.acts_linearly()) {
+            notes.push(StiffnessNote::SideSupportTaken);
+        }
+        if supports.iter().any(|support| !support.acts_linearly()) {
+            notes.push(StiffnessNote::SideSupportWithGap);
         }
         notes
     }

@@ -80,7 +80,7 @@ impl Link {
 pub struct Chain {
     links: Vec<Link>,
     gravity_m_s2: f64,
-    side_support: Option<SideSupport>,
+    side_supports: Vec<SideSupport>,
 }
 
 impl Chain {
@@ -129,18 +129,18 @@ impl Chain {
         Ok(Chain {
             links,
             gravity_m_s2,
-            side_support: None,
+            side_supports: Vec::new(),
         })
     }
 
-    /// The same chain with a spring against the ground at its side.
+    /// The same chain with one spring more against the ground at its side.
     ///
     /// # Errors
     /// [`StructureError::Height`] if it is not on the chain, [`StructureError::NotPositive`],
     /// [`StructureError::Negative`] for the gap.
     pub fn with_side_support(mut self, support: SideSupport) -> Result<Self, StructureError> {
-        support.check(self.height_m())?;
-        self.side_support = Some(support);
+        support.check(self.side_supports.len() + 1, self.height_m())?;
+        self.side_supports.push(support);
         Ok(self)
     }
 
@@ -162,9 +162,9 @@ impl Chain {
                 });
             }
         }
-        let side_support = self.side_support;
+        let side_supports = self.side_supports.clone();
         Ok(Chain {
-            side_support,
+            side_supports,
             ..Chain::new(links, self.gravity_m_s2)?
         })
     }
@@ -179,9 +179,17 @@ impl Chain {
         self.gravity_m_s2
     }
 
-    /// The spring at its side, if there is one.
-    pub fn side_support(&self) -> Option<&SideSupport> {
-        self.side_support.as_ref()
+    /// The springs at its side.
+    pub fn side_supports(&self) -> &[SideSupport] {
+        &self.side_supports
+    }
+
+    /// The same chain with nothing at its side.
+    pub fn without_side_supports(&self) -> Self {
+        Chain {
+            side_supports: Vec::new(),
+            ..self.clone()
+        }
     }
 
     /// Height of the top above the lowest joint, m.

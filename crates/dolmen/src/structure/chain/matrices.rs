@@ -80,10 +80,10 @@ impl Chain {
         })
     }
 
-    /// K of the springs alone, without gravity, N m/rad; positive definite. It holds a side support without a gap.
+    /// K of the springs alone, without gravity, N m/rad; positive definite. It holds side supports without a gap.
     ///
     /// ```text
-    /// K_ii = k_i + k_{i+1},  K_{i,i+1} = −k_{i+1},  k_{n+1} = 0;  + s c cᵀ of the side support
+    /// K_ii = k_i + k_{i+1},  K_{i,i+1} = −k_{i+1},  k_{n+1} = 0;  + s c cᵀ of each side support
     /// n × n
     /// ```
     ///
@@ -92,7 +92,11 @@ impl Chain {
     pub fn elastic_stiffness_matrix(&self, stiffness_n_m_rad: &[f64]) -> Result<Matrix, StructureError> {
         self.check_stiffness(stiffness_n_m_rad)?;
         let mut k = joint_matrix(stiffness_n_m_rad);
-        if let Some(support) = self.side_support().filter(|support| support.acts_linearly()) {
+        for support in self
+            .side_supports()
+            .iter()
+            .filter(|support| support.acts_linearly())
+        {
             let c = self.lever_m_rad(support.height_m)?;
             let s = support.stiffness_n_m;
             k = &k + &Matrix::from_fn(c.len(), c.len(), |i, j| s * c[i] * c[j]);

@@ -6,11 +6,12 @@ use crate::structure::StructureError;
 ///
 /// # Limits
 /// Matrices, modes and stability are linear. They count the spring **only if the gap is 0** (contact both ways);
-/// with a gap it is left out, which is on the safe side until the chain has leaned that far.
+/// with a gap it is left out, which is on the safe side until the chain has leaned that far. A motion in time counts it with its gap.
 ///
 /// # Source
 /// Differs from Choi (2021), who leaves the posts out because their hold was found loose.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct SideSupport {
     /// Height above the lowest joint, m.
     pub height_m: f64,
@@ -26,7 +27,7 @@ impl SideSupport {
         self.gap_m == 0.0
     }
 
-    pub(super) fn check(&self, top_m: f64) -> Result<(), StructureError> {
+    pub(super) fn check(&self, number: usize, top_m: f64) -> Result<(), StructureError> {
         let SideSupport {
             height_m,
             stiffness_n_m,
@@ -42,7 +43,7 @@ impl SideSupport {
         if !(stiffness_n_m > 0.0 && stiffness_n_m.is_finite()) {
             return Err(StructureError::NotPositive {
                 part: "side support",
-                number: 1,
+                number,
                 quantity: "stiffness_n_m",
                 given: stiffness_n_m,
             });
@@ -50,7 +51,7 @@ impl SideSupport {
         if !(gap_m >= 0.0 && gap_m.is_finite()) {
             return Err(StructureError::Negative {
                 part: "side support",
-                number: 1,
+                number,
                 quantity: "gap_m",
                 given: gap_m,
             });

@@ -1,0 +1,116 @@
+//! Side supports of a chain: posts that hold a pole at a height, tightly or with a gap.
+
+use super::part::LinkPart;
+use crate::error::Fault;
+use crate::file_number::At;
+use crate::measure::{Bound, Measure};
+use crate::needed::listed;
+use crate::quantity::{Pick, Quantity};
+use crate::reader::Reader;
+use crate::stack::SideSupportRaw;
+use crate::wrong::WrongChain;
+use dolmen::structure::SideSupport;
+
+/// A spring against the ground at the side of a chain.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ChainSupportPart {
+    /// Height above the lowest joint, m.
+    pub height: Quantity,
+    /// Stiffness once met, N/m.
+    pub stiffness: Quantity,
+    /// Free travel to each side, m; 0 if not given.
+    pub gap: Option<Quantity>,
+}
+
+impl ChainSupportPart {
+    /// Its numbers, each with the value that `pick` chooses.
+    pub fn build(&self, pick: Pick<'_>) -> SideSupport {
+        SideSupport {
+            height_m: pick(&self.height),
+            stiffness_n_m: pick(&self.stiffness),
+            gap_m: self.gap.as_ref().map_or(0.0, pick),
+        }
+    }
+
+    pub(super) fn inputs(&self) -> impl Iterator<Item = &Quantity> {
+        [&self.height, &self.stiffness].into_iter().chain(&self.gap)
+    }
+}
+
+pub(super) fn side_supports(
+    reader: &mut Reader,
+    raw: Option<&[At<SideSupportRaw>]>,
+    links: &[LinkPart],
+) -> Option<Vec<ChainSupportPart>> {
+    let top_m: f64 = links.iter().map(|link| link.length.value).sum();
+    listed(reader, raw, "side_supports", |reader, raw, path| {
+        side_support(reader, raw, path, top_m)
+    })
+}
+
+fn side_support(
+    reader: &mut Reader,
+    raw: &At<SideSupportRaw>,
+    path: &str,
+    top_m: f64,
+) -> Option<ChainSupportPart> {
+    let keys = &raw.value;
+    let of_stacks = [
+        ("block", keys.block.is_some()),
+        ("position", keys.position.is_some()),
+        ("direction", keys.direction.is_some()),
+    ];
+    if let Some((key, _)) = of_stacks.into_iter().find(|(_, is_given)| *is_given) {
+        let key = format!("{path}.{key}");
+        let fault = Fault::new(
+            reader.place(path),
+            &key,
+            WrongChain::SupportOfStack { path: key.clone() },
+        );
+        reader.fault(fault.help(WrongChain::SupportKeys));
+        return None;
+    }
+    let mut of =
+        |raw, key: &str, measure, bound| reader.quantity(raw, &format!("{path}.{key}"), measure, bound);
+    let height = of(keys.height.as_ref(), "height", Measure::Length, Bound::Positive);
+    let gap = of(keys.gap.as_ref(), "gap", Measure::Length, Bound::NotNegative);
+    let stiffness = of(
+        keys.stiffness.as_ref(),
+        "stiffness",
+        Measure::StoreyStiffness,
+        Bound::Positive,
+    );
+    for (key, is_given) in [
+        ("height", keys.height.is_some()),
+        ("stiffness", keys.stiffness.is_some()),
+    ] {
+        if !is_given {
+            let key = format!("{path}.{key}");
+            let fault = Fault::new(
+                reader.place(path),
+                &key,
+                WrongChain::SupportNeeds { path: key.clone() },
+            );
+            reader.fault(fault.help(WrongChain::SupportKeys));
+        }
+    }
+    if keys.gap.is_some() {
+        gap.as_ref()?;
+    }
+    let (height, stiffness) = (height?, stiffness?);
+    if height.value > top_m {
+        let message = WrongChain::SupportAboveTop {
+            path: height.path.clone(),
+            written: height.written.clone(),
+            top: reader.echo(top_m, Measure::Length),
+        };
+        let fault = Fault::new(reader.place(&height.path), &height.path, message);
+        reader.fault(fault.help(WrongChain::SupportHeight));
+        return None;
+    }
+    Some(ChainSupportPart {
+        height,
+        stiffness,
+        gap,
+    })
+}

@@ -1,0 +1,167 @@
+//! A building in histories of the wind of its file, beside the mean square.
+
+use super::simulation::BeyondRoom;
+use dolmen::damper::GustPeak;
+use dolmen::numeric::variance;
+use dolmen::structure::Building;
+use dolmen_project::{BuiltDamper, Names};
+
+/// What `dolmen simulate --wind` found.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WindSimulation {
+    /// The project file, as it was named.
+    pub file: String,
+    /// Name of the structure.
+    pub name: Names,
+    /// The variant of the file; `None` for the structure as given.
+    pub variant: Option<String>,
+    /// A longer name of the variant, if the file gives one.
+    pub variant_title: Option<Names>,
+    /// Names of the floors, lowest first.
+    pub floors: Vec<String>,
+    /// The building.
+    pub building: Building,
+    /// Its dampers.
+    pub dampers: Vec<BuiltDamper>,
+    /// Largest peak acceleration of the top floor that is allowed, m/s².
+    pub acceleration_limit_m_s2: Option<f64>,
+    /// Largest drift of a storey that is allowed, over its height.
+    pub drift_limit: Option<f64>,
+    /// How far off the middle of the breadth the wind acts, over the breadth, either side.
+    pub eccentricity: f64,
+    /// Length of each history, s.
+    pub duration_s: f64,
+    /// Between samples, s.
+    pub time_step_s: f64,
+    /// After which each history would repeat, s.
+    pub period_s: f64,
+    /// Seed of each history.
+    pub seeds: Vec<u64>,
+    /// The wind along x, along y.
+    pub along: [HistoriesAlong; 2],
+}
+
+/// Histories of the wind from one side.
+#[derive(Clone, Debug, PartialEq)]
+pub struct HistoriesAlong {
+    /// Breadth across the wind, the mean of what meets the floors, m.
+    pub breadth_m: f64,
+    /// Without dampers.
+    pub without: MotionInTime,
+    /// With the dampers of the file, if it has any, in the same gusts.
+    pub with: Option<MotionInTime>,
+}
+
+/// How the building moves in histories of the wind from one side.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MotionInTime {
+    /// Displacement of the top floor along the wind, m.
+    pub top_displacement_m: InTime,
+    /// Drift along the wind of each storey at its worse edge, m, lowest first.
+    pub drifts_m: Vec<InTime>,
+    /// Acceleration of the centre of mass of the top floor along the wind, m/s².
+    pub top_acceleration_m_s2: InTime,
+    /// Acceleration of the worst corner of the top floor in its worst direction, m/s².
+    pub corner_m_s2: InTime,
+    /// Shear along the wind in the walls of the lowest storey, N.
+    pub base_shear_n: InTime,
+    /// Their torque about the vertical through the centre of all mass, N·m.
+    pub base_torque_n_m: InTime,
+    /// Strokes of the dampers, then the liquids of columns on springs, m.
+    pub strokes_m: Vec<InTime>,
+}
+
+/// A value in histories of the wind. Of several rows, as of both edges and each eccentricity, that whose peak is the largest in the mean of the
+/// histories.
+#[derive(Clone, Debug, PartialEq)]
+pub struct InTime {
+    /// By the mean square, the worst of the same rows.
+    pub mean_square: GustPeak,
+    /// Mean that goes with the histories.
+    pub mean: f64,
+    /// Standard deviation about that mean, of all histories together.
+    pub rms: f64,
+    /// Largest size in each history.
+    pub peaks: Vec<f64>,
+    /// The first history.
+    pub first: Vec<f64>,
+}
+
+impl InTime {
+    /// Mean of the peaks.
+    pub fn peak(&self) -> f64 {
+        self.peaks.iter().sum::<f64>() / self.peaks.len().max(1) as f64
+    }
+
+    /// Standard deviation of the peaks; `None` of fewer than two histories.
+    pub fn peak_rms(&self) -> Option<f64> {
+        variance(&self.peaks).ok().map(f64::sqrt)
+    }
+
+    /// How many histories go beyond a limit.
+    pub fn beyond(&self, limit: f64) -> usize {
+        self.peaks.iter().filter(|peak| **peak > limit).count()
+    }
+
+    /// The largest peak of all.
+    pub fn largest(&self) -> f64 {
+        self.peaks.iter().copied().fold(0.0, f64::max)
+    }
+}
+
+impl HistoriesAlong {
+    /// With the dampers if there are any, else without.
+    pub fn as_it_is(&self) -> &MotionInTime {
+        self.with.as_ref().unwrap_or(&self.without)
+    }
+}
+
+impl WindSimulation {
+    /// With the dampers if there are any, else without: the wind along x, along y.
+    pub fn motions(&self) -> [&MotionInTime; 2] {
+        self.along.each_ref().map(HistoriesAlong::as_it_is)
+    }
+
+    /// The largest peak acceleration of the top floor in the mean of the histories, and the wind it is under, 0 along x and 1 along y.
+    pub fn top_acceleration(&self) -> (usize, &InTime) {
+        let [x, y] = self.motions().map(|motion| &motion.corner_m_s2);
+        if x.peak() >= y.peak() { (0, x) } else { (1, y) }
+    }
+
+    /// The storey that drifts most over its height in the mean of the histories: the wind, the storey from 0.
+    pub fn largest_drift(&self) -> Option<DriftInTime> {
+        let each = self.motions().into_iter().enumerate();
+        let all = each.flat_map(|(axis, motion)| {
+            let storeys = motion.drifts_m.iter().zip(self.building.storeys()).enumerate();
+            storeys.map(move |(storey, (drift, of))| DriftInTime {
+                axis,
+                storey,
+                of_height: drift.peak() / of.height_m,
+            })
+        });
+        all.max_by(|a, b| a.of_height.total_cmp(&b.of_height))
+    }
+
+    /// The larger peak of each stroke in the mean of the histories, m.
+    pub fn strokes_m(&self) -> Vec<f64> {
+        let [x, y] = self.motions();
+        let pairs = x.strokes_m.iter().zip(&y.strokes_m);
+        pairs.map(|(x, y)| x.peak().max(y.peak())).collect()
+    }
+
+    /// Dampers that need more room in the mean of the histories than they have.
+    pub fn beyond_room(&self) -> Vec<BeyondRoom> {
+        BeyondRoom::of(&self.dampers, self.strokes_m().into_iter())
+    }
+}
+
+/// The drift of a storey.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DriftInTime {
+    /// The wind, 0 along x and 1 along y.
+    pub axis: usize,
+    /// The storey, from 0.
+    pub storey: usize,
+    /// Its peak over the height, in the mean of the histories.
+    pub of_height: f64,
+}
