@@ -12,12 +12,13 @@ mod soil;
 mod soil_part;
 mod stone;
 mod strength;
+mod support_part;
 
 pub(crate) use doubts::doubt_chain;
 pub(crate) use file::{CapRaw, HalfSpaceRaw, JointRaw, LinkRaw, StoneRaw};
 pub(crate) use lean::lean_chain;
 pub use part::{Cap, ChainLean, ChainPart, JointFrictionPart, JointPart, LinkPart, StonePart};
 pub(crate) use read::chain;
-pub use side_supports::ChainSupportPart;
 pub(crate) use slips::judge_chain;
 pub use soil_part::{FootingPart, SoilPart};
+pub use support_part::ChainSupportPart;

@@ -1,7 +1,7 @@
 //! The chain of a project file, and the chain of the science it builds.
 
-use super::side_supports::ChainSupportPart;
 use super::soil_part::SoilPart;
+use super::support_part::ChainSupportPart;
 use crate::heaviness::Heaviness;
 use crate::loads::LoadsPart;
 use crate::quantity::{Pick, Quantity};

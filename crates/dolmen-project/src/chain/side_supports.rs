@@ -1,41 +1,14 @@
 //! Side supports of a chain: posts that hold a pole at a height, tightly or with a gap.
 
 use super::part::LinkPart;
+use super::support_part::ChainSupportPart;
 use crate::error::Fault;
 use crate::file_number::At;
 use crate::measure::{Bound, Measure};
 use crate::needed::listed;
-use crate::quantity::{Pick, Quantity};
 use crate::reader::Reader;
 use crate::stack::SideSupportRaw;
 use crate::wrong::WrongChain;
-use dolmen::structure::SideSupport;
-
-/// A spring against the ground at the side of a chain.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ChainSupportPart {
-    /// Height above the lowest joint, m.
-    pub height: Quantity,
-    /// Stiffness once met, N/m.
-    pub stiffness: Quantity,
-    /// Free travel to each side, m; 0 if not given.
-    pub gap: Option<Quantity>,
-}
-
-impl ChainSupportPart {
-    /// Its numbers, each with the value that `pick` chooses.
-    pub fn build(&self, pick: Pick<'_>) -> SideSupport {
-        SideSupport {
-            height_m: pick(&self.height),
-            stiffness_n_m: pick(&self.stiffness),
-            gap_m: self.gap.as_ref().map_or(0.0, pick),
-        }
-    }
-
-    pub(super) fn inputs(&self) -> impl Iterator<Item = &Quantity> {
-        [&self.height, &self.stiffness].into_iter().chain(&self.gap)
-    }
-}
 
 pub(super) fn side_supports(
     reader: &mut Reader,

@@ -58,18 +58,18 @@ pub fn gust_times(
     let least_hz = least_decay_hz(structure, dampers)?;
     if least_hz.is_nan() || least_hz <= 0.0 {
         return Err(DamperError::Argument {
-            argument: "the least damping ratio of modes and dampers",
+            argument: "damping_ratio",
             given: 0.0,
-            allowed: "above 0: without damping the gusts make it swing ever more",
+            allowed: "above 0",
         });
     }
     let period_s = (2.0 * duration_s).max(DAMPED_PERIODS / least_hz);
     let samples = period_s / time_step_s;
     if samples > SAMPLES_MOST {
         return Err(DamperError::Argument {
-            argument: "the number of samples of a history of the wind",
+            argument: "samples of the wind",
             given: samples,
-            allowed: "at most 4 000 000: take a longer step or a shorter duration, or give the modes more damping",
+            allowed: "at most 4 000 000",
         });
     }
     Ok(GustTimes::new(duration_s, time_step_s, period_s))

@@ -11,6 +11,7 @@
 
 use super::DynamicsError;
 use super::chain_props::Prop;
+use super::chain_rotations::ChainRotations;
 use crate::structure::{Chain, StructureError};
 use dolmen_linalg::generalized_symmetric_eigen;
 
@@ -86,16 +87,6 @@ impl ChainJoint {
             friction: JointFriction::None,
         }
     }
-}
-
-/// How far rotations go.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub enum ChainRotations {
-    /// Any size, up to collapse.
-    #[default]
-    Large,
-    /// The linear equations of small rotations, whatever size they reach.
-    Small,
 }
 
 /// A chain that can move.

@@ -5,8 +5,9 @@ use super::chain_friction_state::Friction;
 use super::chain_history::{
     ChainEnergy, ChainHistory, ChainOutcome, ChainPeak, ChainSupportPeak, ChainTouch, ChainUplift,
 };
-use super::chain_model::{ChainModel, ChainRotations};
+use super::chain_model::ChainModel;
 use super::chain_props::{Prop, PropState};
+use super::chain_rotations::ChainRotations;
 use super::chain_run::ChainRun;
 use super::chain_series::{ChainSeries, ChainState, DEGREE, JointState, Series, rate};
 use super::frame_model::Slider;

@@ -7,7 +7,7 @@
 //! | s, g | `stiffness_n_m`, `gap_m` | stiffness, free travel to each side | N/m, m |
 //! | F | `force_n` | s (u − g) beyond g, s (u + g) beyond −g, 0 between | N |
 
-use super::chain_model::ChainRotations;
+use super::chain_rotations::ChainRotations;
 use crate::structure::{Chain, SideSupport, StructureError};
 
 /// What a side support does during a step.

@@ -1,8 +1,9 @@
 //! Where a leaning chain comes to rest under its own weight.
 
 use super::DynamicsError;
-use super::chain_model::{ChainModel, ChainRotations};
+use super::chain_model::ChainModel;
 use super::chain_props::{Prop, PropState};
+use super::chain_rotations::ChainRotations;
 use dolmen_linalg::{Matrix, cholesky, solve_lower, solve_lower_transposed};
 
 /// Newton's method is done when no link turns by more, rad.

@@ -13,8 +13,9 @@
 //! Links that stuck joints join turn as one, or stand if they are joined to the ground: their equations are added up, and q follows
 //! from the balance of each link, from the top down.
 
-use super::chain_model::{ChainModel, ChainRotations};
+use super::chain_model::ChainModel;
 use super::chain_props::PropState;
+use super::chain_rotations::ChainRotations;
 use super::frame_model::Slider;
 use super::{DynamicsError, TimeFunction};
 use crate::numeric::polynomial;

@@ -312,11 +312,11 @@ fn refuses_what_has_no_damping_and_histories_without_end() {
     };
     let undamped = mass(1e5, 0.5, 0.0);
     let refused = argument(gust_times(&undamped, &[], 600.0, 0.02));
-    assert_eq!(refused, ("the least damping ratio of modes and dampers", 0.0));
+    assert_eq!(refused, ("damping_ratio", 0.0));
     let light = mass(1e5, 0.5, 1e-5);
     // 1.5/(0.5 · 1e-5) s
     let (what, samples) = argument(gust_times(&light, &[], 600.0, 0.02));
-    assert_eq!(what, "the number of samples of a history of the wind");
+    assert_eq!(what, "samples of the wind");
     assert!((samples - 1.5e7).abs() < 1.0, "{samples}");
     let refused = argument(gust_times(&light, &[], 600.0, f64::NAN));
     assert_eq!(refused.0, "time_step_s");

@@ -1,0 +1,30 @@
+//! A side support of a chain in a project file, and that of the science it builds.
+
+use crate::quantity::{Pick, Quantity};
+use dolmen::structure::SideSupport;
+
+/// A spring against the ground at the side of a chain.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ChainSupportPart {
+    /// Height above the lowest joint, m.
+    pub height: Quantity,
+    /// Stiffness once met, N/m.
+    pub stiffness: Quantity,
+    /// Free travel to each side, m; 0 if not given.
+    pub gap: Option<Quantity>,
+}
+
+impl ChainSupportPart {
+    /// Its numbers, each with the value that `pick` chooses.
+    pub fn build(&self, pick: Pick<'_>) -> SideSupport {
+        SideSupport {
+            height_m: pick(&self.height),
+            stiffness_n_m: pick(&self.stiffness),
+            gap_m: self.gap.as_ref().map_or(0.0, pick),
+        }
+    }
+
+    pub(super) fn inputs(&self) -> impl Iterator<Item = &Quantity> {
+        [&self.height, &self.stiffness].into_iter().chain(&self.gap)
+    }
+}
