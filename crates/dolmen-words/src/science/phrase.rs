@@ -174,7 +174,6 @@ const PHRASES: &[(&str, &str)] = &[
     ("at least the kinetic one", "동마찰계수 이상"),
     ("at most friction_static", "friction_static 이하"),
     ("at most 4 000 000", "4 000 000 이하"),
-    ("samples of the wind", "바람의 자료 수"),
     (
         "at most 4 000 000: give end_s, or longer steps",
         "4 000 000 이하(end_s를 주거나 시간 간격을 키운다)",
@@ -516,12 +515,11 @@ const PHRASES: &[(&str, &str)] = &[
 )]
 mod tests {
     use super::*;
+    use std::fs;
     use std::path::{Path, PathBuf};
 
     fn rust_files(folder: &Path) -> Vec<PathBuf> {
-        let entries = std::fs::read_dir(folder)
-            .unwrap()
-            .map(|entry| entry.unwrap().path());
+        let entries = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
         let files = entries.flat_map(|path| match path.is_dir() {
             true => rust_files(&path),
             false => vec![path],
@@ -536,7 +534,7 @@ mod tests {
         let science = Path::new(env!("CARGO_MANIFEST_DIR")).join("../dolmen/src");
         let mut found = 0;
         for file in rust_files(&science) {
-            let text = std::fs::read_to_string(&file).unwrap();
+            let text = fs::read_to_string(&file).unwrap();
             let code = text.split("#[cfg(test)]").next().unwrap_or_default();
             // literals that go on in the next line
             let code: String = code.split("\\\n").map(str::trim_start).collect();

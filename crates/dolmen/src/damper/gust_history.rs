@@ -67,7 +67,7 @@ pub fn gust_times(
     let samples = period_s / time_step_s;
     if samples > SAMPLES_MOST {
         return Err(DamperError::Argument {
-            argument: "samples of the wind",
+            argument: "samples of the history",
             given: samples,
             allowed: "at most 4 000 000",
         });

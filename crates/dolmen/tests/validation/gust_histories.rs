@@ -316,7 +316,7 @@ fn refuses_what_has_no_damping_and_histories_without_end() {
     let light = mass(1e5, 0.5, 1e-5);
     // 1.5/(0.5 · 1e-5) s
     let (what, samples) = argument(gust_times(&light, &[], 600.0, 0.02));
-    assert_eq!(what, "samples of the wind");
+    assert_eq!(what, "samples of the history");
     assert!((samples - 1.5e7).abs() < 1.0, "{samples}");
     let refused = argument(gust_times(&light, &[], 600.0, f64::NAN));
     assert_eq!(refused.0, "time_step_s");
