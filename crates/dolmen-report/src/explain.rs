@@ -114,7 +114,8 @@ drives a mode makes its strength come and go (kurtosis 3 in a narrow band); a ma
 narrower than any structure's, or steadier than random forces make one by three deviations, in the whole record or in the
 blocks of time in which it is strong (then its share of the record is said), is named and decides nothing; a
 mode that is too steady is named, and left out with `harmonics = \"remove\"`. At least 36 independent strengths are needed to
-tell: 96 minutes at 1 Hz, 14 minutes at 7 Hz. Switch the machine off and measure again if it stands on a mode.",
+tell: 96 minutes at 1 Hz, 14 minutes at 7 Hz. Random forces change the strength and the phase of a motion alike; what
+changes in one more than in the other by five deviations is a machine whose speed or strength wanders, and named. Switch the machine off and measure again if it stands on a mode.",
     },
     Explanation {
         code: "indistinguishable",

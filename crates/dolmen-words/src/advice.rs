@@ -202,7 +202,9 @@ impl Advice for Note {
             Self::FilteredAbove { .. } => says(Advised::LowerDecimation),
             Self::ClockDrift { .. } => says(Advised::GiveRates),
             Self::LateClocks { .. } => says(Advised::AddDelays),
-            Self::InSpells { .. } | Self::Narrow { .. } => says(Advised::Accept),
+            Self::InSpells { .. } | Self::Narrow { .. } | Self::Wandering { removed: true, .. } => {
+                says(Advised::Accept)
+            }
             Self::PeaksWithoutMode { peaks } if peaks.iter().any(|of| of.refusal.is_some()) => {
                 says(Advised::Accept)
             }
@@ -211,6 +213,7 @@ impl Advice for Note {
             | Self::Tones { .. }
             | Self::TonesOnModes { .. }
             | Self::Harmonics { .. }
+            | Self::Wandering { .. }
             | Self::LightModes { .. }
             | Self::NoDamping { .. }
             | Self::ClosePairs { .. }
@@ -224,6 +227,7 @@ impl Advice for Note {
             | Self::PeaksWithoutMode { .. }
             | Self::NotPicked { .. }
             | Self::OneQuantity { .. }
+            | Self::QuarterTurn { .. }
             | Self::StandsStill { .. }
             | Self::PhaseOff { .. }
             | Self::FewCycles { .. } => None,

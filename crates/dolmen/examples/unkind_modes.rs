@@ -355,6 +355,7 @@ fn named_hz(notes: &[Note]) -> Vec<f64> {
             Note::Tones { tones } => tones.iter().map(|t| t.frequency_hz).collect(),
             Note::TonesOnModes { tones } => tones.iter().map(|t| t.frequency_hz).collect(),
             Note::Harmonics { steady, .. } => steady.iter().map(|k| k.frequency_hz).collect(),
+            Note::Wandering { machines, .. } => machines.iter().map(|of| of.frequency_hz).collect(),
             _ => Vec::new(),
         })
         .collect()

@@ -230,6 +230,8 @@ fn identified(modes: &Modes) -> Value {
             "orders": mode.orders,
             "kurtosis": mode.kurtosis.map(|k| k.kurtosis),
             "kurtosis_sd": mode.kurtosis.map(|k| k.deviation),
+            "wander": mode.wander.map(|of| of.along),
+            "wander_sd": mode.wander.map(|of| of.deviation),
             "harmonic": mode.harmonic(),
             "window_bias": mode.window_bias,
             "accepted": mode.accepted.map(|of| accepted(mode.frequency_hz, &of)),

@@ -11,24 +11,24 @@ messages! {
     /// Modes above a measured ground.
     pub(crate) enum Drivens in "modal.driven" {
         Taken { inputs: Vec<String>, lags: usize } => {
-            en: "The motion of {inputs} is taken as given (observer of {lags} samples): the modes are those of the structure on a base that is held there. What these channels do not measure is not held: on a base that rocks without a sensor for it, the modes are those of the structure that rocks.",
-            ko: "{inputs}의 운동을 입력으로 보았다(관측기 차수 {lags}). 따라서 모드는 그 위치의 기초가 고정된 구조물의 것이다. 이 채널이 재지 않는 운동은 고정되지 않는다. 기초의 회전을 재는 센서가 없으면 기초가 회전하는 구조물의 모드이다.",
+            en: "What {inputs} measures is taken as given (observer of {lags} samples). Where it is the motion of a ground or base, the modes are those of the structure on a base that is held there, and what these channels do not measure is not held: on a base that rocks without a sensor for it, the modes are those of the structure that rocks. Where it is a force, of a shaker or a hammer, nothing is held: the modes are those of the structure as it stands.",
+            ko: "{inputs}의 계측값을 주어진 입력으로 보았다(관측기 차수 {lags}). 지반이나 기초의 운동이면 모드는 그 위치의 기초가 고정된 구조물의 것이며, 이 채널이 재지 않는 운동은 고정되지 않는다. 기초의 회전을 재는 센서가 없으면 기초가 회전하는 구조물의 모드이다. 가진기나 해머의 힘이면 고정되는 것이 없으며 모드는 서 있는 그대로의 구조물의 것이다.",
         },
         Caption => {
-            en: "The base held, and as it gives way.",
-            ko: "기초를 고정한 경우와 지반과 함께 움직이는 경우.",
+            en: "With the input taken as given, and without regard to it.",
+            ko: "입력을 고려한 경우와 고려하지 않은 경우.",
         },
         Meaning => {
-            en: "Together: the mode of like shape that the record has without regard to the input, structure and ground as one. Follows the input: share of the motion at the frequency of the held base, by coherence; the rest comes from wind, people, traffic and noise.",
-            ko: "지반과 함께: 입력을 고려하지 않고 같은 기록에서 찾은, 형상이 닮은 모드(구조물과 지반의 연성계). 입력을 따르는 비율: 고정 기초 고유진동수에서 입력과 상관된 운동의 비율(기여도 함수)이며 나머지는 바람, 사람, 교통, 잡음이다.",
+            en: "Without it: the mode of like shape that the record has without regard to the input; where that is a ground's motion, structure and ground as one. Follows the input: share of the motion at the frequency of the mode, by coherence; the rest comes from wind, people, traffic and noise.",
+            ko: "입력 미고려: 입력을 고려하지 않고 같은 기록에서 찾은, 형상이 닮은 모드. 입력이 지반의 운동이면 구조물과 지반의 연성계이다. 입력을 따르는 비율: 그 모드의 고유진동수에서 입력과 상관된 운동의 비율(기여도 함수)이며 나머지는 바람, 사람, 교통, 잡음이다.",
         },
         Responses { input: String, segments: usize } => {
             en: "Frequency response functions of the channels to {input} (H₁ from {segments} segments).",
             ko: "{input}에 대한 채널별 주파수 응답 함수(구간 {segments}개의 H₁).",
         },
         ResponsesMeaning => {
-            en: "Lines mark the modes of the held base, near which the peaks lie. Noise of a channel does not bias H₁; noise of the input makes it smaller.",
-            ko: "선은 고정 기초의 모드이며 피크는 그 근처에 있다. 채널의 잡음은 H₁에 편의를 주지 않고, 입력의 잡음은 H₁을 작게 만든다.",
+            en: "Lines mark the modes with the input taken as given, near which the peaks lie. Noise of a channel does not bias H₁; noise of the input makes it smaller.",
+            ko: "선은 입력을 고려한 모드이며 피크는 그 근처에 있다. 채널의 잡음은 H₁에 편의를 주지 않고, 입력의 잡음은 H₁을 작게 만든다.",
         },
         Coherence => { en: "Coherence of the channels with the inputs.", ko: "채널별 입력과의 기여도 함수." },
         CoherenceMeaning { segments: usize, chance: Quantity } => {
@@ -40,9 +40,9 @@ messages! {
         Phase { channel: String, input: String } => { en: "phase of {channel} / {input}", ko: "{channel} / {input} 위상" },
         CoherenceOf { channel: String } => { en: "coherence of {channel}", ko: "{channel} 기여도 함수" },
         Mode => { en: "Mode", ko: "모드" },
-        Held => { en: "base held", ko: "기초 고정" },
-        Together => { en: "together", ko: "지반과 함께" },
-        Ratio => { en: "held over together", ko: "고정/연성 비" },
+        Held => { en: "input given", ko: "입력 고려" },
+        Together => { en: "without it", ko: "입력 미고려" },
+        Ratio => { en: "given over without", ko: "고려/미고려 비" },
         Follows => { en: "follows the input", ko: "입력을 따르는 비율" },
     }
 }

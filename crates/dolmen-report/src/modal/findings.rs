@@ -58,12 +58,12 @@ messages! {
         },
         ByItself => { en: "no peak picked by hand", ko: "수작업 없이" },
         OnHeldBase { inputs: Vec<String> } => {
-            en: "on a base that is held where {inputs} measures its motion",
-            ko: "{inputs}이(가) 잰 기초가 고정된 것으로 보고",
+            en: "with {inputs} taken as given (where that is a ground's motion, on a base that is held there)",
+            ko: "{inputs}을(를) 주어진 입력으로 보고(지반의 운동이면 그곳의 기초가 고정된 상태로)",
         },
         FollowsLittle { frequency: Quantity, share: Quantity } => {
-            en: "Only {share} % of the motion at {frequency} follows the measured input: wind, people or noise move the rest, and clocks that differ or noise of the input would show as this too. Is it a mode on a held base?",
-            ko: "{frequency}의 운동 중 계측한 입력을 따르는 것은 {share} %뿐이다. 나머지는 바람, 사람, 잡음에 의한 것이며, 시계가 다르거나 입력에 잡음이 많아도 이렇게 나타난다. 기초가 고정된 모드인지 확인한다.",
+            en: "Only {share} % of the motion at {frequency} follows the measured input: wind, people or noise move the rest, and clocks that differ or noise of the input would show as this too. Is it a mode of what the input drives?",
+            ko: "{frequency}의 운동 중 계측한 입력을 따르는 것은 {share} %뿐이다. 나머지는 바람, 사람, 잡음에 의한 것이며, 시계가 다르거나 입력에 잡음이 많아도 이렇게 나타난다. 그 입력으로 움직이는 모드인지 확인한다.",
         },
         PeaksBelow { peaks: Values, lowest: Quantity } => {
             en: "Below the lowest mode found, {lowest}, the spectrum has peaks that a test refused: {peaks}. The first mode may be among them; with --full the record says which test, and what admits it.",
@@ -313,13 +313,21 @@ fn doubts(record: &RecordAnswer) -> Vec<Finding> {
     all.extend(record.analysis.notes.iter().filter_map(still));
     let driven = record.analysis.driven.iter().flat_map(|of| &of.modes);
     all.extend(driven.filter_map(follows_little));
-    // channels that were left out for their clock: what is found is of the others alone
-    let of_clocks = |note: &&Note| matches!(note, Note::ClockDrift { .. } | Note::LateClocks { .. });
-    let clocks = record.analysis.notes.iter().filter(of_clocks);
+    // channels that were left out: what is found is of the others alone; and modes that are a machine's
+    let weighs = |note: &&Note| {
+        matches!(
+            note,
+            Note::ClockDrift { .. }
+                | Note::LateClocks { .. }
+                | Note::QuarterTurn { .. }
+                | Note::Wandering { removed: false, .. }
+        )
+    };
+    let weighing = record.analysis.notes.iter().filter(weighs);
     let nothing = |note: &&Note| matches!(note, Note::NothingToAccept { .. });
     let in_vain = record.analysis.notes.iter().filter(nothing);
     all.extend(in_vain.map(|note| Finding::key(Tone::Warn, note_words(note))));
-    all.extend(clocks.map(|note| Finding::key(Tone::Warn, note_words(note))));
+    all.extend(weighing.map(|note| Finding::key(Tone::Warn, note_words(note))));
     all
 }
 

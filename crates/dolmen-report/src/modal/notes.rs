@@ -3,7 +3,7 @@
 use super::clocks::{Clocks, drifting, late};
 use super::faults::fault_words;
 use super::refused::refused_words;
-use super::steady::{in_spells_words, on_mode_words, steady_words, tone_words};
+use super::steady::{in_spells_words, on_mode_words, steady_words, tone_words, wander_words};
 use super::values::{all_hertz, fixed, hertz, percent, plain};
 use dolmen::modal::Note;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, Values, messages};
@@ -45,6 +45,14 @@ messages! {
         Harmonics { steady: Vec<Sentence> } => {
             en: "The motion at {steady} is too steady for random forces (3 is random, 1.5 a sine): machines, not to be trusted as modes.",
             ko: "{steady}의 운동은 불규칙 외력에 의한 것으로 보기에는 세기가 너무 일정하다(불규칙 3, 정현파 1.5). 기계 진동이며 모드로 신뢰할 수 없다.",
+        },
+        WanderingRemoved { machines: Vec<Sentence>, first: Quantity } => {
+            en: "Left out, since random forces change the strength and the phase of a motion alike (0 ± its standard deviation; 1 strength alone, −1 phase alone): {machines}. A machine whose speed or strength wanders. If you know one to be a mode, accept = [{first}] in the modal table of the record takes it.",
+            ko: "불규칙 외력은 운동의 세기와 위상을 똑같이 바꾸는데(0 ± 표준편차, 세기만 변하면 1, 위상만 변하면 −1) 그렇지 않아 모드에서 제외하였다: {machines}. 회전수나 세기가 변하는 기계의 진동이다. 모드임이 확실하면 기록의 modal 항목에 accept = [{first}]처럼 진동수를 지정한다.",
+        },
+        Wandering { machines: Vec<Sentence> } => {
+            en: "Random forces change the strength and the phase of a motion alike (0 ± its standard deviation; 1 strength alone, −1 phase alone), but not at {machines}: a machine whose speed or strength wanders, not to be trusted as a mode; or a stiffness that follows the motion. Measure again while machines rest.",
+            ko: "불규칙 외력은 운동의 세기와 위상을 똑같이 바꾸는데(0 ± 표준편차, 세기만 변하면 1, 위상만 변하면 −1) 다음은 그렇지 않다: {machines}. 회전수나 세기가 변하는 기계의 진동이면 모드로 신뢰할 수 없다. 강성이 진폭에 따라 변하여도 이렇게 나타난다. 기계가 멈춘 동안 다시 계측한다.",
         },
         InSpells { modes: Vec<Sentence>, first: Quantity } => {
             en: "Left out, since nothing stands there while the structure is quiet: {modes}. Footsteps, other blows that follow each other, or a machine that ran for a while. If you know one to be a mode, accept = [{first}] in the modal table of the record takes it.",
@@ -126,6 +134,10 @@ messages! {
         Acceleration => { en: "acceleration", ko: "가속도" },
         Velocity => { en: "velocity", ko: "속도" },
         Displacement => { en: "displacement", ko: "변위" },
+        QuarterTurn { channels: Vec<String>, at: Values } => {
+            en: "{channels}: a quarter turn (90°) off the other channels at every mode seen ({at}): they measure another quantity, as a geophone (velocity) beside accelerometers does. A clock that is late turns high modes more than low ones, and this is none. They are left out of the shapes; give the record of each its unit (as a station of its own where one file holds both), and they are in them.",
+            ko: "{channels}: 보이는 모든 모드({at})에서 다른 채널과 위상이 90° 다르다. 가속도계 옆의 속도계(지오폰)처럼 다른 물리량을 재는 채널이다. 시계가 늦으면 높은 모드일수록 위상이 더 돌아가므로 시계 문제가 아니다. 이 채널은 모드형상에서 제외하였다. 각 기록에 unit을 주면(한 파일에 섞여 있으면 별도의 측점으로 나누어) 포함된다.",
+        },
         StandsStill { channel: String, share: Quantity } => {
             en: "\"{channel}\" moves by less than {share} of the largest in every mode: it stands on firm ground, is not connected, or is in another unit than the others (g read as gal is 981 times too small, m/s² as mm/s² 1000 times, g as m/s² 9.81 times).",
             ko: "채널 \"{channel}\"은(는) 모든 모드에서 최대 성분의 {share} 미만으로 움직인다. 단단한 지반 위에 있거나 연결되지 않았거나, 다른 채널과 단위가 다르다(g를 gal로 읽으면 981배, m/s²를 mm/s²로 읽으면 1000배, g를 m/s²로 읽으면 9.81배 작다).",
@@ -180,6 +192,16 @@ pub(super) fn note_words(note: &Note) -> Sentence {
                 false => Notes::Harmonics { steady },
             }
         }
+        Note::Wandering {
+            machines,
+            removed: true,
+        } => Notes::WanderingRemoved {
+            machines: machines.iter().map(wander_words).collect(),
+            first: first_of(machines.first().map(|of| of.frequency_hz)),
+        },
+        Note::Wandering { machines, .. } => Notes::Wandering {
+            machines: machines.iter().map(wander_words).collect(),
+        },
         Note::InSpells { modes } if modes.len() > SPELLS_SHOWN => {
             let mut strongest = modes.clone();
             strongest.sort_by(|a, b| b.stands_out.total_cmp(&a.stands_out));
@@ -254,6 +276,13 @@ pub(super) fn note_words(note: &Note) -> Sentence {
         },
         Note::OneQuantity { quantity } => Notes::OneQuantity {
             quantity: quantity_word(quantity),
+        },
+        Note::QuarterTurn {
+            channels,
+            frequency_hz,
+        } => Notes::QuarterTurn {
+            channels: channels.clone(),
+            at: all_hertz(frequency_hz),
         },
         Note::StandsStill { channel, share } => Notes::StandsStill {
             channel: channel.clone(),

@@ -1,7 +1,7 @@
 //! Motion that is too steady for random forces.
 
 use super::values::{fixed, hertz, percent};
-use dolmen::modal::{InSpells, Kurtosis, Tone, ToneOnMode};
+use dolmen::modal::{InSpells, Kurtosis, Tone, ToneOnMode, Wander};
 use dolmen_words::{Quantity, Sentence, messages};
 
 messages! {
@@ -22,6 +22,10 @@ messages! {
         OnMode { frequency: Quantity, mode: Quantity, strength: Quantity } => {
             en: "{frequency} ({strength} of the power of the mode at {mode})",
             ko: "{frequency}({mode} 모드 세기의 {strength})",
+        },
+        Wanders { frequency: Quantity, along: Quantity } => {
+            en: "{frequency} ({along})",
+            ko: "{frequency}({along})",
         },
         InSpells { frequency: Quantity, all: Quantity, quiet: Quantity } => {
             en: "{frequency} ({all} times what is beside it, {quiet} in quiet times)",
@@ -76,6 +80,18 @@ pub(super) fn steady_words(of: &Kurtosis) -> Sentence {
     Steady::Mode {
         frequency: hertz(of.frequency_hz),
         kurtosis: kurtosis_words(of),
+    }
+    .into()
+}
+
+/// A mode that wanders as a machine does.
+pub(super) fn wander_words(of: &Wander) -> Sentence {
+    Steady::Wanders {
+        frequency: hertz(of.frequency_hz),
+        along: Quantity {
+            sd_si: Some(of.deviation),
+            ..fixed(of.along, 2)
+        },
     }
     .into()
 }

@@ -31,6 +31,7 @@ korean_of! {
         ModalError::SetupRate { setup, given_hz, first_hz } => "측정 배치 {setup}의 자료는 초당 {given_hz}개, 첫 배치는 {first_hz}개이다. 하나로 분석하려면 주파수가 같아야 한다";
         ModalError::Inputs { method, inputs, channels } => "방법이 {method}이고 채널 {channels}개 중 입력이 {inputs}개이다. 입력은 okid에만 쓰며, okid에는 입력 채널과 입력이 아닌 채널이 하나 이상씩 필요하다";
         ModalError::InputsAlike { share } => "입력 채널이 하나처럼 움직인다. 함께하지 않는 운동이 {share}뿐이어서 각각의 영향을 구별할 수 없다. 입력을 하나만 남긴다", share = format!("{share:.3}");
+        ModalError::InputsSine { frequency_hz, share } => "모든 입력의 파워 중 {share} %가 한 진동수 {frequency} Hz에 있다. 정현파는 그 진동수의 응답만 보여 주며 모드를 보여 주지 않는다. 가진기의 진동수를 모드 범위에서 천천히 바꾸거나 불규칙하게 가진한다. 또는 inputs를 삭제하고 가진기가 멈춘 시간을 쓴다", share = format!("{:.1}", 100.0 * share), frequency = format!("{frequency_hz:.3}");
         ModalError::InputsUnrelated { share } => "어느 모드에서도 입력을 따르는 운동이 {share} % 이하로, 우연보다 크지 않다. 입력 채널이 연결되어 있고 같은 기록, 같은 시계의 것인지 확인한다. 입력이 없으면 inputs를 삭제하며, 그때의 모드는 구조물과 지반이 함께 움직이는 모드이다", share = format!("{:.0}", 100.0 * share);
         ModalError::NoObserver => "채널이 입력을 따르는 방식이 구조물이 지반을 따르는 방식이 아니다. 구조물이 움직여서만 입력이 움직이거나, 입력을 그대로 옮긴 채널이 있을 수 있다";
     }

@@ -288,6 +288,18 @@ pub enum ModalError {
         /// Smallest eigenvalue of their coherence matrix over the mean one, the median over the lines.
         share: f64,
     },
+    /// The inputs shake at one frequency alone.
+    #[error(
+        "{:.1} % of the power of every input lies at one frequency, {frequency_hz:.3} Hz: a sine shows how the structure answers there, and no mode; sweep \
+         the shaker slowly over the modes or drive it at random, or leave inputs out and use the time in which it rests",
+        100.0 * share
+    )]
+    InputsSine {
+        /// The frequency of the strongest input, Hz.
+        frequency_hz: f64,
+        /// Share of the power, 0 to 1, of the input that has least of it there.
+        share: f64,
+    },
     /// Nothing follows the inputs.
     #[error(
         "at most {:.0} % of the motion at any mode follows the inputs, which is no more than chance: is the input channel connected, of this record, \
@@ -346,6 +358,7 @@ impl ModalError {
             | Self::SetupRate { .. }
             | Self::Inputs { .. }
             | Self::InputsAlike { .. }
+            | Self::InputsSine { .. }
             | Self::InputsUnrelated { .. }
             | Self::NoObserver
             | Self::Numeric(_)

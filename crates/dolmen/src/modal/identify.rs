@@ -12,8 +12,8 @@ use super::quality::leave_out_other_clocks;
 use super::quality::leave_out_spells;
 use super::quality::note_hidden_pairs;
 use super::quality::{Diagram, remark};
+use super::quality::{Quantities, doubt_channels, to_one_quantity};
 use super::quality::{SetAside, note_tones_on_modes, of_steady, split_tones, test_for_machines};
-use super::quality::{doubt_channels, to_one_quantity};
 use super::quality::{unequal, widen};
 use super::settings::choose;
 use super::shared_steps::{check, judge_channels, judged, modes_of, note_blends, note_filter};
@@ -59,6 +59,7 @@ pub fn identify(record: &Record, options: &Identify) -> Result<ModalAnalysis, Mo
     let mut peaks = spectrum(record, options)?;
     let set_aside = split_tones(record, &mut peaks, options, &mut notes)?;
     let mut refused = set_aside.peaks.clone();
+    let mut seen_at_peaks = peaks.with_deviations();
     let mut analysis = match options.method {
         Method::Fdd | Method::Efdd | Method::Fsdd => of_peaks(peaks, record, options),
         Method::Era => of_decay(record, options, peaks)?,
@@ -80,7 +81,8 @@ pub fn identify(record: &Record, options: &Identify) -> Result<ModalAnalysis, Mo
         }
     }
     to_one_quantity(&mut analysis.modes, &mut notes);
-    leave_out_late_clocks(&mut analysis.modes, &mut notes);
+    to_one_quantity(&mut seen_at_peaks, &mut Vec::new());
+    leave_out_late_clocks(&mut analysis.modes, &seen_at_peaks, &mut notes);
     if let Some(alone) = of_one_clock(record, options, &analysis.modes, &notes) {
         return Ok(alone);
     }
@@ -134,7 +136,12 @@ fn of_one_clock(record: &Record, options: &Identify, modes: &Modes, notes: &[Not
         return None;
     }
     let mut alone = identify(&leave_out(record.clone(), &off).ok()?, options).ok()?;
-    let of_clocks = |note: &&Note| matches!(note, Note::ClockDrift { .. } | Note::LateClocks { .. });
+    let of_clocks = |note: &&Note| {
+        matches!(
+            note,
+            Note::ClockDrift { .. } | Note::LateClocks { .. } | Note::QuarterTurn { .. }
+        )
+    };
     alone.notes.extend(notes.iter().filter(of_clocks).cloned());
     Some(alone)
 }
@@ -159,6 +166,7 @@ fn of_poles(
     settings.references_keep = few.map(|few| few.kept);
     let criteria = options.criteria.within(settings.range_hz);
     let mut hankel_singular_values = Vec::new();
+    let quantities = Quantities::of(record.channels());
     let mut judge = |all: &AllOrders<'_>, deviations: &mut dyn Deviations| {
         let (stabilization, clusters) = judged(all, deviations, &criteria, &options.clustering)?;
         let diagram = Diagram {
@@ -171,7 +179,7 @@ fn of_poles(
         Ok::<_, ModalError>((stabilization, clusters))
     };
     let (stabilization, clusters) = if options.method == Method::Plscf {
-        let found = plscf(
+        let mut found = plscf(
             record,
             &Plscf {
                 lags: 2 * settings.block_rows - 1,
@@ -185,6 +193,7 @@ fn of_poles(
             },
         )?;
         settings.lines = found.lines;
+        quantities.judge_as_one(&mut found.poles);
         let all = AllOrders {
             poles: &found.poles,
             duration_s: found.duration_s,
@@ -194,11 +203,12 @@ fn of_poles(
         judge(&all, &mut FractionScatter::new(&found))?
     } else {
         let ssi = settings.ssi();
-        let found = match options.method {
+        let mut found = match options.method {
             Method::SsiData => ssi_data(record, &ssi)?,
             _ => ssi_cov(record, &ssi)?,
         };
         hankel_singular_values.clone_from(&found.singular_values);
+        quantities.judge_as_one(&mut found.poles);
         judge(&AllOrders::of(&found), &mut Propagation::new(&found))?
     };
     note_blends(&clusters, notes);

@@ -1,7 +1,7 @@
 //! What every method of identification returns.
 
 use super::indicators::{normalized, phase_collinearity};
-use super::{Accepted, Kurtosis, ModalError};
+use super::{Accepted, Kurtosis, ModalError, Wander};
 use crate::signal::{Channel, Processing};
 use dolmen_linalg::Complex64;
 use std::f64::consts::PI;
@@ -91,6 +91,8 @@ pub struct Mode {
     pub orders: Vec<usize>,
     /// How steady the motion near its frequency is; `None` where the record is too short to tell, or nobody asked.
     pub kurtosis: Option<Kurtosis>,
+    /// Whether that motion changes in strength and in phase alike; `None` as of the kurtosis.
+    pub wander: Option<Wander>,
     /// Relative bias that the window of the spectrum would have given to the damping ratio, and that was taken out;
     /// `None` for methods without a window.
     pub window_bias: Option<f64>,
@@ -133,9 +135,14 @@ impl Mode {
         self.accepted.is_none()
     }
 
-    /// Whether the motion near its frequency is too steady for random forces: a machine's, not a mode's.
+    /// Whether the motion near its frequency is too steady for random forces, or wanders as under none: a machine's, not a mode's.
     pub fn harmonic(&self) -> bool {
-        self.kurtosis.is_some_and(|k| k.harmonic())
+        self.wanders() || self.kurtosis.is_some_and(|k| k.harmonic())
+    }
+
+    /// Whether the strength of that motion changes more than its phase, or less, than random forces let it.
+    pub(super) fn wanders(&self) -> bool {
+        self.wander.is_some_and(|of| of.is_machine())
     }
 
     /// Long-record floor of the standard deviation of the frequency, f √(ζ/2πN_c), Hz; infinite without a damping ratio.

@@ -187,6 +187,7 @@ pub(super) fn mode_of(c: &Cluster, duration_s: f64) -> Mode {
         cycles: c.medoid.frequency_hz * duration_s,
         orders: c.orders.clone(),
         kurtosis: None,
+        wander: None,
         window_bias: None,
         accepted: None,
     }

@@ -179,6 +179,7 @@ mod tests {
             cycles: 600.0,
             orders: vec![],
             kurtosis: None,
+            wander: None,
             window_bias: None,
             accepted: None,
         };

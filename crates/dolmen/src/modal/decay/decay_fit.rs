@@ -217,6 +217,7 @@ impl Fit {
             cycles: omega / (2.0 * PI) * duration_s,
             orders: vec![order],
             kurtosis: None,
+            wander: None,
             window_bias: None,
             accepted: None,
         }

@@ -8,7 +8,7 @@ use crate::modal::accept::{accepted, candidates, put_in};
 use crate::modal::indicators::largest;
 use crate::modal::modal_analysis::{ModalAnalysis, of_peaks};
 use crate::modal::options::Identify;
-use crate::modal::quality::{Diagram, to_one_quantity};
+use crate::modal::quality::{Diagram, Quantities, to_one_quantity};
 use crate::modal::settings::{Settings, choose};
 use crate::modal::shared_steps::{judged, modes_of, note_blends, pick, spectrum, wanted};
 use crate::modal::subspace::{AllOrders, Clustering, Criteria};
@@ -51,7 +51,7 @@ const APART_LEAST: f64 = 0.05;
 /// `ambient` identifies the record without regard to its inputs.
 ///
 /// # Errors
-/// As `ambient`; [`ModalError::InputsAlike`], [`ModalError::NoObserver`].
+/// As `ambient`; [`ModalError::InputsAlike`], [`ModalError::InputsSine`], [`ModalError::NoObserver`].
 ///
 /// # Limits
 /// What the inputs do not measure is not held: on a base that rocks and has no sensor for that, the modes are those of the structure that rocks.
@@ -88,6 +88,7 @@ pub(crate) fn of_driven(
         1 => record.clone(),
         factor => decimate(record.clone(), factor)?,
     };
+    refuse_sine(&slower, &options.inputs)?;
     refuse_alike(&slower, &options.inputs, settings.range_hz)?;
     let lags = lags_within(&slower, options.inputs.len(), &mut settings);
     let (mut found, noise) = realized(&slower, (options, lags), &settings)?;
@@ -99,7 +100,8 @@ pub(crate) fn of_driven(
         deviation_over_floor_most: FLOOR_MOST.max(options.clustering.deviation_over_floor_most),
         ..options.clustering.clone()
     };
-    let poles = found.poles.clone();
+    let mut poles = found.poles.clone();
+    Quantities::of(outputs.channels()).judge_as_one(&mut poles);
     let all = AllOrders {
         poles: &poles,
         duration_s: record.duration_s(),
@@ -237,6 +239,30 @@ fn realized(
     Err(ModalError::NoObserver)
 }
 
+/// Refuses inputs of which each has nearly all of its power about one line of 32 segments.
+fn refuse_sine(record: &Record, inputs: &[usize]) -> Result<(), ModalError> {
+    const AROUND: usize = 2; // lines that Hann's window fills
+    const SHARE_MOST: f64 = 0.95; // chosen here: a noise with a resonance damped by 5 % has less than 0.3
+    let spectra = averaged(record, record.length() / 32)?;
+    let lines = spectra.frequency_hz.len();
+    let shares = inputs.iter().map(|&c| {
+        let power = |line: usize| spectra.density(c, c, line).re;
+        let whole: f64 = (1..lines).map(power).sum();
+        let top = (1..lines)
+            .max_by(|a, b| power(*a).total_cmp(&power(*b)))
+            .unwrap_or(0);
+        let here = top.saturating_sub(AROUND).max(1)..(top + AROUND + 1).min(lines);
+        (top, here.map(power).sum::<f64>() / whole.max(f64::MIN_POSITIVE))
+    });
+    match shares.min_by(|a, b| a.1.total_cmp(&b.1)) {
+        Some((line, share)) if share > SHARE_MOST => Err(ModalError::InputsSine {
+            frequency_hz: spectra.frequency_hz[line],
+            share,
+        }),
+        _ => Ok(()),
+    }
+}
+
 /// Refuses inputs of which one follows from the others at most lines.
 fn refuse_alike(record: &Record, inputs: &[usize], [low_hz, high_hz]: [f64; 2]) -> Result<(), ModalError> {
     if inputs.len() < 2 {
@@ -361,6 +387,35 @@ mod tests {
         wind_kn: 0.5,
         ..QUAKE
     };
+
+    /// The roof follows a force at 5.1 Hz that is `wide` of a noise beside its sine, with its own ambient motion.
+    fn on_a_shaker(wide: f64) -> Result<ModalAnalysis, ModalError> {
+        let made = crate::modal::ReferenceCase::ShearChain.made(3)?.make()?;
+        let mut random = crate::numeric::Random::new(8, 0);
+        let force = |t: usize| (std::f64::consts::TAU * 5.1 * 0.01 * t as f64).sin() + wide * random.normal();
+        let force: Vec<f64> = (0..made.length()).map(force).collect();
+        let follows = |c: usize| -> Vec<f64> {
+            let both = made.samples(c).iter().zip(&force);
+            both.map(|(y, f)| y + 0.5 * f).collect()
+        };
+        let channels = ["shaker", "floor", "roof"].map(Channel::named).to_vec();
+        let samples = vec![force.clone(), follows(0), follows(1)];
+        identify(&Record::new(channels, samples, 100.0)?, &options())
+    }
+
+    #[test]
+    fn refuses_a_sine_as_the_only_input() {
+        let why = on_a_shaker(0.02).unwrap_err().to_string();
+        assert!(
+            why.contains("% of the power of every input lies at one frequency, 5.1"),
+            "{why}"
+        );
+        let random = on_a_shaker(1.0);
+        assert!(
+            !matches!(random, Err(ModalError::InputsSine { .. })),
+            "{random:?}"
+        );
+    }
 
     #[test]
     fn holds_the_frequencies_of_a_held_base_lie_in_their_intervals() {

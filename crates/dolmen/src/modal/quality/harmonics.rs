@@ -110,20 +110,25 @@ pub fn band_kurtosis(
             continue;
         }
         let count = 2 * parts - 1; // half overlapping Hann parts share 3 % of their power
-        let strengths = 0.5 * PI * 2.0 * damping_ratio_least * frequency_hz * record.duration_s();
-        let sums = fourier_sums(record, channels, frequency_hz, [length, count]);
-        let along = along_the_strongest(&sums)?;
+        let independent_most = 0.5 * PI * 2.0 * damping_ratio_least * frequency_hz * record.duration_s();
+        let half_overlapping = Parts {
+            length,
+            halves: 1,
+            count,
+        };
+        let sums = fourier_sums(record, channels, frequency_hz, half_overlapping);
+        let along = strengths(&sums)?;
         let found = Kurtosis {
             frequency_hz,
             kurtosis: kurtosis(&along),
-            deviation: GAUSSIAN / strengths.min(count as f64).max(1.0).sqrt(),
+            deviation: GAUSSIAN / independent_most.min(count as f64).max(1.0).sqrt(),
             share: 1.0,
         };
         if found.kurtosis.is_finite() && steadiest.is_none_or(|best| beyond(&found) < beyond(&best)) {
             steadiest = Some(found);
         }
         for blocks in BLOCKS {
-            let independent = (strengths / blocks as f64).min((count / blocks) as f64);
+            let independent = (independent_most / blocks as f64).min((count / blocks) as f64);
             if independent >= INDEPENDENT_LEAST {
                 let found = where_it_runs(&sums, &along, (blocks, independent))?;
                 let found = Kurtosis {
@@ -142,12 +147,25 @@ pub fn band_kurtosis(
     })
 }
 
+/// Parts of a record, samples.
+#[derive(Clone, Copy)]
+pub(super) struct Parts {
+    pub(super) length: usize,
+    /// From the start of one to that of the next, half lengths.
+    pub(super) halves: usize,
+    pub(super) count: usize,
+}
+
 /// z_s of every part and channel, each channel over its own strength here: units and gains of sensors do not choose the direction.
-fn fourier_sums(
+pub(super) fn fourier_sums(
     record: &Record,
     channels: &[usize],
     frequency_hz: f64,
-    [length, count]: [usize; 2],
+    Parts {
+        length,
+        halves,
+        count,
+    }: Parts,
 ) -> Vec<Vec<Complex64>> {
     let turn = 2.0 * PI * frequency_hz / record.sampling_rate_hz();
     let wave = |of: fn(f64) -> f64| -> Vec<f64> {
@@ -157,7 +175,7 @@ fn fourier_sums(
     let (cos, sin) = (wave(f64::cos), wave(f64::sin));
     let mut parts: Vec<Vec<Complex64>> = (0..count)
         .map(|s| {
-            let from = s * length / 2;
+            let from = s * halves * length / 2;
             let sum = |c: &usize| {
                 let samples = &record.samples(*c)[from..from + length];
                 Complex64::new(inner(samples, &cos), -inner(samples, &sin))
@@ -173,19 +191,25 @@ fn fourier_sums(
     parts
 }
 
-/// p_s of the parts, in the direction in which most moves in them.
-fn along_the_strongest(parts: &[Vec<Complex64>]) -> Result<Vec<f64>, ModalError> {
+/// p_s of the parts.
+fn strengths(parts: &[Vec<Complex64>]) -> Result<Vec<f64>, ModalError> {
+    let along = along_the_strongest(parts)?;
+    Ok(along.into_iter().map(|a| a.norm_sqr()).collect())
+}
+
+/// a_s of the parts, in the direction in which most moves in them.
+pub(super) fn along_the_strongest(parts: &[Vec<Complex64>]) -> Result<Vec<Complex64>, ModalError> {
     let l = parts.first().map_or(0, Vec::len);
     let power = ComplexMatrix::from_fn(l, l, |i, j| {
         parts.iter().map(|z| z[i] * z[j].conj()).sum::<Complex64>()
     });
     let e = hermitian_eigen(&power)?;
     let direction = e.vectors.column(l - 1);
-    let strength = |z: &Vec<Complex64>| {
-        let along = direction.iter().zip(z);
-        along.map(|(u, z)| u.conj() * z).sum::<Complex64>().norm_sqr()
+    let along = |z: &Vec<Complex64>| {
+        let both = direction.iter().zip(z);
+        both.map(|(u, z)| u.conj() * z).sum::<Complex64>()
     };
-    Ok(parts.iter().map(strength).collect())
+    Ok(parts.iter().map(along).collect())
 }
 
 fn kurtosis(strengths: &[f64]) -> f64 {
@@ -220,7 +244,7 @@ fn where_it_runs(
         .iter()
         .flat_map(|b| parts[b * length..(b + 1) * length].iter().cloned())
         .collect();
-    let strengths = along_the_strongest(&there)?;
+    let strengths = strengths(&there)?;
     let count = runs.len() as f64;
     let mean = strengths.chunks_exact(length).map(kurtosis).sum::<f64>() / count;
     let n = independent;

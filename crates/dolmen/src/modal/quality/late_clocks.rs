@@ -6,8 +6,9 @@
 //! | σ_j | `sd` | standard deviation of φ_j | rad |
 //! | τ | `delay_s` | what the clock of the channel is late | s |
 
+use super::remarks::explained;
 use super::shape_checks::{has_phase, is_no_shapes};
-use crate::modal::notes::LateClock;
+use crate::modal::noted::LateClock;
 use crate::modal::{Mode, Modes, Note};
 use std::f64::consts::{PI, TAU};
 
@@ -21,6 +22,10 @@ const DELAY_MOST_S: f64 = 2.0;
 const EXPLAINED: f64 = 4.0;
 /// Deviations of a delay from none from which it counts. Chosen here.
 const DEVIATIONS: f64 = 5.0;
+/// Chance with which phases of no meaning follow one of the delays tried, up to which a delay counts that three modes or more show. Chosen here.
+const CHANCE_MOST: f64 = 0.01;
+/// Delays looked for where another channel of the place shows that its clock is right, s: those of filters. Chosen here.
+const FILTER_MOST_S: f64 = 0.25;
 /// Steps of the search turn the highest mode by so much, rad (5°).
 const TURN_STEP: f64 = PI / 36.0;
 
@@ -39,60 +44,139 @@ impl Phase {
     }
 }
 
-/// Leaves channels out of the shapes whose clock is late or early by one time throughout, and names them with it. Frequencies and damping stay.
+/// Leaves channels out of the shapes whose clock is late or early by one time throughout, and those that are a quarter turn off at every
+/// frequency, and names them. Frequencies and damping stay. `peaks` are those of the spectrum: a delay turns the shapes of some modes so far
+/// that no pole passes for a mode, but the peaks show their phases.
 ///
 /// ```text
 /// y_c(t + τ) = φ_c q(t)   →   arg φ_c = 2π f_j τ + k π          in every mode j, k whole
 /// ```
-/// A channel is looked at whose phase is no shape's, in the modes that no other overlaps, two at least.
+/// A channel is looked at whose phase is no shape's, in the modes that no other overlaps and at the peaks that none of these explains, two at
+/// least. Channels that stand in one place have one recorder, and one delay: where each asks for another, no clock is late. Where one of them
+/// agrees with the others, the delay is that of a channel's own filter.
 ///
 /// # Limits
-/// A late channel that moves much turns a shape so far that it passes for noise: a mode that no order shows tells nothing of the delay, and with
-/// one mode left nothing is told.
-pub(crate) fn leave_out_late_clocks(modes: &mut Modes, notes: &mut Vec<Note>) {
+/// Forces that are not random alike, and machines, give peaks phases of their own: a delay counts that turns two of them or more.
+pub(crate) fn leave_out_late_clocks(modes: &mut Modes, peaks: &Modes, notes: &mut Vec<Note>) {
     let l = modes.channels.len();
-    let alone = |i: &usize| {
-        let clear = |other: Option<&Mode>| other.is_none_or(|m| !m.overlaps(&modes.modes[*i]));
-        clear(modes.modes.get(i + 1)) && clear(i.checked_sub(1).and_then(|before| modes.modes.get(before)))
-    };
-    let seen: Vec<Mode> = (0..modes.modes.len())
-        .filter(alone)
-        .map(|i| modes.modes[i].clone())
-        .collect();
-    let alike = |a: usize, b: usize| {
-        let of = |mode: &&Mode| has_phase(mode, a) && has_phase(mode, b);
-        let apart = |mode: &Mode| within_half_turn(mode.shape[a].arg() - mode.shape[b].arg()).abs();
-        let mut both = seen.iter().filter(of).peekable();
-        both.peek().is_some() && both.all(|mode| apart(mode) < ONE_CLOCK)
-    };
-    let group = |r: usize| -> Vec<usize> { (0..l).filter(|&c| c == r || alike(c, r)).collect() };
-    let Some(agreeing) = (0..l).rev().map(group).max_by_key(Vec::len) else {
-        return;
-    };
-    let others = (0..l).filter(|c| !agreeing.contains(c));
-    let late: Vec<(usize, LateClock)> = others
-        .filter_map(|c| {
-            let phases: Vec<Phase> = seen.iter().filter_map(|mode| phase(mode, c, &agreeing)).collect();
-            let clock = delay(&phases)?;
-            let channel = modes.channels[c].name.clone();
-            Some((c, LateClock { channel, ..clock }))
-        })
-        .collect();
-    if late.is_empty() {
+    let seen = seen(modes, peaks);
+    let agreeing = agreeing(&seen, l);
+    let own = |c: usize| -> Vec<Phase> { seen.iter().filter_map(|mode| phase(mode, c, &agreeing)).collect() };
+    let phases: Vec<Vec<Phase>> = (0..l).map(own).collect();
+    let mut late: Vec<(usize, LateClock)> = Vec::new();
+    let mut turned: Vec<usize> = Vec::new();
+    for station in stations(modes) {
+        let of = |channels: &[usize]| -> Vec<&[Phase]> { channels.iter().map(|&c| &phases[c][..]).collect() };
+        let (agree, off): (Vec<usize>, Vec<usize>) = station.iter().partition(|c| agreeing.contains(c));
+        let together = match agree.is_empty() {
+            true => vec![off],
+            // the clock is right: what is late is a channel of its own
+            false => off.iter().map(|&c| vec![c]).collect(),
+        };
+        let most_s = if agree.is_empty() {
+            DELAY_MOST_S
+        } else {
+            FILTER_MOST_S
+        };
+        for channels in together {
+            if is_quarter_turn(&of(&channels)) {
+                turned.extend(&channels);
+            } else if let Some(clock) = delay(&of(&channels), most_s) {
+                late.extend(channels.iter().map(|&c| {
+                    let channel = modes.channels[c].name.clone();
+                    (
+                        c,
+                        LateClock {
+                            channel,
+                            ..clock.clone()
+                        },
+                    )
+                }));
+            }
+        }
+    }
+    if late.is_empty() && turned.is_empty() {
         return;
     }
-    let kept: Vec<usize> = (0..l).filter(|c| late.iter().all(|(off, _)| off != c)).collect();
+    late.sort_by_key(|(c, _)| *c);
+    turned.sort_unstable();
+    let is_off = |c: &usize| turned.contains(c) || late.iter().any(|(off, _)| off == c);
+    let kept: Vec<usize> = (0..l).filter(|c| !is_off(c)).collect();
+    let names: Vec<String> = turned.iter().map(|&c| modes.channels[c].name.clone()).collect();
+    let mut frequency_hz: Vec<f64> = turned
+        .iter()
+        .flat_map(|&c| phases[c].iter().map(|phase| phase.frequency_hz))
+        .collect();
+    frequency_hz.sort_by(f64::total_cmp);
+    frequency_hz.dedup();
     modes.channels = kept.iter().map(|&c| modes.channels[c].clone()).collect();
     for mode in &mut modes.modes {
         mode.keep_channels(&kept);
     }
-    let late = late.into_iter().map(|(_, clock)| clock).collect();
-    notes.push(Note::LateClocks { late });
+    if !names.is_empty() {
+        notes.push(Note::QuarterTurn {
+            channels: names,
+            frequency_hz,
+        });
+    }
+    if !late.is_empty() {
+        let late = late.into_iter().map(|(_, clock)| clock).collect();
+        notes.push(Note::LateClocks { late });
+    }
+}
+
+/// Modes that no other overlaps, and the peaks that none of these explains.
+fn seen(modes: &Modes, peaks: &Modes) -> Vec<Mode> {
+    let all = &modes.modes;
+    let alone = |i: &usize| {
+        let clear = |other: Option<&Mode>| other.is_none_or(|m| !m.overlaps(&all[*i]));
+        clear(all.get(i + 1)) && clear(i.checked_sub(1).and_then(|before| all.get(before)))
+    };
+    let mut seen: Vec<Mode> = (0..all.len()).filter(alone).map(|i| all[i].clone()).collect();
+    if peaks.channels.len() == modes.channels.len() {
+        let unexplained = peaks.modes.iter().filter(|peak| !explained(peak, &seen));
+        let unexplained: Vec<Mode> = unexplained.cloned().collect();
+        seen.extend(unexplained);
+    }
+    seen
+}
+
+/// The most channels of one phase, within what is known of it.
+fn agreeing(seen: &[Mode], l: usize) -> Vec<usize> {
+    let alike = |a: usize, b: usize| {
+        let of = |mode: &&Mode| has_phase(mode, a) && has_phase(mode, b);
+        let apart = |mode: &Mode| within_half_turn(mode.shape[a].arg() - mode.shape[b].arg()).abs();
+        let most = |mode: &Mode| ONE_CLOCK.max(3.0 * angle_sd(mode, a).hypot(angle_sd(mode, b)));
+        let mut both = seen.iter().filter(of).peekable();
+        both.peek().is_some() && both.all(|mode| apart(mode) < most(mode))
+    };
+    let group = |r: usize| -> Vec<usize> { (0..l).filter(|&c| c == r || alike(c, r)).collect() };
+    (0..l).rev().map(group).max_by_key(Vec::len).unwrap_or_default()
+}
+
+/// Channels by the place where they stand; one whose place is not known stands by itself.
+fn stations(modes: &Modes) -> Vec<Vec<usize>> {
+    let mut all: Vec<Vec<usize>> = Vec::new();
+    for (c, channel) in modes.channels.iter().enumerate() {
+        let is_here = |station: &&mut Vec<usize>| {
+            let other = modes.channels[station[0]].position_m;
+            other.is_some() && other == channel.position_m
+        };
+        match all.iter_mut().find(is_here) {
+            Some(station) => station.push(c),
+            None => all.push(vec![c]),
+        }
+    }
+    all
 }
 
 /// An angle mod π, −π/2 to π/2.
 fn within_half_turn(angle: f64) -> f64 {
     angle - PI * (angle / PI).round()
+}
+
+fn angle_sd(mode: &Mode, c: usize) -> f64 {
+    mode.shape_sd.as_ref().map_or(0.0, |sd| sd[c]) / mode.shape[c].norm()
 }
 
 /// The phase of a channel against those that agree; `None` where it has none or they have none.
@@ -101,37 +185,65 @@ fn phase(mode: &Mode, c: usize, agreeing: &[usize]) -> Option<Phase> {
     let squares = base
         .map(|&r| mode.shape[r] * mode.shape[r])
         .reduce(|a, b| a + b)?;
-    let sd = mode.shape_sd.as_ref().map_or(0.0, |sd| sd[c]) / mode.shape[c].norm();
     has_phase(mode, c).then(|| Phase {
         frequency_hz: mode.frequency_hz,
         phase: within_half_turn(mode.shape[c].arg() - 0.5 * squares.arg()),
-        sd: sd.hypot(OWN_PHASE),
+        sd: angle_sd(mode, c).hypot(OWN_PHASE),
     })
 }
 
-/// The least delay that explains the phases of a channel, and the next that does as well.
-fn delay(phases: &[Phase]) -> Option<LateClock> {
-    let angles: Vec<f64> = phases.iter().map(|p| p.phase.abs()).collect();
-    // velocities beside accelerations are a quarter turn apart in every mode
-    let is_quarter = phases
+/// Velocities beside accelerations are a quarter turn apart in every mode: a phase that does not grow with the frequency is no delay.
+fn is_quarter_turn(channels: &[&[Phase]]) -> bool {
+    let off = |p: &Phase| ((p.phase.abs() - 0.5 * PI) / p.sd).powi(2);
+    let fits = |of: &&[Phase]| of.iter().map(off).sum::<f64>() <= EXPLAINED * of.len() as f64;
+    at_hz(channels).len() > 1 && channels.iter().all(fits)
+}
+
+/// Frequencies at which the phases are known.
+fn at_hz(channels: &[&[Phase]]) -> Vec<f64> {
+    let mut all: Vec<f64> = channels
         .iter()
-        .all(|p| (p.phase.abs() - 0.5 * PI).abs() < 2.0 * p.sd);
-    if phases.len() < 2 || !is_no_shapes(&angles) || is_quarter {
+        .flat_map(|of| of.iter().map(|p| p.frequency_hz))
+        .collect();
+    all.sort_by(f64::total_cmp);
+    all.dedup();
+    all
+}
+
+/// The least delay that explains the phases of these channels together and of each, and the next that does as well.
+fn delay(channels: &[&[Phase]], most_s: f64) -> Option<LateClock> {
+    let phases: Vec<Phase> = channels.iter().flat_map(|of| of.iter().copied()).collect();
+    let angles: Vec<f64> = phases.iter().map(|p| p.phase.abs()).collect();
+    let is_turned = |p: &&Phase| p.phase.abs() > ONE_CLOCK;
+    let turned: Vec<Phase> = phases.iter().filter(is_turned).copied().collect();
+    let modes = at_hz(channels);
+    if at_hz(&[&turned]).len() < 2 || !is_no_shapes(&angles) {
         return None;
     }
-    let highest = phases.iter().map(|p| p.frequency_hz).fold(0.0, f64::max);
-    let lowest = phases
-        .iter()
-        .map(|p| p.frequency_hz)
-        .fold(f64::INFINITY, f64::min);
-    let most_s = if phases.len() > 2 {
-        DELAY_MOST_S
-    } else {
-        0.5 / lowest
+    let (lowest, highest) = (*modes.first()?, *modes.last()?);
+    let are_few = modes.len() < 3;
+    let most_s = if are_few { most_s.min(0.5 / lowest) } else { most_s };
+    // two frequencies have no third that could disagree
+    let by_chance = |delay_s: f64| {
+        let tried = 1.0 + 4.0 * delay_s.abs() * highest;
+        let mut windows: Vec<f64> = phases
+            .iter()
+            .map(|p| p.residual(delay_s).abs().max(p.sd) / (0.5 * PI))
+            .collect();
+        windows.sort_by(f64::total_cmp);
+        tried * windows.iter().skip(1).product::<f64>()
     };
     let square = |delay_s: f64| -> f64 {
         let each = phases.iter().map(|p| (p.residual(delay_s) / p.sd).powi(2));
         each.sum::<f64>() / (phases.len() - 1) as f64
+    };
+    let explains = |delay_s: f64| {
+        let each = |of: &&[Phase]| {
+            let sum: f64 = of.iter().map(|p| (p.residual(delay_s) / p.sd).powi(2)).sum();
+            sum <= EXPLAINED * of.len() as f64
+        };
+        let is_told = are_few || by_chance(delay_s) < CHANCE_MOST;
+        square(delay_s) <= EXPLAINED && channels.iter().all(each) && is_told
     };
     let levers: f64 = phases.iter().map(|p| (TAU * p.frequency_hz / p.sd).powi(2)).sum();
     let better = |from_s: f64| {
@@ -146,7 +258,7 @@ fn delay(phases: &[Phase]) -> Option<LateClock> {
         .map(|i| i as f64 * step_s)
         .filter(|&s| square(s) <= square(s - step_s) && square(s) < square(s + step_s))
         .map(|s| better(better(s)))
-        .filter(|&s| square(s) <= EXPLAINED)
+        .filter(|&s| explains(s))
         .collect();
     found.sort_by(|a, b| a.abs().total_cmp(&b.abs()));
     let delay_s = *found.first()?;
@@ -157,7 +269,7 @@ fn delay(phases: &[Phase]) -> Option<LateClock> {
         delay_s,
         sd_s,
         or_s: found.iter().find(apart).copied(),
-        modes: phases.len(),
+        modes: modes.len(),
     })
 }
 
@@ -242,6 +354,129 @@ mod tests {
         }
     }
 
+    const CORNERS: [&str; 6] = ["roof x", "roof y", "mid x", "mid y", "low x", "low y"];
+    const PAIRS_HZ: [f64; 5] = [1.314, 1.611, 4.127, 5.056, 6.78];
+
+    /// Three floors × (x, y) for ten minutes, axes turned by 20°; these channels late by so many samples of 0.005 s, those as velocities.
+    fn floors(seed: u64, (late, samples): (&[usize], usize), velocities: &[usize]) -> Record {
+        let shape = |mode: usize| -> Vec<f64> {
+            let (along, number) = (mode % 2, mode / 2);
+            let (sin, cos) = 0.35_f64.sin_cos();
+            let axes = if along == 0 { [cos, sin] } else { [-sin, cos] };
+            let at = |height: f64| (0.5 * PI * (2 * number + 1) as f64 * height).sin();
+            [1.0, 0.66, 0.33]
+                .iter()
+                .flat_map(|&height| axes.map(|of| of * at(height)))
+                .collect()
+        };
+        let mode = |(mode, frequency_hz): (usize, f64)| MadeMode {
+            frequency_hz,
+            damping_ratio: 0.01,
+            shape: shape(mode),
+        };
+        let made = MadeRecord {
+            modes: PAIRS_HZ.into_iter().enumerate().map(mode).collect(),
+            duration_s: 602.0,
+            sampling_rate_hz: 200.0,
+            seed,
+            ..MadeRecord::default()
+        };
+        let accelerations = made.make().unwrap();
+        let quantity = crate::signal::Quantity::Velocity;
+        let as_velocities = MadeRecord { quantity, ..made }.make().unwrap();
+        let of = |c: usize| {
+            let from = if late.contains(&c) { samples } else { 0 };
+            let record = if velocities.contains(&c) {
+                &as_velocities
+            } else {
+                &accelerations
+            };
+            let factor = if velocities.contains(&c) { 20.0 } else { 1.0 };
+            let samples = record.samples(c)[from..][..120_000].iter();
+            samples.map(|y| factor * y).collect()
+        };
+        let channel = |c: usize| Channel {
+            position_m: Some([0.0, 0.0, [9.0, 6.0, 3.0][c / 2]]),
+            ..Channel::named(CORNERS[c])
+        };
+        Record::new((0..6).map(channel).collect(), (0..6).map(of).collect(), 200.0).unwrap()
+    }
+
+    #[test]
+    fn holds_both_channels_of_a_late_station_are_named_and_no_mode_is_lost() {
+        for (station, seed) in [([2, 3], 1), ([0, 1], 2)] {
+            for samples in [10, 16, 24] {
+                let found = identify(&floors(seed, (&station, samples), &[]), &Identify::default()).unwrap();
+                let note = found.notes.iter().find_map(|note| match note {
+                    Note::LateClocks { late } => Some(late.clone()),
+                    _ => None,
+                });
+                let late = note.unwrap_or_default();
+                let names: Vec<&str> = late.iter().map(|clock| &clock.channel[..]).collect();
+                assert_eq!(names, station.map(|c| CORNERS[c]), "{samples}: {:?}", found.notes);
+                for clock in &late {
+                    let off_s = clock.delay_s - 0.005 * samples as f64;
+                    assert!(off_s.abs() < 4.0 * clock.sd_s && clock.sd_s < 2e-3, "{clock:?}");
+                }
+                for hz in PAIRS_HZ {
+                    found.modes.nearest(hz, 0.01 * hz).unwrap();
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn holds_velocities_beside_accelerations_are_no_late_clock_and_lose_no_mode() {
+        for (velocities, seed) in [(&[2, 3][..], 3), (&[0, 1, 2], 4)] {
+            let unsaid = floors(seed, (&[], 0), velocities);
+            let found = identify(&unsaid, &Identify::default()).unwrap();
+            let named = found.notes.iter().find_map(|note| match note {
+                Note::QuarterTurn { channels, .. } => Some(channels.clone()),
+                _ => None,
+            });
+            // of two halves either may be the one that differs
+            let count = velocities.len();
+            assert_eq!(named.map(|of| of.len()), Some(count), "{:?}", found.notes);
+            let clocks = |note: &Note| matches!(note, Note::LateClocks { .. });
+            assert!(!found.notes.iter().any(clocks), "{:?}", found.notes);
+            let mut said: Vec<Channel> = unsaid.channels().to_vec();
+            for (c, channel) in said.iter_mut().enumerate() {
+                channel.quantity = match velocities.contains(&c) {
+                    true => crate::signal::Quantity::Velocity,
+                    false => crate::signal::Quantity::Acceleration,
+                };
+            }
+            let samples = (0..6).map(|c| unsaid.samples(c).to_vec()).collect();
+            let said = Record::new(said, samples, 200.0).unwrap();
+            let with_units = identify(&said, &Identify::default()).unwrap();
+            assert_eq!(with_units.modes.channels.len(), 6, "{:?}", with_units.notes);
+            for of in [&found, &with_units] {
+                for hz in PAIRS_HZ {
+                    of.modes.nearest(hz, 0.01 * hz).unwrap();
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn exact_channels_of_one_place_have_one_delay_or_none() {
+        let delayed = |delay_s: f64| -> Vec<Phase> {
+            let at: Vec<(f64, f64)> = [1.4, 4.1, 6.6]
+                .iter()
+                .map(|f| (360.0 * f * delay_s, *f))
+                .collect();
+            phases(&at)
+        };
+        let (a, b, other) = (delayed(0.12), delayed(0.12), delayed(0.05));
+        let clock = delay(&[&a, &b], DELAY_MOST_S).unwrap();
+        assert!(
+            (clock.delay_s - 0.12).abs() < 1e-12 && clock.modes == 3,
+            "{clock:?}"
+        );
+        assert!(delay(&[&other], DELAY_MOST_S).is_some());
+        assert_eq!(delay(&[&a, &other], DELAY_MOST_S), None);
+    }
+
     fn phases(degrees_at_hz: &[(f64, f64)]) -> Vec<Phase> {
         let phase = |&(degrees, frequency_hz): &(f64, f64)| Phase {
             frequency_hz,
@@ -254,13 +489,16 @@ mod tests {
     #[test]
     fn exact_delay_of_two_phases_and_none_where_no_delay_explains_them() {
         // 0.05 s: 18° a hertz
-        let clock = delay(&phases(&[(27.0, 1.5), (75.6, 4.2)])).unwrap();
+        let clock = delay(&[&phases(&[(27.0, 1.5), (75.6, 4.2)])], DELAY_MOST_S).unwrap();
         assert!((clock.delay_s - 0.05).abs() < 1e-12, "{clock:?}");
         // 1/√Σ(2πf/σ)² by hand
         assert!((clock.sd_s - OWN_PHASE / (TAU * 4.2_f64.hypot(1.5))).abs() < 1e-12);
-        assert_eq!(delay(&phases(&[(60.0, 1.5), (70.0, 4.2)])), None);
+        assert_eq!(delay(&[&phases(&[(60.0, 1.5), (70.0, 4.2)])], DELAY_MOST_S), None);
         // a quarter turn in each is another quantity, though 1 : 3 fits a delay
-        assert_eq!(delay(&phases(&[(90.0, 1.4), (90.0, 4.2)])), None);
-        assert_eq!(delay(&phases(&[(75.6, 4.2)])), None);
+        assert!(is_quarter_turn(&[&phases(&[(90.0, 1.4), (90.0, 4.2)])]));
+        assert!(!is_quarter_turn(&[&phases(&[(27.0, 1.5), (75.6, 4.2)])]));
+        assert_eq!(delay(&[&phases(&[(75.6, 4.2)])], DELAY_MOST_S), None);
+        // one frequency alone that is turned is a machine's as well
+        assert_eq!(delay(&[&phases(&[(1.2, 1.0), (60.0, 50.0)])], DELAY_MOST_S), None);
     }
 }

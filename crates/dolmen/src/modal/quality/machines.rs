@@ -1,10 +1,11 @@
-//! Peaks and modes that machines make: told by their width and by how steady they are.
+//! Peaks and modes that machines make: told by their width, by how steady they are, and by how they wander.
 
 use super::harmonics::{Kurtosis, band_kurtosis};
 use super::in_spells::InSpells;
 use super::lines::{FineLines, LineTest};
 use super::remarks::{USUAL_LEAST, explained};
 use super::spells::{in_spells, note_spells};
+use super::wander::{Wander, wander};
 use crate::modal::candidate::Candidate;
 use crate::modal::options::{Harmonics, Identify};
 use crate::modal::spectrum::FddResult;
@@ -179,12 +180,18 @@ fn follows_itself([least, found]: [f64; 2]) -> f64 {
     (0.5 * found).min(USUAL_LEAST).max(least)
 }
 
-/// Kurtosis near a mode at the sensors that see most of it.
-fn kurtosis(record: &Record, mode: &Mode, damping_ratio_least: f64) -> Result<Option<Kurtosis>, ModalError> {
+/// The sensors that see most of a mode.
+fn seeing_most(mode: &Mode) -> Vec<usize> {
     const CHANNELS: usize = 4;
     let mut channels: Vec<usize> = (0..mode.shape.len()).collect();
     channels.sort_by(|&a, &b| mode.shape[b].norm().total_cmp(&mode.shape[a].norm()));
     channels.truncate(CHANNELS);
+    channels
+}
+
+/// Kurtosis near a mode at the sensors that see most of it.
+fn kurtosis(record: &Record, mode: &Mode, damping_ratio_least: f64) -> Result<Option<Kurtosis>, ModalError> {
+    let channels = seeing_most(mode);
     if mode.frequency_hz < 0.5 * record.sampling_rate_hz() {
         band_kurtosis(record, &channels, mode.frequency_hz, damping_ratio_least)
     } else {
@@ -192,8 +199,8 @@ fn kurtosis(record: &Record, mode: &Mode, damping_ratio_least: f64) -> Result<Op
     }
 }
 
-/// Gives each mode the kurtosis of its band, the least of all records, and names or takes out those that are too steady. Each record stands
-/// with the components of the shapes that its channels are.
+/// Gives each mode the kurtosis of its band and how its motion wanders, the least and the furthest of all records, and names or takes out those
+/// that are too steady, or wander as no random motion does. Each record stands with the components of the shapes that its channels are.
 pub(crate) fn test_for_machines(
     records: &[(&Record, Vec<usize>)],
     options: &Identify,
@@ -214,18 +221,43 @@ pub(crate) fn test_for_machines(
             let found = kurtosis(record, &seen, follows_itself(damped))?;
             let least = [mode.kurtosis, found].into_iter().flatten();
             mode.kurtosis = least.min_by(|a, b| a.kurtosis.total_cmp(&b.kurtosis));
+            let found = wander(record, &seeing_most(&seen), mode.frequency_hz)?;
+            let both = [mode.wander, found].into_iter().flatten();
+            mode.wander = both.max_by(|a, b| a.beyond().total_cmp(&b.beyond()));
         }
         steady.extend(mode.kurtosis.filter(Kurtosis::harmonic));
     }
+    let removed = options.harmonics == Harmonics::Remove;
     if !steady.is_empty() {
-        let removed = options.harmonics == Harmonics::Remove;
-        if removed {
-            modes.modes.retain(|mode| !mode.harmonic());
-        }
         notes.push(Note::Harmonics { steady, removed });
+    }
+    note_wandering(options, modes, notes);
+    if removed {
+        modes.modes.retain(|mode| !mode.harmonic());
     }
     leave_out_steady_light(options, modes, notes);
     Ok(())
+}
+
+/// Names what wanders as a machine does. What is damped so little as only machines and the lightest structures are is left out, unless the user
+/// admits such modes.
+fn note_wandering(options: &Identify, modes: &mut Modes, notes: &mut Vec<Note>) {
+    let admitted = options.criteria.damping_ratio_least.is_some();
+    let is_left_out = |mode: &Mode| {
+        let is_light = mode.damping_ratio.is_some_and(|zeta| zeta < USUAL_LEAST);
+        mode.wanders() && (options.harmonics == Harmonics::Remove || is_light && !admitted)
+    };
+    for removed in [true, false] {
+        let here = modes
+            .modes
+            .iter()
+            .filter(|mode| mode.wanders() && is_left_out(mode) == removed);
+        let machines: Vec<Wander> = here.filter_map(|mode| mode.wander).collect();
+        if !machines.is_empty() {
+            notes.push(Note::Wandering { machines, removed });
+        }
+    }
+    modes.modes.retain(|mode| !is_left_out(mode));
 }
 
 /// What refused a mode that was taken out for the steadiness of its motion.

@@ -12,6 +12,7 @@ mod refused_peaks;
 mod remarks;
 mod shape_checks;
 mod spells;
+mod wander;
 
 pub(super) use clocks::leave_out_other_clocks;
 pub(super) use gusts::{unequal, widen};
@@ -22,5 +23,6 @@ pub(super) use late_clocks::leave_out_late_clocks;
 pub(super) use machines::{SetAside, note_tones_on_modes, of_steady, split_tones, test_for_machines};
 pub(super) use refused_peaks::Diagram;
 pub(super) use remarks::{explained, near, remark};
-pub(super) use shape_checks::{doubt_channels, to_one_quantity};
+pub(super) use shape_checks::{Quantities, doubt_channels, to_one_quantity};
 pub(super) use spells::leave_out_spells;
+pub use wander::Wander;

@@ -5,9 +5,9 @@
 //! | λ | `root` | continuous eigenvalue, ω (−ζ + i√(1 − ζ²)) | rad/s |
 //! | φ_c | `z` | component of a channel, the largest of its mode 1 | – |
 
-use crate::modal::indicators::{normalized, phase_collinearity};
-use crate::modal::{Mode, Modes, Note};
-use crate::signal::Quantity;
+use crate::modal::indicators::{normalized, phase_collinearity, phase_deviation};
+use crate::modal::{Mode, Modes, Note, Pole};
+use crate::signal::{Channel, Quantity};
 use dolmen_linalg::Complex64;
 use std::f64::consts::TAU;
 
@@ -20,21 +20,48 @@ const PHASE_DEVIATIONS: f64 = 4.0;
 const PHASE_ONCE: f64 = 45.0 * TAU / 360.0;
 const PHASE_TWICE: f64 = 30.0 * TAU / 360.0;
 
+/// What the channels of a record measure, where it differs.
+pub(crate) struct Quantities {
+    /// How often each differentiates displacement, and what most do; `None` where one is not known or all measure the same.
+    orders: Option<(Vec<i32>, i32)>,
+}
+
+impl Quantities {
+    pub(crate) fn of(channels: &[Channel]) -> Quantities {
+        let orders: Option<Vec<i32>> = channels.iter().map(|c| order(c.quantity)).collect();
+        let with_target = |orders: Vec<i32>| {
+            let count = |wanted: i32| orders.iter().filter(|own| **own == wanted).count();
+            let target = (0..=2).rev().max_by_key(|wanted| (count(*wanted), *wanted))?;
+            (count(target) < orders.len()).then_some((orders, target))
+        };
+        Quantities {
+            orders: orders.and_then(with_target),
+        }
+    }
+
+    /// Poles are judged by how real their shape is in one quantity: the shape of velocities and accelerations is a quarter turn off a real one.
+    pub(crate) fn judge_as_one(&self, poles: &mut [Pole]) {
+        let Some((orders, target)) = &self.orders else {
+            return;
+        };
+        for pole in poles {
+            let factors = factors(pole.frequency_hz, pole.damping_ratio, (orders, *target));
+            let one: Vec<Complex64> = pole.shape.iter().zip(&factors).map(|(z, f)| z * f).collect();
+            pole.phase_collinearity = phase_collinearity(&one);
+            pole.phase_deviation = phase_deviation(&one);
+        }
+    }
+}
+
 /// Brings shapes of channels that measure different quantities to one: that of most channels.
 ///
 /// ```text
 /// acceleration = λ velocity = λ² displacement        at the pole, exactly
 /// ```
 pub(crate) fn to_one_quantity(modes: &mut Modes, notes: &mut Vec<Note>) {
-    let orders: Option<Vec<i32>> = modes.channels.iter().map(|c| order(c.quantity)).collect();
-    let Some(orders) = orders else { return };
-    let count = |wanted: i32| orders.iter().filter(|own| **own == wanted).count();
-    let Some(target) = (0..=2).rev().max_by_key(|wanted| (count(*wanted), *wanted)) else {
+    let Some((orders, target)) = Quantities::of(&modes.channels).orders else {
         return;
     };
-    if count(target) == orders.len() {
-        return;
-    }
     for mode in &mut modes.modes {
         convert(mode, &orders, target);
     }
@@ -53,10 +80,19 @@ fn order(quantity: Quantity) -> Option<i32> {
     }
 }
 
+/// Powers of λ that bring each channel to the quantity of most.
+fn factors(frequency_hz: f64, damping_ratio: f64, (orders, target): (&[i32], i32)) -> Vec<Complex64> {
+    let zeta = damping_ratio.clamp(0.0, 1.0);
+    let root = Complex64::new(-zeta, (1.0 - zeta * zeta).sqrt()) * (TAU * frequency_hz);
+    orders.iter().map(|own| root.powi(target - own)).collect()
+}
+
 fn convert(mode: &mut Mode, orders: &[i32], target: i32) {
-    let zeta = mode.damping_ratio.unwrap_or(0.0).clamp(0.0, 1.0);
-    let root = Complex64::new(-zeta, (1.0 - zeta * zeta).sqrt()) * (TAU * mode.frequency_hz);
-    let factors: Vec<Complex64> = orders.iter().map(|own| root.powi(target - own)).collect();
+    let factors = factors(
+        mode.frequency_hz,
+        mode.damping_ratio.unwrap_or(0.0),
+        (orders, target),
+    );
     let turned: Vec<Complex64> = mode.shape.iter().zip(&factors).map(|(z, f)| z * f).collect();
     let most = turned.iter().map(|z| z.norm()).fold(0.0, f64::max);
     if most > 0.0 {

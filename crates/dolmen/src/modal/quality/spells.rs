@@ -207,6 +207,7 @@ mod tests {
             cycles: 600.0 * frequency_hz,
             orders: Vec::new(),
             kurtosis: None,
+            wander: None,
             window_bias: None,
             accepted: None,
         }

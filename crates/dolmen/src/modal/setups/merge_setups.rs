@@ -209,6 +209,7 @@ mod tests {
             cycles: 600.0 * m.frequency_hz,
             orders: vec![8],
             kurtosis: None,
+            wander: None,
             window_bias: None,
             accepted: None,
         };

@@ -179,6 +179,7 @@ impl Growing {
             cycles: self.members.iter().map(|m| m.cycles).sum(),
             orders: first.orders.clone(),
             kurtosis: first.kurtosis,
+            wander: first.wander,
             window_bias: first.window_bias,
             accepted: self.members.iter().find_map(|m| m.accepted),
         };

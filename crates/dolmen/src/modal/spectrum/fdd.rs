@@ -8,10 +8,10 @@
 
 use crate::modal::correlations::{Correlations, correlate};
 use crate::modal::error::refused;
-use crate::modal::indicators::{normalized, phase_collinearity};
+use crate::modal::indicators::{largest, normalized, phase_collinearity};
 use crate::modal::{Method, ModalError, Mode, Modes};
 use crate::signal::Record;
-use dolmen_linalg::{Complex64, ComplexMatrix, Matrix, hermitian_eigen};
+use dolmen_linalg::{Complex64, ComplexMatrix, HermitianEigen, Matrix, hermitian_eigen};
 use realfft::RealFftPlanner;
 use std::ops::Range;
 
@@ -21,6 +21,8 @@ const LINES_MOST: usize = 16_384;
 const LINES_LEAST: usize = 64;
 /// Samples over lines: fewer parts to average, and the peaks of noise pass for modes.
 const PARTS_LEAST: usize = 16;
+/// Independent parts that Parzen's window averages, times lags over samples (Priestley 1981, table 6.2: 3.71 degrees of freedom).
+const PARZEN_PARTS: f64 = 1.855;
 /// Lines from zero frequency that the removed mean and the lag window spoil.
 const LINES_SPOILT: usize = 4;
 
@@ -70,8 +72,17 @@ pub struct FddResult {
     pub modes: Modes,
     /// What was looked at.
     pub spectrum: SingularSpectrum,
-    /// Re S over its trace at each peak, with its frequency, Hz.
-    pub(super) at_peaks: Vec<(f64, Matrix)>,
+    pub(super) at_peaks: Vec<AtPeak>,
+}
+
+/// What the spectral matrix says at one peak.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct AtPeak {
+    pub(super) frequency_hz: f64,
+    /// Re S over its trace.
+    real: Matrix,
+    /// Standard deviation of each component of the shape across its direction.
+    shape_sd: Vec<f64>,
 }
 
 impl FddResult {
@@ -80,12 +91,25 @@ impl FddResult {
         let l = self.modes.channels.len();
         let mode = |f: f64| self.modes.modes.iter().any(|m| m.frequency_hz == f);
         let mut seen = Matrix::zeros(l, l);
-        for (_, of_peak) in self.at_peaks.iter().filter(|(f, _)| mode(*f)) {
-            for (sum, x) in seen.as_mut_slice().iter_mut().zip(of_peak.as_slice()) {
+        for at in self.at_peaks.iter().filter(|at| mode(at.frequency_hz)) {
+            for (sum, x) in seen.as_mut_slice().iter_mut().zip(at.real.as_slice()) {
                 *sum += x;
             }
         }
         seen
+    }
+
+    /// The peaks that are still modes, each with the deviations of its shape.
+    pub(crate) fn with_deviations(&self) -> Modes {
+        let mut all = self.modes.clone();
+        for mode in &mut all.modes {
+            let mut here = self
+                .at_peaks
+                .iter()
+                .filter(|at| at.frequency_hz == mode.frequency_hz);
+            mode.shape_sd = here.next().map(|at| at.shape_sd.clone());
+        }
+        all
     }
 }
 
@@ -155,13 +179,18 @@ pub(crate) fn peaks_of(
     let peaks = peaks(&level, first..last.min(lines), options.prominence_db);
     let mut modes = Vec::with_capacity(peaks.len());
     let mut at_peaks = Vec::with_capacity(peaks.len());
+    let parts = PARZEN_PARTS * record.length() as f64 / lines as f64;
     for peak in &peaks {
         let s = matrices.at(peak.line);
         let e = hermitian_eigen(&s)?;
         let shape = normalized(e.vectors.column(l - 1));
         let frequency_hz = (peak.line as f64 + peak.offset) * step_hz;
         let share = 1.0 / (0..l).map(|c| s[(c, c)].re).sum::<f64>();
-        at_peaks.push((frequency_hz, Matrix::from_fn(l, l, |i, j| share * s[(i, j)].re)));
+        at_peaks.push(AtPeak {
+            frequency_hz,
+            real: Matrix::from_fn(l, l, |i, j| share * s[(i, j)].re),
+            shape_sd: shape_sd(&e, parts),
+        });
         modes.push(Mode {
             frequency_hz,
             frequency_sd_hz: None,
@@ -174,6 +203,7 @@ pub(crate) fn peaks_of(
             cycles: frequency_hz * record.duration_s(),
             orders: Vec::new(),
             kurtosis: None,
+            wander: None,
             window_bias: None,
             accepted: None,
         });
@@ -197,6 +227,33 @@ pub(crate) fn peaks_of(
         },
         at_peaks,
     })
+}
+
+/// Deviation of each component of the first singular vector of a matrix averaged over so many parts, its largest component 1, in one direction
+/// of the complex plane.
+///
+/// ```text
+/// var u₁(c) = Σ_(k > 1) |u_k(c)|² s₁ s_k / ((s₁ − s_k)² ν)
+/// ```
+///
+/// # Source
+/// Brillinger (1981) Time Series, theorem 9.2.4 with 9.4.4: eigenvectors of an averaged spectral matrix.
+fn shape_sd(e: &HermitianEigen, parts: f64) -> Vec<f64> {
+    let l = e.values.len();
+    let (strongest, first) = (e.values[l - 1], e.vectors.column(l - 1));
+    let variance = |c: usize| -> f64 {
+        let each = (0..l - 1).map(|k| {
+            let s = e.values[k].max(0.0);
+            e.vectors.column(k)[c].norm_sqr() * strongest * s / ((strongest - s).powi(2) * parts)
+        });
+        each.sum()
+    };
+    let Some(most) = largest(first) else {
+        return vec![f64::INFINITY; l];
+    };
+    let size = first[most].norm_sqr();
+    let of = |c: usize| (variance(c) + first[c].norm_sqr() / size * variance(most)) / size;
+    (0..l).map(|c| (0.5 * of(c)).sqrt()).collect()
 }
 
 /// Lower triangle of S at every line, one pair of channels after the other.

@@ -1,0 +1,92 @@
+//! What notes tell of: tones, machines on modes, channels whose clock is late.
+
+use super::Kurtosis;
+
+/// A peak of the spectrum that a machine makes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tone {
+    /// Its frequency, Hz.
+    pub frequency_hz: f64,
+    /// Its width 3 dB below the top, Hz.
+    pub width_hz: f64,
+    /// How steady it is; `None` where the record is too short to tell.
+    pub kurtosis: Option<Kurtosis>,
+}
+
+/// A machine that runs on a mode.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ToneOnMode {
+    /// Its frequency, Hz.
+    pub frequency_hz: f64,
+    /// The mode or peak that it stands on, Hz.
+    pub mode_hz: f64,
+    /// Its power over that of the mode, –.
+    pub strength: f64,
+}
+
+impl std::fmt::Display for ToneOnMode {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let ToneOnMode {
+            frequency_hz,
+            mode_hz,
+            strength,
+        } = self;
+        write!(
+            f,
+            "{frequency_hz:.4} Hz ({strength:.2} of the power of the mode at {mode_hz:.3} Hz)"
+        )
+    }
+}
+
+impl std::fmt::Display for Tone {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{:.3} Hz (width {:.3} Hz", self.frequency_hz, self.width_hz)?;
+        if let Some(k) = self.kurtosis {
+            write!(f, ", {k}")?;
+        }
+        write!(f, ")")
+    }
+}
+
+impl std::fmt::Display for Kurtosis {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "kurtosis {:.2}", self.kurtosis)?;
+        if self.share < 1.0 {
+            let percent = 100.0 * self.share;
+            write!(f, " in the {percent:.0} % of the record in which it runs")?;
+        }
+        Ok(())
+    }
+}
+
+/// A channel whose clock is late by the same time throughout.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LateClock {
+    /// Its name.
+    pub channel: String,
+    /// What it is late against the channels that agree, s; negative: early.
+    pub delay_s: f64,
+    /// Standard deviation of that, s.
+    pub sd_s: f64,
+    /// The next larger delay that explains the phases as well, s, if there is one.
+    pub or_s: Option<f64>,
+    /// Modes whose phases tell it.
+    pub modes: usize,
+}
+
+impl std::fmt::Display for LateClock {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let LateClock {
+            channel, sd_s, modes, ..
+        } = self;
+        write!(
+            f,
+            "\"{channel}\" by {:+.4} ± {sd_s:.4} s, from {modes} modes",
+            self.delay_s
+        )?;
+        match self.or_s {
+            Some(or_s) => write!(f, " ({or_s:+.4} s would explain them too)"),
+            None => Ok(()),
+        }
+    }
+}
