@@ -17,7 +17,7 @@ use dolmen_report::files::{simulate_answer_value, simulation_files};
 use dolmen_report::simulation_headline_text;
 use dolmen_report::text::{
     TextStyle, building_simulation_text, chain_simulation_text, frame_simulation_text,
-    simulation_inputs_text, simulation_text, wind_simulation_text,
+    simulation_inputs_text, simulation_text, supports_text,
 };
 use dolmen_work::judgement::{Verb, judge_simulation};
 use dolmen_work::simulation::Simulation;
@@ -28,12 +28,13 @@ pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<O
     typed.refuse_foreign(FlagVerb::Simulate, &[&found.opened.project])?;
     refuse_without_wind(options, typed, &found)?;
     let how = request::simulation(options, manner)?;
-    // a push needs no motion, and then nothing is there to be changed
+    let prepared = prepare(&found.opened, &how, &found.files)?;
+    // pushed, or on supports that move: without a motion nothing is there to be changed
     let motion = &how.motion;
-    if how.push.is_some() && !motion.is_given() && (motion.is_changed() || motion.of_files().is_some()) {
+    let is_moved = how.push.is_some() || prepared.moves_supports();
+    if is_moved && prepared.motion().is_none() && (motion.is_changed() || motion.of_files().is_some()) {
         return Err(CommandError::NoMotionToChange.into());
     }
-    let prepared = prepare(&found.opened, &how, &found.files)?;
     if !manner.json {
         let variant = options.variant.as_deref();
         let file = &found.opened.file;
@@ -72,7 +73,7 @@ pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<O
         if !manner.quiet {
             let folder = folder.display().to_string();
             let written = match answer.simulations.first() {
-                Some(Simulation::Stack(_)) => Noted::HistoriesAndFilm { folder },
+                Some(Simulation::Stack(_) | Simulation::Supports(_)) => Noted::HistoriesAndFilm { folder },
                 _ => Noted::Histories { folder },
             };
             note!("{}", written.text(manner));
@@ -101,6 +102,7 @@ fn text_of(simulation: &Simulation, style: TextStyle) -> String {
         Simulation::Chain(run) => chain_simulation_text(run, style),
         Simulation::Frame(run) => frame_simulation_text(run, style),
         Simulation::Stack(run) => simulation_text(run, style),
+        Simulation::Supports(run) => supports_text(run, style),
         Simulation::Building(run) => building_simulation_text(run, style),
         Simulation::Wind(run) => wind_simulation_text(run, style),
     }

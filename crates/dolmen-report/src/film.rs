@@ -4,12 +4,16 @@
 //! the turn of the block in the frame of the ground, so that the ground stands still.
 
 use crate::gltf::{ARRAY_BUFFER, Buffer, dull, upright};
-use dolmen::structure::stack::{Block, Solid};
-use dolmen_work::stack::StackSimulation;
+use dolmen::blocks::StackHistory;
+use dolmen::structure::stack::{Block, Solid, Stack};
+use dolmen_work::stack::{StackSimulation, SupportsRun, SupportsSimulation};
 use serde_json::{Value, json};
 
 /// Time between keyframes, s: 50 a second, between which viewers go straight. Chosen here.
 pub const FILM_STEP_S: f64 = 0.02;
+
+/// Name of the scene of supports that move.
+const SUPPORTS: &str = "supports move";
 
 /// Colours of stones in turn, linear light: near to each other, so that the eye tells stones apart without a meaning.
 const STONES: [[f64; 4]; 3] = [
@@ -92,15 +96,25 @@ fn keyframes(time_s: &[f64]) -> Vec<usize> {
 /// Numbers are of single precision, as glTF wants them: a place is exact to about 1e-7 of the stack's size. Of stones that are
 /// not convex the hull is shown, and openings are not.
 pub fn stack_film(simulation: &StackSimulation) -> Vec<u8> {
-    let blocks = simulation.stack.blocks();
-    let history = &simulation.history;
+    let scene = [simulation.name.english(), simulation.motion.motion.name()];
+    film_of(scene, &simulation.stack, &simulation.history)
+}
+
+/// The film of a stack whose supports move, by one of its runs.
+pub(crate) fn supports_film(of: &SupportsSimulation, run: &SupportsRun) -> Vec<u8> {
+    let scene = [of.name.english(), SUPPORTS];
+    film_of(scene, &of.stack, &run.moved.history)
+}
+
+fn film_of([name, scene]: [&str; 2], stack: &Stack, history: &StackHistory) -> Vec<u8> {
+    let blocks = stack.blocks();
     let samples = keyframes(&history.time_s);
     let mut film = Buffer::default();
     let mut meshes = vec![mesh(&mut film, "ground", &ground(blocks), STONES.len())];
     let mut nodes = vec![
         // z up to y up: a quarter turn about −x
         json!({
-            "name": simulation.name.english(), "rotation": upright(),
+            "name": name, "rotation": upright(),
             "children": (1..blocks.len() + 2).collect::<Vec<_>>(),
         }),
         json!({ "name": "ground", "mesh": 0 }),
@@ -146,8 +160,8 @@ pub fn stack_film(simulation: &StackSimulation) -> Vec<u8> {
     let colours = STONES.iter().chain([&EARTH]);
     let materials: Vec<Value> = colours.map(|colour| dull(*colour)).collect();
     film.file(json!({
-        "scene": 0, "scenes": [{ "name": simulation.motion.motion.name(), "nodes": [0] }],
+        "scene": 0, "scenes": [{ "name": scene, "nodes": [0] }],
         "nodes": nodes, "meshes": meshes, "materials": materials,
-        "animations": [{ "name": simulation.motion.motion.name(), "channels": channels, "samplers": samplers }],
+        "animations": [{ "name": scene, "channels": channels, "samplers": samplers }],
     }))
 }

@@ -8,7 +8,7 @@ use crate::photos::Photos;
 use crate::portfolio::PortfolioAnswer;
 use crate::score::ScoreAnswer;
 use crate::simulation::{SimulateAnswer, Simulation};
-use crate::stack::{StackRuns, StackSimulation};
+use crate::stack::{StackRuns, StackSimulation, SupportsSimulation};
 use crate::state::{SensitivityOf, State, VariantAnswer};
 use crate::study::{LeftOutStudy, StudyAnswer};
 use crate::surveyed::SurveyAnswer;
@@ -181,6 +181,14 @@ impl ProjectReport {
     /// The stack as it is under the motion; `None` if none was asked for, or it does not stand.
     pub fn stack_simulation(&self) -> Option<&StackSimulation> {
         self.stack_simulations().find(|run| run.variant.is_none())
+    }
+
+    /// Those of stacks whose supports move.
+    pub fn moved_supports(&self) -> impl Iterator<Item = &SupportsSimulation> {
+        self.simulations().filter_map(|run| match run {
+            Simulation::Supports(run) => Some(&**run),
+            _ => None,
+        })
     }
 
     /// Those of frames, one a direction.

@@ -200,6 +200,8 @@ pub enum WorkError {
     },
     /// What is no chain is pushed.
     PushOfOther,
+    /// The sliding model has no supports that move.
+    SlidingOfSupports,
     /// A chain is pushed too far.
     PushTooLarge {
         /// The push, rad.

@@ -13,6 +13,7 @@ use crate::motion::{MotionRequest, prepared};
 use crate::opened::Opened;
 use crate::photos::photos;
 use crate::progress::Progress;
+use crate::simulate::{SimulateOptions, moves_supports, prepare};
 use crate::simulation::SimulateAnswer;
 use crate::study::{StudyJournals, studies_run};
 use crate::version::Version;
@@ -71,6 +72,8 @@ pub fn report(
     if is_shaken {
         let simulated = simulated(opened, &checked, &options.motion, files, progress)?;
         answers.push(Answer::Simulate(simulated));
+    } else if let Some(moved) = supports_moved(opened, files, progress)? {
+        answers.push(Answer::Simulate(moved));
     }
     answers.push(Answer::Tune(tune::of_report(opened, files)?));
     let (studies, left_out) = studies_run(opened, options.journals, files, progress);
@@ -90,6 +93,23 @@ pub fn report(
         photos,
         fingerprint: fingerprint(opened.text.as_bytes()),
     })
+}
+
+/// The stack as it is on supports that move slowly, where the file has them and no motion.
+fn supports_moved(
+    opened: &Opened,
+    files: &dyn Files,
+    progress: &dyn Progress,
+) -> Result<Option<SimulateAnswer>, WorkError> {
+    let options = SimulateOptions::default();
+    if !moves_supports(&opened.project) {
+        return Ok(None);
+    }
+    let moved = SimulateAnswer {
+        evidence: Evidence::none(), // of the check
+        ..prepare(opened, &options, files)?.run(progress)?
+    };
+    Ok(moved.does_not_stand.is_none().then_some(moved))
 }
 
 /// Every version that can be simulated, as it is and in its variants; where a stack does not stand as it is, none of its versions.

@@ -1,4 +1,4 @@
-//! `dolmen simulate`: a structure under a ground motion, or pushed.
+//! `dolmen simulate`: a structure under a ground motion, pushed, or on supports that move.
 
 use crate::building::simulate::BuildingOptions;
 use crate::building::wind_history::{WindOptions, simulate_wind};
@@ -12,7 +12,8 @@ use crate::loads::Governing;
 use crate::motion::{MotionAnswer, MotionRequest, prepared};
 use crate::opened::Opened;
 use crate::progress::Progress;
-use crate::simulation::{SimulateAnswer, Simulation, WithoutShaking};
+use crate::simulation::{SimulateAnswer, Simulation};
+use crate::stack::moving_supports::{Supported, supports};
 use crate::stack::simulate::{Shaken, StackOptions};
 use crate::stack::{Law, Repeating};
 use crate::version::Version;
@@ -114,17 +115,8 @@ pub fn prepare<'a>(
     if options.push.is_some() && !is_chain {
         return Err(WorkError::PushOfOther);
     }
-    if options.wind.is_some() {
-        let motion = &options.motion;
-        if motion.is_given() || motion.is_changed() || motion.of_files().is_some() {
-            return Err(WorkError::WindAndMotion);
-        }
-        if version.project.loads.wind().is_none() {
-            return Err(WorkError::NoWindGiven);
-        }
-    }
-    let stays_still = options.wind.is_some() || is_chain && !options.motion.is_given();
-    let motion = match stays_still {
+    let needs_none = is_chain || moves_supports(version.project);
+    let motion = match needs_none && !options.motion.is_given() {
         true => None,
         false => Some(prepared(&options.motion, (version.project, files))?),
     };
@@ -133,6 +125,14 @@ pub fn prepare<'a>(
         motion,
         options,
     })
+}
+
+/// Whether what moves a stack is its supports: the file has them, and no motion.
+pub(crate) fn moves_supports(project: &Project) -> bool {
+    let Structure::Stack(part) = &project.structure else {
+        return false;
+    };
+    !part.support_movement.is_empty() && project.motions.is_empty()
 }
 
 /// What the surveys of a project say of its model as it is.
@@ -174,15 +174,33 @@ fn without_shaking(project: &Project) -> Result<Option<WithoutShaking>, WorkErro
     }))
 }
 
+fn stack_options(options: &SimulateOptions) -> StackOptions {
+    StackOptions {
+        law: options.law,
+        contact_rule: options.contact_rule,
+        step_s: options.step_s,
+        duration_s: options.duration_s,
+        output_step_s: options.output_step_s,
+        to_the_end: options.to_the_end,
+        however_long: options.however_long,
+        repeats: options.repeats,
+    }
+}
+
 impl PreparedSimulation<'_> {
     /// The project, or its variant.
     pub fn project(&self) -> &Project {
         self.version.project
     }
 
-    /// The motion that acts; `None` for a chain that is pushed.
+    /// The motion that acts; `None` for a chain that is pushed, and for a stack whose supports move.
     pub fn motion(&self) -> Option<&MotionAnswer> {
         self.motion.as_ref()
+    }
+
+    /// Whether the supports of a stack move instead.
+    pub fn moves_supports(&self) -> bool {
+        self.motion.is_none() && moves_supports(self.version.project)
     }
 
     /// The run.
@@ -218,20 +236,12 @@ impl PreparedSimulation<'_> {
                 let run = chain::simulate::simulate(&version, part, motion, &how, progress)?;
                 answer.simulations.push(Simulation::Chain(Box::new(run)));
             }
-            (Structure::Building(part), None) if options.wind.is_some() => {
-                let asked = options.wind.unwrap_or(WindAsked {
-                    seed: 1,
-                    repeats: None,
-                });
-                let how = WindOptions {
-                    duration_s: options.duration_s,
-                    step_s: options.step_s,
-                    seed: asked.seed,
-                    repeats: asked.repeats,
-                };
-                let run = simulate_wind(&version, part, &how)?;
-                let run = run.ok_or(WorkError::BuildingFalls)?;
-                answer.simulations.push(Simulation::Wind(Box::new(run)));
+            (Structure::Stack(part), None) => {
+                let how = stack_options(options);
+                match supports(&version, part, &how, progress)? {
+                    Supported::Moved(run) => answer.simulations.push(Simulation::Supports(run)),
+                    Supported::DoesNotStand(why) => answer.does_not_stand = Some(why),
+                }
             }
             (_, None) => return Err(WorkError::NoMotionPrepared),
             (Structure::Frame(part), Some(motion)) => {
@@ -245,16 +255,7 @@ impl PreparedSimulation<'_> {
                 answer.simulations.extend(runs);
             }
             (Structure::Stack(part), Some(motion)) => {
-                let how = StackOptions {
-                    law: options.law,
-                    contact_rule: options.contact_rule,
-                    step_s: options.step_s,
-                    duration_s: options.duration_s,
-                    output_step_s: options.output_step_s,
-                    to_the_end: options.to_the_end,
-                    however_long: options.however_long,
-                    repeats: options.repeats,
-                };
+                let how = stack_options(options);
                 match stack::simulate::simulate(&version, part, motion, &how, progress)? {
                     Shaken::Simulated(run) => answer.simulations.push(Simulation::Stack(run)),
                     Shaken::DoesNotStand(why) => answer.does_not_stand = Some(why),

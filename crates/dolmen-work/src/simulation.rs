@@ -3,9 +3,8 @@
 use crate::building::{BuildingSimulation, WindSimulation};
 use crate::chain::ChainSimulation;
 use crate::frame::FrameSimulation;
-use crate::judgement::{Evidence, Weight};
-use crate::loads::Governing;
-use crate::stack::StackRuns;
+use crate::judgement::Evidence;
+use crate::stack::{StackRuns, SupportsSimulation};
 use dolmen::stability::stack::Standing;
 
 /// A simulation of a structure of any kind, with what went in.
@@ -17,6 +16,8 @@ pub enum Simulation {
     Frame(Box<FrameSimulation>),
     /// Of a stack, by one law of contact or both.
     Stack(Box<StackRuns>),
+    /// Of a stack whose supports move slowly.
+    Supports(Box<SupportsSimulation>),
     /// Of a building.
     Building(Box<BuildingSimulation>),
     /// Of a building in the wind of its file.
@@ -30,6 +31,7 @@ impl Simulation {
             Simulation::Chain(of) => of.variant.as_deref(),
             Simulation::Frame(of) => of.variant.as_deref(),
             Simulation::Stack(of) => of.deciding.variant.as_deref(),
+            Simulation::Supports(of) => of.variant.as_deref(),
             Simulation::Building(of) => of.variant.as_deref(),
             Simulation::Wind(of) => of.variant.as_deref(),
         }

@@ -80,6 +80,14 @@ messages! {
         GoalRatio => { en: "Goal over that without a damper", ko: "목표값의 비제어 대비 비" },
         FactorOnSprings => { en: "Factor on the springs of the file (–)", ko: "파일의 접합부 강성에 대한 배율 (–)" },
         FirstMotion => { en: "Horizontal acceleration of first motion (g)", ko: "거동 시작 수평가속도 (g)" },
+        SupportMovement => { en: "Movement of the supports (mm)", ko: "지점 변위 (mm)" },
+        StoneDisplacement => { en: "Displacement of the stone (mm)", ko: "부재의 변위 (mm)" },
+        StoneSprings => { en: "Displacement of the stone, springs (mm)", ko: "부재의 변위, 접촉 스프링 (mm)" },
+        StoneRigid => { en: "Displacement of the stone, rigid (mm)", ko: "부재의 변위, 강체 접촉 (mm)" },
+        MovementGiven => { en: "movement given", ko: "주어진 변위" },
+        LimitAnalysis => { en: "limit analysis: falls", ko: "극한 해석의 붕괴 변위" },
+        LawSprings => { en: "springs", ko: "접촉 스프링" },
+        LawRigid => { en: "rigid joints", ko: "강체 접촉" },
         Logarithmic { name: String } => { en: "{name}, log scale", ko: "{name}, 로그 눈금" },
     }
 }
@@ -91,6 +99,7 @@ messages! {
         VariantsCompared => { en: "Variants compared", ko: "대안 비교" },
         PlanModes => { en: "How the floor moves in each mode", ko: "모드별 바닥의 움직임" },
         PlanWithTheCentresOfTheModes => { en: "Plan with the centres of the modes", ko: "모드 중심을 표시한 평면도" },
+        SupportsInTime => { en: "A stone while the supports move", ko: "지점이 움직이는 동안의 부재 변위" },
         AccelerationOfTheGround => { en: "Acceleration of the ground", ko: "지반 가속도" },
         RotationOfTheTopFloor => { en: "Rotation of the top floor", ko: "최상층의 회전" },
         BaseShear => { en: "Base shear", ko: "밑면전단력" },

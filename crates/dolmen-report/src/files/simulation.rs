@@ -2,22 +2,22 @@
 
 use super::named::NamedFile;
 use super::paraview::paraview;
-use crate::figures::{self, building_histories, chain_histories, frame_histories, wind_histories};
-use crate::film::stack_film;
+use crate::figures::{self, building_histories, chain_histories, frame_histories};
+use crate::film::{stack_film, supports_film};
 use crate::json::{
     building_simulation_json, chain_simulation_json, frame_simulation_json, judgement, simulation_json,
-    stack_runs_json, wind_simulation_json,
+    stack_runs_json, supports_json,
 };
 use crate::tables::{
     building_histories_csv, building_peaks_csv, chain_energy_csv, chain_histories_csv, chain_slips_csv,
     chain_uplifts_csv, energy_csv, frame_energy_csv, frame_histories_csv, frame_slips_csv, joints_csv,
-    poses_csv, wind_histories_csv, wind_peaks_csv,
+    poses_csv, supports_csv,
 };
 use dolmen_records::meshes::{PoseError, stack_3dec, stack_json, stack_obj};
 use dolmen_words::Language;
 use dolmen_work::judgement::{judge_run, judge_simulation};
 use dolmen_work::simulation::{SimulateAnswer, Simulation};
-use dolmen_work::stack::{StackRuns, StackSimulation};
+use dolmen_work::stack::{StackRuns, StackSimulation, SupportsSimulation};
 use serde_json::{Value, json};
 
 /// What came of `dolmen simulate` as JSON: of a frame each direction, and one judgement of all.
@@ -43,6 +43,7 @@ pub(crate) fn simulation_value(simulation: &Simulation, of: &SimulateAnswer) -> 
         Simulation::Chain(run) => chain_simulation_json(run),
         Simulation::Frame(run) => frame_simulation_json(run),
         Simulation::Stack(runs) => stack_runs_json(runs),
+        Simulation::Supports(run) => supports_json(run),
         Simulation::Building(run) => building_simulation_json(run),
         Simulation::Wind(run) => wind_simulation_json(run),
     };
@@ -81,6 +82,10 @@ pub fn simulation_files(
             files.extend(other_law(runs, language)?);
             figures::stack_histories(&runs.deciding, language)
         }
+        Simulation::Supports(of) => {
+            files.extend(supports(of, language));
+            Vec::new()
+        }
         Simulation::Building(run) => {
             put("histories.csv", building_histories_csv(run));
             put("peaks.csv", building_peaks_csv(run));
@@ -98,8 +103,26 @@ pub fn simulation_files(
             let within = |file: NamedFile| file.within(&run.direction);
             files.into_iter().map(within).collect()
         }
-        Simulation::Chain(_) | Simulation::Stack(_) | Simulation::Building(_) | Simulation::Wind(_) => files,
+        Simulation::Chain(_) | Simulation::Stack(_) | Simulation::Supports(_) | Simulation::Building(_) => {
+            files
+        }
     })
+}
+
+/// Supports that move: the figure, and each run in a folder of its law.
+fn supports(of: &SupportsSimulation, language: Language) -> Vec<NamedFile> {
+    let mut files = vec![NamedFile::svg(
+        "supports",
+        &figures::supports_in_time(of, language),
+    )];
+    for run in &of.runs {
+        let own = [
+            NamedFile::new("poses.csv", supports_csv(of, run)),
+            NamedFile::new("film.glb", supports_film(of, run)),
+        ];
+        files.extend(own.map(|file| file.within(run.law.name())));
+    }
+    files
 }
 
 /// The run of the law that does not decide, in a folder of its name.

@@ -4,8 +4,9 @@ use super::judgement::judgement;
 use super::stack::lean;
 use super::with::with;
 use crate::stack_simulation::points_a_side;
-use dolmen::blocks::{Outcome, SlidingOutcome};
+use dolmen::blocks::{Outcome, SlidingOutcome, StackHistory};
 use dolmen::signal::Component;
+use dolmen::structure::stack::{Body, Stack};
 use dolmen_work::judgement::judge_stack_run;
 use dolmen_work::motion::MotionAnswer;
 use dolmen_work::stack::{LeftOut, Repeat, Repeats, SlidingMode, SlidingRun, StackRuns, StackSimulation};
@@ -170,11 +171,20 @@ fn outcome(simulation: &StackSimulation) -> Value {
 }
 
 fn ending(simulation: &StackSimulation) -> Value {
-    let name = |block: usize| simulation.stack.blocks().get(block).map(|b| b.name.as_str());
-    match simulation.history.outcome {
+    outcome_of(&simulation.stack, &simulation.history)
+}
+
+/// How a run ended.
+pub(super) fn outcome_of(stack: &Stack, history: &StackHistory) -> Value {
+    let name = |block: usize| stack.blocks().get(block).map(|b| b.name.as_str());
+    let joint_names = |joint: usize| match stack.joints().get(joint) {
+        Some(joint) => [stack.name(Body::Block(joint.upper)), stack.name(joint.lower)],
+        None => ["", ""],
+    };
+    match history.outcome {
         Outcome::Stood => json!({ "kind": "stood" }),
         Outcome::Uplifted { joint, at_s } => {
-            let [upper, lower] = simulation.joint_names(joint);
+            let [upper, lower] = joint_names(joint);
             json!({ "kind": "uplifted", "joint": joint, "upper": upper, "lower": lower, "at_s": at_s })
         }
         Outcome::Slid {
@@ -183,7 +193,7 @@ fn ending(simulation: &StackSimulation) -> Value {
             margin_ratio,
         } => json!({ "kind": "slid", "block": name(block), "slip_m": slip_m, "margin_ratio": margin_ratio }),
         Outcome::Fell { block, joint, at_s } => {
-            let [upper, lower] = simulation.joint_names(joint);
+            let [upper, lower] = joint_names(joint);
             json!({ "kind": "fell", "block": name(block), "joint": joint, "upper": upper, "lower": lower, "at_s": at_s })
         }
         Outcome::StillMoving {

@@ -70,7 +70,7 @@ fn settle_run(of: &SettleRun) -> Value {
 }
 
 /// What becomes of it while its supports move.
-fn supports(stack: &Stack, supports: &MovedSupports) -> Value {
+pub(super) fn supports(stack: &Stack, supports: &MovedSupports) -> Value {
     let (kind, falls_by_factor) = match supports.ending {
         MovementEnding::Falls { by_factor } => ("falls", Some(by_factor)),
         MovementEnding::Stands => ("stands", None),

@@ -16,6 +16,7 @@ mod words;
 pub(crate) use findings::findings;
 pub(crate) use lean::lean;
 pub(crate) use mechanism::{joint_rows, joints_moving, moving_columns};
+pub(crate) use supports::movements;
 pub(crate) use variants::comparison;
 pub(crate) use verdict::{banner, thresholds};
 pub(crate) use words::direction;

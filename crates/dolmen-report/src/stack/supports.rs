@@ -160,7 +160,7 @@ fn millimetres(length_m: f64) -> Quantity {
 }
 
 /// "the ground under right abutment moves 30 mm towards +x, 10 mm down; …".
-fn movements(stack: &Stack) -> Sentence {
+pub(crate) fn movements(stack: &Stack) -> Sentence {
     let each = stack.support_movements().iter().map(|movement| -> Sentence {
         let [x, y, z] = movement.movement_m;
         let level = |value: f64, plus: &str, minus: &str| {

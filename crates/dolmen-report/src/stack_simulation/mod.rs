@@ -6,10 +6,13 @@ mod laws;
 mod repeats;
 mod run;
 mod sliding;
+mod supports;
 mod tables;
 
 pub(crate) use findings::findings;
 pub(crate) use run::points_a_side;
+pub use supports::supports_text;
+pub(crate) use supports::{findings as supports_findings, sections as supports_sections};
 
 use crate::document::{Block, Document, Figure, TextStyle, Tone, document_text, findings_text};
 use crate::figures::{StackPlot, stack_after};
@@ -48,12 +51,13 @@ messages! {
 }
 
 /// The sentences on simulated stacks as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 7] = [
+pub(crate) const TEMPLATES: [&[Template]; 8] = [
     ending::Ending::TEMPLATES,
     laws::Laws::TEMPLATES,
     repeats::Repeated::TEMPLATES,
     Shown::TEMPLATES,
     sliding::Slid::TEMPLATES,
+    supports::InTime::TEMPLATES,
     tables::Tables::TEMPLATES,
     run::Run::TEMPLATES,
 ];

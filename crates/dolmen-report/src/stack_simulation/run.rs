@@ -2,7 +2,8 @@
 
 use crate::document::{Block, Cell, Document};
 use crate::simulated::{milli, seconds};
-use dolmen::blocks::{ContactLaw, ContactRule, RigidEvidence};
+use dolmen::blocks::{ContactLaw, ContactRule, RigidEvidence, StackHistory};
+use dolmen::structure::stack::Stack;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::stack::StackSimulation;
 
@@ -86,9 +87,14 @@ messages! {
 
 /// That contacts made too much energy, if they did.
 pub(super) fn made_too_much(simulation: &StackSimulation) -> Option<Run> {
-    let made = simulation.history.energy_made_ratio();
-    let weight_n = simulation.stack.mass_kg() * simulation.stack.gravity_m_s2();
-    let is_tiny = simulation.history.energy_made_j <= weight_n * LIFT_LEAST_M;
+    made_in(&simulation.stack, &simulation.history)
+}
+
+/// The same of any run of a stack.
+pub(super) fn made_in(stack: &Stack, history: &StackHistory) -> Option<Run> {
+    let made = history.energy_made_ratio();
+    let weight_n = stack.mass_kg() * stack.gravity_m_s2();
+    let is_tiny = history.energy_made_j <= weight_n * LIFT_LEAST_M;
     (made > ENERGY_MADE_MOST && !is_tiny).then(|| Run::MadeTooMuch {
         made: Quantity::percent(made, 2),
         limit: Quantity::new(ENERGY_MADE_MOST, Unit::percent(), Digits::Trimmed(2)),

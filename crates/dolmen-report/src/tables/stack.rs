@@ -1,6 +1,8 @@
 //! Histories as CSV: one row a sample, SI units in the heads.
 
-use dolmen_work::stack::StackSimulation;
+use dolmen::blocks::StackHistory;
+use dolmen::structure::stack::Stack;
+use dolmen_work::stack::{StackSimulation, SupportsRun, SupportsSimulation};
 use std::fmt::Write as _;
 
 /// A name that may hold anything, as one field of CSV.
@@ -41,9 +43,12 @@ pub fn joints_csv(simulation: &StackSimulation) -> String {
 
 /// Place and turn of each block in time, in the frame of the ground.
 pub fn poses_csv(simulation: &StackSimulation) -> String {
-    let history = &simulation.history;
+    poses_of(&simulation.stack, &simulation.history)
+}
+
+fn poses_of(stack: &Stack, history: &StackHistory) -> String {
     let mut out = String::from("time_s");
-    for block in simulation.stack.blocks() {
+    for block in stack.blocks() {
         for what in ["x_m", "y_m", "z_m", "qw", "qx", "qy", "qz"] {
             let _ = write!(out, ",{}", field(&format!("{}: {what}", block.name)));
         }
@@ -51,12 +56,33 @@ pub fn poses_csv(simulation: &StackSimulation) -> String {
     out.push('\n');
     for (sample, time_s) in history.time_s.iter().enumerate() {
         let _ = write!(out, "{time_s}");
-        for pose in simulation.poses(sample) {
+        for block in 0..history.blocks {
+            let pose = history.pose(sample, block);
             for value in pose.centroid_m.iter().chain(&pose.rotation) {
                 let _ = write!(out, ",{value}");
             }
         }
         out.push('\n');
+    }
+    out
+}
+
+/// How far the supports have moved in time: the factor on the movements, and the way of the one that moves farthest; then place and turn of each block.
+pub(crate) fn supports_csv(of: &SupportsSimulation, run: &SupportsRun) -> String {
+    let rows = poses_of(&of.stack, &run.moved.history);
+    let mut out = String::new();
+    for (line, row) in rows.lines().enumerate() {
+        match line
+            .checked_sub(1)
+            .and_then(|sample| run.moved.history.time_s.get(sample))
+        {
+            None => out += "factor,support_movement_m",
+            Some(time_s) => {
+                let factor = run.moved.slow.ground.factor_at(*time_s);
+                let _ = write!(out, "{factor},{}", of.length_m(factor));
+            }
+        }
+        let _ = writeln!(out, ",{row}");
     }
     out
 }

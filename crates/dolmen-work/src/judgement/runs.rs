@@ -27,6 +27,8 @@ enum Ending {
 pub(super) fn of_simulation(run: &Simulation) -> (Vec<EarthquakeFinding>, bool) {
     match run {
         Simulation::Stack(runs) => of_stack_runs(runs),
+        // supports that move are no earthquake
+        Simulation::Supports(run) => (Vec::new(), run.is_whole()),
         Simulation::Frame(run) => (of_frame(run), run.falls() || run.is_whole()),
         Simulation::Chain(run) => (of_chain(run), run.falls() || run.is_whole()),
         Simulation::Building(run) => (of_building(run), run.ended_before_the_motion_s().is_none()),

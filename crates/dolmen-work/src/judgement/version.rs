@@ -217,7 +217,8 @@ pub(super) fn leaning(run: &Simulation) -> Option<Leaning> {
             survey: lean.survey.clone(),
             tilt: lean.written.clone(),
         }),
-        Simulation::Frame(_) | Simulation::Building(_) | Simulation::Wind(_) => None,
+        Simulation::Supports(run) => run.lean.as_ref().map(of_stack_lean),
+        Simulation::Frame(_) | Simulation::Building(_) => None,
     }
 }
 

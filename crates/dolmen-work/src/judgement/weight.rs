@@ -1,8 +1,10 @@
 //! Weight: does it stand as it is, under its own weight and the static loads in the file?
 
 use super::colour::Colour;
+use crate::stack::SupportsSimulation;
 use crate::state::{Check, State};
 use dolmen::stability::Verdict;
+use dolmen::stability::stack::MovedSupports;
 use dolmen_words::Language;
 use dolmen_words::number::beside_one;
 
@@ -52,6 +54,22 @@ impl Weight {
             (Check::Stack(_), false) => Weight::of_verdict(state.verdict(), None, false),
             _ => Weight::of_verdict(state.verdict(), least, is_contradicted),
         }
+    }
+
+    /// The word for a stack whose supports moved as given and farther; never better than its word before, nor than that of its check.
+    pub(super) fn of_supports(run: &SupportsSimulation, before: Option<Weight>) -> Weight {
+        let verdict = match run.falls_at() {
+            Some(factor) if factor < 1.0 => Verdict::Unstable,
+            _ if !run.is_whole() => Verdict::Unknown,
+            _ if run.runs.iter().any(|run| run.on_the_brink().is_some()) => Verdict::Marginal,
+            Some(factor) if factor < MovedSupports::MARGINAL_BELOW => Verdict::Marginal,
+            Some(_) | None => Verdict::Stable,
+        };
+        let of_run = [verdict, run.verdict].map(|of| Weight::of_verdict(of, None, false));
+        let each = before.into_iter().chain(of_run);
+        each.rev()
+            .max_by_key(|weight| weight.colour())
+            .unwrap_or(Weight::Stable)
     }
 
     /// The word for a verdict that rests on stiffness. A contradicted model is not known to stand; one that falls stays

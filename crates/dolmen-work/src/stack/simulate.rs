@@ -200,7 +200,7 @@ fn updates(law: &ContactLaw, beside: &StackSimulation) -> f64 {
     beside.history.contact_points as f64 * length_s / step_s
 }
 
-fn law_of(options: &StackOptions, is_rigid: bool, stack: &Stack) -> ContactLaw {
+pub(super) fn law_of(options: &StackOptions, is_rigid: bool, stack: &Stack) -> ContactLaw {
     let contact_rule = options.contact_rule;
     let (duration_s, output_step_s) = (options.duration_s, options.output_step_s);
     let after_fall = match options.to_the_end {

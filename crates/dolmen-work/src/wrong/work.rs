@@ -125,6 +125,10 @@ sentences! {
             en: "--push lets a chain lean at the start: the file has another kind",
             ko: "--push는 chain을 처음에 기울이는 것인데 이 파일은 다른 종류이다",
         },
+        SlidingOfSupports => {
+            en: "--law sliding follows blocks that slide on each other under a motion, and has no supports that move: leave it out, or take --law springs or rigid",
+            ko: "--law sliding은 지반운동에서 서로 미끄러지는 부재를 해석하는 것으로 지점 변위를 다루지 못한다. 빼거나 --law springs 또는 rigid를 쓴다",
+        },
         PushTooLarge { push_rad, most_rad } => {
             en: "--push is {push_rad} rad, but must be at most {most_rad} rad in size",
             ko: "--push가 {push_rad} rad인데 크기가 {most_rad} rad 이하이어야 한다",

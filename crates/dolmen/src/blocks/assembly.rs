@@ -83,6 +83,8 @@ pub(super) struct Assembly {
     clip_loss: f64,
     /// Whether every pair of bodies is looked at, or those alone that touch as drawn.
     watches_all: bool,
+    /// Bodies of stones that stand on ground of their own, in the order of that ground, whose bodies come after those of all stones.
+    on_own_ground: Vec<usize>,
 }
 
 impl Assembly {
@@ -163,9 +165,63 @@ impl Assembly {
             looked: Vec::new(),
             clip_loss: 0.0,
             watches_all,
+            on_own_ground: Vec::new(),
         };
         assembly.list_active();
         assembly
+    }
+
+    /// Gives a stone that rests on the ground a ground of its own, which can move; its body.
+    ///
+    /// No other stone touches that ground, nor this stone the ground of the others.
+    pub(super) fn put_on_own_ground(&mut self, stone: usize) -> usize {
+        let own = self.bodies.len();
+        self.bodies.push(RigidBody::ground());
+        self.hulls.push(None);
+        self.on_own_ground.push(stone);
+        let on_ground = self.pair_of(0, stone);
+        for other in 0..own {
+            let pair = match on_ground.filter(|_| other == stone) {
+                Some(index) => {
+                    let of_ground = &mut self.pairs[index];
+                    let mut contact = of_ground.contact.take();
+                    if let Some((patch, _)) = &mut contact {
+                        patch.plane_body = own;
+                    }
+                    let slack = std::mem::replace(&mut of_ground.slack, f64::INFINITY);
+                    // the ground comes first, as it does with all stones
+                    Pair {
+                        first: own,
+                        second: stone,
+                        contact,
+                        slack,
+                        ..of_ground.clone()
+                    }
+                }
+                None => Pair {
+                    first: other,
+                    second: own,
+                    material: JointMaterial::default(),
+                    contact: None,
+                    size: 0.0,
+                    slack: f64::INFINITY,
+                },
+            };
+            self.pairs.push(pair);
+        }
+        self.list_active();
+        own
+    }
+
+    /// The bodies of stones.
+    pub(super) fn stones(&self) -> std::ops::Range<usize> {
+        1..self.bodies.len() - self.on_own_ground.len()
+    }
+
+    /// The ground that a stone has to itself, or that of all.
+    pub(super) fn ground_under(&self, stone: usize) -> usize {
+        let own = self.on_own_ground.iter().position(|on| *on == stone);
+        own.map_or(0, |place| self.bodies.len() - self.on_own_ground.len() + place)
     }
 
     fn list_active(&mut self) {
@@ -199,11 +255,20 @@ impl Assembly {
 
     /// The patch of two bodies and its outline, the lower index first; `None` where they do not meet.
     pub(super) fn contact_of(&self, first: usize, second: usize) -> Option<&(Patch, Outline)> {
+        self.pairs[self.pair_of(first, second)?].contact.as_ref()
+    }
+
+    /// Where a pair of bodies stands; `None` where they are none.
+    fn pair_of(&self, first: usize, second: usize) -> Option<usize> {
         let (first, second) = (first.min(second), first.max(second));
         // pairs stand by their second body from 1 on, then by their first
-        let pair = self.pairs.get(second * second.checked_sub(1)? / 2 + first)?;
-        debug_assert_eq!((pair.first, pair.second), (first, second));
-        pair.contact.as_ref()
+        let index = second * second.checked_sub(1)? / 2 + first;
+        let pair = self.pairs.get(index)?;
+        debug_assert_eq!(
+            (pair.first.min(pair.second), pair.first.max(pair.second)),
+            (first, second)
+        );
+        Some(index)
     }
 
     /// The patch of a pair.

@@ -43,7 +43,8 @@ pub(super) struct RigidBody {
 }
 
 impl RigidBody {
-    fn ground() -> Self {
+    /// Ground: nothing moves it, and it weighs nothing.
+    pub(super) fn ground() -> Self {
         RigidBody {
             mass: 0.0,
             inverse_mass: 0.0,

@@ -4,6 +4,7 @@ use super::assembly::Assembly;
 use super::bodies::{RigidBody, index_of};
 use super::hulls::Hull;
 use super::patch::{LANES, Patch};
+use super::watch::lower_body;
 use crate::structure::stack::{Body, Stack};
 use glam::{DMat3, DVec3};
 
@@ -54,7 +55,7 @@ impl Falls {
             let mut supports: Vec<Support> = joints
                 .map(|joint| {
                     let axes = DMat3::from_cols_array_2d(&joint.axes);
-                    Support::of(bodies, index_of(joint.lower), block + 1, axes.z_axis)
+                    Support::of(bodies, lower_body(joint, assembly), block + 1, axes.z_axis)
                 })
                 .collect();
             if supports.is_empty() {

@@ -58,7 +58,7 @@ impl Observer {
             .map(|group| (0..LANES).filter(|&lane| group.area[lane] > 0.0).count())
             .sum();
         let joints = stack.joints().iter();
-        let watches: Vec<Watch> = joints.map(|joint| Watch::of(joint, &assembly.bodies)).collect();
+        let watches: Vec<Watch> = joints.map(|joint| Watch::of(joint, assembly)).collect();
         let decides = plumb_decides(assembly);
         Observer {
             seen: vec![Seen::default(); watches.len()],
@@ -66,7 +66,7 @@ impl Observer {
             falls: Falls::of(stack, assembly),
             sample_every,
             looks,
-            margins: (1..assembly.bodies.len())
+            margins: (assembly.stones())
                 .map(|body| plumb_margin(assembly, body).filter(|_| decides[body]))
                 .collect(),
             outcome: None,
@@ -179,7 +179,14 @@ impl Observer {
         let started = self.history.steps > 0;
         let half = if started { 0.5 * kick } else { 0.0 };
         let (mut kinetic, mut input, mut contact) = (0.0, self.input, self.contact);
-        for (index, body) in assembly.bodies.iter().enumerate().skip(1) {
+        let stones = assembly.stones();
+        for (body, force) in assembly.bodies.iter().zip(&forces.force).skip(stones.end) {
+            // ground that moves: what it does on its stone is put in
+            let work = half * force.dot(body.velocity);
+            contact += work;
+            input -= work;
+        }
+        for (index, body) in assembly.bodies.iter().enumerate().take(stones.end).skip(1) {
             let q = body.turn;
             self.history.poses.push(Pose {
                 centroid_m: body.position.into(),

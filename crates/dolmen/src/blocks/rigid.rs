@@ -8,6 +8,7 @@ use super::assembly::{Assembly, Watchfulness};
 use super::contact_points::ContactRule;
 use super::error::{BlocksError, check_times};
 use super::history::StackHistory;
+use super::moving_ground::{MovingGround, OwnGround};
 use super::observe::Observer;
 use super::rigid_run::Run;
 use super::run_length::RunLength;
@@ -135,6 +136,17 @@ pub fn simulate_rigid(
     options: &Rigid,
     progress: &mut dyn FnMut(f64) -> bool,
 ) -> Result<StackHistory, BlocksError> {
+    simulate_rigid_on(stack, motion, None, options, progress)
+}
+
+/// The same of a stack whose supports may move.
+pub(super) fn simulate_rigid_on(
+    stack: &Stack,
+    motion: Option<&GroundMotion>,
+    moving: Option<&MovingGround>,
+    options: &Rigid,
+    progress: &mut dyn FnMut(f64) -> bool,
+) -> Result<StackHistory, BlocksError> {
     let h = options.time_step_s;
     check_times(Some(h), options.duration_s, options.output_step_s, options.rest_s)?;
     if h > STEP_MOST_S {
@@ -148,7 +160,9 @@ pub fn simulate_rigid(
     let mut assembly = Assembly::of(stack, options.contact_rule);
     assembly.without_springs();
     assembly.watch(WATCHFULNESS);
-    let shaken_s = motion.map_or(0.0, GroundMotion::duration_s);
+    let own = moving.map(|moving| OwnGround::under(&mut assembly, stack, moving));
+    let moves_for_s = moving.map_or(0.0, MovingGround::duration_s);
+    let shaken_s = motion.map_or(moves_for_s, GroundMotion::duration_s);
     let mut length = RunLength::of(
         options.duration_s,
         [shaken_s, options.rest_s],
@@ -160,6 +174,7 @@ pub fn simulate_rigid(
         push(&mut assembly, start)?;
     }
     let mut run = Run::of(assembly, h);
+    run.ground = own.unwrap_or_default();
     let ground = |time_s: f64| match motion {
         Some(motion) => DVec3::from(motion.acceleration_at_m_s2(time_s)),
         None => DVec3::ZERO,

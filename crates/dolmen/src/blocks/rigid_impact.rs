@@ -91,6 +91,7 @@ impl Run {
             self.velocity[index] = six(body.velocity, body.spin);
         }
         (self.momentum[0], self.velocity[0]) = ([0.0; 6], [0.0; 6]);
+        self.hold_ground();
         let slow = IMPACT_FROM * self.assembly.gravity * self.h;
         for (face, parts) in self.faces.iter_mut().zip(&parts_before) {
             let before = face.ahead;
@@ -129,7 +130,8 @@ impl Run {
 
     /// Kinetic energy at velocities of the bodies, J.
     fn kinetic(&self, velocity: &[Six]) -> f64 {
-        let each = self.inertia.iter().zip(velocity).map(|(of, velocity)| {
+        let stones = self.inertia.iter().take(self.assembly.stones().end);
+        let each = stones.zip(velocity).map(|(of, velocity)| {
             let (v, w) = halves(velocity);
             0.5 * (of.mass * v.length_squared() + w.dot(of.turning * w))
         });

@@ -10,6 +10,7 @@ use super::assembly::Assembly;
 use super::bodies::RigidBody;
 use super::forces::Forces;
 use super::history::RigidEvidence;
+use super::moving_ground::OwnGround;
 use super::patch::{LANES, Motion};
 use super::rigid_faces::{Face, MassAbove, velocity};
 use super::rigid_point::{Part, Point, Six};
@@ -102,6 +103,8 @@ pub(super) struct Run {
     pub(super) acceleration: Vec<DVec3>,
     pub(super) forces: Forces,
     pub(super) counted: Counted,
+    /// Ground that moves.
+    pub(super) ground: OwnGround,
 }
 
 impl Run {
@@ -127,6 +130,7 @@ impl Run {
             acceleration: vec![DVec3::ZERO; bodies],
             forces: Forces::default(),
             counted: Counted::default(),
+            ground: OwnGround::default(),
             assembly,
         }
     }
@@ -152,7 +156,8 @@ impl Run {
     /// Finds the velocities of the step that begins.
     pub(super) fn begin(&mut self, time_s: f64, ground: Ground<'_>) -> Result<(), Unsolved> {
         self.assembly.look();
-        if self.rests(ground(time_s)) {
+        self.ground.place(&mut self.assembly.bodies, time_s, self.h);
+        if self.ground.is_empty() && self.rests(ground(time_s)) {
             return Ok(());
         }
         self.hold_overlaps();
@@ -315,6 +320,7 @@ impl Run {
             let guess = body.velocity + self.acceleration[index] * kick_s;
             self.velocity[index] = six(guess, body.spin);
         }
+        self.hold_ground();
         for load in self.assembly.dead_loads() {
             load.kick(&self.assembly.bodies, &mut self.momentum, kick_s);
         }
@@ -365,7 +371,11 @@ impl Run {
     pub(super) fn note_forces(&mut self) {
         let per_kick = 1.0 / self.kick_s;
         self.forces.clear(self.assembly.bodies.len());
-        for (index, body) in self.assembly.bodies.iter().enumerate().skip(1) {
+        let stones = self.assembly.stones();
+        for index in stones.end..self.assembly.bodies.len() {
+            self.forces.force[index] = self.push_on_ground(index) * per_kick;
+        }
+        for (index, body) in self.assembly.bodies.iter().enumerate().take(stones.end).skip(1) {
             let (v, w) = halves(&self.velocity[index]);
             self.acceleration[index] = (v - body.velocity) * per_kick;
             self.forces.force[index] = (self.acceleration[index] - self.pull) * body.mass;
@@ -427,7 +437,22 @@ impl Run {
     pub(super) fn commit(&mut self) {
         let small = |v: &Six| v.iter().all(|value| value.abs() < AT_REST_M_S);
         let rests = self.velocity.iter().all(small);
-        for (index, body) in self.assembly.bodies.iter_mut().enumerate().skip(1) {
+        let stones = self.assembly.stones();
+        for index in stones.end..self.assembly.bodies.len() {
+            let work = self
+                .push_on_ground(index)
+                .dot(self.assembly.bodies[index].velocity);
+            self.counted.contact += work;
+            self.counted.input -= work;
+        }
+        for (index, body) in self
+            .assembly
+            .bodies
+            .iter_mut()
+            .enumerate()
+            .take(stones.end)
+            .skip(1)
+        {
             let (v, w) = match rests {
                 true => (DVec3::ZERO, DVec3::ZERO),
                 false => halves(&self.velocity[index]),

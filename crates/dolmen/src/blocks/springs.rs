@@ -10,6 +10,7 @@ use super::error::{BlocksError, check_times};
 use super::forces::Forces;
 use super::history::{Outcome, StackHistory};
 use super::matrices::longest_step;
+use super::moving_ground::{MovingGround, OwnGround};
 use super::observe::{Observer, whole_at_least};
 use super::rest::settle;
 use super::run_length::RunLength;
@@ -138,10 +139,32 @@ pub fn simulate_springs(
     options: &Springs,
     progress: &mut dyn FnMut(f64) -> bool,
 ) -> Result<StackHistory, BlocksError> {
-    let settled = Settled::of(stack, options)?;
-    let mut attempt = Attempt::first(&settled);
+    run_settled(&Settled::of(stack, options)?, stack, motion, options, progress)
+}
+
+/// The same of a stack whose supports move.
+pub(super) fn simulate_springs_on(
+    stack: &Stack,
+    ground: &MovingGround,
+    options: &Springs,
+    progress: &mut dyn FnMut(f64) -> bool,
+) -> Result<StackHistory, BlocksError> {
+    let mut settled = Settled::of(stack, options)?;
+    settled.ground = OwnGround::under(&mut settled.assembly, stack, ground);
+    settled.moves_for_s = ground.duration_s();
+    run_settled(&settled, stack, None, options, progress)
+}
+
+fn run_settled(
+    settled: &Settled,
+    stack: &Stack,
+    motion: Option<&GroundMotion>,
+    options: &Springs,
+    progress: &mut dyn FnMut(f64) -> bool,
+) -> Result<StackHistory, BlocksError> {
+    let mut attempt = Attempt::first(settled);
     loop {
-        let mut run = Run::new(stack, &settled, motion, options, attempt.h)?;
+        let mut run = Run::new(stack, settled, motion, options, attempt.h)?;
         let mut forces = Forces::default();
         while run.advance(&mut forces, progress) {}
         match attempt.judge(run.finish(), options) {
@@ -159,6 +182,9 @@ pub(super) struct Settled {
     h: f64,
     /// The longest stable step, s.
     longest: f64,
+    /// Ground that moves, and for how long, s.
+    ground: OwnGround,
+    moves_for_s: f64,
 }
 
 impl Settled {
@@ -182,7 +208,13 @@ impl Settled {
         let h = options.time_step_s.unwrap_or(
             options.output_step_s / whole_at_least(options.output_step_s / (STEP_PART * longest)) as f64,
         );
-        Ok(Settled { assembly, h, longest })
+        Ok(Settled {
+            assembly,
+            h,
+            longest,
+            ground: OwnGround::default(),
+            moves_for_s: 0.0,
+        })
     }
 }
 
@@ -232,6 +264,7 @@ pub(super) struct Run<'a> {
     pub(super) step: usize,
     pub(super) length: RunLength,
     acceleration: Vec<DVec3>,
+    ground: OwnGround,
 }
 
 impl<'a> Run<'a> {
@@ -245,7 +278,7 @@ impl<'a> Run<'a> {
         h: f64,
     ) -> Result<Self, BlocksError> {
         let mut assembly = settled.assembly.clone();
-        let shaken_s = motion.map_or(0.0, GroundMotion::duration_s);
+        let shaken_s = motion.map_or(settled.moves_for_s, GroundMotion::duration_s);
         let length = RunLength::of(
             options.duration_s,
             [shaken_s, options.rest_s],
@@ -264,6 +297,7 @@ impl<'a> Run<'a> {
             after_fall: options.after_fall,
             h,
             longest: settled.longest,
+            ground: settled.ground.clone(),
             step: 0,
             length,
         })
@@ -327,13 +361,40 @@ impl<'a> Run<'a> {
         let (shaking, kick) = (self.shaking(), self.kick());
         let inertia = DVec3::new(0.0, 0.0, -self.assembly.gravity) - shaking;
         let (mut input, mut contact) = (0.0, 0.0);
-        for (index, body) in self.assembly.bodies.iter_mut().enumerate().skip(1) {
+        let stones = self.assembly.stones();
+        for (index, body) in self
+            .assembly
+            .bodies
+            .iter_mut()
+            .enumerate()
+            .take(stones.end)
+            .skip(1)
+        {
             let (force, torque) = (forces.force[index], forces.torque[index]);
             let (velocity, spin) = (body.velocity, body.spin);
             body.step(force * body.inverse_mass + inertia, torque, kick, h);
             let (velocity, spin) = (velocity + body.velocity, spin + body.spin);
             input -= body.mass * shaking.dot(velocity);
             contact += force.dot(velocity) + torque.dot(spin);
+        }
+        if !self.ground.is_empty() {
+            let time_s = self.time_s();
+            let before: Vec<DVec3> = self.assembly.bodies[stones.end..]
+                .iter()
+                .map(|of| of.velocity)
+                .collect();
+            self.ground.place(&mut self.assembly.bodies, time_s, h);
+            let own = self
+                .assembly
+                .bodies
+                .iter_mut()
+                .zip(&forces.force)
+                .skip(stones.end);
+            for ((body, force), before) in own.zip(before) {
+                let work = force.dot(before + body.velocity);
+                (input, contact) = (input - work, contact + work);
+                body.drift(h);
+            }
         }
         let work = [0.5 * kick * input, 0.5 * kick * contact, forces.friction_loss];
         self.observer.count(work);

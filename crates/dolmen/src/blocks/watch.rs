@@ -1,7 +1,8 @@
 //! How the two sides of a joint lie on each other: what is watched of it in a run.
 
+use super::assembly::Assembly;
 use super::bodies::{RigidBody, index_of};
-use crate::structure::stack::Joint;
+use crate::structure::stack::{Body, Joint};
 use glam::{DMat3, DVec3};
 
 /// A joint seen by its two bodies.
@@ -31,12 +32,21 @@ pub(super) struct Seen {
     pub(super) yaw: f64,
 }
 
+/// The body below a joint: of ground that moves the one under its stone.
+pub(super) fn lower_body(joint: &Joint, assembly: &Assembly) -> usize {
+    match joint.lower {
+        Body::Ground => assembly.ground_under(joint.upper + 1),
+        Body::Block(_) => index_of(joint.lower),
+    }
+}
+
 impl Watch {
-    pub(super) fn of(joint: &Joint, bodies: &[RigidBody]) -> Self {
+    pub(super) fn of(joint: &Joint, assembly: &Assembly) -> Self {
+        let bodies = &assembly.bodies;
         let axes = DMat3::from_cols_array_2d(&joint.axes);
         let origin = DVec3::from(joint.origin_m);
         let mut watch = Watch {
-            lower: index_of(joint.lower),
+            lower: lower_body(joint, assembly),
             upper: joint.upper + 1,
             origin,
             axes,

@@ -1,0 +1,103 @@
+//! A stack whose supports move slowly: how far a stone has moved, over how far the supports have.
+
+use super::axis::Axis;
+use super::ink::{GREY, Line, SERIES};
+use super::plot::{Key, Plot};
+use super::words::{Axes, Titles, say};
+use crate::document::Series;
+use dolmen::blocks::StackHistory;
+use dolmen_words::Language;
+use dolmen_work::stack::{SupportsRun, SupportsSimulation};
+
+/// Width and height, px.
+const SIZE_PX: [f64; 2] = [760.0, 300.0];
+/// Displacements are drawn up to so many times that at which the stones began to move by themselves. Chosen here.
+const DRAWN: f64 = 1.6;
+/// About so many points a line.
+const POINTS: usize = 700;
+
+/// Lines of the figure: of each run its law, and [movement of the supports, displacement of the stone], mm.
+fn lines(of: &SupportsSimulation) -> Vec<(&'static str, Vec<[f64; 2]>)> {
+    let line = |run: &SupportsRun| {
+        let history = &run.moved.history;
+        let ground = &run.moved.slow.ground;
+        let stone = farthest(run);
+        let every = history.time_s.len().div_ceil(POINTS).max(1);
+        let samples = (0..history.time_s.len()).step_by(every);
+        let points = samples.map(|sample| {
+            let factor = ground.factor_at(history.time_s[sample]);
+            [1e3 * of.length_m(factor), 1e3 * moved_m(history, sample, stone)]
+        });
+        (run.law.name(), points.collect())
+    };
+    of.runs.iter().map(line).collect()
+}
+
+/// The stone that had moved farthest when stones began to move by themselves, or at the end.
+fn farthest(run: &SupportsRun) -> usize {
+    let history = &run.moved.history;
+    let sample = last_slow(run);
+    let by = |a: &usize, b: &usize| moved_m(history, sample, *a).total_cmp(&moved_m(history, sample, *b));
+    (0..history.blocks).max_by(by).unwrap_or(0)
+}
+
+fn last_slow(run: &SupportsRun) -> usize {
+    let times = &run.moved.history.time_s;
+    let last = times.len().saturating_sub(1);
+    match run.moved.gave_way {
+        Some(gave_way) => times.partition_point(|time_s| *time_s < gave_way.at_s).min(last),
+        None => last,
+    }
+}
+
+fn moved_m(history: &StackHistory, sample: usize, block: usize) -> f64 {
+    let [from, to] = [0, sample].map(|sample| history.pose(sample, block).centroid_m);
+    let squares = from.iter().zip(to).map(|(from, to)| (to - from) * (to - from));
+    squares.sum::<f64>().sqrt()
+}
+
+/// The numbers of the figure.
+pub(crate) fn supports_series(of: &SupportsSimulation) -> Vec<Series> {
+    let each = lines(of).into_iter();
+    let columns = each.flat_map(|(name, points)| {
+        let column = |axis: Axes, place: usize| {
+            let values: Vec<f64> = points.iter().map(|at| at[place]).collect();
+            Series::numbers(axis, "", values)
+        };
+        let moved = match name {
+            "rigid" => Axes::StoneRigid,
+            _ => Axes::StoneSprings,
+        };
+        [column(Axes::SupportMovement, 0), column(moved, 1)]
+    });
+    columns.collect()
+}
+
+/// The figure; what falls leaves it at the top.
+pub(crate) fn supports_in_time(of: &SupportsSimulation, language: Language) -> String {
+    let at = |run: &SupportsRun| moved_m(&run.moved.history, last_slow(run), farthest(run));
+    let most_mm = 1e3 * DRAWN * of.runs.iter().map(at).fold(1e-6, f64::max);
+    let to_mm = 1e3 * of.length_m(of.factor_most);
+    let x = Axis::linear(say(Axes::SupportMovement, language), 0.0, to_mm, 10);
+    let y = Axis::linear(say(Axes::StoneDisplacement, language), 0.0, most_mm, 5);
+    let mut plot = Plot::new(SIZE_PX, x, y);
+    let given = Line::new(GREY, 1.2).dashed();
+    plot.upright(1e3 * of.length_m(1.0), given);
+    plot.key(Key::Line(given), say(Axes::MovementGiven, language));
+    if of.followed_falls() {
+        let falls = Line::new(SERIES[3], 1.2).dashed();
+        plot.upright(1e3 * of.length_m(of.followed.last.factor), falls);
+        plot.key(Key::Line(falls), say(Axes::LimitAnalysis, language));
+    }
+    for (number, (name, points)) in lines(of).into_iter().enumerate() {
+        let line = Line::new(SERIES[number % SERIES.len()], 1.4);
+        let within: Vec<[f64; 2]> = points.into_iter().take_while(|at| at[1] <= most_mm).collect();
+        plot.line(within, line);
+        let law = match name {
+            "rigid" => Axes::LawRigid,
+            _ => Axes::LawSprings,
+        };
+        plot.key(Key::Line(Line { width: 2.2, ..line }), say(law, language));
+    }
+    plot.svg(say(Titles::SupportsInTime, language))
+}

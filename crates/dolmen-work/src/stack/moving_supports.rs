@@ -1,0 +1,99 @@
+//! A stack whose supports move slowly, run by each law of contact.
+
+use super::check::check;
+use super::simulate::{Law, StackOptions, law_of};
+use super::{RefusedRun, SupportsRun, SupportsSimulation};
+use crate::error::WorkError;
+use crate::progress::{Progress, simulating};
+use crate::state::StackAnswer;
+use crate::told::told;
+use crate::version::Version;
+use dolmen::blocks::{ContactLaw, SlowMovement, move_supports};
+use dolmen::stability::stack::{
+    MovedSupports, MovementEnding, Standing, SupportMovementOptions, follow_support_movement,
+};
+use dolmen_project::{Quantity, StackPart};
+
+/// How far beyond the movement at which no forces balance the weight the supports go on. Chosen here: friction and inertia may let a stack stand a little
+/// longer.
+const BEYOND: f64 = 1.1;
+
+/// What came of a stack whose supports are to move.
+pub(crate) enum Supported {
+    /// It was simulated.
+    Moved(Box<SupportsSimulation>),
+    /// It does not stand as drawn.
+    DoesNotStand(Standing),
+}
+
+/// The stack while its supports move, if it stands as drawn.
+pub(crate) fn supports(
+    version: &Version<'_>,
+    part: &StackPart,
+    options: &StackOptions,
+    progress: &dyn Progress,
+) -> Result<Supported, WorkError> {
+    if options.law == Law::Sliding {
+        return Err(WorkError::SlidingOfSupports);
+    }
+    let StackAnswer {
+        stack, check, lean, ..
+    } = check(part, &mut Quantity::nominal)?;
+    if !check.limits.standing.stands() {
+        return Ok(Supported::DoesNotStand(check.limits.standing));
+    }
+    let followed = match check.supports {
+        Some(followed) => followed,
+        None => follow_support_movement(&stack, &SupportMovementOptions::default())?,
+    };
+    let factor_most = match followed.ending {
+        MovementEnding::Falls { by_factor } => MovedSupports::MARGINAL_BELOW.max(BEYOND * by_factor),
+        MovementEnding::Stands | MovementEnding::NotFollowed => MovedSupports::MARGINAL_BELOW,
+    };
+    let mut found = SupportsSimulation {
+        file: version.file.to_owned(),
+        name: version.project.name.clone(),
+        variant: version.variant.map(str::to_owned),
+        lean,
+        stack,
+        verdict: check.verdict,
+        followed,
+        factor_most,
+        runs: Vec::new(),
+        left_out: Vec::new(),
+    };
+    let laws: &[bool] = match options.law {
+        Law::Springs | Law::Sliding => &[false],
+        Law::Rigid => &[true],
+        Law::AsKnown if part.has_measured_stiffness() => &[false],
+        Law::AsKnown | Law::Both => &[false, true],
+    };
+    for is_rigid in laws {
+        if progress.is_cancelled() {
+            break;
+        }
+        let law = law_of(options, *is_rigid, &found.stack);
+        match run(&found, law.clone(), progress) {
+            Ok(run) => found.runs.push(run),
+            // of a law that nobody asked for
+            Err(why) if options.law == Law::AsKnown => {
+                let why = told(&why);
+                found.left_out.push(RefusedRun { law, why });
+            }
+            Err(why) => return Err(why),
+        }
+    }
+    Ok(Supported::Moved(Box::new(found)))
+}
+
+fn run(of: &SupportsSimulation, law: ContactLaw, progress: &dyn Progress) -> Result<SupportsRun, WorkError> {
+    let slow = SlowMovement {
+        factor_most: of.factor_most,
+        ..SlowMovement::default()
+    };
+    let slow = slow.of(&of.stack, &law)?;
+    let moved = simulating(progress, slow.ground.duration_s(), |reached| {
+        move_supports(&of.stack, &law, &slow, reached)
+    })?;
+    Ok(SupportsRun { law, moved })
+}

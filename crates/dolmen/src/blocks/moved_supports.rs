@@ -1,0 +1,187 @@
+//! A stack whose supports move slowly, in time: it follows them from equilibrium to equilibrium until there is none, and then falls.
+
+use super::contact_law::ContactLaw;
+use super::error::BlocksError;
+use super::frequencies::lowest_stack_modes;
+use super::history::{Outcome, StackHistory};
+use super::moving_ground::MovingGround;
+use super::rigid::simulate_rigid_on;
+use super::springs::simulate_springs_on;
+use crate::structure::stack::Stack;
+use glam::DVec3;
+
+/// How slowly supports move, and how far.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SlowMovement {
+    /// Factor on the movements of the stack at which the ground stands still again. Default 1.
+    pub factor_most: f64,
+    /// How many times the stack's own time ([`SlowGround::own_time_s`]) the whole movement takes. Default 300, chosen here: a stack of several stones comes
+    /// down in some three, in which the ground moves on by a hundredth of the whole.
+    pub own_times: f64,
+}
+
+impl Default for SlowMovement {
+    fn default() -> Self {
+        SlowMovement {
+            factor_most: 1.0,
+            own_times: 300.0,
+        }
+    }
+}
+
+/// Supports that move slowly for a stack, and by what that is measured.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SlowGround {
+    /// How the ground moves.
+    pub ground: MovingGround,
+    /// T: the longer of √(h/g), h the height of the stack, and the period of its lowest mode on the springs, s.
+    pub own_time_s: f64,
+}
+
+impl SlowMovement {
+    /// The movements of a stack, at a speed of `factor_most / (own_times T)`.
+    ///
+    /// # Errors
+    /// [`BlocksError`] for options out of range, a stack without movements, or without rest on its springs.
+    pub fn of(&self, stack: &Stack, law: &ContactLaw) -> Result<SlowGround, BlocksError> {
+        let positive = (f64::MIN_POSITIVE, "a positive number");
+        for (option, given, (least, allowed)) in [
+            ("factor_most", self.factor_most, positive),
+            // a start and an end of one own time each
+            ("own_times", self.own_times, (2.0, "2 or more")),
+            (
+                "support_movements",
+                stack.support_movements().len() as f64,
+                (1.0, "one movement or more, with a length"),
+            ),
+        ] {
+            if !(given >= least && given.is_finite()) {
+                return Err(BlocksError::Option {
+                    option,
+                    given,
+                    allowed,
+                });
+            }
+        }
+        let own_time_s = own_time_s(stack, law)?;
+        Ok(SlowGround {
+            ground: MovingGround {
+                movements: stack.support_movements().to_vec(),
+                factor_per_s: self.factor_most / (self.own_times * own_time_s),
+                start_s: own_time_s,
+                factor_most: self.factor_most,
+            },
+            own_time_s,
+        })
+    }
+}
+
+/// Where a stack began to move by itself.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GaveWay {
+    /// Factor on the movements.
+    pub factor: f64,
+    /// When, s.
+    pub at_s: f64,
+}
+
+/// A stack whose supports moved slowly.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MovedInTime {
+    /// How they moved.
+    pub slow: SlowGround,
+    /// What happened.
+    pub history: StackHistory,
+    /// The last time before the fall at which the stones kept to the ground: from then on the fastest moved by itself. `None` if none fell.
+    pub gave_way: Option<GaveWay>,
+}
+
+impl MovedInTime {
+    /// Speed of the fastest stone over that of the fastest support, from which stones no longer follow the ground. Chosen here.
+    pub const BY_ITSELF: f64 = 10.0;
+
+    /// The factor on the movements when the first stone had come down.
+    pub fn fell_at(&self) -> Option<f64> {
+        match self.history.outcome {
+            Outcome::Fell { at_s, .. } => Some(self.slow.ground.factor_at(at_s)),
+            _ => None,
+        }
+    }
+
+    /// The factor reached at the end.
+    pub fn reached(&self) -> f64 {
+        let end_s = self.history.time_s.last().copied().unwrap_or_default();
+        self.slow.ground.factor_at(end_s)
+    }
+}
+
+/// Moves the supports of a stack slowly, by either law of contact: a second way to find the movement at which it falls, beside limit analysis.
+///
+/// ```text
+/// gave way    the last sample before the fall at which no stone was faster than ten times the fastest support
+/// ```
+///
+/// # Errors
+/// [`BlocksError`] of the law.
+///
+/// # Limits
+/// Inertia counts once stones are near the end: the slower, the less. Springs give: hinges lie inside the edges.
+pub fn move_supports(
+    stack: &Stack,
+    law: &ContactLaw,
+    slow: &SlowGround,
+    progress: &mut dyn FnMut(f64) -> bool,
+) -> Result<MovedInTime, BlocksError> {
+    let ground = &slow.ground;
+    let history = match law {
+        ContactLaw::Springs(springs) => simulate_springs_on(stack, ground, springs, progress)?,
+        ContactLaw::Rigid(rigid) => simulate_rigid_on(stack, None, Some(ground), rigid, progress)?,
+    };
+    Ok(MovedInTime {
+        gave_way: gave_way(ground, &history),
+        slow: slow.clone(),
+        history,
+    })
+}
+
+/// How long the stack itself takes to move: to fall, or to swing once on its springs.
+fn own_time_s(stack: &Stack, law: &ContactLaw) -> Result<f64, BlocksError> {
+    let falls_s = (stack.height_m() / stack.gravity_m_s2()).sqrt();
+    let swings_s = match law {
+        ContactLaw::Springs(springs) => lowest_stack_modes(stack, springs.contact_rule, 1)?
+            .first()
+            .map_or(0.0, |mode| 1.0 / mode.frequency_hz),
+        ContactLaw::Rigid(_) => 0.0,
+    };
+    Ok(falls_s.max(swings_s))
+}
+
+/// The last sample before a fall at which no stone was much faster than the ground.
+fn gave_way(ground: &MovingGround, history: &StackHistory) -> Option<GaveWay> {
+    let Outcome::Fell { at_s, .. } = history.outcome else {
+        return None;
+    };
+    let most_m_s = MovedInTime::BY_ITSELF * ground.speed_m_s();
+    let samples = history
+        .time_s
+        .iter()
+        .take_while(|time_s| **time_s <= at_s)
+        .count();
+    let followed = |sample: &usize| fastest_m_s(history, *sample) <= most_m_s;
+    let last = (1..samples).rev().find(followed).unwrap_or(0);
+    let at_s = history.time_s[last];
+    Some(GaveWay {
+        factor: ground.factor_at(at_s),
+        at_s,
+    })
+}
+
+/// Speed of the stone that moved farthest since the sample before, m/s.
+fn fastest_m_s(history: &StackHistory, sample: usize) -> f64 {
+    let took_s = history.time_s[sample] - history.time_s[sample - 1];
+    let ways = (0..history.blocks).map(|block| {
+        let [from, to] = [sample - 1, sample].map(|at| DVec3::from(history.pose(at, block).centroid_m));
+        from.distance(to)
+    });
+    ways.fold(0.0, f64::max) / took_s
+}
