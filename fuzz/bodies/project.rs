@@ -8,7 +8,7 @@ fn build(project: &Project) {
         Structure::Chain(chain) => {
             let built = chain.build(&mut Quantity::nominal);
             assert!(built.is_ok(), "{built:?}");
-            let _ = chain.moving(ChainRotations::Large, &mut Quantity::nominal);
+            let _ = chain.moving(&project.loads, ChainRotations::Large, &mut Quantity::nominal);
         }
         Structure::Frame(frame) => {
             let built = frame.build(&mut Quantity::nominal);

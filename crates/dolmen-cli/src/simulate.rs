@@ -17,7 +17,7 @@ use dolmen_report::files::{simulate_answer_value, simulation_files};
 use dolmen_report::simulation_headline_text;
 use dolmen_report::text::{
     TextStyle, building_simulation_text, chain_simulation_text, frame_simulation_text,
-    simulation_inputs_text, simulation_text, supports_text,
+    simulation_inputs_text, simulation_text, supports_text, wind_simulation_text,
 };
 use dolmen_work::judgement::{Verb, judge_simulation};
 use dolmen_work::simulation::Simulation;

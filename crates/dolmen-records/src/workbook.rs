@@ -23,7 +23,7 @@ pub(crate) fn workbook_as_csv(bytes: &[u8]) -> Result<Vec<u8>, SheetError> {
         }
     };
     let mut rows = of_xlsx(bytes, Some(sheet), SheetUse::Samples)?;
-    while rows.last().is_some_and(is_empty) {
+    while rows.last().is_some_and(|row| is_empty(row)) {
         rows.pop();
     }
     // lines of the text are rows of the sheet, so that errors name them
@@ -49,7 +49,7 @@ pub(crate) fn workbook_as_csv(bytes: &[u8]) -> Result<Vec<u8>, SheetError> {
     Ok(text.into_bytes())
 }
 
-fn is_empty(row: &Vec<SheetCell>) -> bool {
+fn is_empty(row: &[SheetCell]) -> bool {
     row.iter().all(|cell| cell.value == SheetValue::Empty)
 }
 

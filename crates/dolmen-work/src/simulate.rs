@@ -12,7 +12,7 @@ use crate::loads::Governing;
 use crate::motion::{MotionAnswer, MotionRequest, prepared};
 use crate::opened::Opened;
 use crate::progress::Progress;
-use crate::simulation::{SimulateAnswer, Simulation};
+use crate::simulation::{SimulateAnswer, Simulation, WithoutShaking};
 use crate::stack::moving_supports::{Supported, supports};
 use crate::stack::simulate::{Shaken, StackOptions};
 use crate::stack::{Law, Repeating};
@@ -115,8 +115,18 @@ pub fn prepare<'a>(
     if options.push.is_some() && !is_chain {
         return Err(WorkError::PushOfOther);
     }
+    if options.wind.is_some() {
+        let motion = &options.motion;
+        if motion.is_given() || motion.is_changed() || motion.of_files().is_some() {
+            return Err(WorkError::WindAndMotion);
+        }
+        if version.project.loads.wind().is_none() {
+            return Err(WorkError::NoWindGiven);
+        }
+    }
     let needs_none = is_chain || moves_supports(version.project);
-    let motion = match needs_none && !options.motion.is_given() {
+    let stays_still = options.wind.is_some() || needs_none && !options.motion.is_given();
+    let motion = match stays_still {
         true => None,
         false => Some(prepared(&options.motion, (version.project, files))?),
     };
@@ -235,6 +245,21 @@ impl PreparedSimulation<'_> {
                 };
                 let run = chain::simulate::simulate(&version, part, motion, &how, progress)?;
                 answer.simulations.push(Simulation::Chain(Box::new(run)));
+            }
+            (Structure::Building(part), None) if options.wind.is_some() => {
+                let asked = options.wind.unwrap_or(WindAsked {
+                    seed: 1,
+                    repeats: None,
+                });
+                let how = WindOptions {
+                    duration_s: options.duration_s,
+                    step_s: options.step_s,
+                    seed: asked.seed,
+                    repeats: asked.repeats,
+                };
+                let run = simulate_wind(&version, part, &how)?;
+                let run = run.ok_or(WorkError::BuildingFalls)?;
+                answer.simulations.push(Simulation::Wind(Box::new(run)));
             }
             (Structure::Stack(part), None) => {
                 let how = stack_options(options);

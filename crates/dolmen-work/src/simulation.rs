@@ -3,7 +3,8 @@
 use crate::building::{BuildingSimulation, WindSimulation};
 use crate::chain::ChainSimulation;
 use crate::frame::FrameSimulation;
-use crate::judgement::Evidence;
+use crate::judgement::{Evidence, Weight};
+use crate::loads::Governing;
 use crate::stack::{StackRuns, SupportsSimulation};
 use dolmen::stability::stack::Standing;
 

@@ -34,7 +34,7 @@ fn exact_frequencies_of_a_held_base_stand_beside_those_with_the_ground() {
         assert!((beside / together - 1.0).abs() < 0.01, "{together}: {beside}");
     }
     let korean = scratch.dolmen(&format!("identify examples/{PROJECT} --language ko"));
-    assert!(korean.words().contains("계측한 입력을 고려한 모드 분석"));
+    assert!(korean.words().contains("지반운동을 입력으로 한 모드 분석"));
 }
 
 #[test]

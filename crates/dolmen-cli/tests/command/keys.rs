@@ -7,7 +7,10 @@ use serde_json::Value;
 use std::collections::BTreeSet;
 use std::fs;
 
-const COMMANDS: [&str; 46] = [
+const COMMANDS: [&str; 49] = [
+    "check examples/naju_flagpole/side_posts.toml",
+    "simulate examples/naju_flagpole/side_posts.toml --motion el-centro --duration 3",
+    "simulate examples/tower_in_wind --wind --repeats 2 --duration 20 --variant damped",
     "check examples/naju_flagpole --samples 20 --sensitivity",
     "check examples/naju_flagpole/wind.toml",
     "check examples/naju_flagpole/one_stone.toml",

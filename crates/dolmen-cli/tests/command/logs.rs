@@ -167,7 +167,7 @@ fn holds_a_log_that_fell_silent_is_no_good_news() {
     assert!(silent.is_some());
     let said = brief.words();
     assert!(
-        said.contains("SENSOR: foot has no reading after") && said.contains("80 days before the newest"),
+        said.contains("SENSOR: foot has no reading after") && said.contains("81 days before the newest"),
         "{said}"
     );
     assert!(!said.contains("● foot"), "{said}");

@@ -218,7 +218,7 @@ fn lamp(load: &str, factor: f64) -> String {
 
 #[test]
 fn holds_what_a_pole_carries_swings_with_it_and_what_makes_it_fall_is_no_green_run() {
-    let push = "simulate project.toml --push 0.001";
+    let push = "simulate project.toml --push 0.001rad";
     let (status, words) = said("lamp-falls", &lamp("weight = 30", 1.0), push);
     assert!(
         status == 1 && words.contains("Weight and loads: unstable"),

@@ -81,13 +81,17 @@ pub fn read_columns_as(
     motion_of(name, read, options)
 }
 
-/// Refuses channels whose names say another direction, and a channel that is taken twice.
+/// Refuses columns whose names say another direction, and a column that is taken twice.
 fn refuse_mistaken(
     sources: &[ComponentSource<'_>],
     read: &[(Component, ComponentReading)],
 ) -> Result<(), MotionError> {
     let refused = |why: Turned| Err(MotionError::Orientation { why: why.into() });
-    for (component, one) in read {
+    let of_columns = sources
+        .iter()
+        .zip(read)
+        .filter(|(source, _)| source.channel.is_some());
+    for (_, (component, one)) in of_columns {
         let (channel, component) = (one.name.clone(), component.name().to_owned());
         match (component.as_str(), one.orientation) {
             ("z", Some(Orientation::Horizontal { .. })) => {

@@ -18,18 +18,6 @@ pub(super) fn read(bytes: &[u8], options: &MotionOptions) -> Result<Vec<Raw>, Mo
     let Layout::Csv(layout) = &reading.layout else {
         return Err(RecordError::Empty.into()); // the reader of CSV gives no other layout
     };
-    if let Some(Column::Number(number)) = &column
-        && let at = number.saturating_sub(1)
-        && layout.time_column.is_some()
-        && layout.time_column.as_ref() == layout.columns.get(at)
-    {
-        let mut others = layout.columns.clone();
-        others.remove(at);
-        return Err(MotionError::Channels {
-            given: Some(number.to_string()),
-            names: others,
-        });
-    }
     let channels = reading.record.channels();
     let are_several = channels.len() > 1;
     let given = options.time_step_s;

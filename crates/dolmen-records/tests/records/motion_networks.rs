@@ -259,7 +259,7 @@ fn exact_a_channel_is_also_a_column_by_its_name() {
     assert!(said(text, &channel("z")).contains('z'));
     let one = b"time_s,x_m_s2\n0,0\n0.02,0.1\n0.04,-0.2\n";
     assert_eq!(
-        read_component(one, &channel("1")).unwrap().acceleration_m_s2,
+        read_component(one, &channel("2")).unwrap().acceleration_m_s2,
         [0.0, 0.1, -0.2]
     );
 }

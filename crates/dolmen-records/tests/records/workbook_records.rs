@@ -54,7 +54,7 @@ fn options(has_dates: bool) -> RecordOptions {
     RecordOptions {
         unit: Unit::MetrePerSecondSquared,
         sampling_rate_hz: has_dates.then_some(100.0),
-        picks: has_dates.then(|| picks.to_vec()).unwrap_or_default(),
+        picks: if has_dates { picks.to_vec() } else { Vec::new() },
         ..Default::default()
     }
 }

@@ -1,7 +1,9 @@
 //! Simulated motions of a chain: how they ended, link by link, in time; versions side by side.
 
 use super::side_supports::{in_time, table};
-use super::simulation_ending::{beyond_small, ending, leans, simulation_findings, tilt_left_out, title};
+use super::simulation_ending::{
+    beyond_small, ending, leans, loads, simulation_findings, tilt_left_out, title,
+};
 use super::simulation_run::{bed_notes, course, run};
 use super::simulation_tables::{joints, links, versions};
 use crate::document::{Block, Document, Figure, TextStyle, document_text, findings_text};

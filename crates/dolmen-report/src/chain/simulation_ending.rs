@@ -2,7 +2,6 @@
 
 use super::side_supports::met;
 use crate::document::{Finding, Tone};
-
 use crate::simulated::{
     Simulated, capitalised, cut, kilo, millimetres, milliradians, seconds, undamped, under, version_name,
 };
@@ -86,6 +85,7 @@ pub(crate) fn simulation_findings(simulations: &[&ChainSimulation]) -> Vec<Findi
             .chain(beyond_small(simulation))
             .chain(leans(simulation))
             .chain(tilt_left_out(simulation))
+            .chain(loads(simulation))
             .chain(met(simulation))
     })
     .collect()

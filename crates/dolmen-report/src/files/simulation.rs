@@ -2,16 +2,16 @@
 
 use super::named::NamedFile;
 use super::paraview::paraview;
-use crate::figures::{self, building_histories, chain_histories, frame_histories};
+use crate::figures::{self, building_histories, chain_histories, frame_histories, wind_histories};
 use crate::film::{stack_film, supports_film};
 use crate::json::{
     building_simulation_json, chain_simulation_json, frame_simulation_json, judgement, simulation_json,
-    stack_runs_json, supports_json,
+    stack_runs_json, supports_json, wind_simulation_json,
 };
 use crate::tables::{
     building_histories_csv, building_peaks_csv, chain_energy_csv, chain_histories_csv, chain_slips_csv,
     chain_uplifts_csv, energy_csv, frame_energy_csv, frame_histories_csv, frame_slips_csv, joints_csv,
-    poses_csv, supports_csv,
+    poses_csv, supports_csv, wind_histories_csv, wind_peaks_csv,
 };
 use dolmen_records::meshes::{PoseError, stack_3dec, stack_json, stack_obj};
 use dolmen_words::Language;
@@ -103,9 +103,11 @@ pub fn simulation_files(
             let within = |file: NamedFile| file.within(&run.direction);
             files.into_iter().map(within).collect()
         }
-        Simulation::Chain(_) | Simulation::Stack(_) | Simulation::Supports(_) | Simulation::Building(_) => {
-            files
-        }
+        Simulation::Chain(_)
+        | Simulation::Stack(_)
+        | Simulation::Supports(_)
+        | Simulation::Building(_)
+        | Simulation::Wind(_) => files,
     })
 }
 

@@ -30,8 +30,8 @@ messages! {
             ko: "자유감쇠 기록의 모드 분석: {survey}",
         },
         Driven { survey: Sentence } => {
-            en: "Modes with measured inputs: {survey}",
-            ko: "계측한 입력을 고려한 모드 분석: {survey}",
+            en: "Modes above a measured ground: {survey}",
+            ko: "지반운동을 입력으로 한 모드 분석: {survey}",
         },
         Read { file: String, channels: Sentence, samples: String, rate: Quantity, time: Quantity, unit: Sentence, used: Vec<String> } => {
             en: "Record {file}: {channels} of {samples} samples at {rate} ({time}), {unit}. Channels used: {used}.",

@@ -311,27 +311,13 @@ impl Model<'_> {
 /// The chain with a factor on its weight, and, with another, the weight that static loads add in their place.
 fn weighted(chain: &Chain, loads: &[Acting], [weight, loaded]: [f64; 2]) -> Result<Chain, WorkError> {
     let gravity_m_s2 = chain.gravity_m_s2() * weight;
-    let mut links: Vec<Link> = chain.links().to_vec();
-    for load in loads {
-        let added_kg = loaded * load.weight_n / gravity_m_s2;
-        let at_m = above_joint_m(chain, load);
-        let link = &mut links[load.link];
-        let mass_kg = link.mass_kg + added_kg;
-        let own_kg_m2 = link.inertia_kg_m2();
-        let apart_m = at_m - link.centroid_m;
-        let reduced_kg = link.mass_kg * added_kg / mass_kg;
-        link.inertia = Inertia::Given(own_kg_m2 + reduced_kg * apart_m * apart_m);
-        link.centroid_m = (link.mass_kg * link.centroid_m + added_kg * at_m) / mass_kg;
-        link.mass_kg = mass_kg;
-    }
-    let alone = Chain::new(links, gravity_m_s2)?;
+    let heavier = Chain::new(chain.links().to_vec(), gravity_m_s2)?;
     let supports = chain.side_supports().iter().copied();
-    Ok(supports.into_iter().try_fold(alone, Chain::with_side_support)?)
-}
-
-fn above_joint_m(chain: &Chain, load: &Acting) -> f64 {
-    let length_m = chain.links()[load.link].length_m;
-    load.height_m.map_or(length_m, |height_m| {
-        (height_m - chain.joint_heights_m()[load.link]).clamp(0.0, length_m)
-    })
+    let heavier = supports.into_iter().try_fold(heavier, Chain::with_side_support)?;
+    let added = loads.iter().map(|load| AddedMass {
+        link: load.link,
+        height_m: load.above_joint_m,
+        mass_kg: loaded * load.weight_n / gravity_m_s2,
+    });
+    Ok(heavier.with_added_masses(&added.collect::<Vec<_>>())?)
 }

@@ -86,7 +86,13 @@ impl Judgement {
             version.weight = match run {
                 Simulation::Chain(run) if run.falls_by_itself() => Some(Weight::Unstable),
                 Simulation::Supports(run) => Some(Weight::of_supports(run, version.weight)),
-                _ if of.is_marginal && !is_contradicted && version.weight.is_none() => Some(Weight::Marginal),
+                // what speaks against a model never makes its judgement better
+                _ if version.weight.is_none() => {
+                    let found = of.without_shaking.as_ref();
+                    let found = found.filter(|of| !is_contradicted || of.weight == Weight::Unstable);
+                    version.governed_by = found.and_then(|of| of.governed_by.clone());
+                    found.map(|of| of.weight)
+                }
                 _ => version.weight,
             };
         }

@@ -218,7 +218,7 @@ pub(super) fn leaning(run: &Simulation) -> Option<Leaning> {
             tilt: lean.written.clone(),
         }),
         Simulation::Supports(run) => run.lean.as_ref().map(of_stack_lean),
-        Simulation::Frame(_) | Simulation::Building(_) => None,
+        Simulation::Frame(_) | Simulation::Building(_) | Simulation::Wind(_) => None,
     }
 }
 

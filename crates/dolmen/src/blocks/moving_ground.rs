@@ -32,12 +32,12 @@ impl MovingGround {
     pub fn factor_at(&self, time_s: f64) -> f64 {
         let left_s = self.duration_s() - time_s;
         match left_s < self.start_s {
-            true => self.factor_most - self.from_rest(left_s),
-            false => self.from_rest(time_s),
+            true => self.factor_most - self.way_since_rest(left_s),
+            false => self.way_since_rest(time_s),
         }
     }
 
-    fn from_rest(&self, time_s: f64) -> f64 {
+    fn way_since_rest(&self, time_s: f64) -> f64 {
         let (t, start_s) = (time_s.max(0.0), self.start_s);
         let factor = match t < start_s {
             true => 0.5 * (t - start_s / PI * (PI * t / start_s).sin()),

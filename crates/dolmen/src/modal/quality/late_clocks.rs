@@ -22,10 +22,6 @@ const DELAY_MOST_S: f64 = 2.0;
 const EXPLAINED: f64 = 4.0;
 /// Deviations of a delay from none from which it counts. Chosen here.
 const DEVIATIONS: f64 = 5.0;
-/// Chance with which phases of no meaning follow one of the delays tried, up to which a delay counts that three modes or more show. Chosen here.
-const CHANCE_MOST: f64 = 0.01;
-/// Delays looked for where another channel of the place shows that its clock is right, s: those of filters. Chosen here.
-const FILTER_MOST_S: f64 = 0.25;
 /// Steps of the search turn the highest mode by so much, rad (5°).
 const TURN_STEP: f64 = PI / 36.0;
 
@@ -73,15 +69,10 @@ pub(crate) fn leave_out_late_clocks(modes: &mut Modes, peaks: &Modes, notes: &mu
             // the clock is right: what is late is a channel of its own
             false => off.iter().map(|&c| vec![c]).collect(),
         };
-        let most_s = if agree.is_empty() {
-            DELAY_MOST_S
-        } else {
-            FILTER_MOST_S
-        };
         for channels in together {
             if is_quarter_turn(&of(&channels)) {
                 turned.extend(&channels);
-            } else if let Some(clock) = delay(&of(&channels), most_s) {
+            } else if let Some(clock) = delay(&of(&channels)) {
                 late.extend(channels.iter().map(|&c| {
                     let channel = modes.channels[c].name.clone();
                     (
@@ -211,7 +202,7 @@ fn at_hz(channels: &[&[Phase]]) -> Vec<f64> {
 }
 
 /// The least delay that explains the phases of these channels together and of each, and the next that does as well.
-fn delay(channels: &[&[Phase]], most_s: f64) -> Option<LateClock> {
+fn delay(channels: &[&[Phase]]) -> Option<LateClock> {
     let phases: Vec<Phase> = channels.iter().flat_map(|of| of.iter().copied()).collect();
     let angles: Vec<f64> = phases.iter().map(|p| p.phase.abs()).collect();
     let is_turned = |p: &&Phase| p.phase.abs() > ONE_CLOCK;
@@ -221,17 +212,10 @@ fn delay(channels: &[&[Phase]], most_s: f64) -> Option<LateClock> {
         return None;
     }
     let (lowest, highest) = (*modes.first()?, *modes.last()?);
-    let are_few = modes.len() < 3;
-    let most_s = if are_few { most_s.min(0.5 / lowest) } else { most_s };
-    // two frequencies have no third that could disagree
-    let by_chance = |delay_s: f64| {
-        let tried = 1.0 + 4.0 * delay_s.abs() * highest;
-        let mut windows: Vec<f64> = phases
-            .iter()
-            .map(|p| p.residual(delay_s).abs().max(p.sd) / (0.5 * PI))
-            .collect();
-        windows.sort_by(f64::total_cmp);
-        tried * windows.iter().skip(1).product::<f64>()
+    let most_s = if modes.len() > 2 {
+        DELAY_MOST_S
+    } else {
+        0.5 / lowest
     };
     let square = |delay_s: f64| -> f64 {
         let each = phases.iter().map(|p| (p.residual(delay_s) / p.sd).powi(2));
@@ -242,8 +226,7 @@ fn delay(channels: &[&[Phase]], most_s: f64) -> Option<LateClock> {
             let sum: f64 = of.iter().map(|p| (p.residual(delay_s) / p.sd).powi(2)).sum();
             sum <= EXPLAINED * of.len() as f64
         };
-        let is_told = are_few || by_chance(delay_s) < CHANCE_MOST;
-        square(delay_s) <= EXPLAINED && channels.iter().all(each) && is_told
+        square(delay_s) <= EXPLAINED && channels.iter().all(each)
     };
     let levers: f64 = phases.iter().map(|p| (TAU * p.frequency_hz / p.sd).powi(2)).sum();
     let better = |from_s: f64| {
@@ -468,13 +451,13 @@ mod tests {
             phases(&at)
         };
         let (a, b, other) = (delayed(0.12), delayed(0.12), delayed(0.05));
-        let clock = delay(&[&a, &b], DELAY_MOST_S).unwrap();
+        let clock = delay(&[&a, &b]).unwrap();
         assert!(
             (clock.delay_s - 0.12).abs() < 1e-12 && clock.modes == 3,
             "{clock:?}"
         );
-        assert!(delay(&[&other], DELAY_MOST_S).is_some());
-        assert_eq!(delay(&[&a, &other], DELAY_MOST_S), None);
+        assert!(delay(&[&other]).is_some());
+        assert_eq!(delay(&[&a, &other]), None);
     }
 
     fn phases(degrees_at_hz: &[(f64, f64)]) -> Vec<Phase> {
@@ -489,16 +472,16 @@ mod tests {
     #[test]
     fn exact_delay_of_two_phases_and_none_where_no_delay_explains_them() {
         // 0.05 s: 18° a hertz
-        let clock = delay(&[&phases(&[(27.0, 1.5), (75.6, 4.2)])], DELAY_MOST_S).unwrap();
+        let clock = delay(&[&phases(&[(27.0, 1.5), (75.6, 4.2)])]).unwrap();
         assert!((clock.delay_s - 0.05).abs() < 1e-12, "{clock:?}");
         // 1/√Σ(2πf/σ)² by hand
         assert!((clock.sd_s - OWN_PHASE / (TAU * 4.2_f64.hypot(1.5))).abs() < 1e-12);
-        assert_eq!(delay(&[&phases(&[(60.0, 1.5), (70.0, 4.2)])], DELAY_MOST_S), None);
+        assert_eq!(delay(&[&phases(&[(60.0, 1.5), (70.0, 4.2)])]), None);
         // a quarter turn in each is another quantity, though 1 : 3 fits a delay
         assert!(is_quarter_turn(&[&phases(&[(90.0, 1.4), (90.0, 4.2)])]));
         assert!(!is_quarter_turn(&[&phases(&[(27.0, 1.5), (75.6, 4.2)])]));
-        assert_eq!(delay(&[&phases(&[(75.6, 4.2)])], DELAY_MOST_S), None);
+        assert_eq!(delay(&[&phases(&[(75.6, 4.2)])]), None);
         // one frequency alone that is turned is a machine's as well
-        assert_eq!(delay(&[&phases(&[(1.2, 1.0), (60.0, 50.0)])], DELAY_MOST_S), None);
+        assert_eq!(delay(&[&phases(&[(1.2, 1.0), (60.0, 50.0)])]), None);
     }
 }

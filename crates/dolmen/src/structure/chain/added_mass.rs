@@ -37,10 +37,8 @@ impl Chain {
             link.mass_kg = mass_kg;
         }
         let loaded = Chain::new(links, self.gravity_m_s2())?;
-        match self.side_support() {
-            Some(support) => loaded.with_side_support(*support),
-            None => Ok(loaded),
-        }
+        let supports = self.side_supports().iter().copied();
+        supports.into_iter().try_fold(loaded, Chain::with_side_support)
     }
 }
 
