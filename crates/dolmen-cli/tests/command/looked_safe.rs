@@ -219,7 +219,9 @@ fn lamp(load: &str, factor: f64) -> String {
 #[test]
 fn holds_what_a_pole_carries_swings_with_it_and_what_makes_it_fall_is_no_green_run() {
     let push = "simulate project.toml --push 0.001rad";
-    let (status, words) = said("lamp-falls", &lamp("weight = 30", 1.0), push);
+    // the damping ratio of a mode says nothing of a pole that falls
+    let falls = lamp("weight = 30", 1.0).replace("damping_ratio = 0.02\n", "");
+    let (status, words) = said("lamp-falls", &falls, push);
     assert!(
         status == 1 && words.contains("Weight and loads: unstable"),
         "{words}"
@@ -228,13 +230,23 @@ fn holds_what_a_pole_carries_swings_with_it_and_what_makes_it_fall_is_no_green_r
     let first_hz = |text: &str| {
         let (_, words) = said("lamp-swings", text, &format!("{push} --json"));
         let answer: serde_json::Value = serde_json::from_str(words.trim()).unwrap();
-        answer["simulations"][0]["first_frequency_hz"].as_f64().unwrap()
+        answer["first_frequency_hz"].as_f64().unwrap()
     };
     let (with, without) = (
         first_hz(&lamp("weight = 3", 10.0)),
         first_hz(&lamp("weight = 0", 10.0)),
     );
     assert!(with < 0.95 * without, "{with} {without}");
+    let (_, words) = said(
+        "lamp-checked",
+        &lamp("weight = 3", 10.0),
+        "check project.toml --json",
+    );
+    let checked: serde_json::Value = serde_json::from_str(words.trim()).unwrap();
+    let of_check = checked["state"]["loads"]["with_their_weight"]["frequency_hz"]
+        .as_f64()
+        .unwrap();
+    assert!((of_check / with - 1.0).abs() < 1e-9, "{of_check} {with}");
     let (status, words) = said("lamp-pushes", &lamp("force = 0.1", 10.0), push);
     assert!(
         status == 0

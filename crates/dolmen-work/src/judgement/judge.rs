@@ -84,7 +84,10 @@ impl Judgement {
             }
             // a chain that falls without any shaking is unstable, whatever the motion did
             version.weight = match run {
-                Simulation::Chain(run) if run.falls_by_itself() => Some(Weight::Unstable),
+                Simulation::Chain(run) if run.falls_by_itself() => {
+                    version.governed_by = of.without_shaking.as_ref().and_then(|of| of.governed_by.clone());
+                    Some(Weight::Unstable)
+                }
                 Simulation::Supports(run) => Some(Weight::of_supports(run, version.weight)),
                 // what speaks against a model never makes its judgement better
                 _ if version.weight.is_none() => {
