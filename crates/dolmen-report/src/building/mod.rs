@@ -11,6 +11,7 @@ mod words;
 
 pub(crate) use dampers::rest;
 pub(crate) use findings::{findings, variant_findings};
+pub(crate) use wind::InWind;
 pub(crate) use wind_findings::slender;
 pub(crate) use words::{
     axis_words, beside, direction_words, fixed, floor_words, kilonewtons, millimetres, name, number, of_both,

@@ -2,7 +2,7 @@
 
 use super::said::findings;
 use crate::building::{
-    axis_words, damper_table, kilonewtons, millimetres, scaled, significant, stroke_words,
+    InWind, axis_words, damper_table, kilonewtons, millimetres, scaled, significant, stroke_words,
 };
 use crate::document::{
     Block, Cell, Column, Document, Figure, Table, TextStyle, document_text, findings_text,
@@ -36,15 +36,6 @@ messages! {
         LeftOut => {
             en: "Not in it: gusts and vortices across the wind, their torque, galloping, aerodynamic damping, stops of dampers.",
             ko: "풍직각방향 난류·와류, 그 비틀림, 갤로핑, 공력감쇠, 제진장치의 스토퍼는 포함하지 않았다.",
-        },
-        AlongAxis { axis: Sentence } => { en: "Wind along {axis}.", ko: "{axis} 방향 바람." },
-        AlongWithout { axis: Sentence } => {
-            en: "Wind along {axis}, without dampers.",
-            ko: "{axis} 방향 바람(제진장치 제외).",
-        },
-        AlongWith { axis: Sentence } => {
-            en: "Wind along {axis}, with the dampers.",
-            ko: "{axis} 방향 바람(제진장치 포함).",
         },
         Meaning => {
             en: "σ and peak by the mean square, then in the histories: σ of all together, the mean of their peaks, its scatter, the largest.",
@@ -119,16 +110,12 @@ fn section(run: &WindSimulation) -> Document<'_> {
     for (axis, along) in run.along.iter().enumerate() {
         let name = || axis_words(axis);
         let caption = match along.with {
-            Some(_) => Histories::AlongWithout { axis: name() },
-            None => Histories::AlongAxis { axis: name() },
+            Some(_) => InWind::AlongWithout { axis: name() },
+            None => InWind::AlongAxis { axis: name() },
         };
         document.put(Block::Table(table(run, &along.without, caption)));
         if let Some(with) = &along.with {
-            document.put(Block::Table(table(
-                run,
-                with,
-                Histories::AlongWith { axis: name() },
-            )));
+            document.put(Block::Table(table(run, with, InWind::AlongWith { axis: name() })));
         }
     }
     document.note(Histories::LeftOut);
@@ -156,7 +143,7 @@ fn caption(plot: WindPlot) -> Vec<Sentence> {
     vec![said.into(), Histories::First.into()]
 }
 
-fn table(run: &WindSimulation, motion: &MotionInTime, caption: Histories) -> Table {
+fn table(run: &WindSimulation, motion: &MotionInTime, caption: InWind) -> Table {
     let mut rows = vec![row(Histories::Top, &motion.top_displacement_m, millimetres())];
     let drifts = run.floors.iter().zip(&motion.drifts_m).rev();
     rows.extend(drifts.map(|(floor, drift)| {
