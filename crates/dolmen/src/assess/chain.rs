@@ -24,6 +24,48 @@ pub struct ChainCheck {
     pub side_supports: Vec<SideSupport>,
     /// The load factor without side supports; `None` without any that is counted, or if the stiffness is not known.
     pub load_factor_without_supports: Option<f64>,
+    /// Across, where the chain has something of its own there; `None`: as in the direction of motion.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub across: Option<Box<ChainAcross>>,
+}
+
+/// A chain across the direction of motion.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct ChainAcross {
+    /// Rocking stiffness of the footing there, N m/rad; `None` if nothing is known of the soil.
+    pub soil_n_m_rad: Option<f64>,
+    /// With the joints' stiffness there; `None` if it is not known.
+    pub stability: Option<ChainStability>,
+    /// Natural modes there; empty if the stiffness is not known.
+    pub modes: Vec<NaturalMode>,
+    /// Stiffness of the joints there, from 1 at the bottom, that is not given and was taken by the sides of the beds.
+    pub taken: Vec<StiffnessTaken>,
+    /// What stands at its side there.
+    pub side_supports: Vec<SideSupport>,
+    /// The load factor without those; as of [`ChainCheck`].
+    pub load_factor_without_supports: Option<f64>,
+}
+
+/// A stiffness across that nobody gave.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct StiffnessTaken {
+    /// The joint, from 1 at the bottom.
+    pub joint: usize,
+    /// What was taken, N m/rad.
+    pub stiffness_n_m_rad: f64,
+    /// Over that along: (w/b)² of the sides of its bed, at most 1.
+    pub of_along: f64,
+}
+
+impl ChainCheck {
+    /// The least load factor of both directions; `None` if no stiffness is known.
+    pub fn load_factor(&self) -> Option<f64> {
+        let across = self.across.iter().filter_map(|of| of.stability.as_ref());
+        let all = self.stability.iter().chain(across);
+        all.map(|of| of.load_factor).min_by(f64::total_cmp)
+    }
 }
 
 /// The lowest joint in series with the soil that it stands on.
@@ -36,18 +78,6 @@ pub struct JointOnSoil {
     pub joint_n_m_rad: Option<f64>,
     /// Both in series, which is what moves, N m/rad.
     pub together_n_m_rad: Option<f64>,
-    /// Across the motion, where the footing is softer there.
-    pub across: Option<AcrossOnSoil>,
-}
-
-/// A chain on a footing that is softer across the motion.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct AcrossOnSoil {
-    /// Rocking stiffness of the footing there, N m/rad.
-    pub soil_n_m_rad: f64,
-    /// Load factor there, with joints as stiff as along; `None` if they are not known.
-    pub load_factor: Option<f64>,
 }
 
 impl JointOnSoil {
@@ -97,12 +127,40 @@ pub fn check_chain(chain: &Chain, stiffness_n_m_rad: Option<&[f64]>) -> Result<C
         one_stone: None,
         on_soil: None,
         side_supports: chain.side_supports().to_vec(),
-        load_factor_without_supports: match stiffness_n_m_rad {
-            Some(k) if chain.side_supports().iter().any(SideSupport::acts_linearly) => {
-                Some(chain_stability(&chain.without_side_supports(), k)?.load_factor)
-            }
-            _ => None,
-        },
+        load_factor_without_supports: without_supports(chain, stiffness_n_m_rad)?,
+        across: None,
+    })
+}
+
+/// The chain across, by itself.
+///
+/// # Errors
+/// As [`check_chain`].
+pub fn check_chain_across(
+    chain: &Chain,
+    stiffness_n_m_rad: Option<&[f64]>,
+    taken: Vec<StiffnessTaken>,
+) -> Result<ChainAcross, AssessError> {
+    let (stability, modes) = match stiffness_n_m_rad {
+        None => (None, Vec::new()),
+        Some(k) => (Some(chain_stability(chain, k)?), chain.natural_modes(k)?),
+    };
+    Ok(ChainAcross {
+        soil_n_m_rad: None,
+        stability,
+        modes,
+        taken,
+        side_supports: chain.side_supports().to_vec(),
+        load_factor_without_supports: without_supports(chain, stiffness_n_m_rad)?,
+    })
+}
+
+fn without_supports(chain: &Chain, stiffness_n_m_rad: Option<&[f64]>) -> Result<Option<f64>, AssessError> {
+    Ok(match stiffness_n_m_rad {
+        Some(k) if chain.side_supports().iter().any(SideSupport::acts_linearly) => {
+            Some(chain_stability(&chain.without_side_supports(), k)?.load_factor)
+        }
+        _ => None,
     })
 }
 

@@ -24,7 +24,10 @@ mod trends;
 pub use capacity::{
     Capacity, Reached, Reading, ScaleTrial, Trial, capacity, next_in_bracket, reached_quantile,
 };
-pub use chain::{AcrossOnSoil, CENTROID_CHANGE, ChainCheck, JointOnSoil, centroid_effect, check_chain};
+pub use chain::{
+    CENTROID_CHANGE, ChainAcross, ChainCheck, JointOnSoil, StiffnessTaken, centroid_effect, check_chain,
+    check_chain_across,
+};
 pub use change::{
     ChangeNote, Difference, Evidence, FittedTemperature, ModeChange, NotCompared, SurveyChange,
     SurveyChangeOptions, Surveyed, SwappedChannels, TEMPERATURE_SURVEYS_LEAST, TemperatureEffect,

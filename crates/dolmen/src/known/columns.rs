@@ -101,6 +101,16 @@ pub fn timoshenko_cantilever(r: f64, s: f64) -> [f64; 3] {
     })
 }
 
+/// Distance of the centre of what a line across the diagonal cuts off a square of side 1 from that of the square, for a share of its area: a
+/// triangle of legs √(2 a) up to half of the square, beyond that all but one.
+pub fn square_cut_across_its_diagonal(share: f64) -> f64 {
+    let of_triangle = |share: f64| 2.0_f64.sqrt() * (0.5 - (2.0 * share).sqrt() / 3.0);
+    match share <= 0.5 {
+        true => of_triangle(share),
+        false => (1.0 - share) / share * of_triangle(1.0 - share),
+    }
+}
+
 /// J_m (`sign` −1) or I_m (`sign` 1) by power series: 10 digits up to z = 13.
 fn bessel_series(order: i32, z: f64, sign: f64) -> f64 {
     const TERMS: i32 = 60;

@@ -1,4 +1,13 @@
-//! The largest moment that a bed without tension passes.
+//! The largest moment that a bed without tension passes, in its plane and towards any side.
+//!
+//! | symbol | code | meaning | unit |
+//! |:--|:--|:--|:--|
+//! | N | `normal_n` | normal force | N |
+//! | b, w | `width_m`, `depth_m` | sides of the bed | m |
+//! | f | `strength_pa` | compressive strength of the bed | Pa |
+//! | a | `share` | N/(f b w), share of the bed that the stress block takes | |
+//! | u | `along`, `across` | centre of the block from that of the bed, over its sides | |
+//! | r | `slope` | the smaller of both components of u over the larger | |
 
 /// A rectangular bed as the moment on it meets it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,6 +33,108 @@ impl BedEdge {
             .strength_pa
             .map_or(0.0, |strength_pa| normal_n / (strength_pa * self.depth_m));
         (0.5 * normal_n * (self.width_m - crushed_m)).max(0.0)
+    }
+
+    /// The same bed as a moment across meets it.
+    pub fn across(&self) -> BedEdge {
+        BedEdge {
+            width_m: self.depth_m,
+            depth_m: self.width_m,
+            strength_pa: self.strength_pa,
+        }
+    }
+
+    /// k across over k along of a bed of equal springs: w b³/12 along, b w³/12 across.
+    pub fn stiffness_ratio_across(&self) -> f64 {
+        (self.depth_m / self.width_m).powi(2)
+    }
+
+    /// The largest moment towards a side, N m, [along b, along w], of any length: the resultant lies at M/N from the centre.
+    ///
+    /// ```text
+    /// f → ∞:  M = N · distance from the centre to the edge towards that side
+    /// else:   the stress block is what a straight line cuts off the bed, of area N/f, with its centre on that side;
+    ///         u = (½ − p/3, ½ − q/3), p q = 2 a          a corner
+    ///         u = (m/(12 a), ½ − a/2 − m²/(24 a))        a strip, slanted by m
+    ///         (1 − a)/a times that of 1 − a              all but a corner
+    /// ```
+    ///
+    /// # Limits
+    /// A rigid, perfectly plastic bed: no rotation of it is asked for.
+    pub fn moment_towards_n_m(&self, normal_n: f64, [along, across]: [f64; 2]) -> f64 {
+        let length = along.hypot(across);
+        let towards = [
+            along.abs() / length / self.width_m,
+            across.abs() / length / self.depth_m,
+        ];
+        let (most, least) = (towards[0].max(towards[1]), towards[0].min(towards[1]));
+        let share = self.strength_pa.map_or(0.0, |strength_pa| {
+            normal_n / (strength_pa * self.width_m * self.depth_m)
+        });
+        (normal_n * block_centre(share, least / most) / most).max(0.0)
+    }
+
+    /// How many times a growing moment can be added to one that is there until the bed passes no more; 0 where what is there is too much.
+    /// Moments N m, [along b, along w].
+    pub fn reach(&self, normal_n: f64, there_n_m: [f64; 2], growing_n_m: [f64; 2]) -> f64 {
+        const HALVINGS: usize = 60; // below the rounding of the limits
+        let limits = [self.moment_n_m(normal_n), self.across().moment_n_m(normal_n)];
+        // the block comes no farther along a side than with that side alone
+        let most = (0..2).map(|axis| {
+            let (limit, there, growing) = (limits[axis], there_n_m[axis], growing_n_m[axis]);
+            match there.abs() >= limit {
+                true => 0.0,
+                false if growing == 0.0 => f64::INFINITY,
+                false => (limit - there * growing.signum()) / growing.abs(),
+            }
+        });
+        let most = most.fold(f64::INFINITY, f64::min);
+        let passes = |times: f64| {
+            let moment = [0, 1].map(|axis| there_n_m[axis] + times * growing_n_m[axis]);
+            let size = moment[0].hypot(moment[1]);
+            size == 0.0 || size < self.moment_towards_n_m(normal_n, moment)
+        };
+        if self.strength_pa.is_none() || most == 0.0 {
+            return most;
+        }
+        if !passes(0.0) {
+            return 0.0;
+        }
+        if most.is_infinite() {
+            return most;
+        }
+        let (mut least, mut most) = (0.0, most);
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (least + most);
+            match passes(middle) {
+                true => least = middle,
+                false => most = middle,
+            }
+        }
+        0.5 * (least + most)
+    }
+}
+
+/// The larger component of u on a square of side 1 for a block of `share`, the smaller one being `slope` of it.
+fn block_centre(share: f64, slope: f64) -> f64 {
+    if share <= 0.0 {
+        return 0.5;
+    }
+    if share >= 1.0 {
+        return 0.0;
+    }
+    let corner = share.min(1.0 - share);
+    let both = share * (1.0 - share);
+    let slant = 12.0 * slope * both / (1.0 + (1.0 + 12.0 * slope * slope * both).sqrt());
+    if slant <= 2.0 * corner {
+        return 0.5 - 0.5 * share - slant * slant / (24.0 * share);
+    }
+    let rest = 1.5 * (1.0 - slope);
+    let longer = 0.5 * (rest + (rest * rest + 8.0 * corner * slope).sqrt());
+    let centre = 0.5 - 2.0 * corner / (3.0 * longer);
+    match share <= 0.5 {
+        true => centre,
+        false => centre * corner / share,
     }
 }
 

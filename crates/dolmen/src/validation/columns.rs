@@ -1,9 +1,9 @@
-//! Closed forms that chains and beams must reproduce: buckling of Hencky (1920) and Greenhill (1881), frequencies of
+//! Closed forms that chains, beds and beams must reproduce: buckling of Hencky (1920) and Greenhill (1881), frequencies of
 //! Euler (1744), Kirchhoff (1879) and Huang (1961).
 
 use super::{Case, ValidationError};
 use crate::known::columns;
-use crate::stability::{chain_limits, chain_stability};
+use crate::stability::{BedEdge, chain_limits, chain_stability};
 use crate::structure::{BeamTheory, Chain, Inertia, Jointing, Link, Pole, Section, Shaft, Stone};
 
 /// Mass of links that should be weightless, relative to the load: what it adds is below rounding.
@@ -35,8 +35,31 @@ pub(super) fn cases() -> Result<Vec<Case>, ValidationError> {
             note: "A chain approaches the column from below with the square of the number of links.",
         });
     }
+    cases.extend(beds());
     cases.extend(beams()?);
     Ok(cases)
+}
+
+/// A square bed that crushes, towards its corner.
+fn beds() -> Vec<Case> {
+    let case = |share: f64| {
+        let bed = BedEdge {
+            width_m: 1.0,
+            depth_m: 1.0,
+            strength_pa: Some(1.0 / share),
+        };
+        Case {
+            source: "Dupin (1822)",
+            what: format!("M/(N b) that a square bed passes towards its corner, {share} of it crushed"),
+            unit: "",
+            published: columns::square_cut_across_its_diagonal(share),
+            computed: bed.moment_towards_n_m(1.0, [1.0, 1.0]),
+            tolerance: 1e-12,
+            corrected: None,
+            note: "The block of stress is what a straight line cuts off, as the immersed part of a body that floats.",
+        }
+    };
+    [0.125, 0.5, 0.875].map(case).into()
 }
 
 /// Frequencies of beams, by both theories.

@@ -8,6 +8,7 @@ mod building_history;
 mod building_modes;
 mod building_peaks;
 mod building_spectra;
+mod chain_axes;
 mod chain_friction;
 mod chain_identification;
 mod chain_laws;
