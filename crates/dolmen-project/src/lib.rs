@@ -59,8 +59,8 @@ pub use building::{
     WatchedPart, strokes_of,
 };
 pub use chain::{
-    Cap, ChainLean, ChainPart, ChainSupportPart, FootingPart, JointFrictionPart, JointPart, LinkPart,
-    SoilPart, StonePart,
+    Cap, ChainAxis, ChainLean, ChainPart, ChainSupportPart, FootingPart, JointFrictionPart, JointPart,
+    LinkPart, SoilPart, StonePart, tilt_of_axes,
 };
 pub use combine::{canonical_text, parse_combination};
 pub use content::{Project, Structure, Variant, Warning, WarningKind};

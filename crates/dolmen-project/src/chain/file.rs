@@ -21,8 +21,12 @@ pub(crate) struct LinkRaw {
     pub(super) centroid: Option<At<QuantityRaw>>,
     /// Moment of inertia about the centre of mass; that of a thin rod if neither it nor breadth is given.
     pub(super) inertia: Option<At<QuantityRaw>>,
+    /// The same about the other horizontal axis, for motion across; that of inertia if neither it nor depth is given.
+    pub(super) inertia_across: Option<At<QuantityRaw>>,
     /// Breadth in the direction of motion: the inertia is then that of a box.
     pub(super) breadth: Option<At<QuantityRaw>>,
+    /// Breadth across the direction of motion; that of breadth if not given.
+    pub(super) depth: Option<At<QuantityRaw>>,
     /// Width of the bed below it in the direction of motion: for the uplift limit of its lower joint.
     pub(super) bed_width: Option<At<QuantityRaw>>,
 }
@@ -34,11 +38,13 @@ pub(crate) struct JointRaw {
     /// Rotational stiffness.
     #[schemars(required)]
     pub(super) stiffness: Option<At<QuantityRaw>>,
+    /// Rotational stiffness across the direction of motion; if not given that of stiffness, on a rectangular bed less by its sides.
+    pub(super) stiffness_across: Option<At<QuantityRaw>>,
     /// Rotational dashpot.
     pub(super) damping: Option<At<QuantityRaw>>,
     /// Width of the bed in the direction of motion; the same as bed_width of the link above it.
     pub(super) bed_width: Option<At<QuantityRaw>>,
-    /// Width of the bed across the direction of motion; that of bed_width if not given. With strength.
+    /// Width of the bed across the direction of motion; that of bed_width if not given. It makes the pole one of two directions.
     pub(super) bed_depth: Option<At<QuantityRaw>>,
     /// Compressive strength of the bed: the moment at which it stands on its edge is then N (b/2 - N/(2 f w)).
     pub(super) strength: Option<At<QuantityRaw>>,

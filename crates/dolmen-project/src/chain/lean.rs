@@ -5,8 +5,8 @@ use crate::file_number::At;
 use crate::reader::Reader;
 use crate::survey::{Survey, as_surveyed};
 
-/// Gives the chain the tilt of the survey that `as_surveyed` chooses. The plane in which a chain moves is not said: it leans in it by the tilts of
-/// all directions together.
+/// Gives the chain the tilt of the survey that `as_surveyed` chooses. The plane in which a chain of one direction moves is not said: it leans in
+/// it by the tilts of all directions together.
 pub(crate) fn lean_chain(
     reader: &mut Reader,
     given: Option<&At<String>>,
@@ -26,5 +26,25 @@ pub(crate) fn lean_chain(
         survey: survey.name.clone(),
         written: written.collect::<Vec<_>>().join(", "),
         lean_rad: ratio.atan(),
+        each_rad: tilt_of_axes(survey).map(f64::atan),
     });
+}
+
+/// The tilt of a survey along x and along y; that of all directions together for both where one has another name.
+pub fn tilt_of_axes(survey: &Survey) -> [f64; 2] {
+    let named = survey
+        .tilt
+        .keys()
+        .all(|direction| direction == "x" || direction == "y");
+    let of = |direction: &str| survey.tilt.get(direction).map_or(0.0, |tilt| tilt.ratio);
+    let together = survey
+        .tilt
+        .values()
+        .map(|tilt| tilt.ratio * tilt.ratio)
+        .sum::<f64>()
+        .sqrt();
+    match named {
+        true => [of("x"), of("y")],
+        false => [together; 2],
+    }
 }

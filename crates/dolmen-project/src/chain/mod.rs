@@ -1,5 +1,7 @@
 //! Chains: rigid links on rotational springs.
 
+mod axes;
+mod axis;
 mod doubts;
 mod file;
 mod friction;
@@ -14,9 +16,11 @@ mod stone;
 mod strength;
 mod support_part;
 
+pub use axis::ChainAxis;
 pub(crate) use doubts::doubt_chain;
 pub(crate) use file::{CapRaw, HalfSpaceRaw, JointRaw, LinkRaw, StoneRaw};
 pub(crate) use lean::lean_chain;
+pub use lean::tilt_of_axes;
 pub use part::{Cap, ChainLean, ChainPart, JointFrictionPart, JointPart, LinkPart, StonePart};
 pub(crate) use read::chain;
 pub(crate) use slips::judge_chain;

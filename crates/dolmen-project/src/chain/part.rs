@@ -1,5 +1,6 @@
 //! The chain of a project file, and the chain of the science it builds.
 
+use super::axis::ChainAxis;
 use super::soil_part::SoilPart;
 use super::support_part::ChainSupportPart;
 use crate::heaviness::Heaviness;
@@ -7,8 +8,7 @@ use crate::loads::LoadsPart;
 use crate::quantity::{Pick, Quantity};
 use dolmen::assess::JointOnSoil;
 use dolmen::dynamics::{ChainJoint, ChainModel, ChainRotations, DynamicsError, JointFriction, JointOpening};
-use dolmen::stability::BedEdge;
-use dolmen::structure::{Chain, Inertia, Link, Stone, StructureError};
+use dolmen::structure::Stone;
 
 /// One link as the file gives it.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,8 +23,12 @@ pub struct LinkPart {
     pub centroid: Quantity,
     /// Moment of inertia about the centre of mass, kg m².
     pub inertia: Option<Quantity>,
+    /// The same for motion across, kg m²; `None`: by its depth, else as in the direction of motion.
+    pub inertia_across: Option<Quantity>,
     /// Breadth in the direction of motion, m: the link's inertia is then that of a box.
     pub breadth: Option<Quantity>,
+    /// Breadth across, m.
+    pub depth: Option<Quantity>,
     /// Width of the bed below it in the direction of motion, m.
     pub bed_width: Option<Quantity>,
 }
@@ -34,6 +38,8 @@ pub struct LinkPart {
 pub struct JointPart {
     /// Rotational stiffness, N m/rad.
     pub stiffness: Quantity,
+    /// The same across the direction of motion; `None`: by the sides of its bed.
+    pub stiffness_across: Option<Quantity>,
     /// Rotational dashpot, N m s/rad.
     pub damping: Option<Quantity>,
     /// Width of its bed across the direction of motion, m; `None`: as wide as in it.
@@ -118,78 +124,21 @@ pub struct ChainLean {
     pub written: String,
     /// The tilts of all directions together, rad.
     pub lean_rad: f64,
+    /// The tilts in the direction of motion and across, rad; both that of all together where the survey does not say x and y.
+    pub each_rad: [f64; 2],
+}
+
+impl ChainLean {
+    /// The tilt in a direction, rad.
+    pub fn towards_rad(&self, axis: ChainAxis) -> f64 {
+        match axis {
+            ChainAxis::Along => self.each_rad[0],
+            ChainAxis::Across => self.each_rad[1],
+        }
+    }
 }
 
 impl ChainPart {
-    /// The chain, each input with the value that `pick` chooses (`&mut Quantity::nominal` for the file's own).
-    ///
-    /// # Errors
-    /// None with the file's own values, which are checked on reading. A picked value may be impossible, for
-    /// instance a centroid above the link's top: [`StructureError`].
-    pub fn build(&self, pick: Pick<'_>) -> Result<Chain, StructureError> {
-        let links = self.links.iter().map(|part| {
-            let length_m = pick(&part.length);
-            let inertia = match (&part.inertia, &part.breadth) {
-                (Some(given), _) => Inertia::Given(pick(given)),
-                (None, Some(breadth)) => Inertia::Box {
-                    breadth_m: pick(breadth),
-                },
-                (None, None) => Inertia::ThinRod,
-            };
-            Link {
-                mass_kg: part.heaviness.mass_kg(self.gravity_m_s2, pick),
-                length_m,
-                centroid_m: pick(&part.centroid),
-                inertia,
-                bed_width_m: part.bed_width.as_ref().map(&mut *pick),
-            }
-        });
-        let mut links: Vec<Link> = links.collect();
-        self.take_crushed_beds(&mut links, pick);
-        let alone = Chain::new(links, self.gravity_m_s2)?;
-        let supports = self.side_supports.iter().map(|support| support.build(pick));
-        supports
-            .collect::<Vec<_>>()
-            .into_iter()
-            .try_fold(alone, Chain::with_side_support)
-    }
-
-    /// Takes N/(f w) off the width of each bed that crushes: half of what is left, times N, is the moment of its stress block.
-    fn take_crushed_beds(&self, links: &mut [Link], pick: Pick<'_>) {
-        let mut normal_n = 0.0;
-        let beds: Vec<Option<BedEdge>> = (0..links.len()).map(|i| self.bed(i, pick)).collect();
-        for (link, bed) in links.iter_mut().zip(beds).rev() {
-            normal_n += link.mass_kg * self.gravity_m_s2;
-            if let Some(bed) = bed.filter(|bed| bed.strength_pa.is_some()) {
-                link.bed_width_m = Some(2.0 * bed.moment_n_m(normal_n) / normal_n);
-            }
-        }
-    }
-
-    /// The bed below a link, from 0 at the bottom; `None` where its width is not given.
-    pub fn bed(&self, link: usize, pick: Pick<'_>) -> Option<BedEdge> {
-        let width_m = pick(self.links.get(link)?.bed_width.as_ref()?);
-        let joint = self.joints.as_ref().and_then(|joints| joints.get(link));
-        let depth = joint.and_then(|joint| joint.bed_depth.as_ref());
-        let strength = joint.and_then(|joint| joint.strength.as_ref());
-        Some(BedEdge {
-            width_m,
-            depth_m: depth.map_or(width_m, &mut *pick),
-            strength_pa: strength.map(&mut *pick),
-        })
-    }
-
-    /// Stiffness of each joint, N m/rad, lowest first, the soil in series with the lowest; `None` if the joints are unknown.
-    pub fn stiffness_n_m_rad(&self, pick: Pick<'_>) -> Option<Vec<f64>> {
-        let joints = self.joints.as_ref()?;
-        let each = joints.iter().map(|joint| pick(&joint.stiffness));
-        let mut stiffness: Vec<f64> = each.collect();
-        if let (Some(soil), Some(lowest)) = (&self.soil, stiffness.first_mut()) {
-            *lowest = soil.build(pick).in_series_n_m_rad(*lowest);
-        }
-        Some(stiffness)
-    }
-
     /// The lowest joint and the soil below it; `None` if nothing is known of the soil.
     pub fn on_soil(&self, pick: Pick<'_>) -> Option<JointOnSoil> {
         let soil = self.soil.as_ref()?.build(pick);
@@ -199,7 +148,6 @@ impl ChainPart {
             soil_n_m_rad: soil.rocking_n_m_rad(),
             joint_n_m_rad,
             together_n_m_rad: joint_n_m_rad.map(|joint| soil.in_series_n_m_rad(joint)),
-            across: None,
         })
     }
 
@@ -221,10 +169,23 @@ impl ChainPart {
         rotations: ChainRotations,
         pick: Pick<'_>,
     ) -> Result<Option<ChainModel>, DynamicsError> {
-        let (Some(joints), Some(stiffness)) = (&self.joints, self.stiffness_n_m_rad(pick)) else {
+        self.moving_towards(loads, (rotations, ChainAxis::Along), pick)
+    }
+
+    /// The same in a direction.
+    ///
+    /// # Errors
+    /// As [`ChainPart::moving`].
+    pub fn moving_towards(
+        &self,
+        loads: &LoadsPart,
+        (rotations, axis): (ChainRotations, ChainAxis),
+        pick: Pick<'_>,
+    ) -> Result<Option<ChainModel>, DynamicsError> {
+        let (Some(joints), Some(stiffness)) = (&self.joints, self.stiffness_towards(axis, pick)) else {
             return Ok(None);
         };
-        let chain = self.build(pick)?;
+        let chain = self.build_towards(axis, pick)?;
         let chain = chain.with_added_masses(&loads.added_masses(&chain, pick))?;
         let mut built = Vec::with_capacity(joints.len());
         for ((part, link), stiffness_n_m_rad) in joints.iter().zip(chain.links()).zip(stiffness) {
@@ -249,7 +210,10 @@ impl ChainPart {
                 friction,
             });
         }
-        let lean_rad = self.lean.as_ref().map_or(0.0, |lean| lean.lean_rad);
+        let lean_rad = self.lean.as_ref().map_or(0.0, |lean| match self.has_two_axes() {
+            false => lean.lean_rad,
+            true => lean.towards_rad(axis),
+        });
         let model = ChainModel::new(chain, built, rotations)?.leaning(lean_rad)?;
         Ok(Some(match &self.damping_ratio {
             None => model,
@@ -260,14 +224,16 @@ impl ChainPart {
     pub(crate) fn inputs<'a>(&'a self, all: &mut Vec<&'a Quantity>) {
         for link in &self.links {
             all.extend([link.heaviness.quantity(), &link.length, &link.centroid]);
-            all.extend(link.inertia.iter().chain(&link.breadth).chain(&link.bed_width));
+            let sides = link.breadth.iter().chain(&link.depth).chain(&link.bed_width);
+            all.extend(link.inertia.iter().chain(&link.inertia_across).chain(sides));
         }
         for joint in self.joints.iter().flatten() {
             all.push(&joint.stiffness);
             all.extend(
                 joint
-                    .damping
+                    .stiffness_across
                     .iter()
+                    .chain(&joint.damping)
                     .chain(&joint.bed_depth)
                     .chain(&joint.strength),
             );

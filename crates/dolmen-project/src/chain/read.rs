@@ -27,7 +27,14 @@ fn link(reader: &mut Reader, raw: &At<LinkRaw>, path: &str) -> Option<LinkPart> 
     let length = of(&link.length, "length", Measure::Length, Bound::Positive);
     let centroid = of(&link.centroid, "centroid", Measure::Length, Bound::NotNegative);
     let inertia = of(&link.inertia, "inertia", Measure::Inertia, Bound::Positive);
+    let inertia_across = of(
+        &link.inertia_across,
+        "inertia_across",
+        Measure::Inertia,
+        Bound::Positive,
+    );
     let breadth = of(&link.breadth, "breadth", Measure::Length, Bound::Positive);
+    let depth = of(&link.depth, "depth", Measure::Length, Bound::Positive);
     let bed_width = of(&link.bed_width, "bed_width", Measure::Length, Bound::Positive);
     let heaviness = heaviness(reader, link.weight.as_ref(), link.mass.as_ref(), path, &raw.span);
     if let (Some(_), Some(breadth)) = (&inertia, &breadth) {
@@ -39,6 +46,20 @@ fn link(reader: &mut Reader, raw: &At<LinkRaw>, path: &str) -> Option<LinkPart> 
             },
         );
         reader.fault(fault.help(WrongChain::KeepOneOfThemBreadth));
+    }
+    if let (Some(_), Some(depth)) = (&inertia_across, &depth) {
+        let message = WrongChain::HasBothInertiaAcrossAnd {
+            path: path.to_string(),
+        };
+        let fault = Fault::new(reader.place(&depth.path), path, message);
+        reader.fault(fault.help(WrongChain::KeepOneOfThemDepth));
+    }
+    if let (Some(across), None, None) = (depth.as_ref().or(inertia_across.as_ref()), &inertia, &breadth) {
+        let message = WrongChain::AcrossWithoutAlong {
+            path: across.path.clone(),
+        };
+        let fault = Fault::new(reader.place(&across.path), &across.path, message);
+        reader.fault(fault.help(WrongChain::GiveBreadthToo));
     }
     let (length, centroid) = (length?, centroid?);
     if centroid.value > length.value {
@@ -63,7 +84,9 @@ fn link(reader: &mut Reader, raw: &At<LinkRaw>, path: &str) -> Option<LinkPart> 
         length,
         centroid,
         inertia,
+        inertia_across,
         breadth,
+        depth,
         bed_width,
     })
 }
@@ -75,6 +98,12 @@ fn joint(reader: &mut Reader, raw: &At<JointRaw>, path: &str) -> (Option<JointPa
     let stiffness = of(
         &raw.value.stiffness,
         "stiffness",
+        Measure::JointStiffness,
+        Bound::Positive,
+    );
+    let stiffness_across = of(
+        &raw.value.stiffness_across,
+        "stiffness_across",
         Measure::JointStiffness,
         Bound::Positive,
     );
@@ -104,6 +133,7 @@ fn joint(reader: &mut Reader, raw: &At<JointRaw>, path: &str) -> (Option<JointPa
     });
     let joint = stiffness.map(|stiffness| JointPart {
         stiffness,
+        stiffness_across,
         damping,
         bed_depth,
         strength,

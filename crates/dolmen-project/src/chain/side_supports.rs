@@ -1,9 +1,11 @@
 //! Side supports of a chain: posts that hold a pole at a height, tightly or with a gap.
 
+use super::axis::ChainAxis;
 use super::part::LinkPart;
 use super::support_part::ChainSupportPart;
 use crate::error::Fault;
 use crate::file_number::At;
+use crate::file_way::WayRaw;
 use crate::measure::{Bound, Measure};
 use crate::needed::listed;
 use crate::reader::Reader;
@@ -31,7 +33,6 @@ fn side_support(
     let of_stacks = [
         ("block", keys.block.is_some()),
         ("position", keys.position.is_some()),
-        ("direction", keys.direction.is_some()),
     ];
     if let Some((key, _)) = of_stacks.into_iter().find(|(_, is_given)| *is_given) {
         let key = format!("{path}.{key}");
@@ -43,6 +44,10 @@ fn side_support(
         reader.fault(fault.help(WrongChain::SupportKeys));
         return None;
     }
+    let axis = match &keys.direction {
+        None => None,
+        Some(raw) => Some(axis(reader, raw, &format!("{path}.direction"))?),
+    };
     let mut of =
         |raw, key: &str, measure, bound| reader.quantity(raw, &format!("{path}.{key}"), measure, bound);
     let height = of(keys.height.as_ref(), "height", Measure::Length, Bound::Positive);
@@ -85,5 +90,22 @@ fn side_support(
         height,
         stiffness,
         gap,
+        axis,
     })
+}
+
+/// The direction in which it holds the chain.
+fn axis(reader: &mut Reader, raw: &At<WayRaw>, path: &str) -> Option<ChainAxis> {
+    match &raw.value {
+        WayRaw::Axis(name) if name == ChainAxis::Along.name() => Some(ChainAxis::Along),
+        WayRaw::Axis(name) if name == ChainAxis::Across.name() => Some(ChainAxis::Across),
+        WayRaw::Axis(_) | WayRaw::Vector(_) => {
+            let message = WrongChain::SupportDirection {
+                path: path.to_owned(),
+            };
+            let fault = Fault::new(raw.span.clone(), path, message);
+            reader.fault(fault.help(WrongChain::SupportDirections));
+            None
+        }
+    }
 }

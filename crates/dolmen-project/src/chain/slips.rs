@@ -53,8 +53,10 @@ pub(crate) fn judge_chain(reader: &mut Reader, chain: &ChainPart) {
         .map(|link| mass_kg(&link.heaviness, chain.gravity_m_s2))
         .collect();
     judge_link_masses(reader, chain, &masses);
-    for (link, mass_kg) in chain.links.iter().zip(&masses) {
-        judge_link(reader, link, *mass_kg);
+    for (i, (link, mass_kg)) in chain.links.iter().zip(&masses).enumerate() {
+        let joint = chain.joints.as_ref().and_then(|joints| joints.get(i));
+        let bed_depth = joint.and_then(|joint| joint.bed_depth.as_ref());
+        judge_link(reader, link, bed_depth, *mass_kg);
     }
     judge_joints(reader, chain, &masses);
     if let Some(stone) = &chain.stone {
@@ -125,7 +127,7 @@ fn judge_link_masses(reader: &mut Reader, chain: &ChainPart, masses: &[f64]) {
     }
 }
 
-fn judge_link(reader: &mut Reader, link: &LinkPart, mass_kg: f64) {
+fn judge_link(reader: &mut Reader, link: &LinkPart, bed_depth: Option<&Quantity>, mass_kg: f64) {
     let length_m = link.length.value;
     let side_m = (mass_kg / (STONE_KG_M3 * length_m)).sqrt();
     let share = link.centroid.value / length_m;
@@ -139,7 +141,8 @@ fn judge_link(reader: &mut Reader, link: &LinkPart, mass_kg: f64) {
         reader.slip(&centroid.path, message, guess(0.001, unit_of(centroid)));
     }
     if let Some(breadth) = &link.breadth {
-        let density = mass_kg / (length_m * breadth.value * breadth.value);
+        let depth = link.depth.as_ref().unwrap_or(breadth);
+        let density = mass_kg / (length_m * breadth.value * depth.value);
         if !within(density, BOX_DENSITY_KG_M3) {
             let message = WrongChain::LinkSDensityWould {
                 path: breadth.path.to_string(),
@@ -176,7 +179,7 @@ fn judge_link(reader: &mut Reader, link: &LinkPart, mass_kg: f64) {
             reader.slip(&inertia.path, message, help);
         }
     }
-    if let Some(bed) = &link.bed_width {
+    for bed in link.bed_width.iter().chain(bed_depth) {
         let ratio = bed.value / side_m;
         if !within(ratio, (1.0 / BED_RATIO_MOST, BED_RATIO_MOST)) {
             let message = WrongChain::LinkWouldBeM {
@@ -202,16 +205,27 @@ fn judge_joints(reader: &mut Reader, chain: &ChainPart, masses: &[f64]) {
     judge_friction(reader, &joints[..count], &above);
     let shares: Vec<f64> = (0..count).map(|i| joints[i].stiffness.value / above(i)).collect();
     let odd = odd_ones(&shares, JOINT_RATIO_MOST, 1.0);
-    for i in 0..count {
-        let stiffness = &joints[i].stiffness;
-        if shares[i] >= JOINT_SHARE_LEAST && !odd.contains(&i) {
+    let along = (0..count).map(|i| (i, &joints[i].stiffness, !odd.contains(&i)));
+    // across a joint is beside itself along
+    let across = (0..count).filter_map(|i| {
+        let across = joints[i].stiffness_across.as_ref()?;
+        let ratio = across.value / joints[i].stiffness.value;
+        Some((
+            i,
+            across,
+            within(ratio, (1.0 / JOINT_RATIO_MOST, JOINT_RATIO_MOST)),
+        ))
+    });
+    for (i, stiffness, is_usual) in along.chain(across) {
+        let share = stiffness.value / above(i);
+        if share >= JOINT_SHARE_LEAST && is_usual {
             continue;
         }
         let product = reader.echo(above(i), Measure::JointStiffness);
         let message = WrongChain::IsWeightTimesHeight {
             path: stiffness.path.to_string(),
             written: stiffness.written.to_string(),
-            share: rounded(shares[i]),
+            share: rounded(share),
             product: product.to_string(),
         };
         let help = WrongChain::JointThatKeepsChain;

@@ -1,5 +1,6 @@
 //! A side support of a chain in a project file, and that of the science it builds.
 
+use super::axis::ChainAxis;
 use crate::quantity::{Pick, Quantity};
 use dolmen::structure::SideSupport;
 
@@ -12,6 +13,8 @@ pub struct ChainSupportPart {
     pub stiffness: Quantity,
     /// Free travel to each side, m; 0 if not given.
     pub gap: Option<Quantity>,
+    /// The direction in which it holds the chain, as the file says; `None`: that of motion.
+    pub axis: Option<ChainAxis>,
 }
 
 impl ChainSupportPart {

@@ -184,7 +184,7 @@ pub(crate) struct LoadRaw {
     pub(super) height: Option<At<QuantityRaw>>,
     /// Of a stack: the point at which it acts, [x, y, z], z up from the ground; the middle of the stone at height if not given.
     pub(super) position: Option<At<Vec<At<QuantityRaw>>>>,
-    /// Force from the side; its sign is a direction. Of a stack [x, y, z], z upwards.
+    /// Force from the side; its sign is a direction. Of a chain of two directions [x, y], along and across; of a stack [x, y, z], z upwards.
     pub(super) force: Option<At<ForceRaw>>,
     /// Weight that it adds.
     pub(super) weight: Option<At<QuantityRaw>>,

@@ -116,6 +116,8 @@ pub struct LoadPart {
     pub position: Option<[Quantity; 3]>,
     /// Force from the side, N, of a chain.
     pub force: Option<Quantity>,
+    /// Force across, N, of a chain of two directions.
+    pub force_across: Option<Quantity>,
     /// Force along x, y and upwards, N, of a stack.
     pub components: Option<[Quantity; 3]>,
     /// Weight that it adds, N.
@@ -127,7 +129,7 @@ pub struct LoadPart {
 impl LoadPart {
     /// Whether it pushes or turns a link of a chain.
     pub fn pushes(&self) -> bool {
-        let both = [&self.force, &self.moment];
+        let both = [&self.force, &self.force_across, &self.moment];
         both.into_iter().flatten().any(|of| of.value != 0.0)
     }
 
@@ -265,6 +267,7 @@ impl LoadsPart {
                 load.height
                     .iter()
                     .chain(&load.force)
+                    .chain(&load.force_across)
                     .chain(&load.weight)
                     .chain(&load.moment)
                     .chain(load.position.iter().flatten())

@@ -19,6 +19,8 @@ const ROUNDING_M: f64 = 1e-9;
 pub(super) struct Parts {
     /// Whether they are the stones of a stack, which forces meet in three dimensions.
     pub(super) are_stones: bool,
+    /// Whether forces meet them in two directions, along and across.
+    pub(super) have_two_axes: bool,
     /// Whether they are the floors of a building, which only wind acts on.
     pub(super) are_floors: bool,
     pub(super) list: &'static str,
@@ -33,6 +35,7 @@ pub(super) struct Parts {
 pub(super) fn parts(structure: &Structure) -> Option<Parts> {
     match structure {
         Structure::Chain(part) => Some(Parts {
+            have_two_axes: part.has_two_axes(),
             are_stones: false,
             are_floors: false,
             list: "links",
@@ -54,6 +57,7 @@ pub(super) fn parts(structure: &Structure) -> Option<Parts> {
         }),
         Structure::Stack(part) => Some(stones(part)),
         Structure::Building(part) => Some(Parts {
+            have_two_axes: false,
             are_stones: false,
             are_floors: true,
             list: "floors",
@@ -70,6 +74,7 @@ fn stones(part: &StackPart) -> Parts {
     let built = part.build(&mut Quantity::nominal);
     let blocks = built.as_ref().map_or(&[][..], |stack| stack.blocks());
     Parts {
+        have_two_axes: false,
         are_stones: true,
         are_floors: false,
         list: "blocks",

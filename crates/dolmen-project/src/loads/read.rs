@@ -130,6 +130,7 @@ fn load(reader: &mut Reader, raw: &At<LoadRaw>, path: &str, parts: &Parts) -> Op
     let before = reader.faults.len();
     foreign(reader, of, path, parts);
     let (force, components) = forces(reader, of, path, parts);
+    let [force, force_across] = force.map_or([None, None], |force| force);
     let position = of.position.as_ref().and_then(|raw| {
         let path = format!("{path}.position");
         lengths(reader, raw, &path, "[x, y, z]")
@@ -165,19 +166,20 @@ fn load(reader: &mut Reader, raw: &At<LoadRaw>, path: &str, parts: &Parts) -> Op
         height,
         position,
         force,
+        force_across,
         components,
         weight,
         moment,
     })
 }
 
-/// The force from the side, or its three components.
+/// The force from the side, along and across, or the three components of one on a stone.
 fn forces(
     reader: &mut Reader,
     of: &LoadRaw,
     path: &str,
     parts: &Parts,
-) -> (Option<Quantity>, Option<[Quantity; 3]>) {
+) -> (Option<[Option<Quantity>; 2]>, Option<[Quantity; 3]>) {
     let Some(raw) = &of.force else {
         return (None, None);
     };
@@ -187,10 +189,17 @@ fn forces(
         (None, None)
     };
     match (&raw.value, parts.are_stones) {
-        (ForceRaw::Along(value), false) => (
-            reader.quantity_at((value, &raw.span), &path, Measure::Force, Bound::Any),
-            None,
-        ),
+        (ForceRaw::Along(value), false) => {
+            let along = reader.quantity_at((value, &raw.span), &path, Measure::Force, Bound::Any);
+            (Some([along, None]), None)
+        }
+        (ForceRaw::Components(list), false) if list.len() == 2 && parts.have_two_axes => {
+            let mut of = |axis: usize| {
+                let (path, at) = (format!("{path}[{}]", axis + 1), &list[axis]);
+                reader.quantity_at((&at.value, &at.span), &path, Measure::Force, Bound::Any)
+            };
+            (Some([of(0), of(1)]), None)
+        }
         (ForceRaw::Components(list), true) => (
             None,
             numbers(reader, (list, &raw.span), (&path, Measure::Force), "[x, y, z]"),

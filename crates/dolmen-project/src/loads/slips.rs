@@ -60,7 +60,11 @@ pub(crate) fn judge_loads(reader: &mut Reader, loads: &LoadsPart) {
 fn forces(reader: &mut Reader, loads: &LoadsPart) {
     let each = loads.loads.iter().flat_map(|load| {
         let components = load.components.iter().flatten();
-        load.force.iter().chain(&load.weight).chain(components)
+        load.force
+            .iter()
+            .chain(&load.force_across)
+            .chain(&load.weight)
+            .chain(components)
     });
     let (least, most) = FORCE_N;
     for of in each.filter(|of| of.value != 0.0 && !(least..=most).contains(&of.value.abs())) {

@@ -274,7 +274,8 @@ pub(crate) struct SideSupportRaw {
     pub(crate) block: Option<At<String>>,
     /// kind = "stack": point of the block that meets it: [x, y, z], z up from the ground.
     pub(crate) position: Option<At<Vec<At<QuantityRaw>>>>,
-    /// kind = "stack": direction in which the block must move to meet it.
+    /// kind = "stack": direction in which the block must move to meet it. kind = "chain": "x", in the direction of motion (if not given), or
+    /// "y", across: to either side.
     pub(crate) direction: Option<At<WayRaw>>,
     /// kind = "chain": height above the lowest joint.
     pub(crate) height: Option<At<QuantityRaw>>,

@@ -37,6 +37,19 @@ messages! {
             en: "keep one of them: breadth makes the inertia that of a box",
             ko: "둘 중 하나만 남긴다. breadth를 주면 직육면체의 관성모멘트로 계산한다",
         },
+        HasBothInertiaAcrossAnd { path: String } => {
+            en: "{path} has both inertia_across and depth",
+            ko: "{path}에 inertia_across와 depth가 모두 있다",
+        },
+        KeepOneOfThemDepth => {
+            en: "keep one of them: depth makes the inertia across that of a box",
+            ko: "둘 중 하나만 남긴다. depth를 주면 직각 방향의 관성모멘트를 직육면체로 계산한다",
+        },
+        AcrossWithoutAlong { path: String } => {
+            en: "{path} is given, but nothing in the direction of motion",
+            ko: "{path}이(가) 있는데 운동 방향의 값이 없다",
+        },
+        GiveBreadthToo => { en: "give breadth or inertia there too", ko: "그곳에 breadth나 inertia도 입력한다" },
         LiesAboveLinkS { path: String, written: String } => {
             en: "{path} = {written} lies above the link's top",
             ko: "{path} = {written}이(가) 부재 상단보다 위에 있다",
@@ -57,6 +70,14 @@ messages! {
         SupportOfStack { path: String } => {
             en: "{path} is for blocks: a chain is held at a height",
             ko: "{path}은(는) 블록에 쓴다. chain은 높이로 지지 위치를 정한다",
+        },
+        SupportDirection { path: String } => {
+            en: "{path} of a chain is neither \"x\" nor \"y\"",
+            ko: "chain의 {path}은(는) \"x\"나 \"y\"이어야 한다",
+        },
+        SupportDirections => {
+            en: "write direction = \"x\" for posts that hold it in the direction of motion, \"y\" for posts across; it holds to either side",
+            ko: "운동 방향으로 지지하면 direction = \"x\", 직각 방향으로 지지하면 \"y\"를 쓴다. 지지는 양쪽으로 작용한다",
         },
         SupportAboveTop { path: String, written: String, top: String } => {
             en: "{path} = {written} lies above the top of the chain, {top}",

@@ -81,8 +81,8 @@ messages! {
             ko: "{path}이(가) 수 하나이나 석재에 작용하는 힘은 세 방향 성분이 필요하다",
         },
         ForceIsFromSide { path: String } => {
-            en: "{path} has components, but links are pushed along one direction",
-            ko: "{path}에 성분이 여러 개이나 이 구조물의 힘은 한 방향이다",
+            en: "{path} has components, but links are pushed along one direction; two, [x, y], where the chain has something of its own across (bed_depth)",
+            ko: "{path}에 성분이 여러 개이나 이 구조물의 힘은 한 방향이다. 직각 방향의 값(bed_depth)이 있으면 [x, y] 두 성분을 쓴다",
         },
         IsNotReadHere { path: String } => {
             en: "{path} is not read here",

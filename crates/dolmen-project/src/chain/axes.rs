@@ -1,0 +1,201 @@
+//! The two directions of a chain: that of its motion, and across.
+
+use super::axis::ChainAxis;
+use super::part::{ChainPart, JointPart, LinkPart};
+use super::soil_part::FootingPart;
+use crate::quantity::{Pick, Quantity};
+use dolmen::assess::StiffnessTaken;
+use dolmen::stability::BedEdge;
+use dolmen::structure::{Chain, Inertia, Link, Soil, StructureError};
+
+impl ChainPart {
+    /// Whether the file gives it something of its own across the direction of motion.
+    pub fn has_two_axes(&self) -> bool {
+        let of_link = |link: &LinkPart| link.depth.is_some() || link.inertia_across.is_some();
+        let of_joint = |joint: &JointPart| joint.bed_depth.is_some() || joint.stiffness_across.is_some();
+        let soil = self.soil.as_ref().map(|soil| &soil.footing);
+        self.links.iter().any(of_link)
+            || self.joints.iter().flatten().any(of_joint)
+            || self.side_supports.iter().any(|of| of.axis.is_some())
+            || matches!(soil, Some(FootingPart::Rectangle([along, across])) if along.value != across.value)
+    }
+
+    /// The direction that a survey means by a name.
+    pub fn axis_of(&self, direction: &str) -> ChainAxis {
+        match self.has_two_axes() && direction == ChainAxis::Across.name() {
+            true => ChainAxis::Across,
+            false => ChainAxis::Along,
+        }
+    }
+
+    /// The soil as motion in a direction meets it; `None` if nothing is known of it.
+    pub fn soil_towards(&self, axis: ChainAxis, pick: Pick<'_>) -> Option<Soil> {
+        let along = self.soil.as_ref()?.build(pick);
+        Some(match axis {
+            ChainAxis::Along => along,
+            ChainAxis::Across => along.across(),
+        })
+    }
+
+    /// The directions that it is judged in.
+    pub fn axes(&self) -> &'static [ChainAxis] {
+        match self.has_two_axes() {
+            true => &[ChainAxis::Along, ChainAxis::Across],
+            false => &[ChainAxis::Along],
+        }
+    }
+
+    /// The chain in the direction of motion, each input with the value that `pick` chooses (`&mut Quantity::nominal` for the file's own).
+    ///
+    /// # Errors
+    /// As [`ChainPart::build_towards`].
+    pub fn build(&self, pick: Pick<'_>) -> Result<Chain, StructureError> {
+        self.build_towards(ChainAxis::Along, pick)
+    }
+
+    /// The chain in a direction.
+    ///
+    /// # Errors
+    /// None with the file's own values, which are checked on reading. A picked value may be impossible, for
+    /// instance a centroid above the link's top: [`StructureError`].
+    pub fn build_towards(&self, axis: ChainAxis, pick: Pick<'_>) -> Result<Chain, StructureError> {
+        let links = self.links.iter().enumerate().map(|(i, part)| Link {
+            mass_kg: part.heaviness.mass_kg(self.gravity_m_s2, pick),
+            length_m: pick(&part.length),
+            centroid_m: pick(&part.centroid),
+            inertia: part.inertia_towards(axis, pick),
+            bed_width_m: self.bed_towards(axis, i, pick).map(|bed| bed.width_m),
+        });
+        let mut links: Vec<Link> = links.collect();
+        self.take_crushed_beds(axis, &mut links, pick);
+        let alone = Chain::new(links, self.gravity_m_s2)?;
+        let held = self
+            .side_supports
+            .iter()
+            .filter(|support| support.axis.unwrap_or(ChainAxis::Along) == axis);
+        let supports = held.map(|support| support.build(pick));
+        supports
+            .collect::<Vec<_>>()
+            .into_iter()
+            .try_fold(alone, Chain::with_side_support)
+    }
+
+    /// Takes N/(f w) off the width of each bed that crushes: half of what is left, times N, is the moment of its stress block.
+    fn take_crushed_beds(&self, axis: ChainAxis, links: &mut [Link], pick: Pick<'_>) {
+        let mut normal_n = 0.0;
+        let beds: Vec<Option<BedEdge>> = (0..links.len())
+            .map(|i| self.bed_towards(axis, i, pick))
+            .collect();
+        for (link, bed) in links.iter_mut().zip(beds).rev() {
+            normal_n += link.mass_kg * self.gravity_m_s2;
+            if let Some(bed) = bed.filter(|bed| bed.strength_pa.is_some()) {
+                link.bed_width_m = Some(2.0 * bed.moment_n_m(normal_n) / normal_n);
+            }
+        }
+    }
+
+    /// The bed below a link, from 0 at the bottom, as motion in its direction meets it; `None` where its width is not given.
+    pub fn bed(&self, link: usize, pick: Pick<'_>) -> Option<BedEdge> {
+        let width_m = pick(self.links.get(link)?.bed_width.as_ref()?);
+        let joint = self.joints.as_ref().and_then(|joints| joints.get(link));
+        let depth = joint.and_then(|joint| joint.bed_depth.as_ref());
+        let strength = joint.and_then(|joint| joint.strength.as_ref());
+        Some(BedEdge {
+            width_m,
+            depth_m: depth.map_or(width_m, &mut *pick),
+            strength_pa: strength.map(&mut *pick),
+        })
+    }
+
+    fn bed_towards(&self, axis: ChainAxis, link: usize, pick: Pick<'_>) -> Option<BedEdge> {
+        let bed = self.bed(link, pick)?;
+        Some(match axis {
+            ChainAxis::Along => bed,
+            ChainAxis::Across => bed.across(),
+        })
+    }
+
+    /// Stiffness of each joint in the direction of motion, N m/rad, lowest first, the soil in series with the lowest; `None` if the joints are
+    /// unknown.
+    pub fn stiffness_n_m_rad(&self, pick: Pick<'_>) -> Option<Vec<f64>> {
+        self.stiffness_towards(ChainAxis::Along, pick)
+    }
+
+    /// The same in a direction.
+    pub fn stiffness_towards(&self, axis: ChainAxis, pick: Pick<'_>) -> Option<Vec<f64>> {
+        let mut stiffness = self.joints_alone(axis, pick)?;
+        if let (Some(soil), Some(lowest)) = (self.soil_towards(axis, pick), stiffness.first_mut()) {
+            *lowest = soil.in_series_n_m_rad(*lowest);
+        }
+        Some(stiffness)
+    }
+
+    /// Without the soil.
+    fn joints_alone(&self, axis: ChainAxis, pick: Pick<'_>) -> Option<Vec<f64>> {
+        let joints = self.joints.as_ref()?;
+        let each = joints.iter().enumerate().map(|(i, joint)| {
+            let along = pick(&joint.stiffness);
+            match (axis, &joint.stiffness_across) {
+                (ChainAxis::Along, _) => along,
+                (ChainAxis::Across, Some(given)) => pick(given),
+                (ChainAxis::Across, None) => along * self.stiffness_ratio(i, pick),
+            }
+        });
+        Some(each.collect())
+    }
+
+    /// Stiffness across over that along where none is given: a bed of equal springs has (w/b)². Never above 1: a bed that is longer across may
+    /// be stiffer there, and that is not taken for granted.
+    fn stiffness_ratio(&self, joint: usize, pick: Pick<'_>) -> f64 {
+        let bed = self.bed(joint, pick);
+        bed.map_or(1.0, |bed| bed.stiffness_ratio_across().min(1.0))
+    }
+
+    /// The joints whose stiffness across is not given.
+    pub fn stiffness_taken(&self, pick: Pick<'_>) -> Vec<StiffnessTaken> {
+        let across = self.joints_alone(ChainAxis::Across, pick).unwrap_or_default();
+        let joints = self.joints.iter().flatten().zip(across).enumerate();
+        let not_given = joints.filter(|(_, (joint, _))| joint.stiffness_across.is_none());
+        let taken = not_given.map(|(i, (_, stiffness_n_m_rad))| StiffnessTaken {
+            joint: i + 1,
+            stiffness_n_m_rad,
+            of_along: self.stiffness_ratio(i, pick),
+        });
+        match self.has_two_axes() {
+            true => taken.collect(),
+            false => Vec::new(),
+        }
+    }
+}
+
+impl LinkPart {
+    fn inertia_towards(&self, axis: ChainAxis, pick: Pick<'_>) -> Inertia {
+        let is_across = axis == ChainAxis::Across;
+        let own = self.inertia_across.as_ref().filter(|_| is_across);
+        let depth = self.depth.as_ref().filter(|_| is_across);
+        let boxed = |breadth: &Quantity, pick: Pick<'_>| Inertia::Box {
+            breadth_m: pick(breadth),
+        };
+        match (own, depth, &self.inertia, &self.breadth) {
+            (Some(given), ..) => Inertia::Given(pick(given)),
+            (None, Some(depth), ..) => boxed(depth, pick),
+            (None, None, Some(given), _) => Inertia::Given(pick(given)),
+            (None, None, None, Some(breadth)) => boxed(breadth, pick),
+            (None, None, None, None) => Inertia::ThinRod,
+        }
+    }
+
+    /// The breadth that a wind blowing in a direction meets; `None` if no side is known.
+    pub fn met_by_wind(&self, axis: ChainAxis, bed: Option<BedEdge>, pick: Pick<'_>) -> Option<f64> {
+        let sides = match axis {
+            ChainAxis::Along => [&self.depth, &self.breadth],
+            ChainAxis::Across => [&self.breadth, &self.depth],
+        };
+        let side = sides.into_iter().flatten().next();
+        let of_bed = bed.map(|bed| match axis {
+            ChainAxis::Along => bed.depth_m,
+            ChainAxis::Across => bed.width_m,
+        });
+        side.map(pick).or(of_bed)
+    }
+}
