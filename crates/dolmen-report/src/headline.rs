@@ -210,9 +210,12 @@ fn contradicted(of: &MeasuredFrequency) -> Sentence {
 
 fn own_weight(judged: &VersionJudgement, weight: Weight, contradicted: Option<Sentence>) -> Sentence {
     let word = Both::of(|language| weight.word(language));
-    if judged.governed_by.is_some() {
+    if let Some(by) = &judged.governed_by {
         let word = Both::of(|language| judged.weight_words(weight, language));
-        return Headline::WeightAndLoads { word }.into();
+        return match by.is_weight() && !judged.with_loads {
+            true => Headline::OwnWeight { word }.into(),
+            false => Headline::WeightAndLoads { word }.into(),
+        };
     }
     match (weight, contradicted) {
         (

@@ -1,6 +1,7 @@
 //! `dolmen check`: does it stand, at what does it begin to move, and how sure is that.
 
 use crate::answer::CheckAnswer;
+use crate::chain::check::UpliftTilt;
 use crate::demand;
 use crate::error::{Within as _, WorkError};
 use crate::judgement::{measured_frequencies, superseded_by};
@@ -137,26 +138,53 @@ fn tilts(project: &Project, check: &Check) -> Vec<TiltCheck> {
     let Some(survey) = chosen.or_else(|| tilted().next_back()) else {
         return Vec::new();
     };
-    let uplift_tilt = kinds::uplift_tilt(check);
-    let each = survey.tilt.iter().map(|(direction, tilt)| TiltCheck {
+    let known = kinds::uplift_tilt(check).map(|edge| UpliftTilt {
+        edge,
+        opens: TiltCheck::OPENS * edge,
+    });
+    let towards = |towards| kinds::uplift_tilt_towards(project, check, towards);
+    let held_against = |direction: String, tilt: f64, limit: Option<UpliftTilt>| TiltCheck {
         survey: survey.name.clone(),
-        direction: direction.clone(),
-        tilt: tilt.ratio,
-        uplift_tilt,
+        direction,
+        tilt,
+        uplift_tilt: limit.or(known).map(|of| of.edge),
+        opens_tilt: limit.or(known).map(|of| of.opens),
+    };
+    let each = survey.tilt.iter().map(|(direction, tilt)| {
+        let limit = match direction.as_str() {
+            "x" => towards([1.0, 0.0]),
+            "y" => towards([0.0, 1.0]),
+            // to which side is not known: the worst
+            _ => towards_worst(&towards),
+        };
+        held_against(direction.clone(), tilt.ratio, limit)
     });
     let mut all: Vec<TiltCheck> = each.collect();
     // a joint opens to the side to which the whole leans, not along x and along y by themselves
     if let [first, second] = all.as_slice()
-        && uplift_tilt.is_some()
+        && known.is_some()
     {
-        let together = TiltCheck {
-            direction: format!("{}+{}", first.direction, second.direction),
-            tilt: TiltCheck::resultant(&all),
-            ..first.clone()
+        let limit = match (first.direction.as_str(), second.direction.as_str()) {
+            ("x", "y") => towards([first.tilt, second.tilt]),
+            _ => towards_worst(&towards),
         };
-        all.push(together);
+        let direction = format!("{}+{}", first.direction, second.direction);
+        all.push(held_against(direction, TiltCheck::resultant(&all), limit));
     }
     all
+}
+
+/// The least uplift tilt all round, by degrees.
+fn towards_worst(uplift_tilt: &dyn Fn([f64; 2]) -> Option<UpliftTilt>) -> Option<UpliftTilt> {
+    const DEGREES: u32 = 90; // a bed is alike on both sides of its axes
+    let each = (0..=DEGREES).filter_map(|degrees| {
+        let angle = f64::from(degrees).to_radians();
+        uplift_tilt([angle.cos(), angle.sin()])
+    });
+    each.reduce(|least, own| UpliftTilt {
+        edge: least.edge.min(own.edge),
+        opens: least.opens.min(own.opens),
+    })
 }
 
 /// Where the lowest measured frequency of a direction and that of the model differ too much to be of one structure.

@@ -5,7 +5,9 @@ use crate::error::WorkError;
 use crate::judgement::first_sway;
 use crate::part_limit::Compared;
 use crate::stack::frequencies::all_modes;
-use crate::state::{Check, DemandAnswer, LocalMechanismAgainstSite, SpectralAt, StackAnswer, TiltCheck};
+use crate::state::{
+    Check, DemandAnswer, Leaning, LocalMechanismAgainstSite, SpectralAt, StackAnswer, TiltCheck,
+};
 use crate::told::told;
 use crate::{building, chain, frame};
 use dolmen::assess::StackCheckOptions;
@@ -33,7 +35,7 @@ pub(crate) fn of(
         refused: None,
     };
     let at_rest = at_rest(project, tilts)?;
-    for (direction, period_s) in periods(project, check, at_rest.as_ref())? {
+    for (direction, period_s) in periods(project, check, &at_rest)? {
         let own = own_damping_ratio(project, check, &direction);
         let damping_ratio = match check {
             // its response is read at the damping of its modes
@@ -50,7 +52,7 @@ pub(crate) fn of(
             Err(why) => answer.refused = Some(told(&why)),
         }
     }
-    match compared(project, check, at_rest.as_ref(), &answer) {
+    match compared(project, check, &at_rest, &answer) {
         Ok(compared) => answer.compared = compared,
         Err(why) => answer.refused = Some(told(&why)),
     }
@@ -84,12 +86,11 @@ fn local_mechanisms(stack: &StackAnswer, site: &SiteDemand) -> Vec<LocalMechanis
 }
 
 /// A chain as it leans, before it is shaken.
-fn at_rest(project: &Project, tilts: &[TiltCheck]) -> Result<Option<AtRest>, WorkError> {
+fn at_rest(project: &Project, tilts: &[TiltCheck]) -> Result<Vec<AtRest>, WorkError> {
     let Structure::Chain(part) = &project.structure else {
-        return Ok(None);
+        return Ok(Vec::new());
     };
-    let tilt_rad = TiltCheck::resultant(tilts);
-    chain::loads::at_rest(part, &project.loads, tilt_rad, &mut Quantity::nominal).map(Some)
+    chain::loads::at_rest(part, &project.loads, Leaning::of(tilts), &mut Quantity::nominal)
 }
 
 /// The damping ratio that the file gives a structure in a direction, or a building's mode has.
@@ -112,19 +113,19 @@ fn own_damping_ratio(project: &Project, check: &Check, direction: &str) -> Optio
 fn compared(
     project: &Project,
     check: &Check,
-    at_rest: Option<&AtRest>,
+    at_rest: &[AtRest],
     answer: &DemandAnswer,
 ) -> Result<Compared, WorkError> {
     let limit = answer.drift_limit.as_ref();
-    match (&project.structure, check, at_rest) {
-        (Structure::Chain(part), Check::Chain(_), Some(at_rest)) => {
+    match (&project.structure, check) {
+        (Structure::Chain(part), Check::Chain(_)) => {
             let damping_ratio = answer
                 .site
                 .damping_ratio_of(own_damping_ratio(project, check, "all"));
             chain::limits::by_spectrum(part, at_rest, &answer.site, damping_ratio)
         }
-        (Structure::Frame(part), Check::Frame(_), _) => frame::limits::by_spectrum(part, &answer.site, limit),
-        (_, Check::Building(building), _) => Ok(Compared {
+        (Structure::Frame(part), Check::Frame(_)) => frame::limits::by_spectrum(part, &answer.site, limit),
+        (_, Check::Building(building)) => Ok(Compared {
             parts: building::limits::by_spectrum(building, limit),
             not_compared: Vec::new(),
         }),
@@ -133,30 +134,30 @@ fn compared(
 }
 
 /// First periods that are known, by direction, s.
-fn periods(
-    project: &Project,
-    check: &Check,
-    at_rest: Option<&AtRest>,
-) -> Result<Vec<(String, f64)>, WorkError> {
+fn periods(project: &Project, check: &Check, at_rest: &[AtRest]) -> Result<Vec<(String, f64)>, WorkError> {
     let of =
         |frequency_hz: f64| (frequency_hz > 0.0 && frequency_hz.is_finite()).then_some(1.0 / frequency_hz);
     Ok(match check {
         Check::Chain(_) => {
-            let stiffness = match &project.structure {
-                Structure::Chain(part) => part.stiffness_n_m_rad(&mut Quantity::nominal),
-                _ => None,
-            };
-            let frequency_hz = match (at_rest, stiffness) {
-                (Some(at_rest), Some(stiffness)) => {
-                    lowest_frequency_hz(&at_rest.chain.natural_modes(&stiffness)?)
-                }
-                _ => None,
-            };
-            let period = frequency_hz.and_then(of);
-            period
-                .into_iter()
-                .map(|period_s| ("all".to_owned(), period_s))
-                .collect()
+            let mut all = Vec::new();
+            for of_axis in at_rest {
+                let stiffness = match &project.structure {
+                    Structure::Chain(part) => part.stiffness_towards(of_axis.axis, &mut Quantity::nominal),
+                    _ => None,
+                };
+                let Some(stiffness) = stiffness else { continue };
+                let frequency_hz = lowest_frequency_hz(&of_axis.chain.natural_modes(&stiffness)?);
+                let direction = match at_rest.len() {
+                    1 => "all",
+                    _ => of_axis.axis.name(),
+                };
+                all.extend(
+                    frequency_hz
+                        .and_then(of)
+                        .map(|period_s| (direction.to_owned(), period_s)),
+                );
+            }
+            all
         }
         Check::Frame(directions) => {
             let each = directions.iter().filter_map(|direction| {

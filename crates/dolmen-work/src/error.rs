@@ -180,6 +180,21 @@ pub enum WorkError {
         /// What moves: "a chain".
         what: Both,
     },
+    /// A motion shakes a chain along x and y, and friction acts against the turn of both together.
+    OnePlaneFriction {
+        /// The joint, from 1 at the bottom.
+        joint: usize,
+    },
+    /// A motion shakes a chain along x and y, and a bed that crushes bears less towards its corners.
+    OnePlaneStrength {
+        /// The joint, from 1 at the bottom.
+        joint: usize,
+    },
+    /// A motion shakes a chain along x and y, and the depth of a bed that opens is not known.
+    OnePlaneNoDepth {
+        /// The joint, from 1 at the bottom.
+        joint: usize,
+    },
     /// A motion shakes only upwards what moves in a plane.
     NoHorizontal {
         /// What moves: "a chain".

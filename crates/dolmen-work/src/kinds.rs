@@ -10,7 +10,7 @@ use crate::progress::Progress;
 use crate::simulation::Simulation;
 use crate::stack::simulate::{Shaken, StackOptions};
 use crate::stack::{Law, Repeating};
-use crate::state::{Check, SensitivityOf, SpringFit, TiltCheck};
+use crate::state::{Check, Leaning, SensitivityOf, SpringFit, TiltCheck};
 use crate::stiffness::MeasuredDirection;
 use crate::surveyed::StiffnessAnswer;
 use crate::version::Version;
@@ -108,6 +108,20 @@ pub(crate) fn uplift_tilt(check: &Check) -> Option<f64> {
     }
 }
 
+/// The same of a chain of two directions towards the side to which it leans, along x and y; `None` of all others.
+pub(crate) fn uplift_tilt_towards(
+    project: &Project,
+    check: &Check,
+    towards: [f64; 2],
+) -> Option<chain::check::UpliftTilt> {
+    match (&project.structure, check) {
+        (Structure::Chain(part), Check::Chain(check)) if part.has_two_axes() => {
+            chain::check::uplift_tilt_towards(part, check, towards)
+        }
+        _ => None,
+    }
+}
+
 /// What wind and static loads do, with the tilt as surveyed; `None` if there are none, and where they are not read.
 pub(crate) fn loads(
     project: &Project,
@@ -117,8 +131,7 @@ pub(crate) fn loads(
 ) -> Result<Option<LoadsAnswer>, WorkError> {
     match (&project.structure, check) {
         (Structure::Chain(part), Check::Chain(check)) => {
-            let tilt_rad = TiltCheck::resultant(tilts);
-            chain::loads::loads(part, &project.loads, check, tilt_rad, pick)
+            chain::loads::loads(part, &project.loads, check, Leaning::of(tilts), pick)
         }
         (_, Check::Stack(answer)) => stack::loads::loads(&project.loads, answer, pick),
         _ => Ok(None),
@@ -183,8 +196,9 @@ pub(crate) fn simulated_for_report(
                 duration_s: None,
                 output_step_s: REPORT_STEP_S,
             };
-            let run = chain::simulate::simulate(version, part, Some(motion), &how, progress)?;
-            vec![Simulation::Chain(Box::new(run))]
+            let runs = chain::simulate::simulate(version, part, Some(motion), &how, progress)?;
+            let runs = runs.into_iter();
+            runs.map(|run| Simulation::Chain(Box::new(run))).collect()
         }
         Structure::Frame(part) => {
             let how = FrameOptions {

@@ -6,9 +6,8 @@ use crate::chain::simulate::ChainOptions;
 use crate::check::{CheckOptions, state_of};
 use crate::error::{Within as _, WorkError};
 use crate::frame::simulate::FrameOptions;
-use crate::judgement::{Evidence, Weight};
+use crate::judgement::{Evidence, Weight, governing};
 use crate::kinds;
-use crate::loads::Governing;
 use crate::motion::{MotionAnswer, MotionRequest, prepared};
 use crate::opened::Opened;
 use crate::progress::Progress;
@@ -170,9 +169,12 @@ pub(crate) fn evidence(project: &Project, variant: Option<&str>) -> Result<Evide
 fn without_shaking(project: &Project) -> Result<Option<WithoutShaking>, WorkError> {
     if matches!(project.structure, Structure::Chain(_)) && !project.loads.is_empty() {
         let state = state_of(project, &CheckOptions::default())?;
-        let found = state.map(|state| WithoutShaking {
-            weight: Weight::of(&state, false),
-            governed_by: state.governing_loads().map(Governing::of),
+        let found = state.map(|state| {
+            let weight = Weight::of(&state, false);
+            WithoutShaking {
+                weight,
+                governed_by: governing(&state, weight),
+            }
         });
         return Ok(found.filter(|found| found.weight != Weight::Stable));
     }
@@ -243,8 +245,9 @@ impl PreparedSimulation<'_> {
                     duration_s: options.duration_s,
                     output_step_s: options.output_step_s,
                 };
-                let run = chain::simulate::simulate(&version, part, motion, &how, progress)?;
-                answer.simulations.push(Simulation::Chain(Box::new(run)));
+                let runs = chain::simulate::simulate(&version, part, motion, &how, progress)?;
+                let runs = runs.into_iter().map(|run| Simulation::Chain(Box::new(run)));
+                answer.simulations.extend(runs);
             }
             (Structure::Building(part), None) if options.wind.is_some() => {
                 let asked = options.wind.unwrap_or(WindAsked {

@@ -9,8 +9,8 @@ use dolmen::assess::demand::{
 };
 use dolmen::assess::{ChainCheck, FrameCheck, Probability, StackCheck};
 use dolmen::blocks::{MatchedFrequency, StackMode};
-use dolmen::stability::Verdict;
 use dolmen::stability::stack::DemandVerdict;
+use dolmen::stability::{ChainStability, Verdict};
 use dolmen::structure::stack::Stack;
 use dolmen_project::{Names, Quantity, SurveyedLean};
 
@@ -92,9 +92,43 @@ pub struct TiltCheck {
     pub tilt: f64,
     /// Least tilt of all joints at which one reaches its uplift limit N b/2; `None` without bed widths or stiffness.
     pub uplift_tilt: Option<f64>,
+    /// Least tilt of all joints at which a bed begins to open under a linear pressure.
+    pub opens_tilt: Option<f64>,
+}
+
+/// How a structure leans as surveyed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Leaning {
+    /// By all directions together, rad.
+    pub(crate) together_rad: f64,
+    /// Along x and y, rad; both that of all together where a direction has another name.
+    pub(crate) each_rad: [f64; 2],
+}
+
+impl Leaning {
+    pub(crate) fn of(tilts: &[TiltCheck]) -> Self {
+        let together_rad = TiltCheck::resultant(tilts);
+        let each = tilts.iter().filter(|of| !of.is_of_both());
+        let is_named = each.clone().all(|of| of.direction == "x" || of.direction == "y");
+        let along = |direction: &str| {
+            each.clone()
+                .find(|of| of.direction == direction)
+                .map_or(0.0, |of| of.tilt)
+        };
+        Leaning {
+            together_rad,
+            each_rad: match is_named {
+                true => ["x", "y"].map(along),
+                false => [together_rad; 2],
+            },
+        }
+    }
 }
 
 impl TiltCheck {
+    /// Of the tilt at which a bed stands on its edge: along one of its sides it begins to open at this share.
+    pub const OPENS: f64 = 1.0 / 3.0;
+
     /// The tilt of all directions together, which are across each other, rad.
     pub(crate) fn resultant(tilts: &[TiltCheck]) -> f64 {
         let each = tilts.iter().filter(|of| !of.is_of_both());
@@ -314,7 +348,7 @@ impl State {
     /// Load factor λ: of a frame the smallest of its directions; `None` if no stiffness is known, and of a stack.
     pub fn load_factor(&self) -> Option<f64> {
         match &self.check {
-            Check::Chain(check) => check.stability.as_ref().map(|s| s.load_factor),
+            Check::Chain(check) => check.load_factor(),
             Check::Frame(directions) => {
                 let known = directions.iter().filter_map(|d| d.check.stability.as_ref());
                 known.map(|s| s.load_factor).min_by(f64::total_cmp)
@@ -365,6 +399,25 @@ impl State {
         (is_one || self.weight_verdict() != verdict).then_some(loads)
     }
 
+    /// The direction of a chain of two in which it is worse off under its weight and its tilt; `None` of others, and where both do alike.
+    pub fn worse_direction(&self) -> Option<&'static str> {
+        let Check::Chain(check) = &self.check else {
+            return None;
+        };
+        let across = check.across.as_ref()?.stability.as_ref()?;
+        let of = |stability: &ChainStability, name: &str| {
+            let tilts = self.tilts.iter().filter(|of| of.direction == name);
+            let factors = tilts.filter_map(|of| Some(of.uplift_tilt? / of.tilt.abs()));
+            factors.fold(stability.load_factor, f64::min)
+        };
+        let (along, across) = (of(check.stability.as_ref()?, "x"), of(across, "y"));
+        match along.total_cmp(&across) {
+            std::cmp::Ordering::Less => Some("x"),
+            std::cmp::Ordering::Greater => Some("y"),
+            std::cmp::Ordering::Equal => None,
+        }
+    }
+
     /// Against the demand of its site; `None` if that is not compared.
     pub fn demand_verdict(&self) -> Option<DemandVerdict> {
         Some(self.demand.as_ref()?.stack.as_ref()?.verdict)
@@ -375,8 +428,9 @@ impl State {
         match &self.check {
             Check::Chain(chain) => {
                 let along = chain.stability.as_ref().map_or(Verdict::Unknown, |s| s.verdict);
-                let across = chain.on_soil.and_then(|of| of.across?.load_factor);
-                worst([along].into_iter().chain(across.map(Verdict::of_load_factor)))
+                let across = chain.across.iter();
+                let across = across.map(|of| of.stability.as_ref().map_or(Verdict::Unknown, |s| s.verdict));
+                worst([along].into_iter().chain(across))
             }
             Check::Frame(directions) => {
                 let of =

@@ -8,8 +8,8 @@ use crate::surveyed::{StiffnessAnswer, SurveyAnswer};
 use dolmen::structure::Choice;
 use dolmen::structure::building::EccentricityFrom;
 use dolmen_project::{
-    BuildingPart, ChainPart, FramePart, IdentifiedNumber, NewValue, Project, Quantity, StoreyStiffnessPart,
-    Structure, with_values,
+    BuildingPart, ChainAxis, ChainPart, FramePart, IdentifiedNumber, NewValue, Project, Quantity,
+    StoreyStiffnessPart, Structure, with_values,
 };
 use dolmen_records::Files;
 
@@ -135,19 +135,40 @@ fn known_before(before: &Quantity) -> String {
     format!("before: {}{known}", before.written)
 }
 
-/// A chain has one stiffness for all directions: only where one direction determines it.
+/// A chain of one direction has one stiffness for all: only where one direction of the survey determines it. Of a chain of two directions each
+/// by itself; across only in the place of what the file has there.
 fn of_chain(chain: &ChainPart, survey: &SurveyAnswer) -> Option<Vec<(String, NewValue)>> {
-    let each = survey.stiffness.iter();
-    let mut each = each.filter_map(|answer| one_solution(answer, "N m/rad", &survey.name));
+    let mut all = Vec::new();
+    for of in chain.axes() {
+        let own = survey.stiffness.iter();
+        let own = own.filter(|answer| chain.axis_of(&answer.direction) == *of);
+        all.extend(of_chain_towards(chain, own, (survey, *of)).unwrap_or_default());
+    }
+    Some(all)
+}
+
+fn of_chain_towards<'a>(
+    chain: &ChainPart,
+    own: impl Iterator<Item = &'a StiffnessAnswer>,
+    (survey, towards): (&SurveyAnswer, ChainAxis),
+) -> Option<Vec<(String, NewValue)>> {
+    let mut each = own.filter_map(|answer| one_solution(answer, "N m/rad", &survey.name));
     let mut numbers = each.next().filter(|_| each.next().is_none())?;
-    if let (Some(soil), Some(lowest)) = (&chain.soil, numbers.first_mut()) {
+    let soil = chain.soil_towards(towards, &mut Quantity::nominal);
+    if let (Some(soil), Some(lowest)) = (soil, numbers.first_mut()) {
         // the file has the bed alone
-        let bed = soil.build(&mut Quantity::nominal).joint_n_m_rad(lowest.value)?;
+        let bed = soil.joint_n_m_rad(lowest.value)?;
         let steeper = (bed / lowest.value).powi(2); // d bed / d together
         lowest.sd = lowest.sd.map(|sd| sd * steeper);
         lowest.value = bed;
     }
     let known = chain.joints.as_ref();
+    if towards == ChainAxis::Across {
+        let given = known?.iter().map(|joint| joint.stiffness_across.as_ref());
+        let given: Vec<&Quantity> = given.collect::<Option<_>>()?;
+        let each = given.into_iter().zip(numbers);
+        return Some(each.map(|(before, number)| replaced(before, number)).collect());
+    }
     let known = known.map(|joints| joints.iter().map(|joint| &joint.stiffness).collect());
     let whole = |numbers| ("joints".to_owned(), NewValue::Each("stiffness", numbers));
     Some(in_place(known, numbers, whole))

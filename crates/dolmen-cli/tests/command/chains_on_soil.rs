@@ -60,7 +60,7 @@ fn exact_own_weight_is_judged_across_too_where_the_footing_is_softer_there() {
     // Pais & Kausel (1988), b = 0.5 m, L/B = 3: G b³/(1 − ν) [3.2 L/B + 0.8], in series with the bed, over 120 kN · 5 m
     let across = 0.3e6 * 0.125 / 0.7 * (3.2 * 3.0 + 0.8);
     let factor = 1.0 / (1.0 / 60e6 + 1.0 / across) / 600e3;
-    let found = &value["state"]["check"]["chain"]["on_soil"]["across"]["load_factor"];
+    let found = &value["state"]["check"]["chain"]["across"]["stability"]["load_factor"];
     assert!(
         (found.as_f64().unwrap() / factor - 1.0).abs() < 1e-9,
         "{found} {factor}"
@@ -69,12 +69,13 @@ fn exact_own_weight_is_judged_across_too_where_the_footing_is_softer_there() {
     assert_eq!(answer.status, 1, "{}", answer.stdout);
     let words = answer.words();
     assert!(
-        words.contains("Own weight: unstable") && words.contains("Across the motion the footing is softer"),
+        words.contains("Own weight: unstable in direction y")
+            && words.contains("Direction y, across: With this stiffness it falls"),
         "{words}"
     );
     let square = soil.replace("along = 3, across = 1", "along = 2, across = 2");
     let (_scratch, value) = json("soil-square", &file(&square), "check project.toml --json");
-    assert!(value["state"]["check"]["chain"]["on_soil"]["across"].is_null());
+    assert!(value["state"]["check"]["chain"]["across"].is_null());
 }
 
 #[test]

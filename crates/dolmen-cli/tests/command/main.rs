@@ -6,6 +6,7 @@ mod answers;
 mod brief;
 mod building_studies;
 mod buildings;
+mod chain_axes;
 mod chain_side_posts;
 mod chains;
 mod chains_on_soil;

@@ -1,5 +1,6 @@
 //! What a chain's check says in plain words.
 
+use super::across::{of_across, of_along};
 use crate::document::{Finding, Tone};
 use crate::load_factor::load_factor_finding;
 use dolmen::assess::{CentroidEffect, ChainCheck};
@@ -73,11 +74,17 @@ messages! {
 
 /// The findings, the most important first.
 pub(crate) fn findings(check: &ChainCheck) -> Vec<Finding> {
-    let mut all = vec![stands(check)];
-    all.extend(check.stability.as_ref().and_then(weakest));
+    let mut all = match &check.across {
+        Some(_) if check.stability.is_some() => Vec::new(),
+        _ => vec![stands(check)],
+    };
+    all.extend(super::across::findings(check));
+    let along = check.stability.as_ref().and_then(weakest);
+    all.extend(along.map(|finding| of_along(check, finding)));
+    let across = check.across.as_ref().and_then(|across| across.stability.as_ref());
+    all.extend(across.and_then(weakest).map(of_across));
     all.extend(passes_published(check));
-    all.push(lowest_mode(check));
-    all.extend(check.on_soil.as_ref().and_then(super::soil::across));
+    all.push(of_along(check, lowest_mode(check)));
     all.extend(check.on_soil.as_ref().map(super::soil::finding));
     all.extend(super::side_supports::findings(check));
     all.extend(super::one_stone::finding(check));

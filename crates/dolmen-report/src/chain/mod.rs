@@ -1,5 +1,6 @@
 //! What is said of a chain of links: findings, and the sections of its check.
 
+mod across;
 mod centroids;
 mod findings;
 mod limits;
@@ -22,9 +23,9 @@ pub(crate) use soil::identified;
 use crate::document::{Document, Figure};
 use crate::figures::{chain_elevation, stiffness_limits};
 use dolmen::assess::ChainCheck;
-use dolmen::stability::Verdict;
+use dolmen::stability::{ChainStability, Verdict};
 use dolmen::structure::Chain;
-use dolmen_project::{ChainPart, Quantity as Input};
+use dolmen_project::{ChainAxis, ChainPart, Quantity as Input};
 use dolmen_words::{Quantity, Template, messages};
 
 messages! {
@@ -32,6 +33,10 @@ messages! {
     pub(crate) enum Stability in "chain.stability" {
         Head => { en: "Stability", ko: "안정성" },
         Elevation => { en: "The chain in elevation.", ko: "체인 모델의 입면." },
+        ElevationAcross => {
+            en: "The chain in elevation, across: direction y.",
+            ko: "체인 모델의 입면, 직각 방향(y).",
+        },
         ElevationSigns { limit: Quantity, same: Quantity } => {
             en: "At each joint its margin, the other joints as they are: ● at least {limit}, ◆ between 1 and {same}, ✕ not above 1, ○ unknown.",
             ko: "각 접합면의 기호는 다른 접합면을 그대로 둔 여유도이다: ● {limit} 이상, ◆ 1과 {same} 사이, ✕ 1 이하, ○ 미상.",
@@ -49,7 +54,8 @@ messages! {
 }
 
 /// The sentences on chains as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 13] = [
+pub(crate) const TEMPLATES: [&[Template]; 14] = [
+    across::Across::TEMPLATES,
     findings::Found::TEMPLATES,
     Stability::TEMPLATES,
     limits::Limits::TEMPLATES,
@@ -72,6 +78,7 @@ pub(crate) fn stiffness_sections<'a>(part: &ChainPart, check: &'a ChainCheck) ->
         margins::section(&mut document, stability);
     }
     modes::section(&mut document, part.build(&mut Input::nominal).ok(), check);
+    across::section(&mut document, check);
     one_stone::section(&mut document, check);
     document
 }
@@ -83,7 +90,23 @@ pub(crate) fn sections<'a>(part: &ChainPart, check: &'a ChainCheck) -> Document<
     let mut document = Document::default();
     document.heading(Stability::Head);
     if let Some(chain) = chain.clone() {
-        elevation(&mut document, chain, names, check);
+        let stability = check.stability.as_ref();
+        elevation(
+            &mut document,
+            (Stability::Elevation, chain),
+            names.clone(),
+            stability,
+        );
+    }
+    let across = part.build_towards(ChainAxis::Across, &mut Input::nominal);
+    if let (Some(of), Ok(chain)) = (&check.across, across) {
+        let stability = of.stability.as_ref();
+        elevation(
+            &mut document,
+            (Stability::ElevationAcross, chain),
+            names,
+            stability,
+        );
     }
     let caption = vec![
         Stability::Limits.into(),
@@ -103,6 +126,7 @@ pub(crate) fn sections<'a>(part: &ChainPart, check: &'a ChainCheck) -> Document<
         margins::section(&mut document, stability);
     }
     modes::section(&mut document, chain, check);
+    across::section(&mut document, check);
     one_stone::section(&mut document, check);
     centroids::section(&mut document, check);
     document
@@ -116,16 +140,16 @@ pub(crate) fn joint_heights_m(part: &ChainPart) -> Vec<f64> {
 
 fn elevation<'a>(
     document: &mut Document<'a>,
-    chain: Chain,
+    (caption, chain): (Stability, Chain),
     names: Vec<Option<String>>,
-    check: &'a ChainCheck,
+    stability: Option<&'a ChainStability>,
 ) {
     let limit = Quantity::ratio(Verdict::MARGINAL_BELOW, 2);
     let signs = Stability::ElevationSigns {
         limit: limit.clone(),
         same: limit,
     };
-    document.figure(vec![Stability::Elevation.into(), signs.into()], move |language| {
-        chain_elevation(&chain, &names, check.stability.as_ref(), language)
+    document.figure(vec![caption.into(), signs.into()], move |language| {
+        chain_elevation(&chain, &names, stability, language)
     });
 }

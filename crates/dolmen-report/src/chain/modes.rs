@@ -50,6 +50,13 @@ pub(super) fn section<'a>(document: &mut Document<'a>, chain: Option<Chain>, che
     }
 }
 
+/// The table without shapes drawn.
+pub(super) fn table_alone(document: &mut Document<'_>, modes: &[NaturalMode]) {
+    if !modes.is_empty() {
+        document.put(Block::Table(table(modes)));
+    }
+}
+
 fn table(modes: &[NaturalMode]) -> Table {
     let links = modes.first().map_or(0, |mode| mode.displacement.len());
     let mut columns = vec![

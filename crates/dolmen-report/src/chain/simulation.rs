@@ -2,7 +2,7 @@
 
 use super::side_supports::{in_time, table};
 use super::simulation_ending::{
-    beyond_small, ending, leans, loads, simulation_findings, tilt_left_out, title,
+    beyond_small, ending, leans, loads, simulation_findings, tilt_left_out, title, together,
 };
 use super::simulation_run::{bed_notes, course, run};
 use super::simulation_tables::{joints, links, versions};
@@ -88,6 +88,9 @@ fn ended(document: &mut Document<'_>, simulation: &ChainSimulation) {
     document
         .blocks
         .extend(without.map(|found| Block::Note(found.sentence)));
+    document
+        .blocks
+        .extend(together(simulation).map(|found| Block::Paragraph(vec![found.sentence])));
     document.blocks.extend(
         leans(simulation)
             .or_else(|| tilt_left_out(simulation))

@@ -6,6 +6,7 @@ use crate::simulated::{
     Simulated, capitalised, cut, kilo, millimetres, milliradians, seconds, undamped, under, version_name,
 };
 use dolmen::dynamics::ChainOutcome;
+use dolmen_project::ChainAxis;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::chain::ChainSimulation;
 
@@ -15,6 +16,15 @@ messages! {
         Pushed { of: Sentence, push: Quantity, ending: Sentence } => {
             en: "{of}, leaning by {push} at the start: {ending}",
             ko: "{of}, 초기 기울기 {push}: {ending}",
+        },
+        Direction { of: Sentence, direction: String } => { en: "{of}, direction {direction}", ko: "{of}, {direction} 방향" },
+        Together { lean: Quantity, name: String, at: Quantity, top: Quantity } => {
+            en: "Both directions together, at the samples: ‘{name}’ leans by up to {lean} at {at}, the top moves {top}.",
+            ko: "두 방향을 합하면(표본 기준) 최대 회전각은 ‘{name}’의 {lean}({at}), 최상단 변위는 {top}이다.",
+        },
+        LeansTowards { survey: String, tilt: String, direction: String, lean: Quantity } => {
+            en: "It leans as survey {survey} found it, tilt {tilt}: {lean} in direction {direction}; as_surveyed = \"none\" leaves that out.",
+            ko: "{survey} 조사의 실측 기울기 {tilt}을(를) 반영하였다. {direction} 방향으로 {lean}이다. 제외하려면 as_surveyed = \"none\"으로 한다.",
         },
         Stood { how: Sentence, lean: Quantity, top: Quantity } => {
             en: "it stands and {how}; links lean by up to {lean}, the top moves {top}.",
@@ -81,6 +91,7 @@ pub(crate) fn simulation_findings(simulations: &[&ChainSimulation]) -> Vec<Findi
         let without = undamped(simulation.undamped.as_ref());
         let first = [finding(simulation)].into_iter();
         first
+            .chain(together(simulation))
             .chain(without)
             .chain(beyond_small(simulation))
             .chain(leans(simulation))
@@ -89,6 +100,18 @@ pub(crate) fn simulation_findings(simulations: &[&ChainSimulation]) -> Vec<Findi
             .chain(met(simulation))
     })
     .collect()
+}
+
+/// What both directions do together, said once.
+pub(super) fn together(simulation: &ChainSimulation) -> Option<Finding> {
+    let of = simulation.together?;
+    let said = Ending::Together {
+        lean: milliradians(of.lean_rad),
+        name: simulation.link(of.link).to_owned(),
+        at: seconds(of.at_s),
+        top: millimetres(of.top_m),
+    };
+    (simulation.direction == Some(ChainAxis::Across)).then(|| Finding::key(Tone::Plain, said))
 }
 
 /// Rotations that the linear equations cannot tell of.
@@ -105,10 +128,19 @@ pub(super) fn beyond_small(simulation: &ChainSimulation) -> Option<Finding> {
 /// That it leans, and by whose measurement.
 pub(super) fn leans(simulation: &ChainSimulation) -> Option<Finding> {
     let lean = simulation.lean.as_ref()?;
-    let said = Ending::Leans {
-        survey: lean.survey.clone(),
-        tilt: lean.written.clone(),
-        lean: milliradians(lean.lean_rad),
+    let (survey, tilt) = (lean.survey.clone(), lean.written.clone());
+    let said = match simulation.direction {
+        None => Ending::Leans {
+            survey,
+            tilt,
+            lean: milliradians(lean.lean_rad),
+        },
+        Some(axis) => Ending::LeansTowards {
+            survey,
+            tilt,
+            direction: axis.name().to_owned(),
+            lean: milliradians(lean.towards_rad(axis)),
+        },
     };
     Some(Finding::key(Tone::Plain, said))
 }
@@ -157,8 +189,16 @@ fn tone(simulation: &ChainSimulation) -> Tone {
 
 /// The variant, or that it is the structure as it is.
 pub(super) fn title(simulation: &ChainSimulation) -> Sentence {
-    version_name(simulation.variant.as_deref(), simulation.variant_title.as_ref())
-        .unwrap_or_else(|| Simulated::AsItIs.into())
+    let of = version_name(simulation.variant.as_deref(), simulation.variant_title.as_ref())
+        .unwrap_or_else(|| Simulated::AsItIs.into());
+    match simulation.direction {
+        None => of,
+        Some(axis) => Ending::Direction {
+            of,
+            direction: axis.name().to_owned(),
+        }
+        .into(),
+    }
 }
 
 /// The angle by which the whole chain leaned at the start.

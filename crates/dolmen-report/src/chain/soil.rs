@@ -2,7 +2,6 @@
 
 use crate::document::{Finding, Tone};
 use dolmen::assess::JointOnSoil;
-use dolmen::stability::Verdict;
 use dolmen::structure::Soil;
 use dolmen_words::{Quantity, messages};
 
@@ -17,14 +16,6 @@ messages! {
         Share { soil: Quantity, joint: Quantity, together: Quantity, share: Quantity } => {
             en: "The foot turns on its bed ({joint}) and the soil ({soil}) in series: {together}. The soil takes {share} of the rotation; a frequency sees only the two together.",
             ko: "하단은 접합면({joint})과 지반({soil})이 직렬로 회전하며 합성 강성은 {together}이다. 회전의 {share}이(가) 지반에서 일어나며, 진동수로는 둘의 합만 알 수 있다.",
-        },
-        Across { soil: Quantity, factor: Quantity } => {
-            en: "Across the motion the footing is softer ({soil}), and with joints as stiff as along it falls at {factor} times its weight. All else here is of the motion along.",
-            ko: "운동 직각 방향으로는 기초가 더 유연하여({soil}) 접합면 강성이 같다면 자중의 {factor}배에서 전도된다. 그 밖의 결과는 모두 운동 방향의 것이다.",
-        },
-        AcrossAlone { soil: Quantity } => {
-            en: "Across the motion the footing is softer ({soil}). All else here is of the motion along.",
-            ko: "운동 직각 방향으로는 기초가 더 유연하다({soil}). 그 밖의 결과는 모두 운동 방향의 것이다.",
         },
         SoilAlone { soil: Quantity } => {
             en: "The soil under the footing has a rocking stiffness of {soil}: no measured joint 1 can be stiffer, for it holds both.",
@@ -43,22 +34,6 @@ messages! {
 
 fn spring(n_m_rad: f64) -> Quantity {
     Quantity::engineering(n_m_rad, "N·m/rad", DIGITS)
-}
-
-/// That the footing is softer across the motion.
-pub(super) fn across(of: &JointOnSoil) -> Option<Finding> {
-    let across = of.across?;
-    let soil = spring(across.soil_n_m_rad);
-    Some(match across.load_factor {
-        Some(factor) => Finding::key(
-            Tone::of(Verdict::of_load_factor(factor)),
-            OnSoil::Across {
-                soil,
-                factor: Quantity::beside_one(factor, DIGITS),
-            },
-        ),
-        None => Finding::key(Tone::Warn, OnSoil::AcrossAlone { soil }),
-    })
 }
 
 /// What the soil takes.

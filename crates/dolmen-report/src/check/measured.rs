@@ -12,8 +12,8 @@ use dolmen_work::watch::can_watch;
 
 /// Digits of a tilt in a sentence.
 const DIGITS: usize = 3;
-/// Of the tilt at which a bed stands on its edge: it begins to open at this share.
-const OPENS: f64 = 1.0 / 3.0;
+/// Shares of a tilt that differ by less are the same.
+const ROUNDING: f64 = 1e-9;
 
 messages! {
     /// Surveys against the model.
@@ -42,6 +42,14 @@ messages! {
         TiltHolds { tilt: Sentence, direction: String, survey: String, limit: Sentence } => {
             en: "The measured tilt of {tilt} in direction {direction} (survey {survey}) compares with {limit}, at which a bed stands on its edge; beds begin to open at a third of that.",
             ko: "{direction} 방향 실측 기울기 {tilt}({survey} 조사)는 접합면이 모서리로만 지지되는 한계 {limit}보다 작다. 접합면은 그 3분의 1에서 벌어지기 시작한다.",
+        },
+        TiltOpensFrom { tilt: Sentence, direction: String, survey: String, limit: Sentence, opens: Sentence } => {
+            en: "The measured tilt of {tilt} in direction {direction} (survey {survey}) compares with {limit}, at which a bed stands on its edge; beds have begun to open, as they do from {opens} towards that side.",
+            ko: "{direction} 방향 실측 기울기 {tilt}({survey} 조사)는 접합면이 모서리로만 지지되는 한계 {limit}보다 작으나, 그쪽으로 접합면이 벌어지기 시작하는 {opens}을(를) 넘었다.",
+        },
+        TiltHoldsFrom { tilt: Sentence, direction: String, survey: String, limit: Sentence, opens: Sentence } => {
+            en: "The measured tilt of {tilt} in direction {direction} (survey {survey}) compares with {limit}, at which a bed stands on its edge; beds begin to open at {opens} towards that side.",
+            ko: "{direction} 방향 실측 기울기 {tilt}({survey} 조사)는 접합면이 모서리로만 지지되는 한계 {limit}보다 작다. 접합면은 그쪽으로 {opens}에서 벌어지기 시작한다.",
         },
         BeyondItsLimit { survey: String, tilt: Sentence, limit: Sentence } => {
             en: "The tilt that survey {survey} measured, {tilt} by all directions together, is beyond the limit of {limit} that the file sets (tilt_limit).",
@@ -154,6 +162,7 @@ pub(super) fn over_the_years(project: &Project) -> Vec<Finding> {
 /// Measured frequencies in directions that the model does not have.
 pub(super) fn other_directions(project: &Project, check: &Check) -> Vec<Finding> {
     let known: Vec<String> = match check {
+        Check::Chain(chain) if chain.across.is_some() => ["x", "y"].map(str::to_owned).to_vec(),
         // it is the same in all
         Check::Chain(_) => return Vec::new(),
         Check::Frame(all) => all.iter().map(|of| of.direction.clone()).collect(),
@@ -208,6 +217,7 @@ fn tilt(of: &TiltCheck, check: &Check) -> Finding {
         };
     };
     let limit = one_in(uplift);
+    let opens = of.opens_tilt.unwrap_or(TiltCheck::OPENS * uplift);
     match of.verdict() {
         Verdict::Unstable => Finding::key(
             Tone::Bad,
@@ -227,7 +237,29 @@ fn tilt(of: &TiltCheck, check: &Check) -> Finding {
                 limit,
             },
         ),
-        verdict if of.tilt.abs() >= OPENS * uplift => Finding::key(
+        // towards a corner a bed opens sooner than at a third
+        verdict if (opens / (TiltCheck::OPENS * uplift) - 1.0).abs() > ROUNDING => {
+            let opened = of.tilt.abs() >= opens;
+            let opens = one_in(opens);
+            let said = match opened {
+                true => Measured::TiltOpensFrom {
+                    tilt,
+                    direction,
+                    survey,
+                    limit,
+                    opens,
+                },
+                false => Measured::TiltHoldsFrom {
+                    tilt,
+                    direction,
+                    survey,
+                    limit,
+                    opens,
+                },
+            };
+            Finding::key(Tone::of(verdict), said)
+        }
+        verdict if of.tilt.abs() >= TiltCheck::OPENS * uplift => Finding::key(
             Tone::of(verdict),
             Measured::TiltOpens {
                 tilt,
@@ -298,6 +330,7 @@ mod tests {
                 direction: "x".into(),
                 tilt: ratio,
                 uplift_tilt,
+                opens_tilt: None,
             };
             tilt(&of, &Check::Frame(Vec::new()))
         };

@@ -285,19 +285,28 @@ fn rows(state: &State, name: &Both) -> Vec<Row> {
     let falls = state.sampled.as_ref().map(|sampled| sampled.unstable.estimate);
     match &state.check {
         Check::Chain(check) => {
-            let stability = check.stability.as_ref();
-            let joints = stability.iter().flat_map(|of| &of.joints);
+            let across = check.across.as_ref();
+            let stabilities = [
+                check.stability.as_ref(),
+                across.and_then(|of| of.stability.as_ref()),
+            ];
+            let joints = stabilities.iter().flatten().flat_map(|of| &of.joints);
+            let modes = [Some(&check.modes), across.map(|of| &of.modes)];
+            let lowest = modes
+                .into_iter()
+                .flatten()
+                .filter_map(|of| lowest_frequency_hz(of));
             vec![Row {
                 name: name.clone(),
                 direction: None,
-                load_factor: stability.map(|of| of.load_factor),
+                load_factor: check.load_factor(),
                 borne: state.loads.as_ref().and_then(|loads| loads.factor()),
                 verdict: match &state.loads {
                     Some(_) => state.verdict(),
-                    None => stability.map_or(Verdict::Unknown, |of| of.verdict),
+                    None => state.stability_verdict(),
                 },
                 margins: joints.map(|joint| joint.margin).collect(),
-                frequency_hz: lowest_frequency_hz(&check.modes),
+                frequency_hz: lowest.min_by(f64::total_cmp),
                 falls,
             }]
         }

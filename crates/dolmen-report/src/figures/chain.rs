@@ -7,6 +7,7 @@ use super::ink::{
 };
 use super::plot::{Key, Plot};
 use super::scene::Scene;
+use super::side_posts::{DrawnSupport, side_posts};
 use super::words::{Axes, Signs, Titles, say};
 use dolmen::assess::CentroidEffect;
 use dolmen::stability::{ChainLimits, ChainStability, Verdict};
@@ -64,6 +65,28 @@ pub fn chain_elevation(
     );
     let margin_head = say(Signs::JointMargin, language);
     scene.text([432.0, 10.0], &Label::new(margin_head, Anchor::End).small());
+
+    let half_width = |height_m: f64| {
+        let mut top_m = 0.0;
+        let at = links.iter().position(|link| {
+            top_m += link.length_m;
+            top_m >= height_m
+        });
+        (0.5 * widths[at.unwrap_or(links.len() - 1)]).max(0.5 * WIDTH_LEAST_PX / scale)
+    };
+    let supports = chain.side_supports().iter().map(|support| DrawnSupport {
+        height_m: support.height_m,
+        is_tight: support.acts_linearly(),
+    });
+    let posts = side_posts(&supports.collect::<Vec<_>>(), &half_width, total);
+    let px = |at: &[f64; 2]| [axis + at[0] * scale, bottom - at[1] * scale];
+    for post in &posts.posts {
+        let corners: Vec<[f64; 2]> = post.iter().map(px).collect();
+        scene.polygon(&corners, LIGHT, Line::new(GREY, 1.0));
+    }
+    for wedge in &posts.wedges {
+        scene.line(px(&wedge[0]), px(&wedge[1]), Line::new(BLACK, 3.0));
+    }
 
     let mut base_m = 0.0;
     for (i, link) in links.iter().enumerate() {

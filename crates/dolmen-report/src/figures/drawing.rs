@@ -26,6 +26,10 @@ messages! {
         NoWidths => { en: "Widths are not in the file and not to scale.", ko: "폭은 입력값이 없어 축척에 따르지 않는다." },
         Offsets { times: String } => { en: "Offsets of stones drawn {times} times as large.", ko: "부재의 어긋남은 {times}배로 과장하였다." },
         Tilts { times: String } => { en: "Tilts of stones drawn {times} times as large.", ko: "부재의 기울기는 {times}배로 과장하였다." },
+        Posts => {
+            en: "Grey: side posts, schematic; a gap is drawn open.",
+            ko: "회색: 지주(개략도). 간격은 벌려 그렸다.",
+        },
         Leans { survey: String, times: String } => {
             en: "Dashed: the tilt of survey {survey}, drawn {times} times as large.",
             ko: "점선: {survey} 조사의 기울기, {times}배로 과장하였다.",
@@ -115,6 +119,13 @@ fn notes(sheet: &Sheet, leaning: Option<&Survey>, has_sensors: bool) -> Vec<Sent
         let times = trimmed(lean_times(survey), 3);
         let survey = survey.name.clone();
         all.push(Drawn::Leans { survey, times }.into());
+    }
+    if sheet
+        .views
+        .iter()
+        .any(|view| !view.elevation.posts.posts.is_empty())
+    {
+        all.push(Drawn::Posts.into());
     }
     if has_sensors {
         all.push(Drawn::Sensors.into());

@@ -1,7 +1,8 @@
 //! A structure as it is entered, in a vertical plane: the outline of each part in metres, and where it stands on the sheet.
 
+use super::side_posts::{DrawnSupport, SidePosts, side_posts};
 use dolmen::structure::stack::{Body, Stack};
-use dolmen_project::{BuildingPart, ChainPart, FramePart, Quantity, StackPart, Structure};
+use dolmen_project::{BuildingPart, ChainAxis, ChainPart, FramePart, Quantity, StackPart, Structure};
 
 /// Widths that are not in the file, as shares of the height. Chosen here: they only carry names.
 const CHAIN_WIDTH: f64 = 0.07;
@@ -39,6 +40,8 @@ pub(super) struct Elevation {
     /// 0: x is across; 1: y is.
     pub(super) axis: usize,
     pub(super) parts: Vec<PartOutline>,
+    /// Posts at its sides.
+    pub(super) posts: SidePosts,
     /// Whether the file gives the widths.
     pub(super) has_widths: bool,
     /// How many times larger than they are the offsets and tilts of stones are drawn; 1 where there are none.
@@ -65,14 +68,16 @@ impl Elevation {
     }
 
     pub(super) fn bounds(&self) -> [[f64; 2]; 2] {
-        super::stack_view::bounds(self.parts.iter().flat_map(|part| part.corners_m.iter().copied()))
+        let parts = self.parts.iter().map(|part| &part.corners_m);
+        let all = parts.chain(&self.posts.posts).flatten();
+        super::stack_view::bounds(all.copied())
     }
 }
 
 /// One view of what moves in a plane, two of what has a plan; none of a survey alone, nor of a stack that cannot be built.
 pub(super) fn elevations(structure: &Structure, exaggerate: bool) -> Vec<Elevation> {
     match structure {
-        Structure::Chain(part) => vec![of_chain(part)],
+        Structure::Chain(part) => part.axes().iter().map(|axis| of_chain(part, *axis)).collect(),
         Structure::Frame(part) => vec![of_frame(part)],
         Structure::Building(part) => (0..2).map(|axis| of_building(part, axis)).collect(),
         Structure::Stack(part) => {
@@ -96,6 +101,7 @@ fn plain(axis: usize, parts: Vec<PartOutline>, has_widths: bool) -> Elevation {
     Elevation {
         axis,
         parts,
+        posts: SidePosts::default(),
         has_widths,
         offsets_times: 1.0,
         tilts_times: 1.0,
@@ -115,20 +121,49 @@ fn name_or_number(name: Option<&String>, index: usize) -> String {
     name.cloned().unwrap_or_else(|| (index + 1).to_string())
 }
 
-fn of_chain(part: &ChainPart) -> Elevation {
+fn of_chain(part: &ChainPart, axis: ChainAxis) -> Elevation {
     let total: f64 = part.links.iter().map(|link| link.length.value).sum();
     let mut low = 0.0;
     let mut has_widths = true;
     let mut parts = Vec::new();
     for (index, link) in part.links.iter().enumerate() {
-        let given = link.breadth.as_ref().or(link.bed_width.as_ref());
+        // a wind from the other side meets what is seen from this one
+        let seen_by = match axis {
+            ChainAxis::Along => ChainAxis::Across,
+            ChainAxis::Across => ChainAxis::Along,
+        };
+        let bed = part.bed(index, &mut Quantity::nominal);
+        let given = link.met_by_wind(seen_by, bed, &mut Quantity::nominal);
         has_widths &= given.is_some();
-        let width = given.map_or(CHAIN_WIDTH * total, |width| width.value);
+        let width = given.unwrap_or(CHAIN_WIDTH * total);
         let name = name_or_number(link.name.as_ref(), index);
         parts.push(a_box(name, [-0.5 * width, 0.5 * width], low, link.length.value));
         low += link.length.value;
     }
-    plain(0, parts, has_widths)
+    let own = part
+        .side_supports
+        .iter()
+        .filter(|support| support.axis.unwrap_or(ChainAxis::Along) == axis);
+    let supports = own.map(|support| DrawnSupport {
+        height_m: support.height.value,
+        is_tight: support.gap.as_ref().is_none_or(|gap| gap.value == 0.0),
+    });
+    let half_width = |height_m: f64| {
+        let at = parts.iter().find(|part| part.bounds()[1][1] >= height_m);
+        at.or(parts.last()).map_or(0.0, |part| part.bounds()[1][0])
+    };
+    let posts = side_posts(&supports.collect::<Vec<_>>(), &half_width, total);
+    Elevation {
+        posts,
+        ..plain(
+            match axis {
+                ChainAxis::Along => 0,
+                ChainAxis::Across => 1,
+            },
+            parts,
+            has_widths,
+        )
+    }
 }
 
 fn of_frame(part: &FramePart) -> Elevation {
@@ -235,6 +270,7 @@ fn of_stack(part: &StackPart, stack: &Stack, axis: usize, exaggerate: bool) -> E
     Elevation {
         axis,
         parts: parts.into_iter().map(|(_, part)| part).collect(),
+        posts: SidePosts::default(),
         has_widths: true,
         offsets_times,
         tilts_times,

@@ -37,6 +37,7 @@ mod scene;
 mod shaking;
 mod shapes;
 mod sheet;
+mod side_posts;
 mod spectrogram;
 mod stack;
 mod stack_directions;

@@ -1,7 +1,7 @@
 //! Elevations beside each other on one sheet: scale, ground, outlines, names.
 
 use super::elevation::{Elevation, PartOutline};
-use super::ink::{Anchor, BLACK, GREY, Label, Line, STONE, text_width};
+use super::ink::{Anchor, BLACK, GREY, LIGHT, Label, Line, STONE, text_width};
 use super::scene::Scene;
 
 /// Size of a drawn structure at most, px.
@@ -98,6 +98,14 @@ pub(super) fn put_outlines(scene: &mut Scene, view: &View, ground_px: f64) {
     for part in &view.elevation.parts {
         let corners: Vec<[f64; 2]> = part.corners_m.iter().map(|corner| view.px(*corner)).collect();
         scene.polygon(&corners, STONE, Line::new(BLACK, 1.0));
+    }
+    let posts = &view.elevation.posts;
+    for post in &posts.posts {
+        let corners: Vec<[f64; 2]> = post.iter().map(|corner| view.px(*corner)).collect();
+        scene.polygon(&corners, LIGHT, Line::new(GREY, 1.0));
+    }
+    for wedge in &posts.wedges {
+        scene.line(view.px(wedge[0]), view.px(wedge[1]), Line::new(BLACK, 3.0));
     }
 }
 

@@ -28,7 +28,7 @@ pub fn simulate_answer_value(answer: &SimulateAnswer) -> Value {
     }
     match answer.simulations.as_slice() {
         [] => json!({ "simulations": [] }),
-        [Simulation::Frame(_), ..] => {
+        [Simulation::Frame(_), ..] | [Simulation::Chain(_), Simulation::Chain(_), ..] => {
             let each = answer.simulations.iter();
             let all: Vec<Value> = each.map(|run| simulation_value(run, answer)).collect();
             json!({ "judgement": judgement(&judge_simulation(answer)), "simulations": all })
@@ -103,11 +103,13 @@ pub fn simulation_files(
             let within = |file: NamedFile| file.within(&run.direction);
             files.into_iter().map(within).collect()
         }
-        Simulation::Chain(_)
-        | Simulation::Stack(_)
-        | Simulation::Supports(_)
-        | Simulation::Building(_)
-        | Simulation::Wind(_) => files,
+        Simulation::Chain(run) => match run.direction {
+            None => files,
+            Some(axis) => files.into_iter().map(|file| file.within(axis.name())).collect(),
+        },
+        Simulation::Stack(_) | Simulation::Supports(_) | Simulation::Building(_) | Simulation::Wind(_) => {
+            files
+        }
     })
 }
 

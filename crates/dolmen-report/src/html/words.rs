@@ -327,6 +327,8 @@ fn quantity_word(quantity: &str, language: Language) -> Option<&'static str> {
         "axial_stiffness" => language.pick("axial stiffness", "축강성"),
         "tension_strength" => language.pick("tensile strength", "인장강도"),
         "strength" => language.pick("compressive strength", "압축강도"),
+        "inertia_across" => language.pick("moment of inertia across", "직각 방향 관성모멘트"),
+        "stiffness_across" => language.pick("stiffness across", "직각 방향 강성"),
         "bed_depth" => language.pick("bed depth", "밑면 깊이"),
         "bed_stiffness" => language.pick("bed stiffness", "밑면 강성"),
         "force" => language.pick("force", "힘"),

@@ -90,15 +90,15 @@ pub(crate) fn findings(project: &Project, all: &[SurveyAnswer]) -> Vec<Finding> 
     let is_asked = |answer: &StiffnessAnswer| answer.convention.is_none() || answer.convention == asked;
     let own = each().filter(|(_, answer)| is_asked(answer));
     let own = own.map(|(survey, answer)| choice(&survey.name, answer));
-    let soil = match &project.structure {
-        Structure::Chain(part) => part.soil.as_ref().map(|soil| soil.build(&mut Input::nominal)),
+    let soil = |direction: &str| match &project.structure {
+        Structure::Chain(part) => part.soil_towards(part.axis_of(direction), &mut Input::nominal),
         _ => None,
     };
     let beds = each().filter_map(|(survey, answer)| {
         let is_one = answer.solutions.choice == Choice::One && answer.peaks_below_hz.is_empty();
         let lowest = answer.solutions.solutions.first().filter(|_| is_one)?;
         Some(crate::chain::identified(
-            soil.as_ref()?,
+            &soil(&answer.direction)?,
             &survey.name,
             *lowest.stiffness.first()?,
         ))

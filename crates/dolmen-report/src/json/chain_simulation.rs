@@ -42,6 +42,10 @@ pub fn chain_simulation_json(simulation: &ChainSimulation) -> Value {
         "variant": simulation.variant,
         "motion": simulation.motion.as_ref().map(|(motion, _)| motion_json(motion)),
         "component": simulation.motion.as_ref().map(|(_, component)| component.name()),
+        "direction": simulation.direction.map(|axis| axis.name()),
+        "together": simulation.together.map(|of| json!({
+            "peak_rotation_rad": of.lean_rad, "link": simulation.links.get(of.link), "at_s": of.at_s, "top_peak_m": of.top_m,
+        })),
         "push_rad": simulation.push_rad,
         "lean_as_surveyed": simulation.lean.as_ref().map(|lean| json!({
             "survey": lean.survey, "written": lean.written, "lean_rad": lean.lean_rad,

@@ -19,6 +19,7 @@ pub(super) fn loads(answer: &LoadsAnswer) -> Value {
         "verdict": answer.verdict(),
         "load_factor": answer.factor().filter(|factor| factor.is_finite()),
         "wind": wind,
+        "wind_across": answer.wind_across,
         "wind_refused": refused,
         "tilt_rad": answer.tilt_rad,
         "combinations": answer.combinations.iter().map(combination).collect::<Vec<_>>(),
@@ -39,6 +40,7 @@ fn combination(of: &CombinationAnswer) -> Value {
             "wind_reversed": chain.wind_reversed,
             "weight_factor": chain.weight_factor.filter(|factor| factor.is_finite()),
             "under": chain.under,
+            "across": chain.across,
         }),
         Combined::Stack(stack) => json!({
             "at_least": Some(stack.found.at_least).filter(|factor| factor.is_finite()),

@@ -4,12 +4,12 @@ use crate::document::{Finding, Tone};
 use crate::simulated::kilo;
 use crate::stack::{direction, joints_moving};
 use dolmen::assess::StackUnderLoads;
-use dolmen::stability::Verdict;
+use dolmen::stability::{ChainUnderLoads, Verdict};
 use dolmen::structure::stack::Stack;
 use dolmen::structure::wind::WindError;
 use dolmen_project::{Project, Structure, WindPart};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
-use dolmen_work::loads::{ChainCombination, CombinationAnswer, Combined, LoadsAnswer};
+use dolmen_work::loads::{AcrossCombination, ChainCombination, CombinationAnswer, Combined, LoadsAnswer};
 use dolmen_work::state::{Check, State};
 
 /// Digits of a factor in a sentence.
@@ -33,6 +33,19 @@ messages! {
         Bears { what: Sentence, joint: usize, moment: Quantity, limit: Quantity, factor: Quantity, stable: Quantity } => {
             en: "{what}: {factor} times the load is borne; “stable” needs {stable}. Joint {joint} governs, with a moment of {moment} against {limit} that its bed passes; beds begin to open at a third of that.",
             ko: "{what}: 하중의 {factor}배까지 견디며 ‘안정’ 판정에는 {stable}배가 필요하다. 지배 접합면은 접합면 {joint}이고 작용 모멘트 {moment}, 접합면 한계 {limit}이다. 접합면은 한계의 3분의 1에서 벌어지기 시작한다.",
+        },
+        OverturnsBoth { what: Sentence, joint: usize, along: Sentence, across: Sentence, factor: Quantity } => {
+            en: "{what}: the bed of joint {joint} does not bear it. The moment there is {along} along and {across} across; {factor} times the load is borne.",
+            ko: "{what}: 접합면 {joint}이(가) 견디지 못한다. 작용 모멘트는 운동 방향 {along}, 직각 방향 {across}이며, 하중의 {factor}배에서 한계에 이른다.",
+        },
+        BearsBoth { what: Sentence, joint: usize, along: Sentence, across: Sentence, factor: Quantity, stable: Quantity } => {
+            en: "{what}: {factor} times the load is borne; “stable” needs {stable}. Joint {joint} governs, with a moment of {along} along and {across} across; beds begin to open at a third of that, towards their corners at a sixth.",
+            ko: "{what}: 하중의 {factor}배까지 견디며 ‘안정’ 판정에는 {stable}배가 필요하다. 지배 접합면은 접합면 {joint}이고 작용 모멘트는 운동 방향 {along}, 직각 방향 {across}이다. 접합면은 한계의 3분의 1, 모서리 쪽으로는 6분의 1에서 벌어지기 시작한다.",
+        },
+        OfLimit { moment: Quantity, limit: Quantity } => { en: "{moment} of {limit}", ko: "{moment}(한계 {limit})" },
+        Blowing { said: Sentence, towards: Sentence } => {
+            en: "{said} The worst wind blows towards {towards}.",
+            ko: "{said} 가장 불리한 풍향은 {towards} 방향이다.",
         },
         WindInNone => {
             en: "Wind is in the file, but no combination has a factor on it: it was not counted. Write wind = 1 into [combination.NAME].",
@@ -325,6 +338,11 @@ fn of_chain(what: Sentence, chain: &ChainCombination) -> Option<Finding> {
     let of = under.joints.get(joint - 1)?;
     let acting = of.moment_n_m.unwrap_or(of.rigid_moment_n_m).abs() + of.tilt_moment_n_m.abs();
     let moment = Quantity::engineering(acting, "N·m", DIGITS);
+    if let Some(across) = &chain.across
+        && let Some(said) = of_both(what.clone(), chain, across)
+    {
+        return Some(Finding::key(tone, said));
+    }
     let said = match (verdict, of.limit_n_m, of.factor) {
         (Verdict::Unstable, Some(limit), Some(factor)) => Found::Overturns {
             what,
@@ -344,4 +362,50 @@ fn of_chain(what: Sentence, chain: &ChainCombination) -> Option<Finding> {
         _ => Found::AtLeast { what, joint, moment },
     };
     Some(Finding::key(tone, said))
+}
+
+/// A joint of a chain of two directions; `None` where a limit is not known.
+fn of_both(what: Sentence, chain: &ChainCombination, across: &AcrossCombination) -> Option<Sentence> {
+    let joint = chain.under.governing_joint?;
+    let of_limit = |under: &ChainUnderLoads| -> Option<Sentence> {
+        let of = under.joints.get(joint - 1)?;
+        let acting = of.moment_n_m.unwrap_or(of.rigid_moment_n_m).abs() + of.tilt_moment_n_m.abs();
+        let moment = |value: f64| Quantity::engineering(value, "N·m", DIGITS);
+        Some(
+            Found::OfLimit {
+                moment: moment(acting),
+                limit: moment(of.limit_n_m?),
+            }
+            .into(),
+        )
+    };
+    let (along, other) = (of_limit(&chain.under)?, of_limit(&across.under)?);
+    let factor = Quantity::beside_one(chain.under.factor?, DIGITS);
+    let said = match chain.verdict() {
+        Verdict::Unknown => return None,
+        Verdict::Unstable => Found::OverturnsBoth {
+            what,
+            joint,
+            along,
+            across: other,
+            factor,
+        },
+        Verdict::Stable | Verdict::Marginal => Found::BearsBoth {
+            what,
+            joint,
+            along,
+            across: other,
+            factor,
+            stable: Quantity::ratio(Verdict::MARGINAL_BELOW, 2),
+        },
+    };
+    let said = Sentence::from(said);
+    Some(match across.wind_towards_deg {
+        None => said,
+        Some(degrees) => {
+            let angle = degrees.to_radians();
+            let towards = direction([angle.cos(), angle.sin()]);
+            Found::Blowing { said, towards }.into()
+        }
+    })
 }

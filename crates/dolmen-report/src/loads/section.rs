@@ -5,7 +5,7 @@ use super::on_stones;
 use crate::document::{Block, Cell, Column, Document, Table};
 use crate::figures::chain_moments;
 use crate::stack::direction;
-use dolmen::stability::{JointUnderLoads, Verdict};
+use dolmen::stability::{ChainUnderLoads, JointUnderLoads, Verdict};
 use dolmen::structure::stack::Stack;
 use dolmen::structure::wind::{EurocodeTerrain, Kds41Exposure};
 use dolmen_project::{LoadPart, LoadsPart, WindGiven, WindPart, WindSpeed};
@@ -95,6 +95,22 @@ messages! {
             en: "The moment upright is that of the loads alone; in the leaning shape the weight adds to it. The limit is N·b/2, less with a strength of the bed.",
             ko: "연직 상태의 모멘트는 하중만에 의한 값이고, 기울어진 상태에서는 자중에 의한 모멘트가 더해진다. 한계는 N·b/2이며 접합면 강도가 주어지면 그보다 작다.",
         },
+        JointsAlong { what: Sentence } => {
+            en: "{what}: joints along, direction x.",
+            ko: "{what}: 접합면별 결과, 운동 방향(x).",
+        },
+        JointsAcross { what: Sentence } => {
+            en: "{what}: joints across, direction y.",
+            ko: "{what}: 접합면별 결과, 직각 방향(y).",
+        },
+        BothTogether => {
+            en: "“Borne ×” of a joint is of both directions together: until the resultant leaves what its bed passes towards that side.",
+            ko: "접합면의 저항 배수는 두 방향을 합한 것으로, 합력이 그쪽 밑면의 한계를 벗어날 때까지의 값이다.",
+        },
+        WindAcross { force: Quantity, moment: Quantity } => {
+            en: "Blowing across it pushes with {force} and a moment of {moment} about the lowest joint; from between, with cos φ of the one and sin φ of the other.",
+            ko: "직각 방향의 바람은 합력 {force}, 최하단 접합면에 대한 모멘트 {moment}(으)로 민다. 그 사이의 풍향에서는 각각 cos φ배와 sin φ배로 작용한다.",
+        },
         Joint => { en: "Joint", ko: "접합면" },
         Number { number: usize } => { en: "{number}", ko: "{number}" },
         Axial => { en: "N", ko: "N" },
@@ -112,6 +128,10 @@ messages! {
             ko: "여기서는 한계까지 선형 스프링으로 계산하나, 접합면은 한계의 3분의 1에서 벌어지기 시작하여 강성이 저하된다. 1을 조금 넘는 저항 배수는 안전의 증거가 아니다.",
         },
         Figure => { en: "Moments against what the beds pass.", ko: "작용 모멘트와 접합면 한계." },
+        FigureAcross => {
+            en: "Moments across against what the beds pass.",
+            ko: "직각 방향 작용 모멘트와 접합면 한계.",
+        },
         FigureMeaning => {
             en: "Where a line of a moment lies to the right of the limit, the bed stands on its edge.",
             ko: "모멘트 선이 한계선의 오른쪽에 있으면 접합면은 모서리로만 지지된다.",
@@ -174,6 +194,12 @@ pub(crate) fn sections<'a>(
         Some(Ok(met)) => document.paragraph(wind(met, answer)),
         None => {}
     }
+    if let Some(met) = &answer.wind_across {
+        document.paragraph(Shown::WindAcross {
+            force: Quantity::engineering(met.force_n, "N", DIGITS),
+            moment: Quantity::engineering(met.moment_n_m, "N·m", DIGITS),
+        });
+    }
     if answer.tilt_rad > 0.0 {
         document.paragraph(Shown::Tilt {
             tilt: Quantity::ratio(1.0 / answer.tilt_rad, 3),
@@ -203,17 +229,40 @@ fn chain_section<'a>(
     chain: &'a ChainCombination,
     heights_m: Vec<f64>,
 ) {
-    document.put(Block::Table(joints(what, answer, chain)));
-    if let Some(top_m) = chain.under.top_displacement_m {
+    let across = chain.across.as_ref().map(|across| &across.under);
+    let top = |under: &ChainUnderLoads| under.top_displacement_m;
+    let top_m = match across {
+        None => {
+            let caption = Shown::Joints { what }.into();
+            document.put(Block::Table(joints(caption, answer, &chain.under)));
+            top(&chain.under)
+        }
+        Some(across) => {
+            let along = Shown::JointsAlong { what: what.clone() }.into();
+            document.put(Block::Table(joints(along, answer, &chain.under)));
+            let caption = Shown::JointsAcross { what }.into();
+            document.put(Block::Table(joints(caption, answer, across)));
+            document.note(Shown::BothTogether);
+            top(&chain.under).zip(top(across)).map(|(x, y)| x.hypot(y))
+        }
+    };
+    if let Some(top_m) = top_m {
         document.paragraph(Shown::Top {
             top: Quantity::engineering(top_m.abs(), "m", 3),
         });
     }
     document.note(Shown::Opens);
     let caption = vec![Shown::Figure.into(), Shown::FigureMeaning.into()];
+    let heights_across = heights_m.clone();
     document.figure(caption, move |language| {
         chain_moments(&chain.under, &heights_m, language)
     });
+    if let Some(across) = &chain.across {
+        let caption = vec![Shown::FigureAcross.into(), Shown::FigureMeaning.into()];
+        document.figure(caption, move |language| {
+            chain_moments(&across.under, &heights_across, language)
+        });
+    }
 }
 
 /// What the file says of the wind, and what its code makes of it.
@@ -267,7 +316,7 @@ pub(crate) fn as_given(wind: &WindGiven) -> Shown {
 }
 
 fn listed(load: &LoadPart, stack: Option<&Stack>) -> Shown {
-    let values = [&load.force, &load.weight, &load.moment];
+    let values = [&load.force, &load.force_across, &load.weight, &load.moment];
     let mut written: Vec<String> = values
         .into_iter()
         .flatten()
@@ -375,8 +424,8 @@ fn combinations(answer: &LoadsAnswer) -> Table {
     }
 }
 
-fn joints(what: Sentence, answer: &LoadsAnswer, chain: &ChainCombination) -> Table {
-    let all = &chain.under.joints;
+fn joints(caption: Sentence, answer: &LoadsAnswer, under: &ChainUnderLoads) -> Table {
+    let all = &under.joints;
     let largest = |value: fn(&JointUnderLoads) -> f64| -> f64 {
         all.iter().map(value).map(f64::abs).fold(0.0, f64::max)
     };
@@ -425,7 +474,7 @@ fn joints(what: Sentence, answer: &LoadsAnswer, chain: &ChainCombination) -> Tab
     columns.push(Column::numbers(Shown::Limit, moment.clone()));
     columns.push(Column::numbers(Shown::Factor, Unit::ratio()));
     Table {
-        caption: vec![Shown::Joints { what }.into(), Shown::JointsMeaning.into()],
+        caption: vec![caption, Shown::JointsMeaning.into()],
         columns,
         rows: all.iter().enumerate().map(row).collect(),
     }

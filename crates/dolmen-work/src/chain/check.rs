@@ -1,10 +1,9 @@
 //! The check of a chain.
 
 use crate::error::WorkError;
-use dolmen::assess::{AcrossOnSoil, ChainCheck, check_chain, check_one_stone};
-use dolmen::stability::{chain_limits, chain_stability};
-use dolmen::structure::Chain;
-use dolmen_project::{ChainPart, Pick};
+use dolmen::assess::{ChainAcross, ChainCheck, check_chain, check_chain_across, check_one_stone};
+use dolmen::stability::{ChainStability, chain_limits, chain_stability};
+use dolmen_project::{ChainAxis, ChainPart, Pick, Quantity};
 
 /// What is known of a chain, each input with the value that `pick` chooses.
 pub(crate) fn check(part: &ChainPart, pick: Pick<'_>) -> Result<ChainCheck, WorkError> {
@@ -16,54 +15,56 @@ pub(crate) fn check(part: &ChainPart, pick: Pick<'_>) -> Result<ChainCheck, Work
         check.one_stone = Some(beside);
     }
     check.on_soil = part.on_soil(pick);
-    if let Some(on_soil) = &mut check.on_soil {
-        on_soil.across = across(part, &chain, stiffness, pick)?;
-    }
+    check.across = across(part, pick)?.map(Box::new);
     Ok(check)
 }
 
-/// The chain across the motion, where its footing is softer there: own weight knows no direction.
-fn across(
-    part: &ChainPart,
-    chain: &Chain,
-    stiffness_along: Option<Vec<f64>>,
-    pick: Pick<'_>,
-) -> Result<Option<AcrossOnSoil>, WorkError> {
-    let Some(along) = part.soil.as_ref().map(|soil| soil.build(pick)) else {
-        return Ok(None);
-    };
-    let across = along.across();
-    let soil_n_m_rad = across.rocking_n_m_rad();
-    if soil_n_m_rad >= along.rocking_n_m_rad() {
+/// The chain across the direction of motion; `None` where the file gives it nothing of its own there.
+fn across(part: &ChainPart, pick: Pick<'_>) -> Result<Option<ChainAcross>, WorkError> {
+    if !part.has_two_axes() {
         return Ok(None);
     }
-    let load_factor = match stiffness_along {
-        None => None,
-        Some(mut stiffness) => {
-            let bed = stiffness.first().and_then(|lowest| along.joint_n_m_rad(*lowest));
-            if let (Some(lowest), Some(bed)) = (stiffness.first_mut(), bed) {
-                *lowest = across.in_series_n_m_rad(bed);
-            }
-            Some(chain_stability(chain, &stiffness)?.load_factor)
-        }
-    };
-    Ok(Some(AcrossOnSoil {
-        soil_n_m_rad,
-        load_factor,
+    let stiffness = part.stiffness_towards(ChainAxis::Across, pick);
+    let chain = part.build_towards(ChainAxis::Across, pick)?;
+    let taken = part.stiffness_taken(pick);
+    let found = check_chain_across(&chain, stiffness.as_deref(), taken)?;
+    let soil = part.soil_towards(ChainAxis::Across, pick);
+    Ok(Some(ChainAcross {
+        soil_n_m_rad: soil.map(|soil| soil.rocking_n_m_rad()),
+        ..found
     }))
 }
 
-/// The load factor; `None` unless every joint is known.
+/// The load factor, the least of its directions; `None` unless every joint is known.
 pub(crate) fn load_factor(part: &ChainPart, pick: Pick<'_>) -> Result<Option<f64>, WorkError> {
-    Ok(match part.stiffness_n_m_rad(pick) {
-        Some(stiffness) => Some(chain_stability(&part.build(pick)?, &stiffness)?.load_factor),
-        None => None,
-    })
+    let mut least: Option<f64> = None;
+    for axis in part.axes() {
+        let Some(stiffness) = part.stiffness_towards(*axis, pick) else {
+            return Ok(None);
+        };
+        let factor = chain_stability(&part.build_towards(*axis, pick)?, &stiffness)?.load_factor;
+        // a factor that is not a number is never hidden
+        least = Some(match least {
+            Some(known) if known <= factor || known.is_nan() => known,
+            _ => factor,
+        });
+    }
+    Ok(least)
 }
 
 /// Stiffness that equal joints need, N m/rad.
 pub(crate) fn equal_joints_n_m_rad(part: &ChainPart, pick: Pick<'_>) -> Result<f64, WorkError> {
     Ok(chain_limits(&part.build(pick)?)?.equal_joints_n_m_rad)
+}
+
+/// Side of a rectangle over how far its core reaches along it from the centre.
+const CORE: f64 = 6.0;
+
+/// Tilts at which a bed opens, and stands on its edge: the least of all joints.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct UpliftTilt {
+    pub(crate) edge: f64,
+    pub(crate) opens: f64,
 }
 
 /// Least tilt at which a joint reaches its uplift limit.
@@ -72,4 +73,41 @@ pub(crate) fn uplift_tilt(check: &ChainCheck) -> Option<f64> {
     joints
         .filter_map(|joint| joint.uplift_tilt_rad)
         .min_by(f64::total_cmp)
+}
+
+/// The same of a chain of two directions towards the side to which it leans, along and across; `None` without a width of any bed, without
+/// stiffness, or if it falls. Beds open where the resultant leaves their core: |e_x|/(b/6) + |e_y|/(w/6) = 1.
+pub(crate) fn uplift_tilt_towards(
+    part: &ChainPart,
+    check: &ChainCheck,
+    towards: [f64; 2],
+) -> Option<UpliftTilt> {
+    let stabilities = [
+        check.stability.as_ref()?,
+        check.across.as_ref()?.stability.as_ref()?,
+    ];
+    let size = towards[0].hypot(towards[1]);
+    let mut normal_n = 0.0;
+    let mut least: Option<UpliftTilt> = None;
+    for (i, link) in part.links.iter().enumerate().rev() {
+        normal_n += link.heaviness.mass_kg(part.gravity_m_s2, &mut Quantity::nominal) * part.gravity_m_s2;
+        let Some(bed) = part.bed(i, &mut Quantity::nominal) else {
+            continue;
+        };
+        let per_rad = |of: &ChainStability| of.joints[i].lean_moment_n_m_rad;
+        let moments = [
+            per_rad(stabilities[0])? * towards[0] / size,
+            per_rad(stabilities[1])? * towards[1] / size,
+        ];
+        let core = moments[0].abs() / bed.width_m + moments[1].abs() / bed.depth_m;
+        let own = UpliftTilt {
+            edge: bed.reach(normal_n, [0.0; 2], moments),
+            opens: normal_n / (CORE * core),
+        };
+        least = Some(least.map_or(own, |known| UpliftTilt {
+            edge: known.edge.min(own.edge),
+            opens: known.opens.min(own.opens),
+        }));
+    }
+    least
 }

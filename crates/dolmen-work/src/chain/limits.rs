@@ -6,7 +6,7 @@ use crate::error::WorkError;
 use crate::part_limit::{Compared, Limited, NotCompared, Part, PartLimit, WhyNotCompared};
 use dolmen::assess::demand::{SiteDemand, chain_moments_by_spectrum};
 use dolmen::dynamics::ChainRotations;
-use dolmen::stability::JointHold;
+use dolmen::stability::{BedEdge, JointHold};
 use dolmen_project::{ChainPart, Quantity};
 
 /// Names of the links, lowest first.
@@ -30,6 +30,19 @@ fn at_edge(link: String, moment_n_m: f64, most_n_m: Option<f64>, taken_n_m: f64)
 /// The elastic moments by the spectrum of the site, against what the tilt as surveyed and static loads leave of each bed. A joint that is
 /// held has no limit.
 pub(crate) fn by_spectrum(
+    part: &ChainPart,
+    at_rest: &[AtRest],
+    site: &SiteDemand,
+    damping_ratio: f64,
+) -> Result<Compared, WorkError> {
+    match at_rest {
+        [along, across] => by_spectrum_all_round(part, [along, across], site, damping_ratio),
+        [along, ..] => along_alone(part, along, site, damping_ratio),
+        [] => Ok(Compared::default()),
+    }
+}
+
+fn along_alone(
     part: &ChainPart,
     at_rest: &AtRest,
     site: &SiteDemand,
@@ -62,6 +75,88 @@ pub(crate) fn by_spectrum(
     })
 }
 
+/// The same of a chain of two directions: the ground moves along x, along y, and in whatever direction between asks most of a bed.
+fn by_spectrum_all_round(
+    part: &ChainPart,
+    at_rest: [&AtRest; 2],
+    site: &SiteDemand,
+    damping_ratio: f64,
+) -> Result<Compared, WorkError> {
+    let mut moments = Vec::new();
+    for of in at_rest {
+        let direction = Some(of.axis.name().to_owned());
+        let not_compared = |why| NotCompared { direction, why };
+        let not_compared = match part.stiffness_towards(of.axis, &mut Quantity::nominal) {
+            None => not_compared(WhyNotCompared::StiffnessUnknown),
+            Some(stiffness) => match chain_moments_by_spectrum(&of.chain, &stiffness, site, damping_ratio)? {
+                None => not_compared(WhyNotCompared::Falls),
+                Some(found) => {
+                    moments.push(found);
+                    continue;
+                }
+            },
+        };
+        return Ok(Compared {
+            parts: Vec::new(),
+            not_compared: vec![not_compared],
+        });
+    }
+    let taken = |axis: usize, joint: usize| {
+        let of = &at_rest[axis].under.joints[joint];
+        of.tilt_moment_n_m.abs() + of.moment_n_m.unwrap_or(of.rigid_moment_n_m).abs()
+    };
+    let mut parts = Vec::new();
+    for (joint, link) in link_names(part).into_iter().enumerate() {
+        let hold = at_rest[0].holds[joint];
+        if hold == JointHold::Held {
+            continue;
+        }
+        let there = [taken(0, joint), taken(1, joint)];
+        let asked = [moments[0][joint].abs(), moments[1][joint].abs()];
+        let normal_n = at_rest[0].under.joints[joint].axial_n;
+        let towards = |[along, across]: [f64; 2]| {
+            let growing = [along * asked[0], across * asked[1]];
+            let left = |bed: BedEdge| bed.reach(normal_n, there, growing);
+            PartLimit {
+                demand: growing[0].hypot(growing[1]),
+                capacity: match hold {
+                    JointHold::Bed(bed) => Some(left(bed) * growing[0].hypot(growing[1])),
+                    JointHold::Held | JointHold::Unknown => None,
+                },
+                taken: (along * there[0]).hypot(across * there[1]),
+                ..at_edge(link.clone(), 0.0, None, 0.0)
+            }
+        };
+        let named = |limit: PartLimit, name: &str| PartLimit {
+            direction: Some(name.to_owned()),
+            ..limit
+        };
+        let sides = [named(towards([1.0, 0.0]), "x"), named(towards([0.0, 1.0]), "y")];
+        let ratio = |of: &PartLimit| of.ratio().unwrap_or(f64::INFINITY);
+        let of_sides = sides.iter().map(ratio).fold(f64::INFINITY, f64::min);
+        let between = (1..DEGREES).map(|degrees| {
+            let angle = f64::from(degrees).to_radians();
+            towards([angle.cos(), angle.sin()])
+        });
+        let worst = between.min_by(|a, b| ratio(a).total_cmp(&ratio(b)));
+        parts.extend(sides);
+        parts.extend(
+            worst
+                .filter(|worst| ratio(worst) < of_sides * (1.0 - ROUNDING))
+                .map(|worst| named(worst, "x+y")),
+        );
+    }
+    Ok(Compared {
+        parts,
+        not_compared: Vec::new(),
+    })
+}
+
+/// Directions of the ground between x and y, a degree each: beds are alike on both sides of their axes. Chosen here.
+const DEGREES: u32 = 90;
+/// Share by which a direction between must be worse than both sides to be named. Chosen here.
+const ROUNDING: f64 = 1e-6;
+
 impl ChainSimulation {
     /// Largest rotation of a link for which the linear equations are kept, rad: beyond, sin and cos differ from them by 0.2 and 0.5 %.
     /// Chosen here, as for storeys.
@@ -72,7 +167,10 @@ impl ChainSimulation {
         let each = self.links.iter().zip(self.model.moment_most_n_m()).enumerate();
         each.map(|(joint, (link, most))| {
             let most = most.is_finite().then_some(*most);
-            at_edge(link.clone(), self.joint_moment_peak_n_m(joint), most, 0.0)
+            PartLimit {
+                direction: self.direction.map(|axis| axis.name().to_owned()),
+                ..at_edge(link.clone(), self.joint_moment_peak_n_m(joint), most, 0.0)
+            }
         })
         .collect()
     }
@@ -81,6 +179,13 @@ impl ChainSimulation {
     pub fn beyond_small_rotations(&self) -> Option<(usize, f64)> {
         if self.model.rotations() == ChainRotations::Large {
             return None;
+        }
+        // by both directions together
+        if let Some(of) = self
+            .together
+            .filter(|of| of.lean_rad > Self::SMALL_ROTATION_MOST_RAD)
+        {
+            return Some((of.link, of.lean_rad));
         }
         let peaks = self
             .history

@@ -1,7 +1,7 @@
 //! A chain pushed, or on a moving ground, up to its fall.
 
-use super::ChainSimulation;
 use super::limits::link_names;
+use super::{ChainSimulation, ChainTogether};
 use crate::error::WorkError;
 use crate::frame::simulate::horizontal;
 use crate::motion::MotionAnswer;
@@ -12,10 +12,11 @@ use crate::undamped::Undamped;
 use crate::version::Version;
 use crate::wrong::Place;
 use dolmen::dynamics::{
-    ChainModel, ChainRotations, ChainRun, DynamicsError, TimeFunction, chain_at_rest, chain_growth,
-    simulate_chain,
+    ChainModel, ChainRotations, ChainRun, DynamicsError, JointOpening, TimeFunction, chain_at_rest,
+    chain_growth, simulate_chain,
 };
-use dolmen_project::{ChainPart, LoadPart, LoadsPart, Quantity};
+use dolmen::signal::Component;
+use dolmen_project::{ChainAxis, ChainPart, LoadPart, LoadsPart, Quantity};
 
 /// Length of a run that begins with a push alone, s: a pole of 0.3 Hz swings twenty times. Chosen here.
 const PUSHED_S: f64 = 60.0;
@@ -30,17 +31,20 @@ pub(crate) struct ChainOptions {
     pub(crate) output_step_s: f64,
 }
 
-/// The run itself.
+/// A direction of a chain and the component of the motion that acts in it; `None` on a still ground.
+type Acting = (ChainAxis, Option<Component>);
+
+/// The runs: one, or of a chain of two directions one in each, and so under two components.
 ///
 /// # Errors
-/// Too large a push, nothing that moves it, unknown joints, two horizontal components.
+/// Too large a push, nothing that moves it, unknown joints, two components on joints that do not take them apart.
 pub(crate) fn simulate(
     version: &Version<'_>,
     part: &ChainPart,
     motion: Option<MotionAnswer>,
     options: &ChainOptions,
     progress: &dyn Progress,
-) -> Result<ChainSimulation, WorkError> {
+) -> Result<Vec<ChainSimulation>, WorkError> {
     if options.push_rad.abs() > PUSH_MOST_RAD {
         return Err(WorkError::PushTooLarge {
             push_rad: options.push_rad,
@@ -50,17 +54,91 @@ pub(crate) fn simulate(
     if motion.is_none() && options.push_rad == 0.0 {
         return Err(WorkError::NothingMovesChain);
     }
+    let acting = acting(part, motion.as_ref())?;
+    let mut runs = Vec::new();
+    for of in &acting {
+        runs.push(simulate_one(
+            version,
+            part,
+            motion.clone(),
+            (options, of),
+            progress,
+        )?);
+    }
+    let is_together = acting
+        .iter()
+        .any(|(_, component)| *component == Some(Component::Y))
+        && acting
+            .iter()
+            .any(|(_, component)| *component == Some(Component::X));
+    if acting.len() > 1 {
+        for (run, (axis, _)) in runs.iter_mut().zip(&acting) {
+            run.direction = Some(*axis);
+        }
+    }
+    if let (true, [along, across]) = (is_together, runs.as_mut_slice()) {
+        let together = ChainTogether::of(&along.model, [&along.history, &across.history]);
+        along.together = together;
+        across.together = together;
+    }
+    Ok(runs)
+}
+
+/// What acts in which direction. The planes are apart where joints are linear, or open at the edges of rectangular beds: the resultant is within
+/// the bed if it is so along and across.
+fn acting(part: &ChainPart, motion: Option<&MotionAnswer>) -> Result<Vec<Acting>, WorkError> {
+    let each =
+        |component: Option<Component>| part.axes().iter().map(move |axis| (*axis, component)).collect();
+    let Some(motion) = motion else {
+        return Ok(each(None));
+    };
+    if !(motion.motion.has(Component::X) && motion.motion.has(Component::Y)) {
+        return Ok(each(Some(horizontal(motion, Place::Chain)?)));
+    }
+    if let Some(why) = one_plane_only(part) {
+        return Err(why);
+    }
+    Ok(vec![
+        (ChainAxis::Along, Some(Component::X)),
+        (ChainAxis::Across, Some(Component::Y)),
+    ])
+}
+
+/// Why the first joint that does not take two components apart does not.
+pub(super) fn one_plane_only(part: &ChainPart) -> Option<WorkError> {
+    let mut joints = part.joints.iter().flatten().enumerate();
+    joints.find_map(|(i, joint)| {
+        let opens = joint.opening != Some(JointOpening::Held) && part.links[i].bed_width.is_some();
+        let number = i + 1;
+        match joint {
+            _ if joint.friction.is_some() => Some(WorkError::OnePlaneFriction { joint: number }),
+            _ if opens && joint.strength.is_some() => Some(WorkError::OnePlaneStrength { joint: number }),
+            _ if opens && joint.bed_depth.is_none() => Some(WorkError::OnePlaneNoDepth { joint: number }),
+            _ => None,
+        }
+    })
+}
+
+/// The run in one direction.
+fn simulate_one(
+    version: &Version<'_>,
+    part: &ChainPart,
+    motion: Option<MotionAnswer>,
+    (options, (axis, component)): (&ChainOptions, &Acting),
+    progress: &dyn Progress,
+) -> Result<ChainSimulation, WorkError> {
     let loads = &version.project.loads;
-    let Some(model) = part.moving(loads, options.rotations, &mut Quantity::nominal)? else {
+    let Some(model) = part.moving_towards(loads, (options.rotations, *axis), &mut Quantity::nominal)? else {
         return Err(WorkError::JointsUnknown);
     };
-    let motion = match motion {
-        None => None,
-        Some(motion) => {
-            let component = horizontal(&motion, Place::Chain)?;
-            Some((motion, component))
-        }
+    let both = motion
+        .as_ref()
+        .is_some_and(|of| of.motion.has(Component::X) && of.motion.has(Component::Y));
+    let model = match &part.lean {
+        Some(lean) if both => model.leaning(lean.towards_rad(*axis))?,
+        _ => model,
     };
+    let motion = motion.zip(*component);
     let load = match &motion {
         None => TimeFunction::Zero,
         Some((motion, component)) => TimeFunction::of_motion(&motion.motion, *component),
@@ -93,6 +171,8 @@ pub(crate) fn simulate(
         name: version.project.name.clone(),
         variant: version.variant.map(str::to_owned),
         variant_title: version.title.cloned(),
+        direction: None,
+        together: None,
         links: link_names(part),
         first_frequency_hz: match &growth {
             Some(_) => None,
@@ -101,16 +181,16 @@ pub(crate) fn simulate(
         carried_n: carried_n(loads),
         loads_left_out: loads.wind().is_some() || loads.loads.iter().any(LoadPart::pushes),
         undamped: (!is_damped).then(|| Undamped::of(&version.project.surveys, None)),
-        model,
-        motion,
-        push_rad: options.push_rad,
-        options: run,
-        growth,
         lean: part.lean.clone(),
         tilt_left_out: match part.lean {
             Some(_) => None,
             None => TiltLeftOut::of(&version.project.surveys),
         },
+        model,
+        motion,
+        push_rad: options.push_rad,
+        options: run,
+        growth,
         history,
     })
 }

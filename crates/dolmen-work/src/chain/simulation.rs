@@ -3,10 +3,12 @@
 use crate::motion::MotionAnswer;
 use crate::tilt_left_out::TiltLeftOut;
 use crate::undamped::Undamped;
-use dolmen::dynamics::{ChainGrowth, ChainHistory, ChainModel, ChainOutcome, ChainRun, ChainSupportPeak};
+use dolmen::dynamics::{
+    ChainGrowth, ChainHistory, ChainModel, ChainOutcome, ChainRotations, ChainRun, ChainSupportPeak,
+};
 use dolmen::signal::Component;
 use dolmen::structure::SideSupport;
-use dolmen_project::{ChainLean, Names};
+use dolmen_project::{ChainAxis, ChainLean, Names};
 
 /// A side support of a chain in a motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,6 +23,58 @@ pub struct SupportMet {
     pub first_s: Option<f64>,
 }
 
+/// What two planes of a chain do together under two components, at the samples that both have.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ChainTogether {
+    /// Largest lean of a link from the vertical, rad.
+    pub lean_rad: f64,
+    /// Of which link, 0 the lowest.
+    pub link: usize,
+    /// When, s.
+    pub at_s: f64,
+    /// Largest displacement of the top from above its foot, m.
+    pub top_m: f64,
+}
+
+impl ChainTogether {
+    /// Of both planes of a chain; `None` without a sample. Small rotations add up as vectors; a line that leans by both has tan² = tan² + tan².
+    pub(crate) fn of(model: &ChainModel, histories: [&ChainHistory; 2]) -> Option<Self> {
+        let is_small = model.rotations() == ChainRotations::Small;
+        let lean = |each: [f64; 2]| match is_small {
+            true => each[0].hypot(each[1]),
+            false => each[0].tan().hypot(each[1].tan()).atan(),
+        };
+        let aside = |rotation_rad: f64| {
+            if is_small {
+                rotation_rad
+            } else {
+                rotation_rad.sin()
+            }
+        };
+        let mut most: Option<ChainTogether> = None;
+        let mut top_m = 0.0_f64;
+        let both = histories[0].times_s.iter().zip(&histories[1].times_s);
+        for (sample, (at_s, _)) in both.enumerate().take_while(|(_, (a, b))| a == b) {
+            let mut top = [0.0; 2];
+            for (link, of) in model.chain().links().iter().enumerate() {
+                let each = histories.map(|history| history.rotation_rad[link][sample]);
+                let lean_rad = lean(each);
+                if most.is_none_or(|known| lean_rad > known.lean_rad) {
+                    most = Some(ChainTogether {
+                        lean_rad,
+                        link,
+                        at_s: *at_s,
+                        top_m,
+                    });
+                }
+                top = [0, 1].map(|axis| top[axis] + of.length_m * aside(each[axis]));
+            }
+            top_m = top_m.max(top[0].hypot(top[1]));
+        }
+        most.map(|most| ChainTogether { top_m, ..most })
+    }
+}
+
 /// A simulation of a chain in one plane, and its inputs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ChainSimulation {
@@ -32,6 +86,10 @@ pub struct ChainSimulation {
     pub variant: Option<String>,
     /// A longer name of the variant, if the file gives one.
     pub variant_title: Option<Names>,
+    /// The direction, where each has a run of its own.
+    pub direction: Option<ChainAxis>,
+    /// What both do together; `None` of one component.
+    pub together: Option<ChainTogether>,
     /// Names of the links, lowest first.
     pub links: Vec<String>,
     /// The chain.

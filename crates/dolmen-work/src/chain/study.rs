@@ -1,12 +1,16 @@
 //! Runs of chains.
 
-use super::simulate::start_rotation_rad;
+use super::ChainTogether;
+use super::simulate::{one_plane_only, start_rotation_rad};
+use crate::error::WorkError;
 use crate::progress::Progress;
 use crate::study::{ChainMeasures, Run, RunMeasures, RunOutcome, SWING_REST_S, acting_component};
 use crate::told::{told, told_both};
 use crate::wrong::CaseRefused;
-use dolmen::dynamics::{ChainModel, ChainOutcome, ChainRotations, ChainRun, TimeFunction, simulate_chain};
-use dolmen::signal::GroundMotion;
+use dolmen::dynamics::{
+    ChainHistory, ChainModel, ChainOutcome, ChainRotations, ChainRun, TimeFunction, simulate_chain,
+};
+use dolmen::signal::{Component, GroundMotion};
 use dolmen_project::{ChainPart, LoadsPart, Pick, StudyPart};
 use dolmen_words::message::Both;
 
@@ -15,49 +19,155 @@ const SAMPLE_S: f64 = 0.02;
 
 /// A chain that can move, with the names of its links.
 pub(crate) struct MovingChain {
+    /// In the direction of motion.
     pub(crate) chain: ChainModel,
+    /// Across, of a chain of two directions.
+    across: Option<ChainModel>,
+    /// The joint that does not take two components apart, and why.
+    one_plane: Option<WorkError>,
     pub(crate) links: Vec<String>,
 }
 
 /// The chain of a study, or why it cannot be.
 pub(crate) fn model(part: &ChainPart, loads: &LoadsPart, pick: Pick<'_>) -> Result<MovingChain, Both> {
-    let chain = part
-        .moving(loads, ChainRotations::Large, pick)
-        .map_err(|why| told_both(&why))?;
-    let Some(chain) = chain else {
-        return Err(CaseRefused::JointsUnknown.into());
-    };
+    let mut planes = Vec::new();
+    for axis in part.axes() {
+        let plane = part
+            .moving_towards(loads, (ChainRotations::Large, *axis), pick)
+            .map_err(|why| told_both(&why))?;
+        planes.push(plane.ok_or_else(|| Both::from(CaseRefused::JointsUnknown))?);
+    }
     let named = part.links.iter().enumerate();
     let links = named
         .map(|(i, link)| link.name.clone().unwrap_or_else(|| format!("link {}", i + 1)))
         .collect();
-    Ok(MovingChain { chain, links })
+    let mut planes = planes.into_iter();
+    let Some(chain) = planes.next() else {
+        return Err(CaseRefused::JointsUnknown.into());
+    };
+    Ok(MovingChain {
+        chain,
+        across: planes.next(),
+        one_plane: one_plane_only(part),
+        links,
+    })
 }
 
-/// Runs a chain; `None` if it was stopped.
+/// Runs a chain; `None` if it was stopped. A chain of two directions meets the component x along and y across; where the motion has one
+/// component, it meets it in each by itself, and the worse run counts.
 pub(crate) fn row(
     study: &StudyPart,
-    mut run: Run,
+    run: Run,
     model: &MovingChain,
     (motion, progress): (&GroundMotion, &dyn Progress),
 ) -> Option<Run> {
-    let load = TimeFunction::of_motion(motion, acting_component(motion));
+    let Some(across) = &model.across else {
+        return Some(
+            row_in_plane(
+                study,
+                run,
+                (&model.chain, model),
+                (motion, acting_component(motion)),
+                progress,
+            )?
+            .0,
+        );
+    };
+    let both = motion.has(Component::X) && motion.has(Component::Y);
+    if let (true, Some(why)) = (both, &model.one_plane) {
+        return Some(Run {
+            outcome: RunOutcome::Refused,
+            why: told(why),
+            ..run
+        });
+    }
+    let components = match both {
+        true => [Component::X, Component::Y],
+        false => [acting_component(motion); 2],
+    };
+    let of =
+        |plane, component| row_in_plane(study, run.clone(), (plane, model), (motion, component), progress);
+    let along = of(&model.chain, components[0])?;
+    let other = of(across, components[1])?;
+    let histories = along.1.as_ref().zip(other.1.as_ref()).filter(|_| both);
+    let together = histories.and_then(|(along, across)| ChainTogether::of(&model.chain, [along, across]));
+    let (worse, better) = match severity(&other.0) > severity(&along.0) {
+        true => (other.0, along.0),
+        false => (along.0, other.0),
+    };
+    Some(joined(worse, &better, together))
+}
+
+/// What decides between two directions: a fall, of two the sooner; then what is not decided; then beds that opened.
+fn severity(run: &Run) -> (u8, f64) {
+    let rank = match run.outcome {
+        RunOutcome::Fell => 4,
+        RunOutcome::Diverged | RunOutcome::Refused => 3,
+        RunOutcome::StillMoving => 2,
+        RunOutcome::Uplifted | RunOutcome::Slid => 1,
+        RunOutcome::Stood => 0,
+    };
+    let sooner = if run.outcome == RunOutcome::Fell {
+        -run.at_s
+    } else {
+        0.0
+    };
+    (rank, sooner)
+}
+
+/// The larger measures of both, by the resultant where both components act.
+fn joined(worse: Run, better: &Run, together: Option<ChainTogether>) -> Run {
+    let (RunMeasures::Chain(a), RunMeasures::Chain(b)) = (&worse.measures, &better.measures) else {
+        return worse;
+    };
+    let of = |value: fn(&ChainTogether) -> f64| together.as_ref().map_or(0.0, value);
+    let measures = ChainMeasures {
+        peak_top_displacement_m: a
+            .peak_top_displacement_m
+            .max(b.peak_top_displacement_m)
+            .max(of(|of| of.top_m)),
+        peak_rotation_rad: a
+            .peak_rotation_rad
+            .max(b.peak_rotation_rad)
+            .max(of(|of| of.lean_rad)),
+        peak_joint_rotation_rad: a.peak_joint_rotation_rad.max(b.peak_joint_rotation_rad),
+        open_share: a.open_share.max(b.open_share),
+        slipped_rad: a.slipped_rad.max(b.slipped_rad),
+        residual_rotation_rad: a.residual_rotation_rad.max(b.residual_rotation_rad),
+        energy_left_over_ratio: a.energy_left_over_ratio.max(b.energy_left_over_ratio),
+    };
+    Run {
+        damage_state: worse.damage_state.max(better.damage_state),
+        measures: RunMeasures::Chain(measures),
+        ..worse
+    }
+}
+
+/// One plane, with its history; `None` if it was stopped.
+fn row_in_plane(
+    study: &StudyPart,
+    mut run: Run,
+    (chain, model): (&ChainModel, &MovingChain),
+    (motion, component): (&GroundMotion, Component),
+    progress: &dyn Progress,
+) -> Option<(Run, Option<ChainHistory>)> {
+    let load = TimeFunction::of_motion(motion, component);
     let run_s = motion.duration_s() + study.rest_s.unwrap_or(SWING_REST_S);
-    let history = start_rotation_rad(&model.chain).and_then(|start_rotation_rad| {
+    let history = start_rotation_rad(chain).and_then(|start_rotation_rad| {
         let options = ChainRun {
             duration_s: Some(run_s),
             output_step_s: SAMPLE_S,
             start_rotation_rad,
             ..ChainRun::default()
         };
-        simulate_chain(&model.chain, &load, &options, &mut |_| !progress.is_cancelled())
+        simulate_chain(chain, &load, &options, &mut |_| !progress.is_cancelled())
     });
     let history = match history {
         Ok(history) => history,
         Err(why) => {
             run.outcome = RunOutcome::Diverged;
             run.why = told(&why);
-            return Some(run);
+            return Some((run, None));
         }
     };
     let name = |link: usize| model.links.get(link).cloned().unwrap_or_default();
@@ -89,5 +199,5 @@ pub(crate) fn row(
         RunOutcome::Fell => 4,
         _ => u8::from(!history.uplifts.is_empty() || !history.slips.is_empty()),
     };
-    Some(run)
+    Some((run, Some(history)))
 }

@@ -316,7 +316,14 @@ fn first_frequency(check: &Check, direction: &str) -> Option<f64> {
     match check {
         // chains and frames do not twist
         Check::Chain(_) if direction == "torsion" => None,
-        Check::Chain(chain) => chain.modes.first().map(|mode| mode.frequency_hz),
+        Check::Chain(chain) => {
+            let modes = match (&chain.across, direction) {
+                (None, _) | (Some(_), "x") => &chain.modes,
+                (Some(across), "y") => &across.modes,
+                (Some(_), _) => return None,
+            };
+            modes.first().map(|mode| mode.frequency_hz)
+        }
         Check::Frame(all) => {
             let own = all.iter().find(|d| d.direction == direction);
             let first = own.and_then(|d| d.check.modes.first());

@@ -190,7 +190,7 @@ pub(super) fn version(
             .iter()
             .any(|of| of.wind != 0.0 || of.loads != 0.0)
     });
-    version.governed_by = state.governing_loads().map(Governing::of);
+    version.governed_by = governing(state, weight);
     version.demand_source = state.demand.as_ref().map(|demand| {
         let site = &demand.site;
         (site.code().to_owned(), site.return_period_years())
@@ -207,6 +207,14 @@ pub(super) fn version(
     }
     version.inputs = AssumedInputs::of(project);
     version
+}
+
+/// What makes the word for weight what it is: wind and static loads, or the worse of two directions.
+pub(crate) fn governing(state: &State, weight: Weight) -> Option<Governing> {
+    let loads = state.governing_loads().map(Governing::of);
+    let is_short = matches!(weight, Weight::Unstable | Weight::Marginal);
+    let direction = state.worse_direction().filter(|_| is_short);
+    loads.or(direction.map(Governing::Direction))
 }
 
 /// The measured tilt with which a run starts.

@@ -16,6 +16,8 @@ pub struct LoadsAnswer {
     pub has_loads: bool,
     /// The wind as it meets the structure; why it is not known; `None` without wind.
     pub wind: Option<Result<WindMet, WindError>>,
+    /// The same blowing across a chain of two directions; `None` of others, and where `wind` is not known.
+    pub wind_across: Option<WindMet>,
     /// A chain with what its static loads weigh; `None` if they weigh nothing, or its stiffness is not known.
     pub carried: Option<Carried>,
     /// Tilt as surveyed that is counted with every combination, rad.
@@ -98,6 +100,17 @@ pub struct ChainCombination {
     pub wind_reversed: bool,
     /// Factor on the weight of the combination, static loads included, at which it falls; `None` without stiffness.
     pub weight_factor: Option<f64>,
+    /// Across, of a chain of two directions; then the factors on loads are those of both together.
+    pub across: Option<AcrossCombination>,
+}
+
+/// A chain across under a combination, the wind from its worst side.
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+pub struct AcrossCombination {
+    /// Moments and limits across.
+    pub under: ChainUnderLoads,
+    /// Where the wind blows, degrees from along to across; `None` without wind.
+    pub wind_towards_deg: Option<f64>,
 }
 
 impl CombinationAnswer {
@@ -190,11 +203,14 @@ impl LoadsAnswer {
 
     /// The lowest natural frequency, Hz, of a structure that gusts make swing under a wind that does not hold that.
     pub fn lacks_resonance_at_hz(&self) -> Option<f64> {
-        let met = self.wind.as_ref()?.as_ref().ok()?;
+        let along = self.wind.as_ref()?.as_ref().ok()?;
         let blows = self.combinations.iter().any(|of| of.wind != 0.0);
-        let is_left_out = met.resonance == Resonance::NotCounted && blows;
-        met.frequency_hz
-            .filter(|hz| is_left_out && *hz < RESONANCE_BELOW_HZ)
+        let lacking = [Some(along), self.wind_across.as_ref()].into_iter().flatten();
+        let lacking = lacking.filter(|met| met.resonance == Resonance::NotCounted && blows);
+        let swinging = lacking.filter_map(|met| met.frequency_hz);
+        swinging
+            .filter(|hz| *hz < RESONANCE_BELOW_HZ)
+            .min_by(f64::total_cmp)
     }
 
     /// Least factor of all combinations.

@@ -3,5 +3,8 @@
 mod answer;
 mod words;
 
-pub use answer::{Carried, ChainCombination, CombinationAnswer, Combined, LoadsAnswer, WindMet, WindOnLink};
+pub use answer::{
+    AcrossCombination, Carried, ChainCombination, CombinationAnswer, Combined, LoadsAnswer, WindMet,
+    WindOnLink,
+};
 pub use words::{Governed, Governing};

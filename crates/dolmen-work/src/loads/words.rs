@@ -13,6 +13,10 @@ messages! {
             en: "{word} under wind and static loads",
             ko: "풍하중·정하중 작용 시 {word}",
         },
+        Towards { word: Both, direction: String } => {
+            en: "{word} in direction {direction}",
+            ko: "{direction} 방향 {word}",
+        },
         UnderCombination { word: Both, name: String } => {
             en: "{word} under combination {name}",
             ko: "하중조합 {name}에서 {word}",
@@ -20,7 +24,7 @@ messages! {
     }
 }
 
-/// What of wind and static loads decides a word.
+/// What of wind and static loads decides a word, or which direction.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Governing {
     /// Wind.
@@ -31,6 +35,8 @@ pub enum Governing {
     Both,
     /// A combination by its name.
     Combination(String),
+    /// Its weight, in one of two directions: "y".
+    Direction(&'static str),
 }
 
 impl Governing {
@@ -52,7 +58,13 @@ impl Governing {
             Governing::Loads => "loads",
             Governing::Both => "wind and loads",
             Governing::Combination(name) => name,
+            Governing::Direction(name) => name,
         }
+    }
+
+    /// Whether its weight alone decides.
+    pub fn is_weight(&self) -> bool {
+        matches!(self, Governing::Direction(_))
     }
 
     /// A word under it.
@@ -61,6 +73,10 @@ impl Governing {
             Governing::Wind => Governed::UnderWind { word },
             Governing::Loads => Governed::UnderLoads { word },
             Governing::Both => Governed::UnderBoth { word },
+            Governing::Direction(name) => Governed::Towards {
+                word,
+                direction: (*name).to_owned(),
+            },
             Governing::Combination(name) => Governed::UnderCombination {
                 word,
                 name: name.clone(),

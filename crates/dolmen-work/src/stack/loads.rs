@@ -31,6 +31,7 @@ pub(crate) fn loads(
         has_loads: !given.loads.is_empty(),
         carried: None,
         tilt_rad: 0.0,
+        wind_across: None,
         combinations: Vec::new(),
         wind: None,
     };

@@ -176,6 +176,8 @@ impl<'o> Plan<'o> {
             false => prepared(project, self.files, self.study, name)?,
         };
         Ok(match self.kind {
+            // it meets the components along and across
+            StudyKind::Chain if has_two_axes(project) => (motion, turn_rad),
             StudyKind::Frame | StudyKind::Chain => (motion.in_plane(turn_rad)?, 0.0),
             _ => (motion, turn_rad),
         })
@@ -429,4 +431,9 @@ fn in_one_line(problem: &Problem, file: &str, language: Language) -> String {
         beside("; ", &problem.help),
         language.pick(format!("line {line} of {file}"), format!("{file} {line}행"))
     )
+}
+
+/// Whether a project is a chain of two directions.
+fn has_two_axes(project: &Project) -> bool {
+    matches!(&project.structure, Structure::Chain(part) if part.has_two_axes())
 }

@@ -105,6 +105,18 @@ sentences! {
             en: "{what} moves in one direction, but the motion has the components x and y: give one file, or turn the motion and give the component that you mean as x",
             ko: "{what}은(는) 한 방향으로 움직이는데 지반운동에 x와 y 성분이 있다. 파일 하나만 주거나, 지반운동을 돌려 쓰려는 성분을 x로 준다",
         },
+        OnePlaneFriction { joint } => {
+            en: "the motion has the components x and y, but joint {joint} has friction, which acts against the turn of both together: leave the friction out, or give one component",
+            ko: "지반운동에 x와 y 성분이 있으나 접합면 {joint}의 마찰은 두 방향의 회전에 함께 작용한다. 마찰을 빼거나 한 성분만 준다",
+        },
+        OnePlaneStrength { joint } => {
+            en: "the motion has the components x and y, but the bed of joint {joint} has a strength, with which it bears less towards its corners: leave strength out, or give one component",
+            ko: "지반운동에 x와 y 성분이 있으나 접합면 {joint}에 강도가 있어 모서리 쪽 저항이 줄어든다. strength를 빼거나 한 성분만 준다",
+        },
+        OnePlaneNoDepth { joint } => {
+            en: "the motion has the components x and y, and the bed of joint {joint} can open: give its bed_depth across, or opening = \"held\", or one component of the motion",
+            ko: "지반운동에 x와 y 성분이 있고 접합면 {joint}은(는) 벌어질 수 있다. 직각 방향 폭 bed_depth나 opening = \"held\"를 주거나 지반운동을 한 성분만 준다",
+        },
         NoHorizontal { what } => {
             en: "{what} moves horizontally, but the motion has neither x nor y",
             ko: "{what}은(는) 수평으로 움직이는데 지반운동에 x도 y도 없다",
