@@ -24,6 +24,7 @@ mod settings;
 mod setups;
 mod shared_steps;
 mod spectrum;
+mod strong;
 mod subspace;
 mod synthetic;
 mod unkind;
@@ -51,6 +52,10 @@ pub use setups::{
     ObservedPoint, PairedModes, Pairing, PartialMode, ReferenceFault, joint_setups, merge_setups, pair_modes,
 };
 pub use spectrum::{Efdd, Fdd, FddResult, MatrixFraction, Plscf, SingularSpectrum, efdd, fdd, plscf};
+pub use strong::{
+    During, DuringMode, LastingChange, MadeEarthquake, Part, Shaking, StrongChannel, StrongMotion,
+    TrackPoint, Tracked, earthquake_in, strong_motion,
+};
 pub use subspace::{
     Cluster, Clustering, Criteria, Fate, JudgedPole, Pole, PoleDeviation, Propagation, Ssi, Stability,
     Stabilization, Subspace, clusters, ssi_cov, ssi_data, stabilize,

@@ -2,9 +2,9 @@
 
 use super::{
     Case, ValidationError, arches, building_motion, choi_2021, chopra_2017, columns, dampers, driven_modes,
-    dry_friction, fragility, free_columns, free_decay, gusts, hwang_min_hong, joined, kim_koo_hong_2018,
-    local_mechanisms, owen_prieur_2017, park_min_2010, pyoma2, rigid_blocks, second_methods, setups,
-    survey_change, watch, wind,
+    dry_friction, earthquakes, fragility, free_columns, free_decay, gusts, hwang_min_hong, joined,
+    kim_koo_hong_2018, local_mechanisms, owen_prieur_2017, park_min_2010, pyoma2, rigid_blocks,
+    second_methods, setups, survey_change, watch, wind,
 };
 
 /// All cases, source by source.
@@ -39,6 +39,7 @@ pub fn cases() -> Result<Vec<Case>, ValidationError> {
         owen_prieur_2017::cases()?,
         free_decay::cases()?,
         driven_modes::cases()?,
+        earthquakes::cases()?,
         joined::cases()?,
         pyoma2::cases()?,
         setups::cases()?,

@@ -12,6 +12,7 @@ mod columns;
 mod dampers;
 mod driven_modes;
 mod dry_friction;
+mod earthquakes;
 mod error;
 mod fragility;
 mod free_columns;

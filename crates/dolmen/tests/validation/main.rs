@@ -57,6 +57,7 @@ mod stack_motion;
 mod stack_rigid;
 mod stack_rocking;
 mod stiffness_covariance;
+mod strong_motion;
 mod survey_change;
 mod tuned_mass;
 mod watch;
