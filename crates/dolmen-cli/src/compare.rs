@@ -22,14 +22,9 @@ pub(crate) fn run(options: &Compare, manner: &Manner) -> Result<Outcome> {
     };
     let answer = compare(&found.opened, &how, &found.files, &Terminal::new(manner.quiet))?;
     if manner.json {
-        say_json(&change_json(&answer.project, &answer.file, &answer.change))?;
+        say_json(&change_json(&answer))?;
     } else {
-        say(&change_text(
-            &answer.project,
-            &answer.file,
-            &answer.change,
-            manner.style(),
-        ))?;
+        say(&change_text(&answer, manner.style()))?;
     }
     if let Some(folder) = &options.output {
         Outputs::of(manner.access(), &found).folder(folder, &change_files(&answer, manner.language()))?;

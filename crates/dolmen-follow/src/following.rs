@@ -299,10 +299,12 @@ impl<'a> Following<'a> {
     }
 
     fn say_record(&self, survey: &str, path: &Path, taken: &Taken) -> Result<()> {
+        let days = self.state.days_with_modes();
         let verdict = match &self.answer {
-            Some(answer) => verdict(answer, survey),
-            None => Verdict::TooFew {
-                given: self.state.days_with_modes(),
+            _ if taken.earthquake.is_some() => Verdict::Earthquake,
+            Some(answer) if days >= SURVEYS_LEAST => verdict(answer, survey),
+            _ => Verdict::TooFew {
+                given: days,
                 least: SURVEYS_LEAST,
             },
         };

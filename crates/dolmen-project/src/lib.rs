@@ -95,9 +95,9 @@ pub use study::{
     ArtificialPart, Axis, DRIFT_LIMITS, ExpectedTrend, HarmonicPart, LawPart, Override, Scan, StudyPart,
 };
 pub use survey::{
-    BandPass, ChangePart, ChannelSource, Column, Conditioning, Cut, DamageKind, Inspection, LogKind, LogPart,
-    LowPass, Merge, ModalChoice, ModeKind, OtherDamage, RecordFormat, RecordSource, Severity, Survey,
-    SurveyMode, TemperaturePart, Tilt, WatchPart, WorkKind, WorkPart, date_of,
+    BandPass, ChangePart, ChannelSource, Column, Conditioning, Cut, DamageKind, EarthquakePart, Inspection,
+    LogKind, LogPart, LowPass, Merge, ModalChoice, ModeKind, OtherDamage, RecordFormat, RecordSource,
+    Severity, Survey, SurveyMode, TemperaturePart, Tilt, WatchPart, WorkKind, WorkPart, date_of,
 };
 pub use survey_like::{LikeSurvey, survey_like};
 pub use tabled::lists_in_tables;

@@ -1,5 +1,6 @@
 //! A survey like another one with a record of its own, as a project file writes it.
 
+use crate::survey::EarthquakePart;
 use toml::{Table, Value};
 
 /// Key of a file in the table of a record.
@@ -18,6 +19,8 @@ pub struct LikeSurvey<'a> {
     pub temperature_c: Option<f64>,
     /// Names of channels that are left out beside those that the other leaves out; without a name, their columns.
     pub left_out: &'a [String],
+    /// The earthquake that its record holds.
+    pub earthquake: Option<EarthquakePart>,
 }
 
 /// The table of a survey that has the record settings of the survey `like` in `text`, to be put behind the text; nothing else is that of the
@@ -40,13 +43,28 @@ pub fn survey_like(text: &str, like: &str, own: &LikeSurvey<'_>) -> Option<Strin
     let temperature = own
         .temperature_c
         .map(|celsius| format!("temperature_c = {celsius:?}\n"));
+    let earthquake = own.earthquake.map(earthquake_text);
     Some(format!(
-        "\n[survey.{}]\nnote = {}\n{}records = {}\n",
+        "\n[survey.{}]\nnote = {}\n{}{}records = {}\n",
         Value::String(own.name.to_owned()),
         Value::String(own.note.to_owned()),
         temperature.unwrap_or_default(),
+        earthquake.unwrap_or_default(),
         Value::Table(records)
     ))
+}
+
+/// As a line of a survey; numbers as short as their last digit means something.
+fn earthquake_text(of: EarthquakePart) -> String {
+    let peak = of.peak_m_s2.map(|peak| format!("peak = \"{peak:.5} m/s2\""));
+    let number = |key: &str, value: Option<f64>| value.map(|value| format!("{key} = {value:.5}"));
+    let keys = [
+        peak,
+        number("changed", of.changed),
+        number("changed_sd", of.changed_sd),
+    ];
+    let keys: Vec<String> = keys.into_iter().flatten().collect();
+    format!("earthquake = {{ {} }}\n", keys.join(", "))
 }
 
 #[cfg(test)]
@@ -77,6 +95,11 @@ channels = [{ column = "a \"b\"", direction = "x", position = [0, 0, "3 m"] }]
                 note: "as \"x\\\ny\" '''",
                 temperature_c: file.contains('b').then_some(-3.0),
                 left_out: &[],
+                earthquake: file.contains('b').then_some(EarthquakePart {
+                    peak_m_s2: Some(0.5),
+                    changed: Some(-0.02),
+                    changed_sd: None,
+                }),
             };
             survey_like(text, "2024-05-01", &own).unwrap()
         };
@@ -90,6 +113,9 @@ channels = [{ column = "a \"b\"", direction = "x", position = [0, 0, "3 m"] }]
         assert_eq!(one.note.as_deref(), Some("as \"x\\\ny\" '''"));
         assert_eq!((one.temperature_c, one.tilt.len()), (None, 0));
         assert_eq!(two.temperature_c, Some(-3.0));
+        let shaken = two.earthquake.unwrap();
+        assert_eq!((one.earthquake, shaken.peak_m_s2), (None, Some(0.5)));
+        assert_eq!((shaken.changed, shaken.changed_sd), (Some(-0.02), None));
         let (given, own, last) = (
             before.records.clone().unwrap(),
             one.records.clone().unwrap(),
@@ -113,6 +139,7 @@ channels = [{ column = "a \"b\"", direction = "x", position = [0, 0, "3 m"] }]
             file: "a.csv",
             note: "",
             temperature_c: None,
+            earthquake: None,
             left_out: &["a \"b\"".to_owned(), "top".to_owned()],
         };
         let more = TEXT.replace(
@@ -148,6 +175,7 @@ channels = [{ column = "a \"b\"", direction = "x", position = [0, 0, "3 m"] }]
                 name: "a",
                 file: "b",
                 note: "c",
+                earthquake: None,
                 temperature_c: None,
                 left_out: &[],
             };

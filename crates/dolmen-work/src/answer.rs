@@ -11,7 +11,7 @@ use crate::simulation::{SimulateAnswer, Simulation};
 use crate::stack::{StackRuns, StackSimulation, SupportsSimulation};
 use crate::state::{SensitivityOf, State, VariantAnswer};
 use crate::study::{LeftOutStudy, StudyAnswer};
-use crate::surveyed::SurveyAnswer;
+use crate::surveyed::{ModesOf, SurveyAnswer};
 use crate::watched::WatchAnswer;
 use dolmen::assess::{Sensitivity, SurveyChange};
 use dolmen_project::Project;
@@ -79,6 +79,8 @@ pub struct CompareAnswer {
     pub project: Arc<Project>,
     /// The change.
     pub change: SurveyChange,
+    /// Which of both surveys have records that hold an earthquake, and of which part of them their modes are.
+    pub shaken: Vec<(String, ModesOf)>,
 }
 
 /// Dampers of a building beside the rule and the best.

@@ -7,7 +7,7 @@ use crate::identify;
 use crate::opened::Opened;
 use crate::progress::Progress;
 use crate::survey_dates::date;
-use crate::surveyed::SurveyAnswer;
+use crate::surveyed::{ModesOf, SurveyAnswer};
 use dolmen::assess::{SurveyChange, SurveyChangeOptions, Surveyed, TemperatureEffect, survey_change};
 use dolmen::modal::{ObservedMode, ObservedPoint, Pairing};
 use dolmen::signal::Channel;
@@ -45,7 +45,22 @@ pub fn compare(
         file: opened.file.clone(),
         project: opened.project.clone(),
         change: change_of(project, &compared, &answers)?,
+        shaken: shaken(project, &compared, &answers),
     })
+}
+
+/// Which of both surveys hold an earthquake, and of which part of their records their modes are.
+pub(crate) fn shaken(
+    project: &Project,
+    compared: &ComparedSurveys,
+    answers: &[SurveyAnswer],
+) -> Vec<(String, ModesOf)> {
+    let both = [compared.from, compared.to].map(|at| project.surveys[at].name.as_str());
+    let own = answers
+        .iter()
+        .filter(|answer| both.contains(&answer.name.as_str()));
+    let each = own.filter_map(|answer| Some((answer.name.clone(), answer.earthquake()?.modes_of)));
+    each.collect()
 }
 
 /// Two surveys, by index, and those before the later one that a coefficient of temperature is fitted to.

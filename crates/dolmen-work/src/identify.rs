@@ -12,12 +12,15 @@ use crate::record::{self, OpenedRecord};
 use crate::record_seen::RecordSeen;
 use crate::sensor_alarms::SensorFault;
 use crate::stack::factors::{self as stack, factors};
-use crate::surveyed::{RecordAnswer, SetupsAnswer, StiffnessAnswer, SurveyAnswer, WithoutStiffness};
+use crate::surveyed::{
+    Earthquake, ModesOf, RecordAnswer, SetupsAnswer, StiffnessAnswer, SurveyAnswer, WithoutStiffness,
+};
 use crate::wrong::Place;
 use dolmen::modal::{
-    Criteria, Identify, MergeSetups, Modes, doubt_sensors, identify as modes_of, joint_setups, merge_setups,
+    Criteria, Identify, MergeSetups, Method, ModalAnalysis, Modes, StrongMotion, doubt_sensors,
+    identify as modes_of, joint_setups, merge_setups, strong_motion,
 };
-use dolmen::signal::{Channel, Record};
+use dolmen::signal::{Channel, Record, cut};
 use dolmen::structure::{StiffnessNote, directional_modes};
 use dolmen_project::{Merge, ModeKind, Project, Quantity, RecordSource, Structure, Survey};
 use dolmen_records::Files;
@@ -84,7 +87,7 @@ pub struct SurveyModes {
     pub faults: Vec<(String, SensorFault)>,
 }
 
-/// Modes of the records of one survey; `None` if it has no records.
+/// Modes of the records of one survey; `None` if it has no records, or these show the structure in an earthquake alone.
 ///
 /// # Errors
 /// An unknown survey; records that cannot be read or hold no modes.
@@ -103,7 +106,8 @@ pub fn survey_modes(
     };
     let answer = found_in(survey, files, progress)?;
     let faults = answer.faults();
-    Ok(answer.modes().map(|(modes, _)| SurveyModes {
+    let own = answer.modes().filter(|_| !answer.is_shaken());
+    Ok(own.map(|(modes, _)| SurveyModes {
         modes: modes.clone(),
         faults,
     }))
@@ -259,7 +263,7 @@ pub(crate) fn lowest_of_records(project: &Project, surveys: &[SurveyAnswer]) -> 
             let mut own = project.surveys.iter().filter(|survey| survey.name == answer.name);
             own.any(|survey| survey.modes.contains_key(direction))
         };
-        let Some((modes, _)) = answer.modes() else {
+        let Some((modes, _)) = answer.modes().filter(|_| !answer.is_shaken()) else {
             continue;
         };
         for (direction, vector) in [("x", [1.0, 0.0, 0.0]), ("y", [0.0, 1.0, 0.0])] {
@@ -327,7 +331,13 @@ pub(crate) fn of_opened(
     let options = options(source, opened.record.channels())?;
     let asked = drawn(source.modal.spectrogram.as_ref(), opened.record.channels());
     let asked = asked.within(|| source.file.clone())?;
-    let analysis = modes_of(&opened.record, &options).within(|| source.file.clone())?;
+    let sought = !source.modal.without_earthquake;
+    let found = sought.then(|| strong_motion(&opened.record, &options)).flatten();
+    let Quiet {
+        record,
+        analysis,
+        earthquake,
+    } = quiet(source, &opened.record, &options, found)?;
     let read_s = opened.samples as f64 / opened.sampling_rate_hz;
     let is_one_file = source.stations.is_empty();
     let seen = RecordSeen::of(&opened.record, read_s, (&analysis, asked), is_one_file)?;
@@ -341,11 +351,66 @@ pub(crate) fn of_opened(
         remarks: opened.remarks,
         unread_stamps: opened.unread_stamps,
         faults: opened.faults,
-        doubts: doubt_sensors(&opened.record, &analysis.modes.modes),
+        doubts: doubt_sensors(&record, &analysis.modes.modes),
         analysis,
+        earthquake,
         seen,
     };
-    Ok((answer, opened.record))
+    Ok((answer, record))
+}
+
+/// The part of a record that its modes are of.
+struct Quiet {
+    record: Record,
+    analysis: ModalAnalysis,
+    earthquake: Option<Earthquake>,
+}
+
+/// The modes of what followed an earthquake, else of what came before it; of the whole record where there was none, where its ground is an input,
+/// and where both are too short.
+fn quiet(
+    source: &RecordSource,
+    record: &Record,
+    options: &Identify,
+    found: Option<StrongMotion>,
+) -> Result<Quiet, WorkError> {
+    let whole = |earthquake: Option<Earthquake>| -> Result<Quiet, WorkError> {
+        Ok(Quiet {
+            record: record.clone(),
+            analysis: modes_of(record, options).within(|| source.file.clone())?,
+            earthquake,
+        })
+    };
+    let Some(found) = found else { return whole(None) };
+    let parts = [(ModesOf::After, &found.after), (ModesOf::Before, &found.before)];
+    let usable = parts.into_iter().filter(|_| options.method != Method::Okid);
+    let first = usable.into_iter().find_map(|(of, part)| {
+        let analysis = part.analysis.as_ref()?;
+        Some((of, part.span_s, analysis.clone()))
+    });
+    let Some((modes_of_part, [from_s, to_s], analysis)) = first else {
+        return whole(Some(Earthquake {
+            found,
+            modes_of: ModesOf::Whole,
+        }));
+    };
+    let part = cut(record.clone(), from_s, to_s)?;
+    // what the file asks of the modes, and what it must not ask, is looked at by the identification itself
+    let is_asked = !options.pick_hz.is_empty()
+        || !options.accept_hz.is_empty()
+        || !options.inputs.is_empty()
+        || options.modes_wanted.is_some();
+    Ok(Quiet {
+        analysis: match is_asked {
+            true => modes_of(&part, options).within(|| source.file.clone())?,
+            false => analysis,
+        },
+        record: part,
+        earthquake: Some(Earthquake {
+            found,
+            modes_of: modes_of_part,
+        }),
+    })
 }
 
 /// How modes are sought, as the file says.

@@ -3,7 +3,7 @@
 use crate::answer::{Answer, CheckAnswer, CompareAnswer, ProjectReport};
 use crate::building::tune;
 use crate::check::{CheckOptions, Sampling, check};
-use crate::compare::{change_of, surveys_to_compare};
+use crate::compare::{change_of, shaken, surveys_to_compare};
 use crate::error::WorkError;
 use crate::fingerprint::fingerprint;
 use crate::identify::{IdentifyOptions, identify};
@@ -63,6 +63,7 @@ pub fn report(
             file: opened.file.clone(),
             project: opened.project.clone(),
             change: change_of(project, &compared, &identified.surveys)?,
+            shaken: shaken(project, &compared, &identified.surveys),
         })));
     }
     if is_watched {

@@ -6,10 +6,13 @@ use crate::record_seen::RecordSeen;
 use crate::sensor_alarms::SensorFault;
 use crate::stack::FactorsAnswer;
 use dolmen::blocks::JointFactorsError;
-use dolmen::modal::{JointSetups, MergedMode, MergedSetups, ModalAnalysis, Modes, Note, SensorDoubt};
+use dolmen::modal::{
+    JointSetups, MergedMode, MergedSetups, ModalAnalysis, Modes, Note, SensorDoubt, StrongMotion,
+};
 use dolmen::signal::ChannelFault;
 use dolmen::structure::building::PlanStiffnessError;
 use dolmen::structure::{Convention, StiffnessSolutions};
+use dolmen_project::EarthquakePart;
 use dolmen_words::message::Both;
 
 /// Why no stiffness is sought.
@@ -183,6 +186,20 @@ impl SurveyAnswer {
         all
     }
 
+    /// The earthquake that its records hold: of several the strongest over its noise.
+    pub fn earthquake(&self) -> Option<&Earthquake> {
+        let setups = self.setups.iter().flat_map(|setups| &setups.records);
+        let all = self.records.iter().chain(setups);
+        let over = |of: &&Earthquake| of.found.shaking.over_noise;
+        let found = all.filter_map(|record| record.earthquake.as_ref());
+        found.max_by(|a, b| over(a).total_cmp(&over(b)))
+    }
+
+    /// Whether its modes are those of a structure in an earthquake, which no ambient survey can be compared with.
+    pub fn is_shaken(&self) -> bool {
+        self.earthquake().is_some_and(|of| of.modes_of == ModesOf::Whole)
+    }
+
     /// What is wrong with the channels of its records.
     pub fn faults(&self) -> Vec<(String, SensorFault)> {
         let setups = self.setups.iter().flat_map(|setups| &setups.records);
@@ -210,6 +227,39 @@ impl SurveyAnswer {
     }
 }
 
+/// Of which part of a record that holds an earthquake its modes are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ModesOf {
+    /// Of what followed it.
+    After,
+    /// Of what came before it, since what followed is too short.
+    Before,
+    /// Of all of it: with the ground as it moved, or since both are too short.
+    Whole,
+}
+
+/// An earthquake in a record, and of which part its modes are.
+#[derive(Clone, Debug)]
+pub struct Earthquake {
+    /// What was found.
+    pub found: StrongMotion,
+    /// Of which part the modes of the record are.
+    pub modes_of: ModesOf,
+}
+
+impl Earthquake {
+    /// As a survey states it: the largest acceleration, and the surest change beyond chance, else that of the lowest mode.
+    pub fn part(&self) -> EarthquakePart {
+        let peak = self.found.strongest().and_then(|of| of.peak_acceleration_m_s2);
+        let change = self.found.lasting().or(self.found.changes.first());
+        EarthquakePart {
+            peak_m_s2: peak,
+            changed: change.map(|of| of.ratio),
+            changed_sd: change.and_then(|of| of.ratio_sd),
+        }
+    }
+}
+
 /// What a record gave.
 #[derive(Clone, Debug)]
 pub struct RecordAnswer {
@@ -231,8 +281,10 @@ pub struct RecordAnswer {
     pub faults: Vec<ChannelFault>,
     /// What its sensors say against each other.
     pub doubts: Vec<SensorDoubt>,
-    /// Spectrum, stabilisation and modes.
+    /// Spectrum, stabilisation and modes; of a record that holds an earthquake those of the part that `earthquake` says.
     pub analysis: ModalAnalysis,
+    /// The earthquake that it holds.
+    pub earthquake: Option<Earthquake>,
     /// Its channels over time, and a spectrogram.
     pub seen: RecordSeen,
 }

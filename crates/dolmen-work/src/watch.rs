@@ -11,14 +11,15 @@ use crate::opened::Opened;
 use crate::progress::Progress;
 use crate::sensor_alarms::{SensorFaults, sensor_alarms};
 use crate::survey_dates::{date, day_of};
-use crate::surveyed::SurveyAnswer;
-use crate::watched::{WatchAnswer, WatchedSurvey};
+use crate::surveyed::{Earthquake, SurveyAnswer};
+use crate::watched::{WatchAnswer, WatchedEarthquake, WatchedSurvey};
 use dolmen::assess::Surveyed;
 use dolmen::modal::{ObservedMode, Pairing};
 use dolmen::monitoring::{
-    History, HistorySurvey, TiltReading, Tracking, WatchOptions, Watched, Work, watch as watched,
+    ANSWERED_DAYS, History, HistorySurvey, TiltReading, Tracking, WatchOptions, Watched, Work,
+    watch as watched,
 };
-use dolmen_project::{LogKind, Project, Survey, WorkKind, WorkPart};
+use dolmen_project::{EarthquakePart, LogKind, Project, Survey, WorkKind, WorkPart};
 use dolmen_records::Files;
 use std::collections::BTreeMap;
 
@@ -81,8 +82,14 @@ pub fn watch_of(
         .iter()
         .map(|answer| (answer.name.clone(), answer.faults()));
     let logs = Logs::read(&opened.project, files)?;
+    let own = |survey: &Survey| answers.iter().find(|answer| answer.name == survey.name);
     watch_surveys(opened, &faults.collect(), &logs, |survey| {
-        surveyed(survey, answers.iter().find(|answer| answer.name == survey.name))
+        let own = own(survey);
+        let mut of = surveyed(survey, own);
+        if own.is_some_and(SurveyAnswer::is_shaken) {
+            of.modes.clear();
+        }
+        (of, own.and_then(|own| own.earthquake()).map(Earthquake::part))
     })
 }
 
@@ -101,7 +108,7 @@ pub fn watch_observed(
         if let Some(modes) = observed.get(&survey.name) {
             of.modes.clone_from(modes);
         }
-        of
+        (of, None)
     })
 }
 
@@ -109,18 +116,33 @@ fn watch_surveys(
     opened: &Opened,
     faults: &SensorFaults,
     logs: &Logs,
-    of: impl Fn(&Survey) -> Surveyed,
+    of: impl Fn(&Survey) -> (Surveyed, Option<EarthquakePart>),
 ) -> Result<WatchAnswer, WorkError> {
     let project = &opened.project;
     let mut left_out = Vec::new();
     let mut surveys: Vec<HistorySurvey> = Vec::new();
     let mut temperatures_of_log = 0;
+    let mut earthquakes: Vec<WatchedEarthquake> = Vec::new();
     for survey in &project.surveys {
-        let Some(when) = date(&survey.name).filter(|_| has_modes(survey) || !survey.tilt.is_empty()) else {
+        let usable = has_modes(survey) || !survey.tilt.is_empty() || survey.earthquake.is_some();
+        let Some(when) = date(&survey.name).filter(|_| usable) else {
             left_out.push(survey.name.clone());
             continue;
         };
-        let mut own = history_survey(survey, day_of(when), of(survey));
+        let (own, found) = of(survey);
+        let mut own = history_survey(survey, day_of(when), own);
+        if let Some(part) = survey.earthquake.or(found) {
+            earthquakes.push(WatchedEarthquake {
+                survey: survey.name.clone(),
+                day: own.day,
+                part,
+                is_answered: false,
+            });
+            // what an earthquake holds is no survey of the structure at rest
+            if own.modes.is_empty() && own.tilts.is_empty() {
+                continue;
+            }
+        }
         if own.temperature_c.is_none() {
             own.temperature_c = logs.temperature_c(&survey.name);
             temperatures_of_log += usize::from(own.temperature_c.is_some());
@@ -145,7 +167,7 @@ fn watch_surveys(
     let are_too_few = with_modes.max(with_tilts) < SURVEYS_LEAST;
     // one tilt is enough to be beyond its limit
     let is_beyond = tilt_beyond_limit(project).is_some();
-    if are_too_few && !logs.are_watched() && !is_beyond {
+    if are_too_few && !logs.are_watched() && !is_beyond && earthquakes.is_empty() {
         return Err(ChangeFault::TooFewToWatch {
             given: with_modes.max(with_tilts),
             least: SURVEYS_LEAST,
@@ -159,13 +181,23 @@ fn watch_surveys(
         .filter_map(|work| Some((day_of(date(&work.date)?), work.clone())))
         .collect();
     works.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let last_day = kept.last().map_or(f64::INFINITY, |last| last.day);
+    let answers = |work: &WorkPart| matches!(work.kind, WorkKind::Repair | WorkKind::Inspection);
+    for own in &mut earthquakes {
+        let newest = own.day.max(last_day) + ANSWERED_DAYS;
+        let mut later = works
+            .iter()
+            .filter(|(day, _)| (own.day.floor()..=newest).contains(day));
+        own.is_answered = later.any(|(_, work)| answers(work));
+    }
+    earthquakes.sort_by(|a, b| a.day.total_cmp(&b.day));
     let history = History {
         works: works
             .iter()
             .map(|(day, work)| Work {
                 day: *day,
                 splits: work.kind == WorkKind::Repair,
-                answers: matches!(work.kind, WorkKind::Repair | WorkKind::Inspection),
+                answers: answers(work),
             })
             .collect(),
         surveys: kept,
@@ -203,6 +235,7 @@ fn watch_surveys(
         left_out,
         several,
         works,
+        earthquakes,
         sensor_alarms: sensor_alarms(project, faults),
         sensors_left_out: Vec::new(),
         temperatures_of_log,

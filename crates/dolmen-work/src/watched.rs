@@ -4,7 +4,7 @@ use crate::judgement::tilt_beyond_limit;
 use crate::sensor_alarms::SensorAlarm;
 use crate::watched_log::WatchedLog;
 use dolmen::monitoring::{ANSWERED_DAYS, Track, Watched};
-use dolmen_project::{LogKind, Project, WorkPart};
+use dolmen_project::{EarthquakePart, LogKind, Project, WorkPart};
 use std::sync::Arc;
 
 /// What a history of surveys says.
@@ -22,6 +22,8 @@ pub struct WatchAnswer {
     pub several: Vec<(String, usize)>,
     /// Works by time, each with its day.
     pub works: Vec<(f64, WorkPart)>,
+    /// Earthquakes by time, of records that hold one or as surveys state them.
+    pub earthquakes: Vec<WatchedEarthquake>,
     /// Sensors that failed: nothing of the structure.
     pub sensor_alarms: Vec<SensorAlarm>,
     /// Surveys that were identified without sensors that failed, and these.
@@ -32,6 +34,19 @@ pub struct WatchAnswer {
     pub logs: Vec<WatchedLog>,
     /// What the surveys say.
     pub watched: Watched,
+}
+
+/// An earthquake that the structure felt.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WatchedEarthquake {
+    /// The survey.
+    pub survey: String,
+    /// Its day, from 1970-01-01.
+    pub day: f64,
+    /// What is known of it.
+    pub part: EarthquakePart,
+    /// Whether a repair or an inspection was entered since.
+    pub is_answered: bool,
 }
 
 /// A survey in time.
@@ -76,10 +91,15 @@ impl WatchAnswer {
             .count()
     }
 
-    /// Confirmed alarms that no repair and no inspection answered; modes that vanished are one.
+    /// Confirmed alarms that no repair and no inspection answered; modes that vanished are one, and each earthquake is.
     pub fn open_alarms(&self) -> usize {
         let open = self.watched.alarms.iter().filter(|alarm| !alarm.is_answered);
-        open.count() + usize::from(self.watched.is_mode_lost())
+        open.count() + usize::from(self.watched.is_mode_lost()) + self.open_earthquakes().count()
+    }
+
+    /// Earthquakes after which nobody looked.
+    pub fn open_earthquakes(&self) -> impl Iterator<Item = &WatchedEarthquake> {
+        self.earthquakes.iter().filter(|of| !of.is_answered)
     }
 
     /// The first survey that misses a mode, where modes vanished beyond chance.

@@ -7,8 +7,7 @@ use serde_json::Value;
 use std::collections::BTreeSet;
 use std::fs;
 
-const COMMANDS: [&str; 50] = [
-    "check examples/naju_flagpole/two_directions.toml",
+const COMMANDS: [&str; 51] = [
     "check examples/naju_flagpole/side_posts.toml",
     "simulate examples/naju_flagpole/side_posts.toml --motion el-centro --duration 3",
     "simulate examples/tower_in_wind --wind --repeats 2 --duration 20 --variant damped",
@@ -29,11 +28,13 @@ const COMMANDS: [&str; 50] = [
     "identify examples/heunginjimun_gate",
     "identify examples/struck_column",
     "identify examples/frame_on_soft_ground",
+    "identify examples/frame_after_an_earthquake",
     "identify examples/gate_in_plan",
     "identify examples/five_storey_pagoda",
     "compare examples/gate_through_the_seasons",
     "watch examples/pagoda_over_the_years",
     "watch examples/pagoda_with_a_logger",
+    "watch examples/frame_after_an_earthquake",
     "simulate examples/three_storey_pagoda --motion el-centro-1940-ns --keep-first 2",
     "simulate examples/piled_blocks --motion el-centro-1940-ns --keep-first 2 --law rigid",
     "simulate examples/piled_blocks --motion el-centro-1940-ns --keep-first 2 --law sliding",

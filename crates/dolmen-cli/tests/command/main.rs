@@ -23,6 +23,7 @@ mod figure_files;
 mod first_day;
 mod followed;
 mod followed_alarms;
+mod followed_earthquakes;
 mod frames;
 mod habits;
 mod handovers;

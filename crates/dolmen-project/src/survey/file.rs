@@ -33,6 +33,8 @@ pub(crate) struct SurveyRaw {
     pub(super) merge: Option<At<MergeRaw>>,
     /// What an inspection found.
     pub(super) inspections: Option<Vec<At<InspectionRaw>>>,
+    /// An earthquake that the structure felt, where no record of it stands here: an alarm until a work or an inspection is entered.
+    pub(super) earthquake: Option<At<EarthquakeRaw>>,
 }
 
 impl SurveyRaw {
@@ -40,6 +42,18 @@ impl SurveyRaw {
     pub(crate) fn has_inspections(&self) -> bool {
         self.inspections.as_ref().is_some_and(|listed| !listed.is_empty())
     }
+}
+
+/// An earthquake that the structure felt.
+#[derive(Debug, serde::Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct EarthquakeRaw {
+    /// Largest acceleration that was measured.
+    pub(super) peak: Option<At<QuantityRaw>>,
+    /// Lasting change of a frequency, relative: -0.02 is a fall by 2 %.
+    pub(super) changed: Option<At<f64>>,
+    /// Its standard deviation.
+    pub(super) changed_sd: Option<At<f64>>,
 }
 
 /// How bad what was found is.
@@ -277,6 +291,16 @@ pub(super) enum HarmonicsRaw {
     Remove,
 }
 
+/// Whether a record is looked through for an earthquake.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum EarthquakeChoiceRaw {
+    /// It is, and where it holds one, modes are those of the part after it or before it.
+    Sought,
+    /// It is not: the record is ambient vibration whatever it looks like.
+    None,
+}
+
 /// How modes are identified; what is not given is chosen from the record.
 #[derive(Debug, Default, serde::Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -307,6 +331,8 @@ pub(super) struct ModalRaw {
     pub(super) accept: Option<Vec<At<f64>>>,
     /// Modes that look like machines: "flag" if not given.
     pub(super) harmonics: Option<HarmonicsRaw>,
+    /// Whether an earthquake is sought in the record: "sought" if not given.
+    pub(super) earthquake: Option<EarthquakeChoiceRaw>,
     /// The channel whose spectrogram is drawn, by name; the one that moves most in the range if not given.
     pub(super) spectrogram: Option<At<String>>,
 }

@@ -19,7 +19,7 @@ pub(crate) use as_surveyed::as_surveyed;
 pub(crate) use doubts::doubt_surveys;
 pub(crate) use file::{ChangeRaw, SurveyRaw};
 pub use inspection::{DamageKind, Inspection, OtherDamage, Severity};
-pub use part::{ChangePart, Merge, ModeKind, Survey, SurveyMode, TemperaturePart, Tilt};
+pub use part::{ChangePart, EarthquakePart, Merge, ModeKind, Survey, SurveyMode, TemperaturePart, Tilt};
 pub(crate) use read::{add_inspections, change, surveys};
 pub(crate) use read_watch::watch;
 pub use records::{

@@ -103,6 +103,19 @@ pub struct Survey {
     pub merge: Merge,
     /// What an inspection found, in the order of the file.
     pub inspections: Vec<Inspection>,
+    /// An earthquake that the structure felt.
+    pub earthquake: Option<EarthquakePart>,
+}
+
+/// An earthquake as a survey states it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct EarthquakePart {
+    /// Largest acceleration that was measured, m/s².
+    pub peak_m_s2: Option<f64>,
+    /// Lasting change of a frequency, relative.
+    pub changed: Option<f64>,
+    /// Its standard deviation.
+    pub changed_sd: Option<f64>,
 }
 
 /// How several setups are put together.

@@ -1,7 +1,9 @@
 //! Surveys from what is written.
 
-use super::file::{ChangeRaw, ChannelRaw, MergeRaw, ModeKindRaw, ModeRaw, ShapeRaw, SurveyRaw};
-use super::part::{ChangePart, Merge, ModeKind, Survey, SurveyMode, TemperaturePart, Tilt};
+use super::file::{
+    ChangeRaw, ChannelRaw, EarthquakeRaw, MergeRaw, ModeKindRaw, ModeRaw, ShapeRaw, SurveyRaw,
+};
+use super::part::{ChangePart, EarthquakePart, Merge, ModeKind, Survey, SurveyMode, TemperaturePart, Tilt};
 use super::read_inspections::inspections;
 use super::read_records::records;
 use super::records::RecordSource;
@@ -19,6 +21,9 @@ use std::collections::BTreeMap;
 
 /// Air temperatures of surveys, °C, our choice: wider than any place where heritage stands.
 const TEMPERATURE_C: (f64, f64) = (-60.0, 60.0);
+
+/// Largest change of a frequency, relative, our choice: a structure that lost more stands no more.
+const CHANGED_MOST: f64 = 0.9;
 
 /// Steepest tilt that a survey of a standing monument can hold, our choice: Pisa before its repair had 1/10.
 const TILT_MOST: f64 = 0.25;
@@ -121,6 +126,34 @@ fn survey(reader: &mut Reader, name: &str, raw: &At<SurveyRaw>) -> Survey {
         setups,
         merge: merge(reader, raw, &path),
         inspections: Vec::new(), // read when the parts are known
+        earthquake: raw
+            .earthquake
+            .as_ref()
+            .map(|raw| earthquake(reader, &raw.value, &format!("{path}.earthquake"))),
+    }
+}
+
+fn earthquake(reader: &mut Reader, raw: &EarthquakeRaw, path: &str) -> EarthquakePart {
+    let peak = reader.quantity(
+        raw.peak.as_ref(),
+        &format!("{path}.peak"),
+        Measure::GroundAcceleration,
+        Bound::Positive,
+    );
+    EarthquakePart {
+        peak_m_s2: peak.map(|peak| peak.value),
+        changed: reader.within(
+            raw.changed.as_ref(),
+            &format!("{path}.changed"),
+            -CHANGED_MOST,
+            CHANGED_MOST,
+        ),
+        changed_sd: reader.within(
+            raw.changed_sd.as_ref(),
+            &format!("{path}.changed_sd"),
+            0.0,
+            CHANGED_MOST,
+        ),
     }
 }
 

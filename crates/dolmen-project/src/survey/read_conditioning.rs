@@ -1,6 +1,6 @@
 //! What is done to a record before it is used, and how modes are found in it, from what is written.
 
-use super::file::{ConditioningRaw, HarmonicsRaw, MethodRaw, ModalRaw};
+use super::file::{ConditioningRaw, EarthquakeChoiceRaw, HarmonicsRaw, MethodRaw, ModalRaw};
 use super::records::{BandPass, Conditioning, Cut, LowPass, ModalChoice};
 use crate::error::Fault;
 use crate::file_number::At;
@@ -208,6 +208,7 @@ pub(super) fn modal(reader: &mut Reader, raw: &ModalRaw, path: &str) -> ModalCho
             HarmonicsRaw::Flag => Harmonics::Flag,
             HarmonicsRaw::Remove => Harmonics::Remove,
         }),
+        without_earthquake: raw.earthquake == Some(EarthquakeChoiceRaw::None),
         spectrogram: raw.spectrogram.as_ref().map(|name| name.value.clone()),
         frequency_low_hz,
         frequency_high_hz,

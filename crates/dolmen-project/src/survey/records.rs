@@ -104,6 +104,8 @@ pub struct ModalChoice {
     pub accept_hz: Vec<f64>,
     /// What becomes of modes that look like machines.
     pub harmonics: Option<Harmonics>,
+    /// Whether the record is taken for ambient vibration without a look for an earthquake in it.
+    pub without_earthquake: bool,
     /// The channel whose spectrogram is drawn, by name; `None`: the one that moves most in the range.
     pub spectrogram: Option<String>,
 }

@@ -7,6 +7,7 @@ use crate::document::{Finding, Tone};
 use dolmen::assess::{Difference, ModeChange, SurveyChange};
 use dolmen_project::{Project, Survey, date_of};
 use dolmen_words::{Quantity, Sentence, messages};
+use dolmen_work::surveyed::ModesOf;
 
 messages! {
     /// Findings on two surveys.
@@ -37,6 +38,18 @@ messages! {
             en: "Surveys whose names say no date were not looked at: {surveys}. Begin a name with its date, 2024-06-05, or name two surveys with --from and --to.",
             ko: "이름에 날짜가 없어 보지 않은 조사: {surveys}. 이름을 2024-06-05처럼 날짜로 시작하거나 --from과 --to로 두 조사를 지정한다.",
         },
+        AfterEarthquake { survey: String } => {
+            en: "The record of survey {survey} holds an earthquake; its modes are those of what follows it.",
+            ko: "{survey} 조사의 기록에 지진이 들어 있다. 모드는 지진 이후 구간의 것이다.",
+        },
+        BeforeEarthquake { survey: String } => {
+            en: "The record of survey {survey} holds an earthquake; what follows it is too short, and its modes are those of what came BEFORE it.",
+            ko: "{survey} 조사의 기록에 지진이 들어 있다. 지진 이후 구간이 너무 짧아 모드는 지진 이전 구간의 것이다.",
+        },
+        InEarthquake { survey: String } => {
+            en: "The record of survey {survey} holds an earthquake, and its modes are those of the whole record: in strong shaking every frequency is lower, so that a change shown here may be of the shaking and not of the structure. Compare an ambient survey.",
+            ko: "{survey} 조사의 기록에 지진이 들어 있고 모드는 기록 전체의 것이다. 강한 진동 중에는 고유진동수가 낮아지므로 여기에 나타난 변화는 구조물이 아니라 진동 세기에 의한 것일 수 있다. 상시진동 조사와 비교한다.",
+        },
         OneRatio => { en: "1 damping ratio", ko: "감쇠비 1개" },
         Ratios { count: usize } => { en: "{count} damping ratios", ko: "감쇠비 {count}개" },
         DampingOf { frequency: Quantity, change: Quantity, half: Quantity } => {
@@ -44,6 +57,20 @@ messages! {
             ko: "{frequency} {change} ± {half}",
         },
     }
+}
+
+/// Which of both surveys hold an earthquake.
+pub(crate) fn shaken(surveys: &[(String, ModesOf)]) -> Vec<Finding> {
+    let each = surveys.iter().map(|(survey, of)| {
+        let survey = survey.clone();
+        let said = match of {
+            ModesOf::After => Found::AfterEarthquake { survey },
+            ModesOf::Before => Found::BeforeEarthquake { survey },
+            ModesOf::Whole => Found::InEarthquake { survey },
+        };
+        Finding::key(Tone::Warn, said).with_code("earthquake")
+    });
+    each.collect()
 }
 
 /// Surveys that were left out for want of a date.

@@ -9,7 +9,7 @@ mod quantities;
 mod remarks;
 mod temperature;
 
-pub(crate) use findings::{findings, undated};
+pub(crate) use findings::{findings, shaken, undated};
 
 use crate::document::Document;
 use crate::figures::survey_changes;

@@ -162,6 +162,7 @@ messages! {
         TopFloorAlong { axis: String } => { en: "Displacement of the top floor along {axis}", ko: "최상층의 {axis} 방향 변위" },
         DisplacementOfPoint { name: String } => { en: "Displacement of point {name}", ko: "{name} 지점의 변위" },
         AccelerationOfPoint { name: String } => { en: "Acceleration of point {name}, with that of the ground", ko: "{name} 지점의 절대가속도와 지반 가속도" },
+        FrequencyThroughEarthquake => { en: "Lowest frequency before, in and after the earthquake", ko: "지진 전·중·후의 최저차 고유진동수" },
         ResponseSpectrum { percent: String } => { en: "Response spectrum, damping {percent} %", ko: "응답 스펙트럼, 감쇠비 {percent} %" },
         SlippingShare => { en: "Share of the time in which a storey slips", ko: "미끄러짐 시간 비율" },
         MovingShare => { en: "Share of the time in which a joint is open or slips", ko: "접합면 벌어짐·미끄러짐 시간 비율" },

@@ -31,6 +31,7 @@ messages! {
         Mode { frequency: Quantity } => { en: "{frequency}", ko: "{frequency}" },
         Explained => { en: "explained", ko: "모형" },
         Alarm => { en: "confirmed alarm", ko: "확정된 경보" },
+        Earthquake => { en: "earthquake", ko: "지진" },
         Works => { en: "works, events", ko: "보수·사건" },
     }
 }
@@ -115,6 +116,12 @@ pub fn years(answer: &WatchAnswer, language: Language) -> String {
             plot.text([at, plot.y.to], [3.0, 8.0], label);
         }
     }
+    for of in &answer.earthquakes {
+        let at = 1970.0 + of.day / YEAR_DAYS;
+        if (plot.x.from..=plot.x.to).contains(&at) {
+            plot.upright(at, Line::new(VERMILLION, 1.4).dashed());
+        }
+    }
     for (panel, (base, up)) in panels.iter().zip(&drawn) {
         for (points, line) in &panel.lines {
             plot.line(points.iter().map(|[x, y]| [*x, up(*y)]).collect(), *line);
@@ -150,6 +157,12 @@ fn keys(plot: &mut Plot, answer: &WatchAnswer, language: Language) {
     }
     if !answer.watched.alarms.is_empty() {
         plot.key(Key::Dot(Shape::Diamond, VERMILLION), say(Panels::Alarm, language));
+    }
+    if !answer.earthquakes.is_empty() {
+        plot.key(
+            Key::Line(Line::new(VERMILLION, 1.4).dashed()),
+            say(Panels::Earthquake, language),
+        );
     }
     if !answer.works.is_empty() {
         plot.key(
@@ -317,6 +330,7 @@ fn all_times(answer: &WatchAnswer, when: &[f64]) -> Vec<f64> {
     let spans = answer.logs.iter().filter_map(|log| log.span()).flatten();
     let mut all: Vec<f64> = spans.map(|day| 1970.0 + day / YEAR_DAYS).collect();
     all.extend(when);
+    all.extend(answer.earthquakes.iter().map(|of| 1970.0 + of.day / YEAR_DAYS));
     all.sort_by(f64::total_cmp);
     all
 }

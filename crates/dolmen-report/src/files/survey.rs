@@ -39,7 +39,7 @@ pub fn identification_files(
 
 /// Figure and JSON of what changed.
 pub fn change_files(answer: &CompareAnswer, language: Language) -> Vec<NamedFile> {
-    let json = change_json(&answer.project, &answer.file, &answer.change);
+    let json = change_json(answer);
     vec![
         NamedFile::json("change.json", &json),
         NamedFile::svg("change", &survey_changes(&answer.change, language)),

@@ -331,6 +331,7 @@ pub(crate) fn survey() -> ProjectReport {
         name: "now".into(),
         setups: None,
         records: Some(RecordAnswer {
+            earthquake: None,
             file: "r.csv".into(),
             channels: 2,
             samples: record.length(),

@@ -1,13 +1,15 @@
 //! `dolmen compare` as JSON.
 
 use super::check::project;
-use dolmen::assess::{ModeChange, SurveyChange, TemperatureKnowledge};
-use dolmen_project::Project;
+use super::identify::modes_of;
+use dolmen::assess::{ModeChange, TemperatureKnowledge};
 use dolmen_words::advice::Advice;
+use dolmen_work::answer::CompareAnswer;
 use serde_json::{Value, json};
 
 /// What changed from one survey to another.
-pub fn change_json(of: &Project, file: &str, change: &SurveyChange) -> Value {
+pub fn change_json(answer: &CompareAnswer) -> Value {
+    let change = &answer.change;
     let (temperature, step_c) = match &change.temperature {
         TemperatureKnowledge::NotMeasured => ("not measured", None),
         TemperatureKnowledge::Same => ("same", Some(0.0)),
@@ -15,7 +17,8 @@ pub fn change_json(of: &Project, file: &str, change: &SurveyChange) -> Value {
         TemperatureKnowledge::Corrected { step_c } => ("corrected", Some(*step_c)),
     };
     json!({
-        "project": project(of, file),
+        "project": project(&answer.project, &answer.file),
+        "earthquakes": answer.shaken.iter().map(|(survey, of)| json!({ "survey": survey, "modes_of": modes_of(*of) })).collect::<Vec<_>>(),
         "from": change.from,
         "to": change.to,
         "temperature": temperature,

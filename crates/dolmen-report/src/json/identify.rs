@@ -5,8 +5,8 @@ use super::with::with;
 use crate::modal::{decay_remarks, setup_remarks};
 use dolmen::blocks::JointFactor;
 use dolmen::modal::{
-    Accepted, Agreement, AtAmplitude, Decay, Driven, DrivenMode, MergedMode, Method, Mode, ModeDecay, Modes,
-    RefusedPeak, Settings,
+    Accepted, Agreement, AtAmplitude, Decay, Driven, DrivenMode, During, MergedMode, Method, Mode, ModeDecay,
+    Modes, Part, RefusedPeak, Settings, StrongChannel, TrackPoint,
 };
 use dolmen::signal::Channel;
 use dolmen::structure::building::{PlanMode, PlanSolution};
@@ -18,7 +18,7 @@ use dolmen_work::building::PlanAnswer;
 use dolmen_work::model_modes::{BesideModel, ModelMode, ModelModes, WhichMode};
 use dolmen_work::record_seen::{ChannelSeen, RecordSeen, SpectrogramSeen};
 use dolmen_work::stack::FactorsAnswer;
-use dolmen_work::surveyed::{RecordAnswer, SetupsAnswer, StiffnessAnswer, SurveyAnswer};
+use dolmen_work::surveyed::{Earthquake, ModesOf, RecordAnswer, SetupsAnswer, StiffnessAnswer, SurveyAnswer};
 use serde_json::{Value, json};
 
 /// What was identified from every survey.
@@ -135,8 +135,85 @@ fn record(record: &RecordAnswer) -> Value {
         "fdd_modes": identified(&analysis.fdd_modes),
         "decay": analysis.decay.as_ref().map(decay),
         "driven": analysis.driven.as_ref().map(driven),
+        "earthquake": record.earthquake.as_ref().map(earthquake),
         "notes": analysis.notes.iter().map(Advice::advised).collect::<Vec<_>>(),
         "seen": seen(&record.seen),
+    })
+}
+
+/// Of which part of a record that holds an earthquake the modes are.
+pub(super) fn modes_of(of: ModesOf) -> &'static str {
+    match of {
+        ModesOf::After => "after",
+        ModesOf::Before => "before",
+        ModesOf::Whole => "whole",
+    }
+}
+
+/// An earthquake in a record; times from the first sample that was used.
+fn earthquake(of: &Earthquake) -> Value {
+    let found = &of.found;
+    let shaking = &found.shaking;
+    let channel = |of: &StrongChannel| {
+        json!({
+            "name": of.name,
+            "peak_acceleration_m_s2": of.peak_acceleration_m_s2,
+            "peak_at_s": of.peak_at_s,
+            "peak_velocity_m_s": of.peak_velocity_m_s,
+            "velocity_band_hz": of.velocity_band_hz,
+            "arias_intensity_m_s": of.arias_intensity_m_s,
+            "noise": of.noise,
+            "spectrum": of.spectrum.iter().map(|of| [of.period_s, of.pseudo_acceleration_m_s2()]).collect::<Vec<_>>(),
+        })
+    };
+    let part = |of: &Part| {
+        json!({
+            "from_s": of.span_s[0],
+            "to_s": of.span_s[1],
+            "modes": of.analysis.as_ref().map(|of| identified(&of.modes)),
+        })
+    };
+    let window = |of: &TrackPoint| json!({ "at_s": of.at_s, "frequency_hz": of.frequency_hz, "frequency_sd_hz": of.frequency_sd_hz });
+    let mode = |hz: f64, sd: Option<f64>, zeta: Option<f64>, zeta_sd: Option<f64>| json!({ "frequency_hz": hz, "frequency_sd_hz": sd, "damping_ratio": zeta, "damping_ratio_sd": zeta_sd });
+    let (how, modes, windows) = match &found.during {
+        During::Driven { modes, .. } => {
+            let each = modes.iter().map(|of| {
+                mode(
+                    of.frequency_hz,
+                    of.frequency_sd_hz,
+                    of.damping_ratio,
+                    of.damping_ratio_sd,
+                )
+            });
+            ("inputs", each.collect(), Vec::new())
+        }
+        During::Tracked(of) => {
+            let one = mode(of.frequency_hz, Some(of.frequency_sd_hz), None, None);
+            ("tracked", vec![one], of.points.iter().map(window).collect())
+        }
+        During::Unknown => ("unknown", Vec::new(), Vec::new()),
+    };
+    json!({
+        "arrival_s": shaking.arrival_s,
+        "strong_from_s": shaking.strong_from_s,
+        "strong_to_s": shaking.strong_to_s,
+        "end_s": shaking.end_s,
+        "over_noise": shaking.over_noise,
+        "growth": shaking.growth,
+        "modes_of": modes_of(of.modes_of),
+        "channels": found.channels.iter().map(channel).collect::<Vec<_>>(),
+        "before": part(&found.before),
+        "during": { "how": how, "modes": modes, "windows": windows },
+        "after": part(&found.after),
+        "changes": found.changes.iter().map(|of| json!({
+            "before_hz": of.before_hz,
+            "before_sd_hz": of.before_sd_hz,
+            "after_hz": of.after_hz,
+            "after_sd_hz": of.after_sd_hz,
+            "change_ratio": of.ratio,
+            "sd": of.ratio_sd,
+            "beyond_chance": of.is_beyond_chance(),
+        })).collect::<Vec<_>>(),
     })
 }
 

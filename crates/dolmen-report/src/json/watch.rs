@@ -125,6 +125,13 @@ pub fn watch_json(answer: &WatchAnswer) -> Value {
                 WorkKind::Event => "event",
             },
         })).collect::<Vec<_>>(),
+        "earthquakes": answer.earthquakes.iter().map(|of| json!({
+            "survey": of.survey,
+            "peak_acceleration_m_s2": of.part.peak_m_s2,
+            "change_ratio": of.part.changed,
+            "sd": of.part.changed_sd,
+            "answered": of.is_answered,
+        })).collect::<Vec<_>>(),
         "open_alarms": answer.open_alarms(),
         "open_sensor_alarms": answer.open_sensor_alarms(),
         "significance": watched.significance,

@@ -1,10 +1,12 @@
 //! Records as they come, a line each, and metrics for other programs.
 
 use crate::modal::fault_words;
+use dolmen::modal::LastingChange;
 use dolmen::monitoring::NotJudged;
 use dolmen_words::message::Both;
 use dolmen_words::{Digits, Language, Quantity, Sentence, Unit, Values, messages};
 use dolmen_work::follow::{OpenAlarm, RecordTime, Taken, TimeSource, Verdict};
+use dolmen_work::surveyed::Earthquake;
 use dolmen_work::watched::WatchAnswer;
 use serde_json::{Value, json};
 
@@ -17,6 +19,21 @@ messages! {
         },
         OpenAlarms { count: usize } => { en: "; open alarms: {count}", ko: ". 조치되지 않은 경보 {count}건" },
         NoOpenAlarm => { en: "", ko: "" },
+        Shaken { survey: String, source: Sentence, file: String, peak: Sentence, change: Sentence, open: Sentence } => {
+            en: "EARTHQUAKE: {survey} ({source}), {file}: {peak}; {change}; stored apart from the ambient surveys{open}.",
+            ko: "지진: {survey}({source}), {file}: {peak}, {change}. 상시진동 조사와 구분하여 저장하였다{open}.",
+        },
+        PeakOf { peak: Quantity } => { en: "peak {peak}", ko: "최대가속도 {peak}" },
+        NoPeak { over: Quantity } => { en: "{over} times the noise", ko: "잡음의 {over}배" },
+        Lasting { frequency: Quantity, by: Quantity } => {
+            en: "LASTING CHANGE of {frequency} by {by}",
+            ko: "{frequency} 모드에 {by}의 잔류 변화",
+        },
+        NothingLasts { frequency: Quantity, by: Quantity } => {
+            en: "no lasting change beyond chance ({frequency} by {by})",
+            ko: "유의한 잔류 변화 없음({frequency} 모드 {by})",
+        },
+        CannotTell => { en: "whether a change lasts cannot be told from it", ko: "잔류 변화는 이 기록으로 알 수 없음" },
         WithoutModes { survey: String, source: Sentence, file: String, why: Both } => {
             en: "{survey} ({source}), {file}: stored, but it gives no modes: {why}.",
             ko: "{survey}({source}), {file}: 저장하였으나 모드를 찾지 못하였다: {why}.",
@@ -102,11 +119,40 @@ fn verdict_words(verdict: &Verdict) -> Sentence {
         Verdict::NotJudged(NotJudged::NewLevel) => Followed::NewLevel,
         Verdict::NotJudged(NotJudged::Temperature) => Followed::Temperature,
         Verdict::NotJudged(NotJudged::NoTemperature) => Followed::NoTemperature,
-        Verdict::NoMode => Followed::NoMode,
+        // said by the head of its line
+        Verdict::Earthquake | Verdict::NoMode => Followed::NoMode,
         Verdict::TooFew { given, least } => Followed::TooFew {
             given: *given,
             least: *least,
         },
+    }
+    .into()
+}
+
+fn peak_of(of: &Earthquake) -> Sentence {
+    match of.part().peak_m_s2 {
+        Some(peak) => Followed::PeakOf {
+            peak: Quantity::new(peak, Unit::si("m/s²"), Digits::Significant(3)),
+        },
+        None => Followed::NoPeak {
+            over: Quantity::ratio(of.found.shaking.over_noise, 2),
+        },
+    }
+    .into()
+}
+
+fn change_of(of: &Earthquake) -> Sentence {
+    let parts = |of: &LastingChange| {
+        let frequency = Quantity::new(of.before_hz, Unit::si("Hz"), Digits::Significant(4));
+        (
+            frequency,
+            Quantity::new(of.ratio, Unit::percent(), Digits::Significant(2)),
+        )
+    };
+    match (of.found.lasting().map(parts), of.found.changes.first().map(parts)) {
+        (Some((frequency, by)), _) => Followed::Lasting { frequency, by },
+        (None, Some((frequency, by))) => Followed::NothingLasts { frequency, by },
+        (None, None) => Followed::CannotTell,
     }
     .into()
 }
@@ -131,7 +177,19 @@ pub fn followed_text(
         TimeSource::FileTime => Followed::OfFileTime,
     }
     .into();
+    let open = match open_alarms {
+        0 => Followed::NoOpenAlarm.into(),
+        count => Followed::OpenAlarms { count }.into(),
+    };
     let head: Sentence = match (&taken.modes, taken.without_modes()) {
+        _ if let Some(of) = &taken.earthquake => Followed::Shaken {
+            survey,
+            source,
+            file,
+            peak: peak_of(of),
+            change: change_of(of),
+            open,
+        },
         (Ok(modes), _) if modes.modes.is_empty() => Followed::NoModes { survey, source, file },
         (Ok(modes), _) => {
             let frequencies_hz: Vec<f64> = modes.modes.iter().map(|mode| mode.frequency_hz).collect();
@@ -141,10 +199,7 @@ pub fn followed_text(
                 file,
                 frequencies: hertz(&frequencies_hz),
                 verdict: verdict_words(verdict),
-                open: match open_alarms {
-                    0 => Followed::NoOpenAlarm.into(),
-                    count => Followed::OpenAlarms { count }.into(),
-                },
+                open,
             }
         }
         (Err(_), why) => Followed::WithoutModes {
@@ -194,6 +249,16 @@ pub fn followed_json(
         "without_modes": taken.without_modes().map(|why| why.english),
         "sensors": taken.faults.iter().map(|fault| fault_words(fault).text(Language::English)).collect::<Vec<_>>(),
         "left_out": taken.left_out,
+        "earthquake": taken.earthquake.as_ref().map(|of| {
+            let part = of.part();
+            json!({
+                "peak_acceleration_m_s2": part.peak_m_s2,
+                "change_ratio": part.changed,
+                "sd": part.changed_sd,
+                "lasts": of.found.lasting().is_some(),
+                "over_noise": of.found.shaking.over_noise,
+            })
+        }),
         "verdict": match verdict {
             Verdict::Alarm { .. } => "alarm",
             Verdict::Outside { .. } => "outside",
@@ -202,6 +267,7 @@ pub fn followed_json(
             Verdict::NotJudged(NotJudged::NewLevel) => "new_level",
             Verdict::NotJudged(NotJudged::Temperature) => "temperature",
             Verdict::NotJudged(NotJudged::NoTemperature) => "no_temperature",
+            Verdict::Earthquake => "earthquake",
             Verdict::NoMode => "no_mode",
             Verdict::TooFew { .. } => "too_few",
         },
@@ -274,7 +340,8 @@ pub fn metrics_text(
     );
     family("dolmen_frequency_sd_hertz", "Its standard deviation.", sds);
     let count = |word: &str| alarms.iter().filter(|alarm| alarm.sort.word() == word).count() as f64;
-    let kinds = ["structure", "tilt", "sensor"].map(|word| (format!("{of},kind=\"{word}\""), count(word)));
+    let kinds = ["structure", "earthquake", "tilt", "sensor"]
+        .map(|word| (format!("{of},kind=\"{word}\""), count(word)));
     family(
         "dolmen_open_alarms",
         "Alarms that nobody has answered.",

@@ -1,5 +1,6 @@
 //! What records say of modes in plain words.
 
+use super::earthquake;
 use super::notes::note_words;
 use super::setup_remarks::setup_faults;
 use super::steps::step_words;
@@ -124,6 +125,8 @@ fn of_survey(survey: &SurveyAnswer) -> Vec<Finding> {
         let faults = setup_faults(setups).into_iter();
         all.extend(faults.map(|said| Finding::key(Tone::Warn, said).with_code("setups")));
         all.extend(accepted(&setups.modes().modes));
+        let quakes = setups.records.iter().flat_map(|record| &record.earthquake);
+        all.extend(quakes.flat_map(earthquake::findings));
         all.extend(setups.records.iter().flat_map(doubts));
     }
     all
@@ -174,7 +177,8 @@ fn of_record(record: &RecordAnswer) -> Vec<Finding> {
             },
         ),
     };
-    let mut all = vec![first];
+    let mut all: Vec<Finding> = record.earthquake.iter().flat_map(earthquake::findings).collect();
+    all.push(first);
     all.extend(peaks_below(record, &found));
     all.extend(accepted(&modes.modes));
     all.extend(doubts(record));

@@ -5,6 +5,7 @@ mod clocks;
 mod decay;
 mod decay_remarks;
 mod driven;
+mod earthquake;
 mod faults;
 mod findings;
 mod joint;
@@ -42,7 +43,7 @@ messages! {
 }
 
 /// The sentences on records as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 20] = [
+pub(crate) const TEMPLATES: [&[Template]; 21] = [
     findings::Found::TEMPLATES,
     Of::TEMPLATES,
     beside_model::Beside::TEMPLATES,
@@ -60,6 +61,7 @@ pub(crate) const TEMPLATES: [&[Template]; 20] = [
     decay::Decays::TEMPLATES,
     decay_remarks::Remarks::TEMPLATES,
     driven::Drivens::TEMPLATES,
+    earthquake::Quake::TEMPLATES,
     setups::Setups::TEMPLATES,
     joint::Joint::TEMPLATES,
     setup_remarks::Remarks::TEMPLATES,

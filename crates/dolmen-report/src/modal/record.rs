@@ -2,6 +2,7 @@
 
 use super::decay;
 use super::driven;
+use super::earthquake;
 use super::faults::fault_words;
 use super::notes::note_words;
 use super::seen::{spectrogram_figure, time_figure};
@@ -24,6 +25,10 @@ messages! {
         Ambient { survey: Sentence } => {
             en: "Modes from ambient vibration: {survey}",
             ko: "상시진동 기록의 모드 분석: {survey}",
+        },
+        Shaken { survey: Sentence } => {
+            en: "Record of an earthquake: {survey}",
+            ko: "지진 기록: {survey}",
         },
         Decay { survey: Sentence } => {
             en: "Modes from a free decay: {survey}",
@@ -74,10 +79,12 @@ pub(super) fn section<'a>(document: &mut Document<'a>, survey: Sentence, record:
     document.heading(match (is_decay, &analysis.driven) {
         (true, _) => Record::Decay { survey },
         (false, Some(_)) => Record::Driven { survey },
+        (false, None) if record.earthquake.is_some() => Record::Shaken { survey },
         (false, None) => Record::Ambient { survey },
     });
     read(document, record);
     time_figure(document, &record.seen);
+    earthquake::section(document, record);
     figures(document, analysis);
     spectrogram_figure(document, &record.seen, &analysis.modes);
     match analysis.modes.modes.is_empty() {

@@ -1,5 +1,6 @@
 //! What a history says in plain words.
 
+use super::earthquakes::earthquakes;
 use super::failing::failing;
 use super::logs::logs;
 use super::lost::{last_apart, lost, wandering};
@@ -135,7 +136,8 @@ pub(super) fn chance(p: f64) -> Sentence {
 /// The findings: alarms, changes, what could have been missed, tilts, what is doubtful.
 pub(crate) fn findings(answer: &WatchAnswer) -> Vec<Finding> {
     // no alarm is no good news where something changed and nobody answered it
-    let mut all = lost(answer);
+    let mut all = earthquakes(answer);
+    all.extend(lost(answer));
     let alarms = alarms(answer);
     let is_news = alarms.iter().any(|of| of.tone == Tone::Bad) || !has_unanswered(answer);
     let (before, after) = match is_news {
@@ -214,7 +216,7 @@ fn alarms(answer: &WatchAnswer) -> Vec<Finding> {
     let Some(first) = open.first() else {
         let last = name(answer, answer.surveys.len().saturating_sub(1));
         let answered = watched.alarms.len();
-        if watched.is_mode_lost() {
+        if watched.is_mode_lost() || answer.open_earthquakes().next().is_some() {
             return Vec::new();
         }
         return match is_judged {

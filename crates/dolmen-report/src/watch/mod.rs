@@ -1,5 +1,6 @@
 //! The structure over the years: findings, and the section on its surveys in time.
 
+mod earthquakes;
 mod failing;
 mod findings;
 mod log_table;
@@ -54,7 +55,8 @@ messages! {
 }
 
 /// The sentences on a history as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 9] = [
+pub(crate) const TEMPLATES: [&[Template]; 10] = [
+    earthquakes::Felt::TEMPLATES,
     logs::Logged::TEMPLATES,
     log_table::LogTable::TEMPLATES,
     Years::TEMPLATES,

@@ -10,6 +10,8 @@ use std::collections::BTreeSet;
 pub enum AlarmSort {
     /// A frequency left what earlier surveys predict.
     Structure,
+    /// An earthquake was recorded.
+    Earthquake,
     /// It leans beyond its limit.
     Tilt,
     /// A logged crack is wider than it may be.
@@ -19,10 +21,11 @@ pub enum AlarmSort {
 }
 
 impl AlarmSort {
-    /// "structure", "tilt", "crack", "sensor".
+    /// "structure", "earthquake", "tilt", "crack", "sensor".
     pub fn word(self) -> &'static str {
         match self {
             AlarmSort::Structure => "structure",
+            AlarmSort::Earthquake => "earthquake",
             AlarmSort::Tilt => "tilt",
             AlarmSort::Crack => "crack",
             AlarmSort::Sensor => "sensor",
@@ -48,7 +51,7 @@ impl OpenAlarm {
     }
 }
 
-/// The alarms that nobody has answered: one for each day on which frequencies confirmed any, and one each for a tilt and a crack beyond its limit, until a work or
+/// The alarms that nobody has answered: one for each day on which frequencies confirmed any, one for each earthquake, and one each for a tilt and a crack beyond its limit, until a work or
 /// an inspection is entered; one for each sensor that fails.
 pub fn open_alarms(answer: &WatchAnswer) -> Vec<OpenAlarm> {
     let name = |survey: usize| answer.surveys.get(survey).map(|survey| survey.name.as_str());
@@ -72,6 +75,11 @@ pub fn open_alarms(answer: &WatchAnswer) -> Vec<OpenAlarm> {
         sort: AlarmSort::Structure,
         date: day(since),
         key: format!("modes lost since {}", day(since)),
+    }));
+    all.extend(answer.open_earthquakes().map(|of| OpenAlarm {
+        sort: AlarmSort::Earthquake,
+        date: day(&of.survey),
+        key: format!("earthquake {}", of.survey),
     }));
     let last_work = answer.works.last().map_or("-", |(_, work)| work.date.as_str());
     let last_survey = answer

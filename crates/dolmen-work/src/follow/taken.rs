@@ -9,6 +9,7 @@ use crate::opened::Opened;
 use crate::progress::Silent;
 use crate::record;
 use crate::survey_dates::{date, day_of};
+use crate::surveyed::Earthquake;
 use dolmen::modal::{Modes, ObservedMode, SensorDoubt};
 use dolmen::signal::{Channel, ChannelFault};
 use dolmen_project::{LikeSurvey, Survey, survey_like};
@@ -52,6 +53,8 @@ pub struct Taken {
     pub doubts: Vec<SensorDoubt>,
     /// Channels that were left out, since nothing is identified with them.
     pub left_out: Vec<String>,
+    /// The earthquake that it holds; its modes are then none of an ambient survey, and none are kept.
+    pub earthquake: Option<Earthquake>,
     /// Its modes, or why there are none.
     pub modes: Result<Modes, WorkError>,
     came_as: String,
@@ -126,23 +129,9 @@ impl Pattern {
         &self.opened
     }
 
-    /// The project with a survey of this name, whose record lies at `path`; and the text of that survey.
-    fn with(
-        &self,
-        (name, path): (&str, &str),
-        came_as: &str,
-        (temperature_c, left_out): (Option<f64>, &[String]),
-        files: &dyn Files,
-    ) -> Result<(Opened, String), WorkError> {
-        let note = format!("came as {came_as}");
-        let settings = LikeSurvey {
-            name,
-            file: path,
-            note: &note,
-            temperature_c,
-            left_out,
-        };
-        let own = survey_like(&self.opened.text, &self.survey, &settings);
+    /// The project with a survey of its own settings; and the text of that survey.
+    fn with(&self, settings: &LikeSurvey<'_>, files: &dyn Files) -> Result<(Opened, String), WorkError> {
+        let own = survey_like(&self.opened.text, &self.survey, settings);
         let own = own.ok_or(WorkError::NoneToFollow)?;
         let text = self.opened.text.clone() + &own;
         let opened = Opened::read(text, self.opened.file.clone(), files)?;
@@ -157,7 +146,15 @@ impl Pattern {
         const UNNAMED: &str = "arriving";
         let came_as = plain(file.name);
         let with = |ending: Option<&str>| {
-            self.with((UNNAMED, &path_of(UNNAMED, ending)), &came_as, (None, &[]), rest)
+            let own = LikeSurvey {
+                name: UNNAMED,
+                file: &path_of(UNNAMED, ending),
+                note: &note_of(&came_as),
+                temperature_c: None,
+                left_out: &[],
+                earthquake: None,
+            };
+            self.with(&own, rest)
         };
         // a file whose ending says nothing is read as the record of the survey is
         let own = ending(file.name);
@@ -186,9 +183,15 @@ impl Pattern {
             left_out.extend(failed);
             found = identify::of_opened(&source, record::record(&source, &files)?, &Silent);
         }
-        let (modes, doubts) = match found {
-            Ok((answer, _)) => (Ok(answer.analysis.modes), answer.doubts),
-            Err(why) => (Err(why), Vec::new()),
+        let (modes, doubts, earthquake) = match found {
+            Ok((answer, _)) => {
+                let mut modes = answer.analysis.modes;
+                if answer.earthquake.is_some() {
+                    modes.modes.clear();
+                }
+                (Ok(modes), answer.doubts, answer.earthquake)
+            }
+            Err(why) => (Err(why), Vec::new(), None),
         };
         Ok(Taken {
             time,
@@ -196,6 +199,7 @@ impl Pattern {
             faults,
             doubts,
             left_out,
+            earthquake,
             modes,
             came_as,
             ending,
@@ -224,12 +228,15 @@ impl Pattern {
             number => format!("{} ({number})", taken.time.name),
         };
         let path = path_of(&name, taken.ending.as_deref());
-        let (opened, own_text) = self.with(
-            (&name, &path),
-            &taken.came_as,
-            (temperature_c, &taken.left_out),
-            rest,
-        )?;
+        let own = LikeSurvey {
+            name: &name,
+            file: &path,
+            note: &note_of(&taken.came_as),
+            temperature_c,
+            left_out: &taken.left_out,
+            earthquake: taken.earthquake.as_ref().map(Earthquake::part),
+        };
+        let (opened, own_text) = self.with(&own, rest)?;
         Ok(TakenSurvey {
             name,
             path,
@@ -237,6 +244,10 @@ impl Pattern {
             opened,
         })
     }
+}
+
+fn note_of(came_as: &str) -> String {
+    format!("came as {came_as}")
 }
 
 fn survey<'a>(opened: &'a Opened, name: &str) -> Option<&'a Survey> {

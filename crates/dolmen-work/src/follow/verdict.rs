@@ -12,6 +12,8 @@ pub enum Verdict {
         /// Frequencies of the modes, Hz.
         frequencies_hz: Vec<f64>,
     },
+    /// It holds an earthquake.
+    Earthquake,
     /// A mode is outside of what those before it predict: no alarm yet.
     Outside {
         /// Frequency of the mode that is farthest out, Hz.
