@@ -6,7 +6,7 @@ use crate::note::note;
 use crate::outcome::Outcome;
 use crate::say::{say, say_json};
 use crate::typed::Typed;
-use crate::wrong::Noted;
+use crate::wrong::{CommandError, Noted};
 use anyhow::Result;
 use dolmen_folder::Found;
 use dolmen_report::check_text;
@@ -15,6 +15,9 @@ use dolmen_work::judgement::{Verb, judge_check};
 use dolmen_work::{CheckOptions, FlagVerb, Sampling, check};
 
 pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<Outcome> {
+    if let Some(name) = options.variant.clone() {
+        return Err(CommandError::CheckOfVariant { name }.into());
+    }
     let found = Found::open(&options.project, manner.access())?;
     typed.refuse_foreign(FlagVerb::Check, &[&found.opened.project])?;
     let how = CheckOptions {

@@ -170,6 +170,9 @@ pub(crate) struct Check {
     /// Say what one per cent of each input does to the load factor
     #[arg(long)]
     pub(crate) sensitivity: bool,
+    /// A check answers all variants: refused, with what to do
+    #[arg(long, value_name = "NAME", hide = true)]
+    pub(crate) variant: Option<String>,
 }
 
 #[derive(Debug, Args)]

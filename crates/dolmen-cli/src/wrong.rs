@@ -16,6 +16,9 @@ pub(crate) enum CommandError {
         near: Option<String>,
     },
     OneName,
+    CheckOfVariant {
+        name: String,
+    },
     StoreThere {
         path: String,
     },
@@ -91,6 +94,10 @@ sentences! {
         OneName => {
             en: "--name names one structure, but several projects are given: add them one by one",
             ko: "--name은 구조물 하나의 이름인데 프로젝트가 여럿이다. 하나씩 넣는다",
+        },
+        CheckOfVariant { name } => {
+            en: "check has no --variant: it answers the structure as it is and every variant, and `dolmen check PROJECT --full` prints them all, {name} among them",
+            ko: "check에는 --variant가 없다. 현재 상태와 모든 대안을 함께 검토하며 `dolmen check PROJECT --full`이 {name}을(를) 포함한 모든 대안을 보여 준다",
         },
         StoreThere { path } => {
             en: "{path} is there already: a whole store is written to a new file, so that nothing is lost",

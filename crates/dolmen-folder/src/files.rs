@@ -14,8 +14,10 @@ pub(crate) fn project_file(path: &Path) -> Result<PathBuf> {
     if path.is_dir() {
         let file = path.join("project.toml");
         if !file.is_file() {
-            return Err(PathError::NoProject {
-                path: path.display().to_string(),
+            let shown = path.display().to_string();
+            return Err(match likely_project(path) {
+                Some(near) => PathError::OtherName { path: shown, near },
+                None => PathError::NoProject { path: shown },
             }
             .into());
         }
@@ -28,6 +30,24 @@ pub(crate) fn project_file(path: &Path) -> Result<PathBuf> {
         .into());
     }
     Ok(path.to_owned())
+}
+
+/// The file of a folder that is probably its project: Project.toml, project.toml.txt, or the only file of TOML.
+fn likely_project(folder: &Path) -> Option<String> {
+    let mut names = beside(&folder.join("project.toml"));
+    names.retain(|name| folder.join(name).is_file());
+    names.sort();
+    let is_project = |name: &&String| {
+        let name = name.to_lowercase();
+        name == "project.toml" || name.starts_with("project.toml.") && !name.ends_with('~')
+    };
+    let is_toml = |name: &&String| {
+        let name = name.to_lowercase();
+        name.ends_with(".toml") || name.ends_with(".toml.txt")
+    };
+    let mut tomls = names.iter().filter(is_toml);
+    let only = tomls.next().filter(|_| tomls.next().is_none());
+    names.iter().find(is_project).or(only).cloned()
 }
 
 /// What there is instead of a regular file, and `None` where there is one.
@@ -70,6 +90,10 @@ fn absent(path: &Path) -> FileError {
     let shown = path.display().to_string();
     let name = path.file_name().map(|name| name.to_string_lossy().into_owned());
     let (name, beside) = (name.unwrap_or_default(), beside(path));
+    if name.contains('\\') {
+        let slashes = name.replace('\\', "/");
+        return FileError::Backslash { shown, slashes };
+    }
     match nearest(&name, beside.iter().map(String::as_str)) {
         Some(near) => FileError::Misspelt {
             shown,
@@ -135,7 +159,12 @@ pub fn start(path: &Path) -> Vec<u8> {
 
 /// All of a text file, which must be UTF-8.
 pub fn read_text(path: &Path, most: u64) -> Result<String> {
-    String::from_utf8(read(path, most)?).map_err(|fault| {
+    let bytes = read(path, most)?;
+    if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") {
+        let path = path.display().to_string();
+        return Err(PathError::Utf16 { path }.into());
+    }
+    String::from_utf8(bytes).map_err(|fault| {
         let at = fault.utf8_error().valid_up_to();
         PathError::NotUtf8 {
             path: path.display().to_string(),

@@ -24,9 +24,17 @@ pub enum PathError {
         path: String,
         name: String,
     },
+    /// A folder without project.toml that holds a file that may be it.
+    OtherName {
+        path: String,
+        near: String,
+    },
     NotUtf8 {
         path: String,
         at: usize,
+    },
+    Utf16 {
+        path: String,
     },
     TooLargeToWrite {
         path: String,
@@ -112,8 +120,16 @@ sentences! {
             ko: "{path}에 project.toml이 든 폴더가 없다. 프로젝트 폴더들이 든 폴더나 표(CSV)를 준다",
         },
         IsRecord { path, name } => {
-            en: "{path} is a record, not a project file: write a file project.toml beside it that names it, and give that\n\nschema = 1\nkind = \"survey\"\nname = {{ en = \"My survey\" }}\n[survey.one.records]\nfile = \"{name}\"\nsampling_rate = \"100 Hz\"   # where the file does not say it",
-            ko: "{path}은(는) 프로젝트 파일이 아니라 기록이다. 이 기록을 읽는 project.toml을 그 옆에 만들어 지정한다\n\nschema = 1\nkind = \"survey\"\nname = {{ ko = \"나의 조사\" }}\n[survey.one.records]\nfile = \"{name}\"\nsampling_rate = \"100 Hz\"   # 파일에 없을 때",
+            en: "{path} is a record, not a project file: write a file project.toml beside it that names it, and give that\n\nschema = 1\nkind = \"survey\"\nname = {{ en = \"My survey\" }}\n[survey.\"YYYY-MM-DD\".records]   # the day of the measurement\nfile = \"{name}\"\nsampling_rate = \"? Hz\"   # that of the recorder; delete the line where the file says it",
+            ko: "{path}은(는) 프로젝트 파일이 아니라 기록이다. 이 기록을 읽는 project.toml을 그 옆에 만들어 지정한다\n\nschema = 1\nkind = \"survey\"\nname = {{ ko = \"나의 조사\" }}\n[survey.\"YYYY-MM-DD\".records]   # 계측한 날짜\nfile = \"{name}\"\nsampling_rate = \"? Hz\"   # 기록계의 값. 파일에 있으면 이 줄을 지운다",
+        },
+        OtherName { path, near } => {
+            en: "{path} holds no project.toml, but \"{near}\": rename it to project.toml, or name it",
+            ko: "{path}에 project.toml은 없고 \"{near}\"이(가) 있다. project.toml로 이름을 바꾸거나 그 파일을 지정한다",
+        },
+        Utf16 { path } => {
+            en: "{path} is saved as Unicode (UTF-16): save it as UTF-8",
+            ko: "{path}이(가) 유니코드(UTF-16)로 저장되어 있다. 메모장의 ‘다른 이름으로 저장’에서 인코딩을 UTF-8로 하여 저장한다",
         },
         NotUtf8 { path, at } => {
             en: "{path} is not UTF-8 text (byte {at}): save it as UTF-8; Korean text saved as EUC-KR or CP949 must be converted",

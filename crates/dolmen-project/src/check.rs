@@ -398,6 +398,11 @@ impl<'t, 'i> SchemaCheck<'t, 'i> {
                     written: written.to_string(),
                 })
             }
+            DeValue::Integer(_) | DeValue::Float(_) | DeValue::String(_) if path == "damping" => {
+                Some(WrongKey::DampingRatio {
+                    written: written.to_string(),
+                })
+            }
             DeValue::Integer(_) | DeValue::Float(_) | DeValue::String(_) if needed_word == "a table" => {
                 let (table, key) = path.rsplit_once('.').unwrap_or(("", path));
                 let named = branches.iter().any(|branch| property(branch, key).is_some());
@@ -482,7 +487,10 @@ fn meant_word(word: &str, fitting: &[&'static Tree]) -> Option<&'static str> {
         text.chars().map(roman).collect()
     };
     let written = plain(word);
-    let numeral = match written.as_str() {
+    // grades of KDS 41 17 00 as they are named there: 특등급, Ⅰ등급
+    let grade = written.strip_suffix("등급").unwrap_or(&written).trim();
+    let numeral = match grade {
+        "특" => "special",
         "1" => "i",
         "2" => "ii",
         "3" => "iii",

@@ -167,10 +167,11 @@ impl Project {
         all
     }
 
-    /// The surveys that numbers of the structure were identified from.
+    /// The surveys that numbers of the structure were identified from, on which its frequencies rest: a damping ratio calibrates no model.
     pub fn identified_from(&self) -> BTreeSet<&str> {
-        let all = self.structure.inputs();
-        all.into_iter().filter_map(|of| of.survey.as_deref()).collect()
+        let all = self.structure.inputs().into_iter();
+        let all = all.filter(|of| !of.path.contains("damping"));
+        all.filter_map(|of| of.survey.as_deref()).collect()
     }
 
     /// The input at a path, `links[1].weight`.

@@ -95,8 +95,8 @@ messages! {
             ko: "{path} = \"{written}\"은(는) 기울기 {degrees}°로, 무너지기 직전의 탑(5.7°)보다 크다. 수와 단위를 확인한다",
         },
         SensorFar { path: String, away: Quantity } => {
-            en: "{path}: the position of the sensor is {away} from the others: is it in mm, or one digit too long? Positions are in m",
-            ko: "{path}: 센서 위치(position)가 다른 센서에서 {away} 떨어져 있다. mm 단위이거나 자릿수가 틀린 것이 아닌가? 위치는 m 단위이다",
+            en: "{path}: the position of the sensor is {away} from the others: is it in mm, or one digit too long? Positions without a unit are in that of units.length, m if none is given",
+            ko: "{path}: 센서 위치(position)가 다른 센서에서 {away} 떨어져 있다. mm 단위이거나 자릿수가 틀린 것이 아닌가? 단위 없는 위치는 units.length의 단위(없으면 m)이다",
         },
         TurnRadians { path: String, degrees: Quantity } => {
             en: "{path} is {degrees}°, a round part of π read as degrees: is the angle in radians?",

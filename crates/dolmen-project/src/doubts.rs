@@ -4,10 +4,12 @@
 use super::building::{DampingPart, doubt_building};
 use super::chain::{ChainPart, doubt_chain};
 use super::content::Structure;
+use super::direction_slips::judge_directions;
 use super::doubted::Doubted;
 use super::frame::{FramePart, doubt_frame};
 use super::quantity::Quantity;
 use super::reader::Reader;
+use super::sensor_slips::judge_sensors;
 use super::site::MotionPart;
 use super::stack::doubt_stack;
 use super::survey::{ModeKind, Survey, doubt_surveys};
@@ -65,6 +67,8 @@ pub(super) fn doubt(
         );
     }
     doubt_surveys(reader, surveys);
+    judge_sensors(reader, structure, surveys);
+    judge_directions(reader, structure, surveys);
     for motion in motions {
         turn(reader, motion);
     }

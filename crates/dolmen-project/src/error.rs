@@ -189,6 +189,14 @@ impl Fault {
         self
     }
 
+    /// What to do, in English.
+    #[cfg(test)]
+    pub(super) fn text_of_help(&self) -> String {
+        self.help
+            .as_ref()
+            .map_or_else(String::new, |help| help.english.clone())
+    }
+
     /// Puts it at the start of the file.
     pub(super) fn at_top(mut self) -> Self {
         self.span = 0..0;

@@ -35,8 +35,11 @@ pub(super) fn foreign_keys(root: &mut DeTable<'_>, faults: &mut Vec<Fault>) {
                     owner: owner.to_string(),
                     kind: kind.to_string(),
                 };
-                let help = WrongFile::TakeItOutOrWrite {
-                    owner: owner.to_string(),
+                let help = match (*name, kind.as_str()) {
+                    ("damping_ratio", "building") => WrongFile::DampingOfBuilding,
+                    _ => WrongFile::TakeItOutOrWrite {
+                        owner: owner.to_string(),
+                    },
                 };
                 faults.push(
                     Fault::new(key.span(), name, message)

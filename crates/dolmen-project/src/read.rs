@@ -29,7 +29,7 @@ use super::slips;
 use super::stack::{lean, stack};
 use super::study::studies;
 use super::survey::{add_inspections, change, surveys, watch};
-use super::syntax::{of_toml, version};
+use super::syntax::{of_syntax, version};
 use super::tabled::{Tabled, tabled};
 use super::units::STANDARD_GRAVITY_M_S2;
 use super::unknown_variants::unknown_variants;
@@ -107,7 +107,7 @@ fn read(text: &str, files: &dyn Files) -> Result<Project, Vec<Fault>> {
 fn read_with(text: &str, files: &dyn Files, lists: &[Tabled]) -> Result<Project, Vec<Fault>> {
     let (root, syntax) = DeTable::parse_recoverable(text);
     if !syntax.is_empty() {
-        return Err(syntax.iter().map(|error| of_toml(error, text)).collect());
+        return Err(of_syntax(&syntax, text));
     }
     let span = root.span();
     let mut root = root.into_inner();

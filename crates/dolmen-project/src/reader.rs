@@ -8,7 +8,8 @@ use super::file_number::{At, EvidenceRaw, NumberRaw, QuantityRaw};
 use super::identified::identified_from;
 use super::measure::{Bound, Measure};
 use super::quantity::{Evidence, Quantity};
-use super::units::{Dimension, Unit, UnitError, is_angle, parse_unit, split_number, tilt_ratio};
+use super::unit_help::help_of_unit;
+use super::units::{Unit, UnitError, is_angle, parse_unit, split_number, tilt_ratio};
 use super::warned::Warned;
 use super::written::{short, with_unit};
 use super::written_at::written_at;
@@ -87,6 +88,7 @@ impl<'f> Reader<'f> {
         ] {
             let Some(written) = written else { continue };
             let path = format!("units.{name}");
+            reader.mark(&path, &written.span);
             if let Some(unit) = reader.unit(&written.value, &written.span, &path, measure, &path) {
                 let bare = BareUnit {
                     text: written.value.trim().to_owned(),
@@ -224,7 +226,11 @@ impl<'f> Reader<'f> {
             Err(fault) => {
                 let (of, said) = (of.to_owned(), fault.said());
                 let message = match &fault {
-                    UnitError::Unknown { symbol, .. } if symbol == text.trim() => WrongUnit::At { of, said },
+                    UnitError::Unknown { symbol, .. } | UnitError::Ton { symbol }
+                        if symbol == text.trim() =>
+                    {
+                        WrongUnit::At { of, said }
+                    }
                     _ => WrongUnit::AtIn {
                         of,
                         text: text.trim().to_owned(),
@@ -258,21 +264,7 @@ impl<'f> Reader<'f> {
             text: text.trim().to_string(),
             dimension: unit.dimension.said(),
         };
-        let (part, key) = of.rsplit_once('.').unwrap_or(("", of));
-        let help: Both = match (key, unit.dimension) {
-            ("weight", Dimension::MASS) => WrongNumber::WriteMassInsteadOf {
-                part: part.to_string(),
-            }
-            .into(),
-            ("mass", Dimension::FORCE) => WrongNumber::WriteWeightInsteadOf {
-                part: part.to_string(),
-            }
-            .into(),
-            _ => Common::UseUnitSuchAs {
-                example: measure.example(),
-            }
-            .into(),
-        };
+        let help = help_of_unit((of, text), unit.dimension, measure);
         self.fault(
             Fault::new(span.clone(), path, message)
                 .allowed(WrongNumber::WrongKindOfUnit)

@@ -2,8 +2,25 @@
 
 use super::error::Fault;
 use super::schema::SCHEMA_VERSION;
+use super::syntax_slips::slip;
 use super::wrong::{WrongNumber, WrongToml, of_parser};
 use toml::de::DeTable;
+
+/// What is wrong with a text that is not TOML: the slip that all else follows from, or of each line the first fault.
+pub(super) fn of_syntax(errors: &[toml::de::Error], text: &str) -> Vec<Fault> {
+    if let Some(fault) = slip(text) {
+        return vec![fault];
+    }
+    let mut errors: Vec<&toml::de::Error> = errors.iter().collect();
+    let start = |error: &toml::de::Error| error.span().map_or(0, |span| span.start);
+    errors.sort_by_key(|error| start(error));
+    let line = |error: &toml::de::Error| {
+        text.get(..start(error))
+            .map_or(0, |before| before.matches('\n').count())
+    };
+    errors.dedup_by_key(|error| line(error));
+    errors.into_iter().map(|error| of_toml(error, text)).collect()
+}
 
 /// A fault of TOML itself.
 pub(super) fn of_toml(error: &toml::de::Error, text: &str) -> Fault {
@@ -39,6 +56,14 @@ pub(super) fn of_toml(error: &toml::de::Error, text: &str) -> Fault {
     } else if let Some(number) = number_with_comma(&whole, before.len()) {
         fault = of_comma(number, span.start - before.len());
     }
+    if first.contains("escaped value") || first.contains("unicode value digits") {
+        let string = whole[..before.len()].rfind('"').map_or("", |at| &whole[at + 1..]);
+        let path = string.split('"').next().unwrap_or_default().replace('\\', "/");
+        fault = fault.help(WrongToml::BackslashBeginsSign { path });
+    }
+    if first.contains("unquoted key") && span.start < span.end {
+        fault = fault.help(of_key(&whole, text.get(span.clone()).unwrap_or_default()));
+    }
     if first.contains("duplicate key") {
         let line = text.get(span).unwrap_or_default();
         fault = fault.help(WrongToml::IsGivenTwiceIn {
@@ -46,6 +71,86 @@ pub(super) fn of_toml(error: &toml::de::Error, text: &str) -> Fault {
         });
     }
     fault
+}
+
+/// What to do about a key that is not bare: which key is meant, or how its name is quoted.
+fn of_key(line: &str, given: &str) -> WrongToml {
+    let is_bare = |part: &str| {
+        part.bytes()
+            .all(|b| b.is_ascii_alphanumeric() || matches!(b, b'-' | b'_'))
+    };
+    let quote = |part: &str| match is_bare(part) || part.starts_with(['"', '\'']) {
+        true => part.to_owned(),
+        false => format!("\"{part}\""),
+    };
+    let header = line
+        .trim()
+        .strip_prefix('[')
+        .and_then(|rest| rest.split(']').next());
+    if let Some(name) = header.map(|name| name.trim_start_matches('[')) {
+        let parts: Vec<String> = name.split('.').map(|part| quote(part.trim())).collect();
+        return WrongToml::QuoteKey {
+            quoted: format!("[{}]", parts.join(".")),
+        };
+    }
+    let is_part = |sign: char| !sign.is_whitespace() && !"{}[],.=".contains(sign);
+    let word = line.find(given).map_or(given, |at| {
+        let end = line[at..]
+            .find(|sign| !is_part(sign))
+            .map_or(line.len(), |to| at + to);
+        &line[at..end]
+    });
+    match english_key(word) {
+        Some(key) => WrongToml::KeyIs {
+            given: word.to_owned(),
+            key: key.to_owned(),
+        },
+        None => WrongToml::QuoteKey {
+            quoted: format!("\"{word}\""),
+        },
+    }
+}
+
+/// The key that a Korean word stands for; two where that depends on the table.
+fn english_key(word: &str) -> Option<&'static str> {
+    const KEYS: [(&[&str], &str); 33] = [
+        (&["이름", "명칭"], "name"),
+        (&["종류"], "kind"),
+        (&["단위"], "units"),
+        (&["무게", "중량", "자중"], "weight"),
+        (&["질량"], "mass"),
+        (&["길이"], "length"),
+        (&["높이", "층고"], "height"),
+        (&["폭", "너비"], "width (breadth of a link)"),
+        (&["깊이", "두께"], "depth"),
+        (&["지름", "직경"], "diameter"),
+        (&["무게중심"], "centroid"),
+        (&["접합면폭", "접합면"], "bed_width"),
+        (&["밀도"], "density"),
+        (&["마찰", "마찰계수"], "friction"),
+        (&["강성"], "stiffness"),
+        (&["힘"], "force"),
+        (&["축력"], "axial_force"),
+        (&["부재"], "links (or blocks)"),
+        (&["접합부"], "joints"),
+        (&["층"], "storeys (or floors)"),
+        (&["바닥"], "floors"),
+        (&["감쇠", "감쇠비"], "damping_ratio"),
+        (&["조사"], "survey"),
+        (&["기온", "온도"], "temperature_c"),
+        (&["기울기"], "tilt"),
+        (&["진동수", "고유진동수", "주파수"], "frequencies"),
+        (&["파일"], "file"),
+        (&["열", "컬럼"], "column"),
+        (&["방향"], "direction"),
+        (&["위치"], "position"),
+        (&["채널"], "channels"),
+        (&["바람", "풍하중"], "wind"),
+        (&["부지", "지진"], "site"),
+    ];
+    KEYS.iter()
+        .find(|(words, _)| words.contains(&word))
+        .map(|(_, key)| *key)
 }
 
 /// A number with a comma: the bytes of its line before it, and it.

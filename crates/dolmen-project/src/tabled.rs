@@ -4,6 +4,7 @@
 use super::error::Fault;
 use super::measure::Measure;
 use super::placed::place;
+use super::totals::{Total, total};
 use super::units::parse_unit;
 use super::wrong::{Common, WrongTable};
 use crate::wrong::said;
@@ -240,6 +241,27 @@ fn list(
     }
     if !faults.is_empty() {
         return Err(faults);
+    }
+    let name_at = heads
+        .iter()
+        .position(|head| head.as_ref().is_some_and(|(name, _)| *name == "name"));
+    if let Some(total) = total(body, name_at) {
+        let file = file.to_owned();
+        let message = match total {
+            Total::Named(cell) => WrongTable::RowIsTotal {
+                file,
+                place: cell.place.clone(),
+                name: match &cell.value {
+                    SheetValue::Text(text) => text.clone(),
+                    SheetValue::Number(_) | SheetValue::Empty => String::new(),
+                },
+            },
+            Total::Sums(cell) => WrongTable::RowIsSum {
+                file,
+                place: cell.place.clone(),
+            },
+        };
+        return Err(vec![(message.into(), WrongTable::DeleteTotal.into())]);
     }
     let mut text = format!("{key} = [");
     let mut places = BTreeMap::new();

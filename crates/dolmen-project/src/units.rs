@@ -95,6 +95,7 @@ const SYMBOLS: &[(&str, f64, Dimension)] = &[
     ("t", 1e3, Dimension::MASS),
     ("s", 1.0, dimension(0, 0, 1)),
     ("ms", 1e-3, dimension(0, 0, 1)),
+    ("h", 3600.0, dimension(0, 0, 1)),
     ("Hz", 1.0, Dimension::FREQUENCY),
     ("kHz", 1e3, Dimension::FREQUENCY),
     ("N", 1.0, Dimension::FORCE),
@@ -151,6 +152,10 @@ pub(super) enum UnitError {
         nearest: Option<&'static str>,
     },
     ProductAfterSlash,
+    /// "ton": a mass, or its weight.
+    Ton {
+        symbol: String,
+    },
     Power {
         symbol: String,
     },
@@ -160,7 +165,7 @@ impl UnitError {
     pub(super) fn said(&self) -> Both {
         Both::from(match self {
             UnitError::Empty => WrongUnit::ThereIsNoUnit,
-            UnitError::Unknown { symbol, .. } => WrongUnit::IsNotKnownUnit {
+            UnitError::Unknown { symbol, .. } | UnitError::Ton { symbol } => WrongUnit::IsNotKnownUnit {
                 symbol: symbol.clone(),
             },
             UnitError::ProductAfterSlash => WrongUnit::WhatStandsBelowIs,
@@ -179,6 +184,12 @@ impl UnitError {
             } => WrongUnit::DidYouMean {
                 nearest: (*nearest).to_owned(),
             },
+            UnitError::Unknown { symbol, .. } if symbol.contains(['.', '・', '･']) => {
+                WrongUnit::DidYouMean {
+                    nearest: symbol.replace(['.', '・', '･'], "*"),
+                }
+            }
+            UnitError::Ton { .. } => WrongUnit::TonOrTf,
             UnitError::ProductAfterSlash => WrongUnit::WriteProductsBeforeOne,
             _ => {
                 let symbols: Vec<&str> = SYMBOLS.iter().map(|(symbol, ..)| *symbol).collect();
@@ -237,6 +248,10 @@ fn multiply(unit: &mut Unit, written: &str, sign: i32) -> Result<(), UnitError> 
                 symbol: symbol.to_owned(),
             })?,
     };
+    if matches!(symbol.to_lowercase().as_str(), "ton" | "tons" | "톤") {
+        let symbol = symbol.to_owned();
+        return Err(UnitError::Ton { symbol });
+    }
     let Some((_, factor, dimension)) = SYMBOLS.iter().find(|(known, ..)| *known == symbol) else {
         return Err(UnitError::Unknown {
             symbol: symbol.to_owned(),
@@ -256,6 +271,7 @@ fn nearest_symbol(symbol: &str) -> Option<&'static str> {
         "metre" | "meter" | "metres" | "meters" => "m",
         "kilonewton" | "kilonewtons" => "kN",
         "tonne" | "tonnes" => "t",
+        "tonf" | "ton-f" | "톤중" | "톤f" => "tf",
         "hertz" => "Hz",
         "degree" | "degrees" => "deg",
         "Gal" => "gal",
@@ -268,12 +284,20 @@ fn nearest_symbol(symbol: &str) -> Option<&'static str> {
     Some(spelled)
 }
 
+/// The minus of typesetting, U+2212.
+const MINUS: &str = "−";
+
 /// A text such as "38.95 kN": the number, and the rest after it.
 pub(super) fn split_number(text: &str) -> Option<(f64, &str)> {
     let text = text.trim();
     let bytes = text.as_bytes();
     let digits = |from: usize| from + bytes[from..].iter().take_while(|b| b.is_ascii_digit()).count();
-    let signed = |at: usize| at + usize::from(matches!(bytes.get(at), Some(b'+' | b'-')));
+    // the minus that we print is that of typesetting
+    let signed = |at: usize| match bytes.get(at) {
+        Some(b'+' | b'-') => at + 1,
+        _ if bytes[at.min(bytes.len())..].starts_with(MINUS.as_bytes()) => at + MINUS.len(),
+        _ => at,
+    };
     let start = signed(0);
     let mut end = digits(start);
     if bytes.get(end) == Some(&b'.') {
@@ -285,7 +309,7 @@ pub(super) fn split_number(text: &str) -> Option<(f64, &str)> {
             end = digits(exponent);
         }
     }
-    let value: f64 = text[..end].parse().ok()?;
+    let value: f64 = text[..end].replace(MINUS, "-").parse().ok()?;
     Some((value, text[end..].trim()))
 }
 
@@ -296,7 +320,7 @@ pub(super) fn is_angle(unit: &str) -> bool {
 
 pub(super) fn tilt_ratio(text: &str) -> Option<f64> {
     let (number, rest) = split_number(text)?;
-    let ratio = match rest.strip_prefix('/') {
+    let ratio = match rest.strip_prefix(['/', ':']) {
         Some(below) => match split_number(below)? {
             (below, "") => number / below,
             _ => return None,
@@ -430,7 +454,9 @@ mod tests {
             format!("{}; {}", fault.said().english, fault.help().english)
         };
         assert_eq!(fault("KN"), "\"KN\" is not a known unit; did you mean \"kN\"?");
-        assert!(fault("ton").starts_with("\"ton\" is not a known unit; units are products"));
+        assert!(fault("ton").starts_with("\"ton\" is not a known unit; is it \"t\""));
+        assert!(fault("tonf").ends_with("did you mean \"tf\"?"));
+        assert!(fault("kN.m/rad").ends_with("did you mean \"kN*m\"?"));
         assert_eq!(
             fault("N/m*s"),
             "what stands below the / is not clear; write products before one / at the end: \"kN*m/rad\""
@@ -445,6 +471,7 @@ mod tests {
         assert_eq!(split_number("38.95 kN"), Some((38.95, "kN")));
         assert_eq!(split_number("1150mm"), Some((1150.0, "mm")));
         assert_eq!(split_number("-2.5e3 N"), Some((-2500.0, "N")));
+        assert_eq!(split_number("−2.5 N"), Some((-2.5, "N"))); // the minus of typesetting
         assert_eq!(split_number("5 e"), Some((5.0, "e")));
         assert_eq!(split_number("kN"), None);
         assert_eq!(split_number("1,150 mm"), Some((1.0, ",150 mm")));

@@ -53,6 +53,13 @@ pub enum FileError {
         /// The file, as a user would look for it.
         shown: String,
     },
+    /// There is none of this name, which has the backslashes of Windows.
+    Backslash {
+        /// The file, as a user would look for it.
+        shown: String,
+        /// The same with slashes.
+        slashes: String,
+    },
     /// There is none of this name, but one of a name like it beside it.
     Misspelt {
         /// The file, as a user would look for it.

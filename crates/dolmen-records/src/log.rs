@@ -29,7 +29,7 @@ pub struct Log {
     pub set_back: usize,
     /// Rows more than a day out of the order of the file, left out: the clock was wrong.
     pub misdated: usize,
-    /// The unit of the column as the file states it: TOA5 does.
+    /// The unit of the column as the file states it: TOA5 does in a line of its own, tables in brackets at the end of a head, "X (mm/m)".
     pub unit: Option<String>,
 }
 
@@ -165,7 +165,10 @@ pub fn read_log(bytes: &[u8], column: Option<&str>) -> Result<Log, LogError> {
         repeated: 0,
         set_back: 0,
         misdated: 0,
-        unit: units.get(at).filter(|unit| !unit.is_empty()).cloned(),
+        unit: match is_toa5 {
+            true => units.get(at).filter(|unit| !unit.is_empty()).cloned(),
+            false => names.get(at).and_then(|name| unit_in_head(name)),
+        },
     };
     let mut before = f64::NEG_INFINITY;
     for (line, row) in lines.iter().enumerate().skip(first) {
@@ -293,6 +296,18 @@ fn place(
         (None, []) => Err(LogError::NoRows),
         (None, _) => Err(LogError::WhichColumn { known: known() }),
     }
+}
+
+/// The unit in brackets at the end of a head: "경사 X (mm/m)". A side of the sky, (S), and a number, (2), are none.
+fn unit_in_head(head: &str) -> Option<String> {
+    let inside = head.trim_end().strip_suffix([')', ']', '）'])?;
+    let (_, unit) = inside.rsplit_once(['(', '[', '（'])?;
+    let unit = unit.trim();
+    let is_side = matches!(unit, "N" | "S" | "E" | "W" | "n" | "s" | "e" | "w");
+    let is_unit = unit
+        .chars()
+        .any(|sign| sign.is_alphabetic() || "%°℃℉".contains(sign));
+    (is_unit && !is_side).then(|| unit.to_owned())
 }
 
 /// Cells of a row; quotes around a cell are taken off, and a separator within them is part of it.

@@ -8,6 +8,7 @@ use crate::judgement::{measured_frequencies, superseded_by};
 use crate::kinds;
 use crate::opened::Opened;
 use crate::state::{Check, FrequencyContradiction, Sampled, SensitivityOf, State, TiltCheck, VariantAnswer};
+use crate::survey_dates::date;
 use crate::wrong::Place;
 use dolmen::assess::{Sensitivity, elasticity, probability};
 use dolmen::numeric::Random;
@@ -135,7 +136,13 @@ fn tilts(project: &Project, check: &Check) -> Vec<TiltCheck> {
         _ => None,
     };
     let chosen = leans_as.and_then(|lean| tilted().find(|survey| survey.name == lean.survey));
-    let Some(survey) = chosen.or_else(|| tilted().next_back()) else {
+    // which of several without a date is the last is not known: the worst of them
+    let are_undated = tilted().all(|survey| date(&survey.name).is_none());
+    let last = match are_undated {
+        true => tilted().max_by(|a, b| a.tilt_together().total_cmp(&b.tilt_together())),
+        false => tilted().next_back(),
+    };
+    let Some(survey) = chosen.or(last) else {
         return Vec::new();
     };
     let known = kinds::uplift_tilt(check).map(|edge| UpliftTilt {

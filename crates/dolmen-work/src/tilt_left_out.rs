@@ -17,7 +17,8 @@ const SLOPE_SAID: f64 = 0.01;
 
 impl TiltLeftOut {
     /// A tilt that counts and that the model of a project does not have: storeys start plumb, stones that carry tilts or offsets of their own
-    /// keep them, and of several surveys the last decides, also where an earlier one alone measured a direction and nothing was repaired since. What
+    /// keep them, and of several surveys the last with a date decides, also where one without a date measured more, or an earlier one alone
+    /// measured a direction and nothing was repaired since. What
     /// `as_surveyed` leaves out is left out on purpose.
     pub(crate) fn of_model(project: &Project) -> Option<Self> {
         let is_left_out = match &project.structure {
@@ -37,11 +38,22 @@ impl TiltLeftOut {
         };
         let mut tilted = project.surveys.iter().filter(|survey| !survey.tilt.is_empty());
         if is_left_out {
-            let last = tilted.next_back()?;
-            return Self::of_directions(last, |_| true);
+            let undated = tilted.clone().filter(|survey| date(&survey.name).is_none());
+            let last = tilted.next_back();
+            let worst = undated.chain(last);
+            let worst = worst.max_by(|a, b| a.tilt_together().total_cmp(&b.tilt_together()))?;
+            return Self::of_directions(worst, |_| true);
         }
         let used = tilted.clone().find(|survey| Some(&survey.name) == leans_as)?;
         let when = date(&used.name)?;
+        // when one without a date was made is not known: a larger tilt of it may be that of today
+        let larger = tilted
+            .clone()
+            .filter(|survey| date(&survey.name).is_none() && survey.tilt_together() > used.tilt_together());
+        let worst = larger.max_by(|a, b| a.tilt_together().total_cmp(&b.tilt_together()));
+        if let Some(found) = worst.and_then(|survey| Self::of_directions(survey, |_| true)) {
+            return Some(found);
+        }
         let is_repaired = |day: [u32; 3]| {
             let mut works = project
                 .watch

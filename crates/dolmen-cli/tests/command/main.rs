@@ -39,6 +39,7 @@ mod layout;
 mod limits;
 mod logs;
 mod looked_safe;
+mod mistaken_inputs;
 mod modes_lost;
 mod motion_suites;
 mod names;

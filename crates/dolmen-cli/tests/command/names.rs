@@ -12,7 +12,7 @@ fn holds_a_mistyped_name_is_answered_with_the_one_meant() {
     for (words, meant) in [
         (
             "check examples/naju_flagpole --json --variant x",
-            "unexpected argument",
+            "check has no --variant",
         ),
         (
             "simulate examples/naju_flagpole --motion el-centro --variant wegded",

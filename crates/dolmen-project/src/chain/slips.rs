@@ -3,6 +3,7 @@
 use super::part::{ChainPart, JointPart, LinkPart};
 use super::soil::judge_soil;
 use super::stone::judge_stone;
+use crate::heaviness::Heaviness;
 use crate::measure::Measure;
 use crate::quantity::Quantity;
 use crate::reader::Reader;
@@ -52,11 +53,15 @@ pub(crate) fn judge_chain(reader: &mut Reader, chain: &ChainPart) {
         .iter()
         .map(|link| mass_kg(&link.heaviness, chain.gravity_m_s2))
         .collect();
+    let before = reader.faults.len();
     judge_link_masses(reader, chain, &masses);
     for (i, (link, mass_kg)) in chain.links.iter().zip(&masses).enumerate() {
         let joint = chain.joints.as_ref().and_then(|joints| joints.get(i));
         let bed_depth = joint.and_then(|joint| joint.bed_depth.as_ref());
         judge_link(reader, link, bed_depth, *mass_kg);
+    }
+    if judge_unit_of_weights(reader, chain, &masses, before) {
+        return;
     }
     judge_joints(reader, chain, &masses);
     if let Some(stone) = &chain.stone {
@@ -127,7 +132,38 @@ fn judge_link_masses(reader: &mut Reader, chain: &ChainPart, masses: &[f64]) {
     }
 }
 
-fn judge_link(reader: &mut Reader, link: &LinkPart, bed_depth: Option<&Quantity>, mass_kg: f64) {
+/// Whether all weights, or all masses, are a slip of the one unit that the file gives for them: said once, in place of what was found since
+/// `before`.
+fn judge_unit_of_weights(reader: &mut Reader, chain: &ChainPart, masses: &[f64], before: usize) -> bool {
+    let (key, measure) = match chain.links.first().map(|link| &link.heaviness) {
+        Some(Heaviness::Weight(_)) => ("units.force", Measure::Force),
+        Some(Heaviness::Mass(_)) => ("units.mass", Measure::Mass),
+        None => return false,
+    };
+    let unit = reader.bare_unit(measure).0.to_owned();
+    let given: Vec<&Quantity> = chain.links.iter().map(|link| link.heaviness.quantity()).collect();
+    let is_refused = |of: &Quantity| reader.faults[before..].iter().any(|fault| fault.path == of.path);
+    let are_all = given.len() > 1 && given.iter().all(|of| unit_of(of) == unit && is_refused(of));
+    // a key that is not written cannot be wrong
+    if !are_all || reader.place(key).is_empty() {
+        return false;
+    }
+    let height_m: f64 = chain.links.iter().map(|link| link.length.value).sum();
+    let mass_kg: f64 = masses.iter().sum();
+    let side_m = (mass_kg / (STONE_KG_M3 * height_m)).sqrt();
+    let ratio = if side_m > height_m { 1000.0 } else { 0.001 };
+    reader.faults.truncate(before);
+    let message = WrongChain::AllWeights {
+        key: key.to_owned(),
+        unit: unit.clone(),
+        side_m: rounded_length(side_m),
+        height_m: rounded_length(height_m),
+    };
+    reader.slip(key, message, guess(ratio, &unit));
+    true
+}
+
+fn judge_link(reader: &mut Reader, link: &LinkPart, mass_kg: f64) {
     let length_m = link.length.value;
     let side_m = (mass_kg / (STONE_KG_M3 * length_m)).sqrt();
     let share = link.centroid.value / length_m;

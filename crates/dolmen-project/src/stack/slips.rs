@@ -19,6 +19,8 @@ const SIZE_USUAL_M: f64 = 1.0;
 const DENSITY_KG_M3: (f64, f64) = (350.0, 15_000.0);
 /// Friction coefficient: a greased sliding bearing to interlocking rubble.
 const FRICTION: (f64, f64) = (0.03, 2.0);
+/// Angles of friction of stone on stone, with room: a coefficient within them is an angle in degrees.
+const FRICTION_ANGLES_DEG: std::ops::RangeInclusive<f64> = 10.0..=50.0;
 /// Stiffness of a joint per area, Pa/m: rubble in clay to ground beds of granite.
 const STIFFNESS_PA_M: (f64, f64) = (1e6, 1e13);
 /// What a stiffness per area usually is, Pa/m.
@@ -296,7 +298,12 @@ fn judge_bed(reader: &mut Reader, bed: &BedPart) {
                 path: friction.path.to_string(),
                 written: friction.written.to_string(),
             };
-            let help = if friction.value > FRICTION.1 {
+            let help = if FRICTION_ANGLES_DEG.contains(&friction.value) {
+                StackSlip::IsItAngle {
+                    degrees: short(friction.value),
+                    tangent: short((friction.value.to_radians().tan() * 1e3).round() / 1e3),
+                }
+            } else if friction.value > FRICTION.1 {
                 StackSlip::DidYouMean {
                     percent: short(friction.value),
                 }

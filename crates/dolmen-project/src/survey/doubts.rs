@@ -64,9 +64,40 @@ pub(crate) fn doubt_surveys(reader: &mut Reader, surveys: &[Survey]) {
     }
 }
 
+/// The days, or the month, that six digits at the beginning of a name may mean: 250402 is 2 April 2025, or 25 April 2002.
+fn of_six_digits(name: &str) -> Vec<String> {
+    let digits = name.bytes().take_while(u8::is_ascii_digit).count();
+    let pair = |at: usize| name.get(at..at + 2).and_then(|two| two.parse::<u32>().ok());
+    let (Some(first), Some(second), Some(third), 6) = (pair(0), pair(2), pair(4), digits) else {
+        return Vec::new();
+    };
+    let year = |two: u32| if two < 70 { 2000 + two } else { 1900 + two };
+    let day = |year: u32, month: u32, day: u32| {
+        let text = format!("{year:04}-{month:02}-{day:02}");
+        is_day(&text).then_some(text)
+    };
+    let century = 100 * first + second;
+    let month = (1900..=2100).contains(&century) && (1..=12).contains(&third);
+    let mut found = Vec::new();
+    found.extend(day(year(first), second, third));
+    found.extend(month.then(|| format!("{century}-{third:02}")));
+    found.extend(day(year(third), second, first));
+    found.dedup();
+    found
+}
+
 /// A name that looks like a date, and is none that can be read.
 fn date(reader: &mut Reader, name: &str) {
-    let parts: Vec<&str> = name.splitn(3, ['-', '.', '/']).map(str::trim).collect();
+    let path = format!("survey.{name}");
+    let bare = name.trim_start_matches(['\'', '’', '‘', '`', '´']);
+    let readings = of_six_digits(bare);
+    if !readings.is_empty() {
+        let message = WrongSurvey::SixDigits {
+            name: name.to_owned(),
+        };
+        return reader.slip(&path, message, WrongSurvey::WriteTheDay { readings });
+    }
+    let parts: Vec<&str> = bare.splitn(3, ['-', '.', '/']).map(str::trim).collect();
     let is_number = |text: &str, most: usize| {
         (1..=most).contains(&text.len()) && text.bytes().all(|byte| byte.is_ascii_digit())
     };
@@ -77,7 +108,11 @@ fn date(reader: &mut Reader, name: &str) {
         numbers.is_some_and(|(year, next)| (year + 1) % 100 == next)
     };
     let looks_like = match parts.as_slice() {
-        [one] => one.len() == 8 && is_number(one, 8),
+        [one, ..] if one.starts_with("YYYY") => true, // of a template
+        [one] => {
+            let year = one.split('년').next().unwrap_or_default();
+            one.len() == 8 && is_number(one, 8) || year.len() < one.len() && is_number(year, 2)
+        }
         [one, two] => {
             one.len() == 4 && is_number(one, 4) && two.len() == 2 && is_number(two, 2) && !is_season(one, two)
         }
@@ -93,7 +128,7 @@ fn date(reader: &mut Reader, name: &str) {
         let message = WrongSurvey::LooksLikeADate {
             name: name.to_owned(),
         };
-        reader.slip(&format!("survey.{name}"), message, WrongSurvey::WriteTheYearFirst);
+        reader.slip(&path, message, WrongSurvey::WriteTheYearFirst);
     }
 }
 

@@ -129,6 +129,12 @@ pub enum Merge {
 }
 
 impl Survey {
+    /// Its tilt by all directions together, horizontal / vertical; 0 where it states none.
+    pub fn tilt_together(&self) -> f64 {
+        let squares = self.tilt.values().map(|tilt| tilt.ratio * tilt.ratio);
+        squares.sum::<f64>().sqrt()
+    }
+
     /// Translation modes of one direction, for the identification of stiffness; torsion is left out.
     pub fn measured_modes(&self, direction: &str, pick: Pick<'_>) -> Vec<MeasuredMode> {
         let modes = self.modes.get(direction).into_iter().flatten();

@@ -53,9 +53,17 @@ impl LogPart {
     /// Whether the unit that a file states is known and another one than that of the project.
     pub fn contradicts(&self, stated: &str) -> bool {
         const OTHER_SCALES: [&str; 6] = ["f", "degf", "deg f", "°f", "k", "kelvin"];
+        const CELSIUS: [&str; 8] = ["°c", "℃", "degc", "deg c", "deg_c", "celsius", "c", "도c"];
+        const FAHRENHEIT: [&str; 4] = ["°f", "℉", "degf", "deg f"];
         let stated = stated.trim().to_lowercase();
         if self.kind == LogKind::Temperature {
-            return OTHER_SCALES.contains(&stated.as_str());
+            let is_degree = matches!(stated.as_str(), "deg" | "degree" | "degrees" | "°");
+            return OTHER_SCALES.contains(&stated.as_str())
+                || stated == "%"
+                || !is_degree && !CELSIUS.contains(&stated.as_str()) && parse_unit(&stated).is_ok();
+        }
+        if CELSIUS[..6].contains(&stated.as_str()) || FAHRENHEIT.contains(&stated.as_str()) {
+            return true;
         }
         let stated = match stated.as_str() {
             "degree" | "degrees" | "°" => "deg",
@@ -181,6 +189,11 @@ mod tests {
             (LogKind::Crack, "mm", "cm", true),
             (LogKind::Temperature, "°C", "Deg C", false),
             (LogKind::Temperature, "°C", "Deg F", true),
+            (LogKind::Temperature, "°C", "mm/m", true),
+            (LogKind::Temperature, "°C", "℃", false),
+            (LogKind::Temperature, "°C", "north", false),
+            (LogKind::Crack, "mm", "°C", true),
+            (LogKind::Crack, "mm", "N", false),
         ] {
             assert_eq!(log(kind, own).contradicts(stated), contradicts, "{own} {stated}");
         }

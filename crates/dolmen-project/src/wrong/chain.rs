@@ -114,6 +114,10 @@ messages! {
             en: "links are {least} to {most} m long",
             ko: "부재 길이는 {least}~{most} m이다",
         },
+        AllWeights { key: String, unit: String, side_m: String, height_m: String } => {
+            en: "{key} = \"{unit}\": with all their weights in {unit} the links would, as stone, be {side_m} m wide under a height of {height_m} m",
+            ko: "{key} = \"{unit}\": 모든 부재의 무게가 {unit} 단위이면 석재 부재의 폭이 {side_m} m가 되는데 전체 높이는 {height_m} m이다",
+        },
         AsStoneLinkWould { path: String, written: String, side_m: String, height_m: String } => {
             en: "{path} = {written}: as stone the link would be {side_m} m wide, and the whole is {height_m} m high",
             ko: "{path} = {written}: 석재라면 부재의 폭이 {side_m} m가 되는데 전체 높이는 {height_m} m이다",

@@ -65,6 +65,10 @@ messages! {
             en: "list each with its values: {path} = [ {{ … }}, {{ … }} ]",
             ko: "값을 목록으로 나열한다: {path} = [ {{ … }}, {{ … }} ]",
         },
+        DampingRatio { written: String } => {
+            en: "write damping = {{ ratio = {written} }}",
+            ko: "damping = {{ ratio = {written} }}와 같이 쓴다",
+        },
         PutItInBrackets { written: String } => {
             en: "put it in brackets: [{written}]",
             ko: "대괄호로 묶는다: [{written}]",

@@ -25,6 +25,10 @@ messages! {
             en: "{of} is a ratio, but \"{text}\" is an angle",
             ko: "{of}은(는) 비율인데 \"{text}\"은(는) 각도이다",
         },
+        GramsAreNone => {
+            en: "g is the acceleration of gravity here: 1 g/cm3 is \"1 t/m3\"",
+            ko: "g는 여기서 중력가속도이다. 1 g/cm3은 \"1 t/m3\"로 쓴다",
+        },
         TangentOfAngle => {
             en: "give the number itself: a coefficient of friction is the tangent of the angle of friction (0.601 for 31°)",
             ko: "비율을 그대로 준다. 마찰계수는 마찰각의 탄젠트이다(31°이면 0.601)",

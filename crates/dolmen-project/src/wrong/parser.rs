@@ -82,6 +82,7 @@ messages! {
         Characters => { en: "characters", ko: "문자" },
         Basic => { en: "basic string", ko: "\"문자열\"" },
         Literal => { en: "literal string", ko: "'문자열'" },
+        Hexadecimal => { en: "unicode hexadecimal value", ko: "유니코드 번호(십육진수)" },
         Multi => { en: "multi-line basic string", ko: "여러 줄 문자열" },
     }
 }

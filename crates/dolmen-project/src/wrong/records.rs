@@ -5,6 +5,22 @@ use dolmen_words::messages;
 messages! {
     /// What is wrong with the records of a survey.
     pub(crate) enum WrongRecords in "project.error.records" {
+        SensorsAtOrigin { path: String, away: String, height: String } => {
+            en: "{path}: all sensors stand within {away} of the origin of a structure {height} high",
+            ko: "{path}: 구조물의 높이는 {height}인데 모든 센서가 원점에서 {away} 안에 있다",
+        },
+        SensorsBeyond { path: String, away: String, height: String } => {
+            en: "{path}: sensors stand {away} apart or away, but the structure is {height} high",
+            ko: "{path}: 구조물의 높이는 {height}인데 센서 사이(또는 원점과)의 거리가 {away}이다",
+        },
+        PositionsAreIn { meant: String, unit: String } => {
+            en: "positions without a unit are in {unit}, as units.length: is it {meant}?",
+            ko: "단위 없는 위치는 units.length의 {unit} 단위이다. {meant}인가?",
+        },
+        PositionsFromFoot { unit: String } => {
+            en: "positions are measured from the foot of the structure, without a unit in {unit}",
+            ko: "위치는 구조물 바닥의 원점에서 재며 단위가 없으면 {unit} 단위이다",
+        },
         IsHzButVibration { path: String, rate_hz: String, least: String, most: String } => {
             en: "{path} is {rate_hz} Hz, but vibration is recorded at {least} to {most} Hz",
             ko: "{path}이(가) {rate_hz} Hz인데, 진동은 {least}~{most} Hz로 기록한다",

@@ -62,6 +62,10 @@ messages! {
             ko: "{path} = {written}인데, 석재 사이의 마찰계수는 0.4~0.8이다",
         },
         DidYouMean { percent: String } => { en: "did you mean \"{percent} %\"?", ko: "\"{percent} %\"인가?" },
+        IsItAngle { degrees: String, tangent: String } => {
+            en: "is it an angle of friction of {degrees}°? Its tangent is the coefficient: write {tangent}",
+            ko: "마찰각 {degrees}°인가? 마찰계수는 그 탄젠트이므로 {tangent}(으)로 쓴다",
+        },
         ItIsFrictionCoefficient => {
             en: "it is the friction coefficient, not an angle",
             ko: "각도가 아니라 마찰계수이다",

@@ -17,6 +17,18 @@ messages! {
             en: "survey \"{name}\": the name looks like a date, but no day is read from it, so that compare and watch would leave the survey out or put it in a wrong place",
             ko: "조사 \"{name}\": 이름이 날짜처럼 보이나 날짜로 읽을 수 없다. compare와 watch에서 빠지거나 순서가 틀어진다",
         },
+        NoSuchDirection { path: String, name: String, known: String } => {
+            en: "{path}: the structure has no direction \"{name}\"; it has {known}",
+            ko: "{path}: 구조물에 \"{name}\" 방향이 없다. 있는 방향: {known}",
+        },
+        SixDigits { name: String } => {
+            en: "survey \"{name}\": six digits look like a date, but no day is read from them, so that the survey would count for nothing beside those with a date",
+            ko: "조사 \"{name}\": 여섯 자리 숫자는 날짜처럼 보이나 날짜로 읽을 수 없다. 날짜가 있는 조사와 함께 있으면 판정에서 빠진다",
+        },
+        WriteTheDay { readings: Vec<String> } => {
+            en: "which of these is meant: {readings}? Write it so",
+            ko: "다음 중 어느 것인가: {readings}? 그대로 쓴다",
+        },
         WriteTheYearFirst => {
             en: "write year, month and day, 2024-06-05, with a month to 12, a day that the month has and a year from 1900 to 2100",
             ko: "2024-06-05처럼 연-월-일로 쓴다. 월은 12까지, 일은 그 달에 있는 날, 연도는 1900~2100이어야 한다",

@@ -44,6 +44,18 @@ messages! {
             en: "{file}, cell {place}: the row is empty",
             ko: "{file}, {place} 셀: 빈 행이다",
         },
+        RowIsTotal { file: String, place: String, name: String } => {
+            en: "{file}, cell {place}: \"{name}\" names a total, but every row is a part",
+            ko: "{file}, {place} 셀: \"{name}\"은(는) 합계로 보이나 표의 모든 행은 부재이다",
+        },
+        RowIsSum { file: String, place: String } => {
+            en: "{file}, cell {place}: the numbers of the last row are the sums of those above, but every row is a part",
+            ko: "{file}, {place} 셀: 마지막 행의 수가 위 행들의 합이다. 표의 모든 행은 부재이다",
+        },
+        DeleteTotal => {
+            en: "delete the row; if it is a part, give it a name of its own or write the parts into the project file",
+            ko: "그 행을 삭제한다. 부재이면 다른 이름을 쓰거나 부재를 프로젝트 파일에 직접 쓴다",
+        },
         DeleteRow => { en: "delete the row", ko: "행을 삭제한다" },
         ColumnHasNoUnit { name: String, unit: String } => {
             en: "the column \"{name}\" has no unit, but its head says \"{unit}\"",

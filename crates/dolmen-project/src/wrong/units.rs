@@ -35,6 +35,10 @@ messages! {
         ThereIsNoUnit => { en: "there is no unit", ko: "단위가 없다" },
         WhatStandsBelowIs => { en: "what stands below the / is not clear", ko: "/ 아래의 단위를 알 수 없다" },
         DidYouMean { nearest: String } => { en: "did you mean \"{nearest}\"?", ko: "\"{nearest}\"인가?" },
+        TonOrTf => {
+            en: "is it \"t\", a mass of 1000 kg, or \"tf\", its weight of 9.81 kN?",
+            ko: "질량 1000 kg이면 \"t\", 그 무게 9.81 kN이면 \"tf\"로 쓴다",
+        },
         WriteProductsBeforeOne => {
             en: "write products before one / at the end: \"kN*m/rad\"",
             ko: "곱을 먼저 쓰고 /는 끝에 한 번만 쓴다: \"kN*m/rad\"",

@@ -30,6 +30,10 @@ messages! {
             en: "\"{name}\" belongs to kind = \"{owner}\", but this file has kind = \"{kind}\"",
             ko: "\"{name}\"은(는) kind = \"{owner}\"의 키인데 이 파일은 kind = \"{kind}\"이다",
         },
+        DampingOfBuilding => {
+            en: "the damping of a building is damping = {{ ratio = 0.02 }}",
+            ko: "building의 감쇠비는 damping = {{ ratio = 0.02 }}와 같이 쓴다",
+        },
         TakeItOutOrWrite { owner: String } => {
             en: "take it out, or write kind = \"{owner}\"",
             ko: "삭제하거나 kind를 바꾼다: kind = \"{owner}\"",

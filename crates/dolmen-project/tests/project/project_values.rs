@@ -263,26 +263,12 @@ fn refuses_every_weight_1000_times_too_heavy() {
         (r#"6.78"#, r#"6780"#),
     ]);
     let said = r##"
-error: links[1].weight = 38950 kN: as stone the link would be 20.8 m wide, and the whole is 7.92 m high
-  --> project.toml:6:14
+error: units.force = "kN": with all their weights in kN the links would, as stone, be 17.7 m wide under a height of 7.92 m
+  --> project.toml:4:19
    |
- 6 |   { weight = 38950, length = 3.68, centroid = 1.64 },
-   |              ^^^^^ probably a slip
-   = help: did you mean N? If it is right, write allow = ["links[1].weight"]
-
-error: links[2].weight = 15130 kN: as stone the link would be 15.4 m wide, and the whole is 7.92 m high
-  --> project.toml:7:14
-   |
- 7 |   { weight = 15130, length = 2.61, centroid = 1.18 },
-   |              ^^^^^ probably a slip
-   = help: did you mean N? If it is right, write allow = ["links[2].weight"]
-
-error: links[3].weight = 6780 kN: as stone the link would be 13 m wide, and the whole is 7.92 m high
-  --> project.toml:8:14
-   |
- 8 |   { weight = 6780, length = 1.63, centroid = 0.78 },
-   |              ^^^^ probably a slip
-   = help: did you mean N? If it is right, write allow = ["links[3].weight"]
+ 4 | units = { force = "kN" }
+   |                   ^^^^ probably a slip
+   = help: did you mean N? If it is right, write allow = ["units.force"]
 "##;
     assert_eq!(refused(&text), said.trim_start_matches('\n'));
 }

@@ -4,11 +4,11 @@
 //! a double holds) has its cell cut out and read by the standard library, which also gives the errors.
 
 use super::column_units::{NamedColumn, refuse_other_units};
-use super::csv_start::{Start, TimeName, time_name};
+use super::csv_start::{Start, TimeName, WordOfTime, time_name, unit_of_named_time};
 use super::dates::{Dates, held_against};
 use super::dialect::{holds_cells, line_at, unquoted};
 use super::lost_samples::{Kept, Spans};
-use super::time_unit::{Time, unit_s};
+use super::time_unit::{Time, UnitSaid, unit_s};
 use super::{
     Column, CsvLayout, Delimiter, Layout, RateSource, Reading, RecordError, RecordOptions, TimeColumn,
 };
@@ -152,23 +152,27 @@ pub fn read_csv(bytes: &[u8], options: &RecordOptions) -> Result<Reading, Record
 fn find_time(columns: &[String], option: &TimeColumn) -> Result<Option<Time>, RecordError> {
     match option {
         TimeColumn::Absent => Ok(None),
-        TimeColumn::At(column) => Ok(Some(Time {
-            column: find_column(columns, column)?,
-            unit_s: 1.0,
-            unit_named: true, // seconds by definition
-        })),
+        TimeColumn::At(column) => {
+            let column = find_column(columns, column)?;
+            let (unit_s, said) = match unit_of_named_time(&columns[column]) {
+                WordOfTime::Unit { seconds } => (seconds, UnitSaid::Clearly),
+                WordOfTime::Unclear => (1.0, UnitSaid::Unclearly),
+                WordOfTime::None => (1.0, UnitSaid::Clearly), // seconds by definition
+            };
+            Ok(Some(Time { column, unit_s, said }))
+        }
         TimeColumn::Detect => {
             for (column, name) in columns.iter().enumerate() {
                 match time_name(name.as_bytes()) {
                     TimeName::No => {}
                     TimeName::Seconds { unit_s, named } => {
-                        return Ok(Some(Time {
-                            column,
-                            unit_s,
-                            unit_named: named,
-                        }));
+                        let said = if named { UnitSaid::Clearly } else { UnitSaid::Not };
+                        return Ok(Some(Time { column, unit_s, said }));
                     }
-                    TimeName::Unclear => return Err(RecordError::TimeUnit { column: name.clone() }),
+                    TimeName::Unclear => {
+                        let (unit_s, said) = (1.0, UnitSaid::Unclearly);
+                        return Ok(Some(Time { column, unit_s, said }));
+                    }
                 }
             }
             Ok(None)

@@ -232,17 +232,52 @@ pub(super) enum TimeName {
     Unclear,
 }
 
+/// What a word says of a unit of time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum WordOfTime {
+    /// Nothing.
+    None,
+    /// A unit.
+    Unit {
+        /// Seconds in one.
+        seconds: f64,
+    },
+    /// One that counts no time from a beginning, or that may be two things: 시 is an hour, and o'clock.
+    Unclear,
+}
+
+/// A unit of time, in small letters.
+pub(super) fn unit_of_time(word: &str) -> WordOfTime {
+    let seconds = match word {
+        "s" | "sec" | "secs" | "second" | "seconds" | "초" => 1.0,
+        "ms" | "msec" | "msecs" | "millisecond" | "milliseconds" | "밀리초" => 1e-3,
+        "us" | "µs" | "μs" | "usec" | "microsecond" | "microseconds" | "마이크로초" => 1e-6,
+        "min" | "mins" | "minute" | "minutes" | "분" => 60.0,
+        "h" | "hr" | "hrs" | "hour" | "hours" => 3600.0,
+        "시" | "일" | "day" | "days" | "hh" | "ss" | "hms" => return WordOfTime::Unclear,
+        _ => return WordOfTime::None,
+    };
+    WordOfTime::Unit { seconds }
+}
+
+/// What the name of a column that is the time column says of its unit: its last word, "경과 시간 [분]", "t_ms".
+pub(super) fn unit_of_named_time(name: &str) -> WordOfTime {
+    let lower = name.to_lowercase();
+    let mut words = lower
+        .split(|c: char| !c.is_alphanumeric() && c != 'µ' && c != 'μ')
+        .filter(|w| !w.is_empty());
+    words.next_back().map_or(WordOfTime::None, unit_of_time)
+}
+
 /// Reads names like "t", "Time (s)", "time_ms", "Zeit [s]", "seconds".
 pub(super) fn time_name(name: &[u8]) -> TimeName {
     let lower = String::from_utf8_lossy(name).to_lowercase();
     let mut words = lower
         .split(|c: char| !c.is_alphanumeric() && c != 'µ' && c != 'μ')
         .filter(|w| !w.is_empty());
-    let unit = |word: &str| match word {
-        "s" | "sec" | "secs" | "second" | "seconds" | "초" => Some(1.0),
-        "ms" | "msec" | "millisecond" | "milliseconds" => Some(1e-3),
-        "us" | "µs" | "μs" | "usec" | "microsecond" | "microseconds" => Some(1e-6),
-        _ => None,
+    let unit = |word: &str| match unit_of_time(word) {
+        WordOfTime::Unit { seconds } => Some(seconds),
+        WordOfTime::Unclear | WordOfTime::None => None,
     };
     let is_time = |word: &str| {
         matches!(

@@ -117,6 +117,9 @@ fn of_columns(csv: &CsvLayout, unit_unknown: bool, remarks: &mut Vec<Both>) {
         let stamps = match unit_s {
             1e-3 => Remark::Milliseconds { column },
             1e-6 => Remark::Microseconds { column },
+            60.0 => Remark::Minutes { column },
+            3600.0 => Remark::Hours { column },
+            1.0 => Remark::Seconds { column },
             _ => Remark::Days { column },
         };
         remarks.push(stamps.into());

@@ -17,6 +17,8 @@ const SLOW_FROM_S: f64 = 1.0;
 /// Share by which the first steps may differ from those of the rate given and be in that unit: a gap, or a coarse last digit.
 const NEAR: f64 = 0.05;
 const SMALLER_S: [f64; 2] = [1e-3, 1e-6];
+/// Units that a rate which is given can tell apart: s, ms, µs, min, h, days.
+const UNITS_S: [f64; 6] = [1.0, 1e-3, 1e-6, 60.0, 3600.0, DAY_S];
 
 /// The time column, from 0, and its unit.
 #[derive(Clone, Copy, Debug)]
@@ -24,13 +26,25 @@ pub(super) struct Time {
     pub(super) column: usize,
     pub(super) unit_s: f64,
     /// Whether the name of the column says the unit.
-    pub(super) unit_named: bool,
+    pub(super) said: UnitSaid,
+}
+
+/// Whether the name of a time column says its unit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum UnitSaid {
+    /// It does, or the column was named and counts seconds.
+    Clearly,
+    /// It says nothing: seconds, if its steps can be those of a vibration.
+    Not,
+    /// It says something that is no unit, or may be two: 시.
+    Unclearly,
 }
 
 /// Seconds in one unit of the column, by its first steps and by the rate given.
 ///
 /// # Errors
-/// [`RecordError::SlowStamps`] where the stamps, read as seconds, lie a second or more apart and nothing says what they are.
+/// [`RecordError::SlowStamps`] where the stamps, read as seconds, lie a second or more apart and nothing says what they are;
+/// [`RecordError::TimeUnit`] where the name says no unit that is known and the rate, if given, fits none.
 pub(super) fn unit_s(
     bytes: &[u8],
     start: &Start,
@@ -50,8 +64,14 @@ pub(super) fn unit_s(
         .map(stamp)
         .collect();
     // what is no number is refused where it is read
+    let unclear = || RecordError::TimeUnit {
+        column: column.to_owned(),
+    };
     let Some(first) = first.filter(|all| all.len() >= LINES_LEAST) else {
-        return Ok(time.unit_s);
+        return match time.said {
+            UnitSaid::Unclearly => Err(unclear()),
+            UnitSaid::Clearly | UnitSaid::Not => Ok(time.unit_s),
+        };
     };
     let (begin, end) = (first[0], first[first.len() - 1]);
     let steps = (first.len() - 1) as f64;
@@ -59,7 +79,11 @@ pub(super) fn unit_s(
     if SERIAL_DAYS.contains(&begin) && step_s > 0.0 && step_s < DAYS_BELOW_S {
         return Ok(DAY_S);
     }
-    if time.unit_named || step_s < SLOW_FROM_S || !step_s.is_finite() {
+    if time.said == UnitSaid::Unclearly {
+        let fits = |unit_s: &f64| given_hz.is_some_and(|rate| (rate * unit_s * step_s - 1.0).abs() < NEAR);
+        return UNITS_S.into_iter().find(fits).ok_or_else(unclear);
+    }
+    if time.said == UnitSaid::Clearly || step_s < SLOW_FROM_S || !step_s.is_finite() {
         return Ok(time.unit_s);
     }
     let fits = |unit_s: &f64| given_hz.is_some_and(|rate| (rate * unit_s * step_s - 1.0).abs() < NEAR);

@@ -26,6 +26,10 @@ sentences! {
             en: "there is no {shown}",
             ko: "{shown}이(가) 없다",
         },
+        Backslash { shown, slashes } => {
+            en: "there is no {shown}: write folders with /, \"{slashes}\"",
+            ko: "{shown}이(가) 없다. 폴더는 /로 나눈다: \"{slashes}\"",
+        },
         Misspelt { shown, near } => {
             en: "there is no {shown}: did you mean \"{near}\", which lies beside it?",
             ko: "{shown}이(가) 없다. 같은 폴더에 있는 \"{near}\"인가?",

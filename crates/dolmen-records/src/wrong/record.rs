@@ -90,8 +90,8 @@ sentences! {
             ko: "sampling_rate는 {given}인데, \"{column}\" 열은 {first}에서 {last}까지 {samples}개 자료이므로 {dates_hz} Hz이다. 주파수를 고치거나, 자료가 빠진 곳에서 파일을 자른다",
         },
         TimeUnit { column } as { column: shown(column) } => {
-            en: "column \"{column}\" looks like time stamps in a unit that is not s, ms or us: name it as the time column if it is in seconds, or say that there is none and give sampling_rate",
-            ko: "\"{column}\" 열은 s, ms, us가 아닌 단위의 시각으로 보인다. 초 단위이면 시간 열로 지정하고, 시간 열이 아니면 없다고 하고 sampling_rate를 입력한다",
+            en: "column \"{column}\" looks like time stamps in a unit that cannot be told: end its name with the unit, (s), (ms), (us), (min) or (h), or give sampling_rate, which then tells the unit",
+            ko: "\"{column}\" 열은 시각으로 보이나 단위를 알 수 없다. 열 이름 끝에 단위 (초), (ms), (us), (분), (h)를 쓰거나 sampling_rate를 입력한다. 그러면 단위를 그 주파수로 정한다",
         },
         SlowStamps { column, step, milliseconds_hz } as { column: shown(column), step, milliseconds_hz: format!("{milliseconds_hz:.4}") } => {
             en: "the time stamps of column \"{column}\" lie {step} apart: as seconds that is no rate of a vibration; if they are milliseconds, give sampling_rate = \"{milliseconds_hz} Hz\" or name the column \"time [ms]\"; if they are seconds, \"time [s]\"",
@@ -110,8 +110,8 @@ sentences! {
             ko: "{line}행의 시각은 앞 시각보다 {step_s} s 뒤이고, 앞 시각은 그 앞보다 {step_before_s} s 뒤이다. {resolution_s} s 단위로 출력되어 반올림인지 자료가 빠졌는지 알 수 없다. 빠진 자료가 없으면 sampling_rate를 입력하고, 아니면 더 많은 자릿수로 출력한다",
         },
         RateDisagrees { given, stamps_hz } as { given, stamps_hz: format!("{stamps_hz:.6}") } => {
-            en: "sampling_rate is {given}, but the time stamps say {stamps_hz}: correct it, or leave it out to take that of the stamps",
-            ko: "sampling_rate는 {given}인데 시각으로는 {stamps_hz}이다. 고치거나, 삭제하면 시각의 주파수를 쓴다",
+            en: "sampling_rate is {given}, but the time stamps say {stamps_hz}: correct it, or leave it out to take that of the stamps; if the stamps count another unit than the head of their column says, correct the head",
+            ko: "sampling_rate는 {given}인데 시각으로는 {stamps_hz}이다. 고치거나, 삭제하면 시각의 주파수를 쓴다. 시각의 단위가 열 이름과 다르면 열 이름을 고친다",
         },
         NotNpy => {
             en: "this is no NPY file: it does not begin with \\x93NUMPY",

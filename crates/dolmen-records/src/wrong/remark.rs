@@ -50,6 +50,18 @@ messages! {
             en: "the time stamps of column \"{column}\" are read as microseconds: their steps say so",
             ko: "\"{column}\" 열의 시각은 간격으로 보아 마이크로초로 읽었다",
         },
+        Seconds { column: String } => {
+            en: "the time stamps of column \"{column}\" are read as seconds: sampling_rate says so",
+            ko: "\"{column}\" 열의 시각은 sampling_rate에 따라 초로 읽었다",
+        },
+        Minutes { column: String } => {
+            en: "the time stamps of column \"{column}\" are read as minutes: sampling_rate says so",
+            ko: "\"{column}\" 열의 시각은 sampling_rate에 따라 분으로 읽었다",
+        },
+        Hours { column: String } => {
+            en: "the time stamps of column \"{column}\" are read as hours: sampling_rate says so",
+            ko: "\"{column}\" 열의 시각은 sampling_rate에 따라 시간(h)으로 읽었다",
+        },
         Days { column: String } => {
             en: "the time stamps of column \"{column}\" are read as days, as tables keep dates: their steps say so",
             ko: "\"{column}\" 열의 시각은 간격으로 보아 표가 날짜를 적는 일수로 읽었다",

@@ -2,7 +2,9 @@
 
 use super::csv_records::{at_100_hz, layout, read, refusal, refusal_with};
 use super::korean_logs::said_of;
-use dolmen_records::records::{LostSamples, RateSource, RecordOptions, read_csv};
+use dolmen_records::records::{
+    Column, LostSamples, RateSource, Reading, RecordOptions, TimeColumn, read_csv,
+};
 
 /// `steps` stamps at that rate, printed with that many decimals.
 fn stamped(rate_hz: f64, steps: usize, decimals: usize) -> String {
@@ -191,7 +193,8 @@ fn refuses_a_rate_that_the_stamps_contradict() {
     };
     assert_eq!(
         refusal_with(&stamped(100.0, 500, 4), &options),
-        "sampling_rate is 200, but the time stamps say 100.000000: correct it, or leave it out to take that of the stamps"
+        "sampling_rate is 200, but the time stamps say 100.000000: correct it, or leave it out to take that of the stamps; \
+         if the stamps count another unit than the head of their column says, correct the head"
     );
     assert_eq!(
         refusal("a,b\n1,2\n4,3\n"),
@@ -199,8 +202,8 @@ fn refuses_a_rate_that_the_stamps_contradict() {
          name the time column"
     );
     assert!(
-        refusal("time (min),b\n1,2\n4,3\n")
-            .starts_with("column \"time (min)\" looks like time stamps in a unit")
+        refusal("시간 (시),b\n1,2\n4,3\n")
+            .starts_with("column \"시간 (시)\" looks like time stamps in a unit")
     );
 }
 
@@ -250,6 +253,59 @@ fn exact_rates_of_stamps_in_days_and_in_milliseconds() {
             .sampling_rate_hz(),
         100.0
     );
+}
+
+#[test]
+fn exact_stamps_in_minutes_and_hours_are_read_by_the_unit_of_their_head() {
+    let stamps = |name: &str, unit_s: f64| {
+        (0..2000).fold(format!("{name},x\n"), |text, i| {
+            text + &format!("{:.9},{}\n", f64::from(i) * 0.01 / unit_s, (i * i) % 7)
+        })
+    };
+    let near =
+        |reading: &Reading, rate_hz: f64| (reading.record.sampling_rate_hz() / rate_hz - 1.0).abs() < 1e-4;
+    for (name, unit_s) in [
+        ("시간(분)", 60.0),
+        ("Time (min)", 60.0),
+        ("time [h]", 3600.0),
+        ("시간(밀리초)", 1e-3),
+    ] {
+        assert!(near(&read(&stamps(name, unit_s)), 100.0), "{name}");
+        // the same where the user names the column
+        let named = RecordOptions {
+            time: TimeColumn::At(Column::Number(1)),
+            ..Default::default()
+        };
+        let reading = read_csv(stamps(name, unit_s).as_bytes(), &named).unwrap();
+        assert!(near(&reading, 100.0), "{name}");
+    }
+    // a head that may be two things, named or not: the rate tells the unit, and without one it is refused
+    for time in [TimeColumn::Detect, TimeColumn::At(Column::Number(1))] {
+        let text = stamps("시간(시)", 60.0);
+        let options = RecordOptions {
+            time,
+            ..Default::default()
+        };
+        let fault = read_csv(text.as_bytes(), &options).unwrap_err().to_string();
+        assert!(
+            fault.contains("give sampling_rate, which then tells the unit"),
+            "{fault}"
+        );
+        let rated = RecordOptions {
+            sampling_rate_hz: Some(100.0),
+            ..options
+        };
+        assert!(near(&read_csv(text.as_bytes(), &rated).unwrap(), 100.0));
+    }
+    // a rate that the unit of the head contradicts
+    let rated = RecordOptions {
+        sampling_rate_hz: Some(100.0),
+        ..Default::default()
+    };
+    let fault = read_csv(stamps("Time (min)", 1.0).as_bytes(), &rated)
+        .unwrap_err()
+        .to_string();
+    assert!(fault.contains("correct the head"), "{fault}");
 }
 
 #[test]

@@ -31,6 +31,10 @@ messages! {
             en: "The measured tilt of {tilt} in direction {direction} (survey {survey}) is not in this model: margins and limits are those without it. At {limit} a bed stands on its edge. The latest survey whose name begins with a date leans the model; as_surveyed names another.",
             ko: "{direction} 방향 실측 기울기 {tilt}({survey} 조사)는 이 모델에 반영되지 않았다. 여유도와 한계는 기울기가 없는 상태의 값이다. 접합면이 모서리로만 지지되는 한계는 {limit}이다. 이름이 날짜로 시작하는 최근 조사의 기울기가 반영되며, 다른 조사는 as_surveyed로 지정한다.",
         },
+        TiltNotTaken { tilt: Sentence, direction: String, survey: String, limit: Sentence } => {
+            en: "The measured tilt of {tilt} in direction {direction} (survey {survey}) is not in this model: margins and limits are those without it. At {limit} a bed stands on its edge.",
+            ko: "{direction} 방향 실측 기울기 {tilt}({survey} 조사)는 이 모델에 반영되지 않았다. 여유도와 한계는 기울기가 없는 상태의 값이다. 접합면이 모서리로만 지지되는 한계는 {limit}이다.",
+        },
         TiltOverturns { tilt: Sentence, direction: String, survey: String, limit: Sentence } => {
             en: "The measured tilt of {tilt} in direction {direction} (survey {survey}) is beyond {limit}, at which a bed stands on its edge: it overturns, whatever the load factor.",
             ko: "{direction} 방향 실측 기울기 {tilt}({survey} 조사)는 접합면이 모서리로만 지지되는 한계 {limit}을(를) 넘는다. 하중배율과 관계없이 전도된다.",
@@ -62,6 +66,10 @@ messages! {
         WithinItsLimit { survey: String, tilt: Sentence, limit: Sentence } => {
             en: "The tilt that survey {survey} measured, {tilt} by all directions together, is within the limit of {limit} that the file sets (tilt_limit).",
             ko: "{survey} 조사의 실측 기울기는 모든 방향을 합하여 {tilt}(으)로, 파일에서 정한 한계(tilt_limit) {limit} 이내이다.",
+        },
+        Undated { surveys: Vec<String> } => {
+            en: "Surveys whose names say no date: {surveys}. Which survey is the last is told by the dates, so beside one with a date these lean no model, their frequencies and damage give way, and compare and watch leave them out; only their tilt is held against tilt_limit. Begin the name with the date, 2025-04-02.",
+            ko: "이름에 날짜가 없는 조사: {surveys}. 최근 조사는 날짜로 정하므로, 날짜가 있는 조사가 있으면 이 조사의 기울기는 모델에 반영되지 않고 고유진동수와 손상은 뒤로 밀리며 compare와 watch에서 빠진다. 기울기를 tilt_limit와 비교하는 데만 쓴다. 이름을 2025-04-02처럼 날짜로 시작한다.",
         },
         SevereDamage { survey: String, found: Vec<Sentence> } => {
             en: "Survey {survey} found severe damage, which is not in the model: {found}.",
@@ -103,7 +111,7 @@ pub(super) fn measured(state: &State) -> Vec<Finding> {
     contradictions.chain(tilts).collect()
 }
 
-/// A measured tilt against the limit that the file sets, by the last survey that states any.
+/// A measured tilt against the limit that the file sets.
 pub(super) fn against_its_limit(project: &Project) -> Option<Finding> {
     let found = tilt_against_limit(project)?;
     let (tilt, limit) = (one_in(found.tilt), one_in(found.limit));
@@ -113,6 +121,28 @@ pub(super) fn against_its_limit(project: &Project) -> Option<Finding> {
         (false, true) => Finding::key(Tone::Warn, Measured::NearItsLimit { tilt, limit, survey }),
         (false, false) => Finding::new(Tone::Good, Measured::WithinItsLimit { tilt, limit, survey }),
     })
+}
+
+/// Surveys without a date beside some that have one, if they hold anything that the last survey decides.
+pub(super) fn undated(project: &Project) -> Option<Finding> {
+    let (dated, undated): (Vec<&Survey>, Vec<&Survey>) = project
+        .surveys
+        .iter()
+        .partition(|survey| date_of(&survey.name).is_some());
+    let counts = |survey: &&&Survey| {
+        let has_records = survey.records.is_some() || !survey.setups.is_empty();
+        // frequencies that were assumed are no measurement
+        let mut modes = survey.modes.values().flatten();
+        let has_modes = modes.any(|mode| !mode.frequency.is_assumed());
+        has_records || has_modes || !survey.tilt.is_empty() || !survey.inspections.is_empty()
+    };
+    let surveys: Vec<String> = undated
+        .iter()
+        .filter(counts)
+        .map(|survey| survey.name.clone())
+        .collect();
+    let is_beside = !dated.is_empty() && !surveys.is_empty();
+    is_beside.then(|| Finding::key(Tone::Warn, Measured::Undated { surveys }))
 }
 
 /// Severe damage: of each part what the last survey says that lists it.
@@ -222,6 +252,16 @@ fn tilt(of: &TiltCheck, check: &Check) -> Finding {
         Verdict::Unstable => Finding::key(
             Tone::Bad,
             Measured::TiltOverturns {
+                tilt,
+                direction,
+                survey,
+                limit,
+            },
+        ),
+        // a date alone does not bring it into a model that takes no lean, as one on several stones
+        _ if matches!(check, Check::Stack(_)) && date_of(&survey).is_some() => Finding::key(
+            Tone::Warn,
+            Measured::TiltNotTaken {
                 tilt,
                 direction,
                 survey,

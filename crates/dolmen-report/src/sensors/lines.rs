@@ -47,10 +47,7 @@ pub(crate) fn channel_lines(answer: &SensorsAnswer) -> String {
         let here = here.filter(|(_, sensor)| sensor.setup.is_none_or(|of| of == setup));
         let mut column = 0;
         for (number, sensor) in here {
-            let [x, y, z] = sensor
-                .site
-                .position_m
-                .map(|length| format!("{:.3}", length + 0.0));
+            let [x, y, z] = sensor.site.position_m.map(metres);
             for axis in &sensor.site.axes {
                 column += 1;
                 let key = way(axis, &named);
@@ -64,6 +61,14 @@ pub(crate) fn channel_lines(answer: &SensorsAnswer) -> String {
         text += "]\n";
     }
     text
+}
+
+/// A length that is the same whatever unit of length a project has.
+fn metres(length: f64) -> String {
+    match length.abs() < 5e-4 {
+        true => "0".to_owned(),
+        false => format!("\"{length:.3} m\""),
+    }
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! A measured tilt against the limit that the file sets.
 
 use crate::survey_dates::date;
-use dolmen_project::{Project, Survey};
+use dolmen_project::Project;
 
 /// Limit over tilt below which a tilt is near its limit. Chosen here, as for a demand.
 const NEAR_BELOW: f64 = 1.25;
@@ -31,23 +31,26 @@ impl TiltAgainstLimit {
     }
 }
 
-/// The tilt of the last survey that states any, if it is beyond `tilt_limit`.
+/// The tilt held against `tilt_limit`, if it is beyond it.
 pub fn tilt_beyond_limit(project: &Project) -> Option<TiltAgainstLimit> {
     tilt_against_limit(project).filter(TiltAgainstLimit::is_beyond)
 }
 
-/// The tilt of the last survey that states any against `tilt_limit`; `None` without either.
+/// The tilt of the last dated survey that states any, or of one without a date where that is larger, against `tilt_limit`; `None` without either.
+///
+/// When a survey without a date was made is not known: it may be the last.
 pub fn tilt_against_limit(project: &Project) -> Option<TiltAgainstLimit> {
     let limit = project.watch.tilt_limit?;
-    let tilted = |survey: &&Survey| !survey.tilt.is_empty();
-    let dated = project.surveys.iter().filter(tilted);
-    let last = dated.max_by_key(|survey| date(&survey.name).unwrap_or_default())?;
-    let squares = last.tilt.values().map(|tilt| tilt.ratio * tilt.ratio);
-    let tilt = squares.sum::<f64>().sqrt();
+    let tilted = || project.surveys.iter().filter(|survey| !survey.tilt.is_empty());
+    let dated = tilted().filter_map(|survey| Some((date(&survey.name)?, survey)));
+    let last = dated.max_by_key(|(day, _)| *day).map(|(_, survey)| survey);
+    let undated = tilted().filter(|survey| date(&survey.name).is_none());
+    let all = undated.chain(last);
+    let worst = all.max_by(|a, b| a.tilt_together().total_cmp(&b.tilt_together()))?;
     Some(TiltAgainstLimit {
-        survey: last.name.clone(),
-        directions: last.tilt.keys().cloned().collect(),
-        tilt,
+        survey: worst.name.clone(),
+        directions: worst.tilt.keys().cloned().collect(),
+        tilt: worst.tilt_together(),
         limit,
     })
 }

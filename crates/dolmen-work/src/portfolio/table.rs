@@ -26,6 +26,34 @@ pub(crate) const COLUMNS: [&str; 11] = [
 /// the score, trained where both agree, gives reasons that are none. Chosen here.
 const SLENDERNESS_APART_MOST: f64 = 1.1;
 
+/// Height of the body of a pagoda, m: none of stone is higher. Above it mm were meant.
+const BODY_MOST_M: f64 = 100.0;
+
+/// The column that a head in Korean stands for; another head as it is.
+fn column_of(head: &str) -> &str {
+    let (name, unit) = head.split_once(['(', '[']).unwrap_or((head, ""));
+    // a head in another unit is no column
+    if !matches!(
+        unit.trim_end_matches([')', ']']).trim(),
+        "" | "m" | "도" | "°" | "deg" | "g"
+    ) {
+        return head;
+    }
+    let plain: String = name.chars().filter(|sign| !sign.is_whitespace()).collect();
+    match plain.as_str() {
+        "이름" | "명칭" | "석탑" | "구조물" => "name",
+        "층수" => "storeys",
+        "몸체높이" | "탑신높이" | "탑신부높이" => "body_height_m",
+        "세장각" | "세장비각" => "slenderness_angle",
+        "몸돌세장비" => "body_slenderness",
+        "체감각" => "taper_deg",
+        "프로젝트" => "project",
+        "지역계수" => "zone_factor_g",
+        "지반" | "지반종류" | "지반분류" => "soil",
+        _ => head,
+    }
+}
+
 /// Why a table of structures is refused.
 #[derive(Clone, Debug, PartialEq)]
 pub enum PortfolioError {
@@ -139,11 +167,16 @@ pub struct PortfolioTable {
 pub fn read_portfolio(bytes: &[u8]) -> Result<PortfolioTable, PortfolioError> {
     let table = |why: csv::Error| PortfolioError::Table { why: why.to_string() };
     let bytes = utf8(bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes));
+    // Excel of some countries separates by semicolons, and writes decimals with a comma
+    let mut lines = bytes.split(|byte| *byte == b'\n');
+    let first = lines.find(|line| !line.starts_with(b"#")).unwrap_or_default();
+    let is_by_semicolons = first.contains(&b';') && !first.contains(&b',');
     let mut reader = csv::ReaderBuilder::new()
         .comment(Some(b'#'))
+        .delimiter(if is_by_semicolons { b';' } else { b',' })
         .trim(csv::Trim::All)
         .from_reader(&*bytes);
-    let head = reader.headers().map_err(table)?.clone();
+    let head: csv::StringRecord = reader.headers().map_err(table)?.iter().map(column_of).collect();
     if let Some(column) = head.iter().find(|column| !COLUMNS.contains(column)) {
         return Err(PortfolioError::Column {
             column: column.to_owned(),
@@ -160,6 +193,7 @@ pub fn read_portfolio(bytes: &[u8]) -> Result<PortfolioTable, PortfolioError> {
         let cells = Cells {
             line,
             name: cell(&head, &row, "name").unwrap_or_default().to_owned(),
+            has_decimal_commas: is_by_semicolons,
             of: &|column| cell(&head, &row, column),
         };
         match cells.row() {
@@ -192,6 +226,8 @@ fn cell<'r>(head: &csv::StringRecord, row: &'r csv::StringRecord, column: &str) 
 struct Cells<'r> {
     line: usize,
     name: String,
+    /// Whether numbers may be written "0,11".
+    has_decimal_commas: bool,
     of: &'r dyn Fn(&str) -> Option<&'r str>,
 }
 
@@ -237,7 +273,11 @@ impl Cells<'_> {
         let Some(text) = (self.of)(column) else {
             return Ok(None);
         };
-        let value = text
+        let pointed = match self.has_decimal_commas {
+            true => text.replace(',', "."),
+            false => text.to_owned(),
+        };
+        let value = pointed
             .parse::<f64>()
             .ok()
             .filter(|value| *value >= 0.0 && value.is_finite());
@@ -258,6 +298,9 @@ impl Cells<'_> {
         let taper_deg = given("taper_deg")?;
         if taper_deg >= 40.0 {
             return Err(self.refused("taper_deg", RowNeeds::Taper));
+        }
+        if given("body_height_m")? > BODY_MOST_M {
+            return Err(self.refused("body_height_m", RowNeeds::BodyHeight));
         }
         let (body_height_m, taper_rad) = (given("body_height_m")?, taper_deg.to_radians());
         let body_base_height_ratio = given("body_base_height_ratio")?;

@@ -11,8 +11,8 @@ use dolmen_words::sentences;
 sentences! {
     MotionRequestError in "motion.request.error" {
         NoSuchMotion { name, known } as { name, known: known_beside(name, known) } => {
-            en: "there is no motion \"{name}\": known are {known}; other motions come from files with --motion-file, or stand in the project file as [motion.{name}]",
-            ko: "지반운동 \"{name}\"이(가) 없다. 있는 것: {known}. 다른 지반운동은 --motion-file로 파일을 주거나 프로젝트 파일에 [motion.{name}]으로 쓴다",
+            en: "there is no motion \"{name}\": known are {known}; other motions come from files with --motion-file, or stand in the project file as [motion.\"{name}\"]",
+            ko: "지반운동 \"{name}\"이(가) 없다. 있는 것: {known}. 다른 지반운동은 --motion-file로 파일을 주거나 프로젝트 파일에 [motion.\"{name}\"] 표를 쓴다",
         },
         NoBuiltInMotion { name, known } as { name, known: known_beside(name, known) } => {
             en: "there is no built-in motion \"{name}\": known are {known}",

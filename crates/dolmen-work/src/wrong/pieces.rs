@@ -116,6 +116,7 @@ messages! {
     pub(crate) enum RowNeeds in "portfolio.needs" {
         Number => { en: "a number, 0 or more, in the unit of the column", ko: "열의 단위로 0 이상인 수" },
         WholeNumber => { en: "a whole number", ko: "정수" },
+        BodyHeight => { en: "at most 100, in m: is it in mm?", ko: "m 단위로 100 이하(mm 값이 아닌가?)" },
         Taper => { en: "below 40, in degrees", ko: "40보다 작은 각도(도)" },
         Soil => { en: "S1 to S5 of KDS 17 10 00", ko: "KDS 17 10 00의 S1~S5" },
     }

@@ -50,8 +50,8 @@ sentences! {
             ko: "보고서 하나의 사진이 모두 합쳐 {most} MiB를 넘는다. 더 작게 저장하거나(너비 3000픽셀이면 한 면에 충분하다) 몇 장을 뺀다",
         },
         LogUnit { stated, unit } => {
-            en: "the file says that the readings are in \"{stated}\", the project that they are in \"{unit}\": correct unit",
-            ko: "파일에는 단위가 \"{stated}\"(으)로, 프로젝트에는 \"{unit}\"(으)로 되어 있다. unit을 고친다",
+            en: "the file says that the readings are in \"{stated}\", the project that they are in \"{unit}\": correct unit, or name the column that is meant; if the file is wrong, correct the head of its column",
+            ko: "파일에는 단위가 \"{stated}\"(으)로, 프로젝트에는 \"{unit}\"(으)로 되어 있다. unit을 고치거나 column에 맞는 열을 지정한다. 파일이 틀렸으면 열 이름을 고친다",
         },
         Outside { why } => {
             en: "{why}",
