@@ -245,6 +245,8 @@ impl Advice for ChangeNote {
             | Self::LineScatters { .. }
             | Self::LineWithTime { .. }
             | Self::OtherShapes { .. }
+            | Self::DirectionsExchanged(_)
+            | Self::RateRatio { .. }
             | Self::OneFactor { .. } => None,
         }
     }

@@ -6,6 +6,7 @@ use crate::error::WorkError;
 use crate::identify;
 use crate::opened::Opened;
 use crate::progress::Progress;
+use crate::rate_slip::rate_slip;
 use crate::survey_dates::date;
 use crate::surveyed::{ModesOf, SurveyAnswer};
 use dolmen::assess::{SurveyChange, SurveyChangeOptions, Surveyed, TemperatureEffect, survey_change};
@@ -230,12 +231,13 @@ pub fn change_of(
         ..SurveyChangeOptions::default()
     };
     let earlier: Vec<Surveyed> = compared.earlier.iter().map(|i| of(*i)).collect();
-    Ok(survey_change(
-        &of(compared.from),
-        &of(compared.to),
-        &earlier,
-        &options,
-    )?)
+    let (from, to) = (of(compared.from), of(compared.to));
+    let mut change = survey_change(&from, &to, &earlier, &options)?;
+    let answer = |of: &Surveyed| answers.iter().find(|answer| answer.name == of.name);
+    change
+        .notes
+        .extend(rate_slip((&from, answer(&from)), (&to, answer(&to))));
+    Ok(change)
 }
 
 #[cfg(test)]

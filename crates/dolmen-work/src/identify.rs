@@ -2,7 +2,9 @@
 
 use crate::answer::IdentifyAnswer;
 use crate::building::{self, stiffness::FromModes};
+use crate::doubted::doubt;
 use crate::error::{Within as _, WorkError};
+use crate::held_beside_file::hold_beside_file;
 use crate::judgement::RecordFrequency;
 use crate::kinds;
 use crate::model_modes::model_modes;
@@ -136,6 +138,8 @@ pub(crate) fn found_in(
         records,
         setups,
         model: None,
+        shape_doubt: None,
+        exchanged_directions: None,
         stiffness: Vec::new(),
         plan: None,
         factors: None,
@@ -239,8 +243,10 @@ fn of_survey(
         answer.model = model_modes(project, found);
     }
     answer.stiffness = stiffness;
+    doubt(project, survey, &mut answer);
     if let Structure::Building(part) = &project.structure {
-        match building::stiffness::stiffness(part, survey).within(context)? {
+        let found = answer.modes().map(|(found, _)| found);
+        match building::stiffness::stiffness(part, survey, found).within(context)? {
             Some(FromModes::Plan(plan)) => answer.plan = Some(plan),
             Some(FromModes::Without(why)) => answer.without_stiffness = Some(why),
             None => {}
@@ -252,6 +258,7 @@ fn of_survey(
             stack::FromModes::Without(why) => answer.without_stiffness = Some(why),
         }
     }
+    hold_beside_file(project, &mut answer);
     Ok(answer)
 }
 

@@ -17,9 +17,10 @@ use crate::version::Version;
 use crate::{building, chain, frame, stack};
 use dolmen::blocks::ContactRule;
 use dolmen::dynamics::ChainRotations;
+use dolmen::modal::Modes;
 use dolmen::structure::building::{StoreyFall, storey_falls};
-use dolmen::structure::{MeasuredMode, StiffnessNote};
-use dolmen_project::{Pick, Project, Structure, Survey};
+use dolmen::structure::{MeasuredMode, ShapeDoubt, StiffnessNote, chain_shape_doubt, frame_shape_doubt};
+use dolmen_project::{Pick, Project, Quantity, Structure, Survey};
 
 /// The check of a structure, each input with the value that `pick` chooses; `None` if nothing is modelled.
 pub(crate) fn check(project: &Project, pick: Pick<'_>) -> Result<Option<Check>, WorkError> {
@@ -162,6 +163,15 @@ pub(crate) fn stiffness(
         Structure::Stack(_) | Structure::Building(_) | Structure::Survey => Ok(Vec::new()),
         Structure::Chain(part) => chain::stiffness::stiffness(part, &measured),
         Structure::Frame(part) => frame::stiffness::stiffness(part, &measured),
+    }
+}
+
+/// What the shapes of a record say against a chain or frame; others have a floor or faces that do.
+pub(crate) fn shape_doubt(project: &Project, modes: &Modes) -> Option<ShapeDoubt> {
+    match &project.structure {
+        Structure::Stack(_) | Structure::Building(_) | Structure::Survey => None,
+        Structure::Chain(part) => chain_shape_doubt(&part.build(&mut Quantity::nominal).ok()?, modes),
+        Structure::Frame(part) => frame_shape_doubt(&part.build(&mut Quantity::nominal).ok()?, modes),
     }
 }
 

@@ -34,6 +34,8 @@ impl MeasuredDirection<'_> {
             solutions,
             load_factors,
             peaks_below_hz: Vec::new(),
+            doubted: None,
+            beside_file: None,
         })
     }
 }

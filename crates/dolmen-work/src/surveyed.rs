@@ -1,5 +1,6 @@
 //! What was identified from one survey.
 
+use crate::beside_file::BesideFile;
 use crate::building::PlanAnswer;
 use crate::model_modes::ModelModes;
 use crate::record_seen::RecordSeen;
@@ -11,8 +12,7 @@ use dolmen::modal::{
 };
 use dolmen::signal::ChannelFault;
 use dolmen::structure::building::PlanStiffnessError;
-use dolmen::structure::{Convention, StiffnessSolutions};
-use dolmen_project::EarthquakePart;
+use dolmen::structure::{Choice, Convention, ShapeDoubt, StiffnessSolutions};
 use dolmen_words::message::Both;
 
 /// Why no stiffness is sought.
@@ -37,8 +37,13 @@ pub enum WithoutStiffness {
     },
     /// The walls of a building's storey are turned from x and y, so that sway along one pushes along the other.
     WallsTurned,
-    /// A survey of a building has a record, but states no modes.
+    /// A survey of a building states no modes, and its record does not show how the floor moves.
     OnlyRecord,
+    /// The shapes of the record are not those of a rigid floor.
+    FloorNotRigid {
+        /// Share of them that no rigid floor has.
+        unexplained: f64,
+    },
     /// The modes of a building are refused.
     Plan(PlanStiffnessError),
     /// A survey of a stack states no modes, and its records show none along x or y.
@@ -82,7 +87,14 @@ impl std::fmt::Display for WithoutStiffness {
             ),
             WithoutStiffness::OnlyRecord => write!(
                 f,
-                "no stiffness is sought: the survey states no modes of the building; write those that its record shows as modes or frequencies along x, y and torsion"
+                "no stiffness is sought: the survey states no modes, and its record does not show how the floor moves: that takes three horizontal sensors or more at \
+                 the height of the floor, with position and direction, not all on one line; or write the modes with frequency, twist and sideways"
+            ),
+            WithoutStiffness::FloorNotRigid { unexplained } => write!(
+                f,
+                "no stiffness is sought: {:.0} % of the mode shapes of the record is no motion of a rigid floor; check positions, directions, cables and units of \
+                 the sensors",
+                100.0 * unexplained
             ),
             WithoutStiffness::Plan(why) => write!(f, "no stiffness is sought: {why}"),
             WithoutStiffness::NoStackModes { has_record: false } => write!(
@@ -117,6 +129,10 @@ pub struct SurveyAnswer {
     pub setups: Option<SetupsAnswer>,
     /// The modes of its records beside those of the model, of a stack or building.
     pub model: Option<ModelModes>,
+    /// What the shapes of its records say against the chain or frame.
+    pub shape_doubt: Option<ShapeDoubt>,
+    /// Two directions whose stiffness is each that of the other in the file.
+    pub exchanged_directions: Option<[String; 2]>,
     /// Stiffness from its modes, one entry a direction and convention.
     pub stiffness: Vec<StiffnessAnswer>,
     /// Stiffness in plan from its modes, of a building with one floor.
@@ -307,4 +323,33 @@ pub struct StiffnessAnswer {
     /// Peaks of the record below the highest mode used that are none of the modes, Hz: one of them may be a mode of this direction, and every
     /// stiffness then is wrong.
     pub peaks_below_hz: Vec<f64>,
+    /// Why no solution is chosen whatever explains the modes; `None` if nothing is doubted.
+    pub doubted: Option<StiffnessDoubt>,
+    /// The one solution beside the stiffness of the file.
+    pub beside_file: Option<BesideFile>,
+}
+
+/// Why stiffness from a record is doubted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum StiffnessDoubt {
+    /// A slip of the sensors explains the shapes.
+    Sensors,
+    /// The shapes of the direction contradict the model.
+    Shapes {
+        /// Share of them that the model does not have.
+        unexplained: f64,
+    },
+}
+
+impl StiffnessAnswer {
+    /// Whether one solution explains the modes and nothing doubts it: a peak below the modes that is none of them may be the first one, and
+    /// every stiffness then is wrong.
+    pub fn is_chosen(&self) -> bool {
+        self.solutions.choice == Choice::One && self.is_undoubted()
+    }
+
+    /// Whether nothing doubts the modes.
+    pub fn is_undoubted(&self) -> bool {
+        self.peaks_below_hz.is_empty() && self.doubted.is_none()
+    }
 }

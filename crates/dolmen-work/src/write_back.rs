@@ -5,8 +5,6 @@ use crate::building::PlanAnswer;
 use crate::error::WorkError;
 use crate::opened::Opened;
 use crate::surveyed::{StiffnessAnswer, SurveyAnswer};
-use dolmen::structure::Choice;
-use dolmen::structure::building::EccentricityFrom;
 use dolmen_project::{
     BuildingPart, ChainAxis, ChainPart, FramePart, IdentifiedNumber, NewValue, Project, Quantity,
     StoreyStiffnessPart, Structure, with_values,
@@ -81,9 +79,7 @@ fn of_survey(project: &Project, survey: &SurveyAnswer) -> Vec<(String, NewValue)
 /// The numbers of the one solution; `None` where there are several, or it is known only between bounds.
 fn one_solution(answer: &StiffnessAnswer, unit: &'static str, survey: &str) -> Option<Vec<IdentifiedNumber>> {
     let found = &answer.solutions;
-    // a peak below the modes that is none of them may be the first one: then every stiffness is wrong
-    let is_chosen = found.choice == Choice::One && answer.peaks_below_hz.is_empty();
-    let one = found.solutions.first().filter(|_| is_chosen)?;
+    let one = found.solutions.first().filter(|_| answer.is_chosen())?;
     let each = one.stiffness.iter().enumerate();
     let numbers = each.map(|(part, value)| IdentifiedNumber {
         value: *value,
@@ -196,7 +192,7 @@ fn of_frame(frame: &FramePart, survey: &SurveyAnswer) -> Vec<(String, NewValue)>
     values.collect()
 }
 
-/// k_x, k_y and k_θ of the one floor, and its centre of rigidity where the modes gave it.
+/// k_x, k_y and k_θ of the one floor, and its centre of rigidity: only where the modes gave that too.
 fn of_plan(building: &BuildingPart, plan: &PlanAnswer, survey: &str) -> Option<Vec<(String, NewValue)>> {
     let [floor] = building.floors.as_slice() else {
         return None;
@@ -210,8 +206,8 @@ fn of_plan(building: &BuildingPart, plan: &PlanAnswer, survey: &str) -> Option<V
     else {
         return None;
     };
-    let mut accepted = plan.found.accepted();
-    let one = accepted.next().filter(|_| accepted.next().is_none())?;
+    // frequencies alone do not tell the centre of rigidity: what they lead to rests on that of the file
+    let one = plan.determined()?;
     let parts = [(x, "N/m"), (y, "N/m"), (rotation, "N m/rad")];
     let each = parts.into_iter().enumerate();
     let mut values: Vec<(String, NewValue)> = each
@@ -227,11 +223,9 @@ fn of_plan(building: &BuildingPart, plan: &PlanAnswer, survey: &str) -> Option<V
             replaced(before, number)
         })
         .collect();
-    if plan.found.eccentricity_from != EccentricityFrom::Stated {
-        let path = centre[0].path.trim_end_matches("[1]").to_owned();
-        let from_origin = [0, 1].map(|axis| plan.centre_of_mass_m[axis] + one.eccentricity_m[axis]);
-        values.push((path, NewValue::Lengths(from_origin.to_vec())));
-    }
+    let path = centre[0].path.trim_end_matches("[1]").to_owned();
+    let from_origin = [0, 1].map(|axis| plan.centre_of_mass_m[axis] + one.eccentricity_m[axis]);
+    values.push((path, NewValue::Lengths(from_origin.to_vec())));
     Some(values)
 }
 

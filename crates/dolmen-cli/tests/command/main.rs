@@ -16,6 +16,7 @@ mod decisions;
 mod demands;
 mod docs;
 mod documents;
+mod doubted_records;
 mod driven_records;
 mod english;
 mod exchanged_records;

@@ -117,7 +117,29 @@ fn holds_a_floor_has_the_measured_frequencies_afterwards() {
     assert_eq!(scratch.dolmen("new building own").status, 0);
     let gate = include_str!("../../../../examples/gate_in_plan/project.toml");
     let file = scratch.path().join("gate.toml");
+    // its frequencies alone do not tell the centre of rigidity
     fs::write(&file, gate).unwrap();
+    let refused = scratch.dolmen("identify gate.toml --write");
+    assert_eq!(refused.status, 2, "{}", refused.stdout);
+    assert!(
+        refused
+            .stderr
+            .contains("a storey in plan whose centre of rigidity no mode tells"),
+        "{}",
+        refused.stderr
+    );
+    assert_eq!(fs::read_to_string(&file).unwrap(), gate);
+    let (above, _) = gate.split_once("[survey.ambient.frequencies]").unwrap();
+    let mode = |direction: &str, hz: f64, more: &str| {
+        format!("[[survey.ambient.modes.{direction}]]\nfrequency = {{ value = {hz}, sd = 0.029 }}\n{more}\n")
+    };
+    let sways = "twist = 0\ntwist_sd = 0.02\nsideways = 0";
+    let modes = [
+        mode("x", 1.5, sways),
+        mode("y", 1.1, sways),
+        mode("torsion", 1.3, "kind = \"torsion\""),
+    ];
+    fs::write(&file, above.to_owned() + &modes.concat()).unwrap();
     let answer = scratch.dolmen("identify gate.toml --write --language ko");
     assert_eq!(answer.status, 0, "{}", answer.stderr);
     assert!(

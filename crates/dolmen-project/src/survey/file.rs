@@ -148,6 +148,8 @@ pub(super) struct ModeRaw {
     pub(super) twist: Option<At<f64>>,
     /// Standard deviation of twist; 0 if not given.
     pub(super) twist_sd: Option<At<f64>>,
+    /// Of a building, beside twist: displacement of the centre of mass across the direction of the mode over that along it.
+    pub(super) sideways: Option<At<f64>>,
     /// Measured points of the shape.
     pub(super) shape: Option<Vec<At<ShapeRaw>>>,
 }

@@ -38,6 +38,8 @@ pub struct SurveyMode {
     pub kind: ModeKind,
     /// Of a building: ρθ of the floor over the displacement of its centre of mass along the direction.
     pub twist: Option<Twist>,
+    /// Of a building: displacement of the centre of mass across the direction over that along it.
+    pub sideways: Option<f64>,
 }
 
 impl SurveyMode {

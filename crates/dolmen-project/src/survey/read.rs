@@ -71,6 +71,7 @@ fn survey(reader: &mut Reader, name: &str, raw: &At<SurveyRaw>) -> Survey {
                     shape: Vec::new(),
                     kind: ModeKind::Translation,
                     twist: None,
+                    sideways: None,
                 });
             }
         }
@@ -343,6 +344,7 @@ fn mode(reader: &mut Reader, raw: &At<ModeRaw>, path: &str) -> Option<SurveyMode
         reader.fault(fault.allowed(WrongSurvey::AtLeastOneDisplacement));
     }
     let twist = twist(reader, raw, path);
+    let sideways = sideways(reader, raw, path);
     Some(SurveyMode {
         frequency: frequency?,
         damping_ratio,
@@ -352,7 +354,27 @@ fn mode(reader: &mut Reader, raw: &At<ModeRaw>, path: &str) -> Option<SurveyMode
             Some(ModeKindRaw::Torsion) => ModeKind::Torsion,
         },
         twist,
+        sideways,
     })
+}
+
+/// How far the floor moves across the direction of the mode, over how far along it: of use beside a twist.
+fn sideways(reader: &mut Reader, raw: &ModeRaw, path: &str) -> Option<f64> {
+    let path = format!("{path}.sideways");
+    let given = raw.sideways.as_ref()?;
+    if raw.twist.is_none() {
+        let fault = Fault::new(
+            given.span.clone(),
+            &path,
+            WrongSurvey::StandsWithout {
+                has: path.clone(),
+                lacks: "twist".to_owned(),
+            },
+        );
+        reader.fault(fault.help(WrongSurvey::GiveTwistToo));
+        return None;
+    }
+    reader.within(Some(given), &path, -TWIST_MOST, TWIST_MOST)
 }
 
 /// How much the floor turns, with its deviation.

@@ -72,6 +72,10 @@ messages! {
             en: "{has} stands without {lacks}",
             ko: "{has}이(가) {lacks} 없이 주어졌다",
         },
+        GiveTwistToo => {
+            en: "sideways is used beside twist: give both, 0 for a floor that does not turn",
+            ko: "sideways는 twist와 함께 쓴다. 둘 다 입력하고, 바닥이 회전하지 않으면 twist를 0으로 한다",
+        },
         NeedsBoth => { en: "needs both", ko: "둘 다 필요하다" },
         CoefficientOfTemperatureIs => {
             en: "a coefficient of temperature is never exact: give its standard deviation, 0 if you must",

@@ -535,6 +535,8 @@ fn refuses_a_twist_without_a_sway() {
     for (mode, said) in [
         ("twist = 0.1\nkind = \"torsion\"", "is of a mode of torsion"),
         ("twist_sd = 0.1", "stands without twist"),
+        ("sideways = 0.1", "stands without"),
+        ("twist = 0.1\nsideways = 3", "is outside its range"),
         ("twist = 2.5", "is outside its range"),
         ("twist = 0.5\ntwist_sd = -0.1", "is outside its range"),
     ] {

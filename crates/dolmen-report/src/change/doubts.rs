@@ -68,9 +68,15 @@ pub(super) fn doubts(change: &SurveyChange) -> Vec<Finding> {
     sensors.into_iter().chain(all).collect()
 }
 
-/// Whether a note says that a sensor is not as it was.
+/// Whether a note says that a sensor, a direction or a sampling rate is not as it was.
 pub(super) fn is_of_sensors(note: &ChangeNote) -> bool {
-    matches!(note, ChangeNote::Turned(_) | ChangeNote::Swapped(_))
+    matches!(
+        note,
+        ChangeNote::Turned(_)
+            | ChangeNote::Swapped(_)
+            | ChangeNote::DirectionsExchanged(_)
+            | ChangeNote::RateRatio { .. }
+    )
 }
 
 fn lost(lost: &NotCompared, offers_another: bool) -> Doubted {

@@ -39,6 +39,14 @@ messages! {
             en: "Channel \"{channel}\" looks turned round in one of the surveys: mean MAC of {modes} modes {assurance} as they are, {turned} with its sign changed; if it was, turn its direction round in the project file and compare again.",
             ko: "한 조사에서 채널 \"{channel}\"의 방향이 반대로 된 것으로 보인다. 모드 {modes}개의 평균 MAC가 그대로는 {assurance}, 부호를 바꾸면 {turned}이다. 반대가 맞으면 프로젝트 파일에서 방향을 바꾸고 다시 비교해야 한다.",
         },
+        DirectionsExchanged { modes: usize, likeness: Quantity, exchanged: Quantity } => {
+            en: "PROBABLY A SLIP: directions x and y are exchanged in one of the surveys. Both have the same {modes} frequencies; their modes are alike (1 for the same) to {likeness} as they are, and to {exchanged} with x and y exchanged. Correct the directions of the channels, or of the modes, and compare again: what follows is no change of the structure.",
+            ko: "입력 오류 의심: 한 조사에서 x, y 방향이 서로 바뀐 것으로 보인다. 두 조사의 고유진동수 {modes}개가 같고, 모드의 유사도(같으면 1)는 그대로는 {likeness}, x와 y를 맞바꾸면 {exchanged}이다. 채널 또는 모드의 방향을 고치고 다시 비교해야 하며, 아래 결과는 구조물의 변화가 아니다.",
+        },
+        RateRatio { factor: Quantity, before: Quantity, after: Quantity, modes: usize } => {
+            en: "PROBABLY A SLIP: the sampling rate of one survey is wrong. All {modes} frequencies are {factor} times what they were, which is the ratio of the rates {before} and {after}. Check sampling_rate, or the times in the file, before believing a change.",
+            ko: "입력 오류 의심: 한 조사의 샘플링 주파수가 틀린 것으로 보인다. 고유진동수 {modes}개가 모두 이전의 {factor}배이며, 이는 두 조사의 샘플링 주파수({before}, {after})의 비와 같다. 변화로 판단하기 전에 sampling_rate 또는 파일의 시각을 확인해야 한다.",
+        },
         OneFactor { factor: Quantity, modes: usize } => {
             en: "No mode has a partner, and all {modes} frequencies are {factor} times what they were: is the sampling rate of a survey wrong?",
             ko: "짝을 이룬 모드가 없고, 진동수 {modes}개가 모두 이전의 {factor}배이다. 한 조사의 샘플링 주파수가 잘못되지 않았는지 확인이 필요하다.",
@@ -94,6 +102,24 @@ pub(super) fn note(note: &ChangeNote) -> Noted {
             assurance: mac(turned.assurance),
             turned: mac(turned.turned),
         },
+        ChangeNote::DirectionsExchanged(found) => Noted::DirectionsExchanged {
+            modes: found.modes,
+            likeness: mac(found.likeness),
+            exchanged: mac(found.exchanged),
+        },
+        ChangeNote::RateRatio {
+            factor,
+            rates_hz: [before, after],
+            modes,
+        } => {
+            let rate = |hz: f64| Quantity::new(hz, Unit::si("Hz"), Digits::Trimmed(5));
+            Noted::RateRatio {
+                factor: Quantity::new(*factor, Unit::ratio(), Digits::Fixed(4)),
+                before: rate(*before),
+                after: rate(*after),
+                modes: *modes,
+            }
+        }
         ChangeNote::OneFactor { factor, modes } => Noted::OneFactor {
             factor: Quantity::new(*factor, Unit::ratio(), Digits::Fixed(3)),
             modes: *modes,

@@ -1,5 +1,6 @@
 //! What a check found, whatever the kind.
 
+use super::agreement::agreement;
 use super::{assumed, measured, sampled, variants};
 use crate::document::{Finding, Tone};
 use crate::{building, chain, demand, frame, loads, stack};
@@ -20,8 +21,8 @@ messages! {
             ko: "다음 단계: 진동을 계측하고 `dolmen identify`로 강성을 추정한다.",
         },
         Write => {
-            en: "What to do next: write the stiffness that `dolmen identify` finds into joints, or direction.NAME.stiffness.",
-            ko: "다음 단계: `dolmen identify`로 추정한 강성을 joints나 direction.NAME.stiffness에 쓴다.",
+            en: "What to do next: find the stiffness with `dolmen identify`; where one survey determines it, `dolmen identify PROJECT --write` puts it into the file.",
+            ko: "다음 단계: `dolmen identify`로 강성을 추정한다. 한 조사로 정해지면 `dolmen identify PROJECT --write`로 파일에 쓴다.",
         },
         RecordsUnread { survey: String } => {
             en: "The records of survey {survey} are not compared with this model here: `dolmen identify` finds their modes, and `dolmen report` holds them against it.",
@@ -59,6 +60,7 @@ pub(super) fn of_state(project: &Project, state: &State) -> Vec<Finding> {
     all.extend(unusual(state));
     all.extend(next(project, state));
     all.extend(after);
+    all.extend(agreement(project, state));
     all
 }
 

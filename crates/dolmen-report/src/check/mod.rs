@@ -1,5 +1,6 @@
 //! What is said of a check, whatever the kind: findings, versions side by side, scatter, assumptions.
 
+mod agreement;
 mod assumed;
 mod findings;
 mod made_stones;
@@ -19,7 +20,8 @@ pub(crate) use variants::{section as variants_section, title};
 use dolmen_words::Template;
 
 /// The sentences of every check as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 8] = [
+pub(crate) const TEMPLATES: [&[Template]; 9] = [
+    agreement::Agreement::TEMPLATES,
     assumed::Assumed::TEMPLATES,
     findings::Unusual::TEMPLATES,
     made_stones::Made::TEMPLATES,

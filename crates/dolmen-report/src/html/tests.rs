@@ -82,6 +82,8 @@ pub(crate) fn gate() -> ProjectReport {
         },
         load_factors: vec![Some(32.2), Some(182.7)],
         peaks_below_hz: Vec::new(),
+        doubted: None,
+        beside_file: None,
     };
     let checks = part.directions.iter().map(|d| DirectionCheck {
         direction: d.name.clone(),
@@ -91,6 +93,8 @@ pub(crate) fn gate() -> ProjectReport {
     });
     let check = Check::Frame(checks.collect());
     let survey = SurveyAnswer {
+        shape_doubt: None,
+        exchanged_directions: None,
         plan: None,
         factors: None,
         model: None,
@@ -324,6 +328,8 @@ pub(crate) fn survey() -> ProjectReport {
     let text = "schema = 1\nkind = \"survey\"\nname = { en = \"Tower\", ko = \"탑\" }\n\
                 [survey.now.records]\nfile = \"r.csv\"\nsampling_rate = \"100 Hz\"\n";
     let survey = SurveyAnswer {
+        shape_doubt: None,
+        exchanged_directions: None,
         plan: None,
         factors: None,
         without_stiffness: None,

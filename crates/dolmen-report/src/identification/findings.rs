@@ -1,9 +1,12 @@
 //! What stiffness from vibration says in plain words.
 
+use super::beside;
+use super::doubted;
 use super::joints;
 use super::notes::stiffness_note;
 use super::place::place;
 use super::plan;
+use super::plan_centre::Centre;
 use super::solutions::stiffness_quantities;
 use super::words::{Words, counted};
 use crate::document::{Finding, Tone};
@@ -95,8 +98,11 @@ pub(crate) fn findings(project: &Project, all: &[SurveyAnswer]) -> Vec<Finding> 
         _ => None,
     };
     let beds = each().filter_map(|(survey, answer)| {
-        let is_one = answer.solutions.choice == Choice::One && answer.peaks_below_hz.is_empty();
-        let lowest = answer.solutions.solutions.first().filter(|_| is_one)?;
+        let lowest = answer
+            .solutions
+            .solutions
+            .first()
+            .filter(|_| answer.is_chosen())?;
         Some(crate::chain::identified(
             &soil(&answer.direction)?,
             &survey.name,
@@ -117,7 +123,13 @@ pub(crate) fn findings(project: &Project, all: &[SurveyAnswer]) -> Vec<Finding> 
         .iter()
         .filter_map(|survey| Some((survey, survey.factors.as_ref()?)));
     let joint_by_joint = joint_by_joint.flat_map(|(survey, answer)| joints::findings(&survey.name, answer));
-    own.chain(beds)
+    // what is wrong with the sensors comes before what they lead to
+    let sensors = all.iter().filter_map(doubted::finding);
+    let beside = all.iter().flat_map(beside::findings);
+    sensors
+        .chain(own)
+        .chain(beside)
+        .chain(beds)
         .chain(in_plan)
         .chain(joint_by_joint)
         .chain(unsought(all))
@@ -164,7 +176,11 @@ fn without(why: &WithoutStiffness) -> Finding {
         .into(),
         WithoutStiffness::Floors { floors } => plan::Plan::WhatFloors { floors: *floors }.into(),
         WithoutStiffness::WallsTurned => plan::Plan::WhatTurned.into(),
-        WithoutStiffness::OnlyRecord => plan::Plan::WhatRecord.into(),
+        WithoutStiffness::OnlyRecord => Centre::Record.into(),
+        WithoutStiffness::FloorNotRigid { unexplained } => {
+            let unexplained = Quantity::percent(*unexplained, 2);
+            Centre::NotRigid { unexplained }.into()
+        }
         WithoutStiffness::Plan(why) => plan::refused(why).into(),
         WithoutStiffness::NoStackModes { has_record: false } => joints::Joints::NoModes.into(),
         WithoutStiffness::NoStackModes { has_record: true } => joints::Joints::NoModesInRecord.into(),
@@ -178,22 +194,35 @@ fn without(why: &WithoutStiffness) -> Finding {
 }
 
 fn choice(survey: &str, answer: &StiffnessAnswer) -> Finding {
-    let (tone, said, code) = match answer.peaks_below_hz.as_slice() {
-        [] => (
-            tone(answer.solutions.choice),
-            chosen(answer),
-            code(answer.solutions.choice),
-        ),
+    let (tone, said, code): (Tone, Sentence, Option<&'static str>) = match answer.peaks_below_hz.as_slice() {
+        [] => match answer.doubted {
+            Some(doubt) => {
+                let is_one = answer.solutions.choice == Choice::One;
+                let one = answer.solutions.solutions.first().filter(|_| is_one);
+                let values = one.map(|one| Values(stiffness_quantities(answer, one)));
+                let said = doubted::not_chosen(doubt, values);
+                (Tone::Warn, said.into(), Some("sensor-slip"))
+            }
+            None => (
+                tone(answer.solutions.choice),
+                chosen(answer).into(),
+                code(answer.solutions.choice),
+            ),
+        },
         peaks => {
             let hertz = |hz: &f64| Quantity::new(*hz, Unit::si("Hz"), Digits::Fixed(3));
             let peaks = Values(peaks.iter().map(hertz).collect());
-            (Tone::Warn, Found::PeaksBelow { peaks }, Some("mode-missing"))
+            (
+                Tone::Warn,
+                Found::PeaksBelow { peaks }.into(),
+                Some("mode-missing"),
+            )
         }
     };
     let found = Found::Of {
         survey: survey.to_owned(),
         place: place(answer),
-        said: said.into(),
+        said,
     };
     Finding {
         code,

@@ -13,6 +13,8 @@ use dolmen_work::told;
 /// How much a frequency may differ as the stack settles anew on the springs found, relative, before that is a finding. Our choice: what a good
 /// survey scatters by.
 const RESETTLED_MOST: f64 = 0.01;
+/// Standard deviations, root mean square, by which a common factor may miss the modes. Chosen here: as for measured frequencies.
+const MISFIT_MOST: f64 = 3.0;
 
 messages! {
     /// Factors on the springs of joints.
@@ -24,6 +26,10 @@ messages! {
         Common { factor: Quantity, modes: Sentence } => {
             en: "all springs of the file times {factor} fit {modes} best.",
             ko: "파일의 모든 접합부 강성을 {factor}배로 하면 {modes}에 가장 잘 맞는다.",
+        },
+        CommonMisses { factor: Quantity, modes: Sentence, misfit: Quantity } => {
+            en: "no one factor for all springs of the file explains {modes}. The best, {factor}, is off by {misfit} standard deviations (root mean square): it is no answer.",
+            ko: "파일의 모든 접합부 강성에 한 배율을 곱하여 {modes}을(를) 설명할 수 없다. 가장 가까운 {factor}배도 표준편차의 {misfit}배(평균제곱근) 어긋나므로 답이 아니다.",
         },
         All { joints: usize, beds: Sentence } => {
             en: "the modes determine the factor of each of the {joints} {beds}.",
@@ -151,13 +157,25 @@ pub(super) fn findings(survey: &str, answer: &FactorsAnswer) -> Vec<Finding> {
         said,
     };
     let found = &answer.found;
-    let common = Joints::Common {
-        factor: joint_tables::factor(found.common.factor, Some(found.common.relative_sd)),
-        modes: Modes::counted(found.modes.len()),
+    let factor = joint_tables::factor(found.common.factor, Some(found.common.relative_sd));
+    let modes = Modes::counted(found.modes.len());
+    let (common_tone, common) = match found.common.misfit > MISFIT_MOST {
+        false => (Tone::Good, Joints::Common { factor, modes }),
+        true => {
+            let misfit = Quantity::ratio(found.common.misfit, 2);
+            (
+                Tone::Warn,
+                Joints::CommonMisses {
+                    factor,
+                    modes,
+                    misfit,
+                },
+            )
+        }
     };
     let (tone, each, code) = by_joint(answer);
     let mut all = vec![
-        Finding::key(Tone::Good, of(common.into())),
+        Finding::key(common_tone, of(common.into())),
         Finding {
             code,
             ..Finding::key(tone, of(each.into()))

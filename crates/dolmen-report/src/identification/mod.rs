@@ -1,5 +1,7 @@
 //! What vibration says of the stiffness of a structure: findings, and the section of every solution.
 
+mod beside;
+mod doubted;
 mod findings;
 mod joint_modes;
 mod joint_tables;
@@ -8,6 +10,8 @@ mod left_out;
 mod notes;
 mod place;
 mod plan;
+mod plan_centre;
+mod plan_values;
 mod seen;
 mod solutions;
 mod words;
@@ -44,7 +48,10 @@ messages! {
 }
 
 /// The sentences on stiffness from vibration as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 13] = [
+pub(crate) const TEMPLATES: [&[Template]; 16] = [
+    beside::Beside::TEMPLATES,
+    doubted::Doubted::TEMPLATES,
+    plan_centre::Centre::TEMPLATES,
     findings::Found::TEMPLATES,
     place::Place::TEMPLATES,
     words::Words::TEMPLATES,

@@ -33,8 +33,8 @@ messages! {
             ko: "복소수 해 {expected}개 중 {separated}개만 분리되었다. 일부가 거의 겹쳐 있어, 제시된 해 외에 실수 해가 누락되었을 수 있다.",
         },
         NoneExplains { stiffness: Sentence, starts: Sentence, modes: Sentence, misfit: Sentence } => {
-            en: "No {stiffness} was found, from {starts}, that explains the data ({modes}): the nearest is off by {misfit}. Check that no mode of the direction is left out from the lowest up, and the masses.",
-            ko: "{starts}에서 탐색하였으나 자료({modes})를 설명하는 {stiffness}은(는) 찾지 못하였다. 가장 가까운 해의 오차는 {misfit}이다. 모드가 한 방향의 최저차부터 빠짐없이 주어졌는지와 질량을 확인해야 한다.",
+            en: "No {stiffness} was found, from {starts}, that explains the data ({modes}): the nearest is off by {misfit}. Check that no mode of the direction is left out from the lowest up, the masses, and of each sensor the sign, the place and the unit.",
+            ko: "{starts}에서 탐색하였으나 자료({modes})를 설명하는 {stiffness}은(는) 찾지 못하였다. 가장 가까운 해의 오차는 {misfit}이다. 모드가 한 방향의 최저차부터 빠짐없이 주어졌는지, 질량, 각 센서의 부호·위치·단위를 확인해야 한다.",
         },
         NoneStands { stiffness: Sentence, model: Sentence } => {
             en: "No {stiffness} was found at which the {model} stands.",

@@ -1,5 +1,7 @@
 //! Stiffness of a building's storey in plan from vibration: findings, and the section of every solution.
 
+use super::plan_centre;
+use super::plan_values::{Units, eccentricity};
 use crate::document::{Block, Cell, Column, Document, Finding, Table, Tone};
 use crate::figures::{letter, plan_modes};
 use crate::html::words::verdict_word;
@@ -20,10 +22,6 @@ messages! {
         Of { survey: String, said: Sentence } => {
             en: "Stiffness from vibration (survey {survey}, in plan): {said}",
             ko: "진동으로 추정한 평면 강성({survey} 조사): {said}",
-        },
-        One { k_x: Quantity, k_y: Quantity, k_theta: Quantity } => {
-            en: "one solution explains the 3 frequencies: k_x {k_x}, k_y {k_y}, k_θ {k_theta} about the centre of rigidity.",
-            ko: "고유진동수 3개를 설명하는 해는 하나이다. k_x {k_x}, k_y {k_y}, 강성 중심에 대한 k_θ {k_theta}.",
         },
         OneWithCentre { k_x: Quantity, k_y: Quantity, k_theta: Quantity, e_x: Quantity, e_y: Quantity } => {
             en: "one solution explains the 3 frequencies and the twists: k_x {k_x}, k_y {k_y}, k_θ {k_theta} about the centre of rigidity, which lies {e_x} along x and {e_y} along y from the centre of mass.",
@@ -50,8 +48,8 @@ messages! {
             ko: "정해지지 않는다. 바닥의 모드는 3개인데 계측 모드 {modes}개로는 {free}이(가) 정해지지 않으므로 나머지를 계측해야 한다.",
         },
         FreeBut { modes: usize, free: Vec<Sentence>, known: Vec<Sentence> } => {
-            en: "determined in part: {known}. A floor has 3 modes, and {modes} of them measured leave {free} free; measure the others.",
-            ko: "일부만 정해진다({known}). 바닥의 모드는 3개인데 계측 모드 {modes}개로는 {free}이(가) 정해지지 않으므로 나머지를 계측해야 한다.",
+            en: "determined in part, with the centre of rigidity where the file has it: {known}. A floor has 3 modes, and {modes} of them measured leave {free} free; measure the others.",
+            ko: "강성 중심이 파일의 위치에 있다면 일부만 정해진다({known}). 바닥의 모드는 3개인데 계측 모드 {modes}개로는 {free}이(가) 정해지지 않으므로 나머지를 계측해야 한다.",
         },
         Known { symbol: Sentence, value: Quantity } => { en: "{symbol} {value}", ko: "{symbol} {value}" },
         Incomplete => {
@@ -122,10 +120,6 @@ messages! {
             en: "No stiffness is sought from vibration: the walls of the storey are turned from x and y, which makes more unknowns than k_x, k_y and k_θ. Turn the axes of the plan with the walls.",
             ko: "층의 벽이 x, y축에서 돌아가 있어 미지수가 k_x, k_y, k_θ보다 많으므로 진동으로 강성을 추정하지 않았다. 평면의 축을 벽에 맞추어 돌려야 한다.",
         },
-        WhatRecord => {
-            en: "No stiffness is sought: the survey states no modes. Write those that its record shows as frequencies along x, y and torsion.",
-            ko: "조사에 모드가 적혀 있지 않아 강성을 추정하지 않았다. 기록에서 찾은 모드를 x, y, torsion의 고유진동수로 적어야 한다.",
-        },
         WhatModes { given: usize } => {
             en: "No stiffness is sought: {given} modes are given, but one floor has 3, along x, along y and torsion. Keep the lowest of each in the survey.",
             ko: "모드가 {given}개 주어졌으나 바닥 하나의 모드는 x, y, 비틀림의 3개이므로 강성을 추정하지 않았다. 조사에 각각의 최저 모드만 남겨야 한다.",
@@ -166,12 +160,13 @@ pub(super) fn findings(survey: &str, answer: &PlanAnswer) -> Vec<Finding> {
     let (tone, said, code) = chosen(answer);
     let found = Plan::Of {
         survey: survey.to_owned(),
-        said: said.into(),
+        said,
     };
     let mut all = vec![Finding {
         code,
         ..Finding::key(tone, found)
     }];
+    all.extend(plan_centre::findings(survey, answer));
     if let Some(one) = the_one(answer)
         && one.amplification > AMPLIFIED
     {
@@ -195,38 +190,46 @@ fn the_one(answer: &PlanAnswer) -> Option<&PlanSolution> {
     accepted.next().filter(|_| accepted.next().is_none())
 }
 
-fn chosen(answer: &PlanAnswer) -> (Tone, Plan, Option<&'static str>) {
+fn chosen(answer: &PlanAnswer) -> (Tone, Sentence, Option<&'static str>) {
     let found = &answer.found;
     if !found.free.is_empty() {
-        return (Tone::Warn, free(answer), Some("underdetermined"));
+        return (Tone::Warn, free(answer).into(), Some("underdetermined"));
     }
+    let is_stated = plan_centre::is_stated(answer);
     if let Some(one) = the_one(answer) {
+        if is_stated {
+            return (
+                Tone::Warn,
+                plan_centre::stated(answer, one),
+                Some("underdetermined"),
+            );
+        }
         let units = Units::of(std::iter::once(one.stiffness));
         let [k_x, k_y, k_theta] = [0, 1, 2].map(|at| units.stiffness(one, at));
-        let said = match found.eccentricity_from {
-            EccentricityFrom::Stated => Plan::One { k_x, k_y, k_theta },
-            EccentricityFrom::Twists => {
-                let [e_x, e_y] = [0, 1].map(|at| eccentricity(one, at));
-                Plan::OneWithCentre {
-                    k_x,
-                    k_y,
-                    k_theta,
-                    e_x,
-                    e_y,
-                }
-            }
+        let [e_x, e_y] = [0, 1].map(|at| eccentricity(one, at));
+        let said = Plan::OneWithCentre {
+            k_x,
+            k_y,
+            k_theta,
+            e_x,
+            e_y,
         };
-        return (Tone::Good, said, None);
+        return (Tone::Good, said.into(), None);
     }
     let solutions = found.solutions.len();
     match found.accepted().count() {
-        0 if solutions == 0 => (Tone::Bad, Plan::Impossible, Some("no-real-root")),
-        0 => (Tone::Bad, Plan::Refused { solutions }, Some("no-real-root")),
+        0 if solutions == 0 => (Tone::Bad, Plan::Impossible.into(), Some("no-real-root")),
+        0 => (
+            Tone::Bad,
+            Plan::Refused { solutions }.into(),
+            Some("no-real-root"),
+        ),
         solutions => {
             let all_move = answer.modes.iter().all(|mode| mode.motion.is_some());
-            let said = match all_move {
-                true => Plan::SeveralMove { solutions },
-                false => Plan::Several { solutions },
+            let said: Sentence = match (is_stated, all_move) {
+                (false, _) => plan_centre::Centre::SeveralTwists { solutions }.into(),
+                (true, true) => Plan::SeveralMove { solutions }.into(),
+                (true, false) => Plan::Several { solutions }.into(),
             };
             (Tone::Warn, said, Some("indistinguishable"))
         }
@@ -273,6 +276,8 @@ pub(super) fn section<'a>(document: &mut Document<'a>, survey: &str, answer: &'a
     for (at, one) in found.solutions.iter().enumerate() {
         if let Some(why) = &one.moves_otherwise {
             document.note(why_not(at, why));
+        } else if let Some(why) = &one.shape_otherwise {
+            document.note(plan_centre::why_shape(Sentence::of_symbol(&letter(at)), why));
         }
     }
     if let Some(one) = found.accepted().next() {
@@ -296,9 +301,9 @@ fn table(answer: &PlanAnswer) -> Table {
     let mut rows: Vec<Vec<Cell>> = Vec::with_capacity(all.len() + 1);
     for (at, (one, factor)) in all.iter().zip(&answer.load_factors).enumerate() {
         let mut row = vec![Cell::words(Sentence::of_symbol(&letter(at)))];
-        row.push(Cell::words(match one.moves_otherwise {
-            Some(_) => Plan::NotAccepted,
-            None => {
+        row.push(Cell::words(match one.is_accepted() {
+            false => Plan::NotAccepted,
+            true => {
                 let verdict = Verdict::of_load_factor(*factor);
                 Plan::VerdictWord {
                     word: Both::of(|language| verdict_word(verdict, language)),
@@ -321,7 +326,7 @@ fn table(answer: &PlanAnswer) -> Table {
         Cell::Number(None),
     ];
     row.extend([0, 1, 2].map(|at| {
-        let unit = units.all[at].clone();
+        let unit = units.unit(at);
         Cell::number(Quantity::new(written.stiffness[at], unit, Digits::Significant(4)))
     }));
     row.extend(
@@ -341,9 +346,9 @@ fn table(answer: &PlanAnswer) -> Table {
             Column::words(Plan::Solution),
             Column::words(Plan::Verdict),
             Column::numbers(Sentence::of_symbol("λ"), Unit::ratio()),
-            of_symbol("k x", &units.all[0]),
-            of_symbol("k y", &units.all[1]),
-            of_symbol("k θ", &units.all[2]),
+            of_symbol("k x", &units.unit(0)),
+            of_symbol("k y", &units.unit(1)),
+            of_symbol("k θ", &units.unit(2)),
             of_symbol("e x", &metre),
             of_symbol("e y", &metre),
             Column::numbers(Plan::PerOne, Unit::percent()),
@@ -356,7 +361,7 @@ fn modes_table(answer: &PlanAnswer) -> Table {
     let share = |share: f64| Cell::number(Quantity::new(share, Unit::percent(), Digits::Fixed(1)));
     let mut rows = Vec::new();
     for (at, one) in answer.found.solutions.iter().enumerate() {
-        if one.moves_otherwise.is_some() {
+        if !one.is_accepted() {
             continue;
         }
         for (mode, shares) in answer.modes.iter().zip(one.energy_shares()) {
@@ -437,37 +442,6 @@ fn unit_si(motion: PlanMotion) -> &'static str {
     match motion {
         PlanMotion::X | PlanMotion::Y => "N/m",
         PlanMotion::Torsion => "N·m/rad",
-    }
-}
-
-/// Units that read best for k_x, k_y, k_θ.
-struct Units {
-    all: [Unit; 3],
-}
-
-impl Units {
-    fn of(all: impl Iterator<Item = [f64; 3]>) -> Self {
-        let all: Vec<[f64; 3]> = all.collect();
-        let lateral: Vec<f64> = all.iter().flat_map(|k| [k[0], k[1]]).collect();
-        let turning: Vec<f64> = all.iter().map(|k| k[2]).collect();
-        let (lateral, turning) = (Unit::of(&lateral, "N/m"), Unit::of(&turning, "N·m/rad"));
-        Units {
-            all: [lateral.clone(), lateral, turning],
-        }
-    }
-
-    fn stiffness(&self, one: &PlanSolution, at: usize) -> Quantity {
-        Quantity {
-            sd_si: one.stiffness_sd.map(|sd| sd[at]),
-            ..Quantity::new(one.stiffness[at], self.all[at].clone(), Digits::Significant(4))
-        }
-    }
-}
-
-fn eccentricity(one: &PlanSolution, at: usize) -> Quantity {
-    Quantity {
-        sd_si: one.eccentricity_sd_m.map(|sd| sd[at]),
-        ..Quantity::new(one.eccentricity_m[at], Unit::si("m"), Digits::Fixed(3))
     }
 }
 

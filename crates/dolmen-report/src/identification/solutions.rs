@@ -179,7 +179,7 @@ fn caption(answer: &StiffnessAnswer) -> Vec<Sentence> {
 fn rows_of(at: usize, solution: &StiffnessSolution, answer: &StiffnessAnswer, unit: &Unit) -> Vec<Vec<Cell>> {
     let name = Sentence::of_symbol(&letter(at));
     let factor = answer.load_factors.get(at).copied().flatten();
-    let verdict = match answer.peaks_below_hz.is_empty() {
+    let verdict = match answer.is_undoubted() {
         true => verdict(answer.solutions.choice, solution, factor),
         false => Verdict::Unknown,
     };

@@ -10,6 +10,7 @@ use dolmen::modal::{
 };
 use dolmen::signal::Channel;
 use dolmen::structure::building::{PlanMode, PlanSolution};
+use dolmen::structure::{ChannelChange, ShapeDoubt};
 use dolmen_words::advice::Advice;
 use dolmen_words::{Language, Sentence};
 use dolmen_work::WrittenBack;
@@ -18,7 +19,7 @@ use dolmen_work::building::PlanAnswer;
 use dolmen_work::model_modes::{BesideModel, ModelMode, ModelModes, WhichMode};
 use dolmen_work::record_seen::{ChannelSeen, RecordSeen, SpectrogramSeen};
 use dolmen_work::stack::FactorsAnswer;
-use dolmen_work::surveyed::{Earthquake, ModesOf, RecordAnswer, SetupsAnswer, StiffnessAnswer, SurveyAnswer};
+use dolmen_work::surveyed::{RecordAnswer, SetupsAnswer, StiffnessAnswer, StiffnessDoubt, SurveyAnswer};
 use serde_json::{Value, json};
 
 /// What was identified from every survey.
@@ -43,10 +44,33 @@ fn survey(survey: &SurveyAnswer) -> Value {
         "records": survey.records.as_ref().map(record),
         "setups": survey.setups.as_ref().map(setups),
         "model": survey.model.as_ref().map(model),
+        "shape_doubt": survey.shape_doubt.as_ref().map(shape_doubt),
+        "exchanged_directions": survey.exchanged_directions,
         "stiffness": survey.stiffness.iter().map(stiffness).collect::<Vec<_>>(),
         "plan": survey.plan.as_deref().map(plan),
         "joint_factors": survey.factors.as_deref().map(joint_factors),
         "without_stiffness": survey.without_stiffness.as_ref().map(ToString::to_string),
+    })
+}
+
+/// Shapes of a record that the model does not have, and the changes of sensors that would make them agree.
+fn shape_doubt(doubt: &ShapeDoubt) -> Value {
+    let change = |of: &ChannelChange| match of {
+        ChannelChange::Turned { channel } => {
+            json!({ "kind": "turned", "channels": [channel], "factor": -1.0 })
+        }
+        ChannelChange::Exchanged { channels } => {
+            json!({ "kind": "exchanged", "channels": channels, "factor": null })
+        }
+        ChannelChange::Scaled { channel, factor } => {
+            json!({ "kind": "scaled", "channels": [channel], "factor": factor })
+        }
+    };
+    json!({
+        "unexplained": doubt.unexplained,
+        "unexplained_along": doubt.unexplained_along,
+        "changed": doubt.changed,
+        "changes": doubt.changes.iter().map(change).collect::<Vec<_>>(),
     })
 }
 
@@ -334,6 +358,7 @@ fn plan(answer: &PlanAnswer) -> Value {
             "motion": mode.motion,
             "twist": mode.twist.map(|twist| twist.ratio),
             "twist_sd": mode.twist.map(|twist| twist.sd),
+            "shape": mode.shape,
         })
     };
     let solution = |one: &PlanSolution| with(one, json!({ "energy_shares": one.energy_shares() }));
@@ -349,6 +374,14 @@ fn plan(answer: &PlanAnswer) -> Value {
         "complete": found.complete,
         "singles": found.singles,
         "free": found.free,
+        "is_determined": answer.determined().is_some(),
+        "bounds": answer.bounds,
+        "beside_file": answer.beside_file,
+        "from_record": answer.from_record.map(|of| json!({
+            "sensors": of.sensors,
+            "modes_found": of.modes_found,
+            "unexplained": of.unexplained,
+        })),
     })
 }
 
@@ -395,6 +428,12 @@ fn stiffness(answer: &StiffnessAnswer) -> Value {
         "choice": found.choice,
         "load_factors": answer.load_factors,
         "peaks_below_hz": answer.peaks_below_hz,
+        "is_chosen": answer.is_chosen(),
+        "doubted": answer.doubted.map(|of| match of {
+            StiffnessDoubt::Sensors => json!({ "of": "sensors", "unexplained": null }),
+            StiffnessDoubt::Shapes { unexplained } => json!({ "of": "shapes", "unexplained": unexplained }),
+        }),
+        "beside_file": answer.beside_file,
         "solutions": found.solutions,
         "visibility": found.visibility,
         "starts": found.starts,

@@ -30,6 +30,14 @@ messages! {
             en: "PROBABLY A SLIP: {unexplained} % of the lowest mode shapes is no motion of a rigid floor, and {changed} % with {first} and {second} exchanged: are their columns, places or cables exchanged?",
             ko: "입력 오류 의심: 저차 모드형상의 {unexplained} %가 강체 바닥의 운동이 아니며 {first}와(과) {second}을(를) 맞바꾸면 {changed} %이다. 두 센서의 열, 위치 또는 케이블이 바뀐 것이 아닌가?",
         },
+        StationTurned { channels: Vec<String>, unexplained: Quantity, changed: Quantity } => {
+            en: "PROBABLY A SLIP: {unexplained} % of the lowest mode shapes is no motion of a rigid floor, and {changed} % with the signs of {channels} changed: is that station turned by 180°?",
+            ko: "입력 오류 의심: 저차 모드형상의 {unexplained} %가 강체 바닥의 운동이 아니며 {channels}의 부호를 모두 바꾸면 {changed} %이다. 이 측점의 센서가 180° 돌아가 있지 않은가?",
+        },
+        StationsSwapped { first: Vec<String>, second: Vec<String>, unexplained: Quantity, changed: Quantity } => {
+            en: "PROBABLY A SLIP: {unexplained} % of the lowest mode shapes is no motion of a rigid floor, and {changed} % with {first} exchanged for {second}: are the places of these two stations exchanged, or is another sensor not where the file has it?",
+            ko: "입력 오류 의심: 저차 모드형상의 {unexplained} %가 강체 바닥의 운동이 아니며 {first}을(를) {second}와(과) 맞바꾸면 {changed} %이다. 두 측점의 위치가 바뀌었거나 다른 센서의 위치가 파일과 다르지 않은가?",
+        },
         OfSurvey { survey: String, said: Sentence } => { en: "Survey {survey}: {said}", ko: "{survey} 조사: {said}" },
         None { minutes: Quantity, channels: Sentence } => {
             en: "No mode was found in {minutes} minutes of {channels}.",
@@ -240,6 +248,25 @@ fn sensor(doubt: &SensorDoubt) -> Found {
             changed,
         } => Found::Turned {
             channel: channel.clone(),
+            unexplained: share(*unexplained),
+            changed: share(*changed),
+        },
+        SensorDoubt::StationTurned {
+            channels,
+            unexplained,
+            changed,
+        } => Found::StationTurned {
+            channels: channels.clone(),
+            unexplained: share(*unexplained),
+            changed: share(*changed),
+        },
+        SensorDoubt::StationsSwapped {
+            channels: [first, second],
+            unexplained,
+            changed,
+        } => Found::StationsSwapped {
+            first: first.clone(),
+            second: second.clone(),
             unexplained: share(*unexplained),
             changed: share(*changed),
         },

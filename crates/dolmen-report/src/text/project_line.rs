@@ -29,6 +29,10 @@ messages! {
             en: "too few data for the stiffness of direction {direction}",
             ko: "{direction} 방향: 강성을 정하기에 자료가 부족함",
         },
+        NotChosen { direction: String } => {
+            en: "no stiffness chosen in direction {direction}, its record is doubted",
+            ko: "{direction} 방향: 기록이 의심스러워 강성을 판정하지 않음",
+        },
         NoStiffness { direction: String } => {
             en: "no stiffness explains direction {direction}",
             ko: "{direction} 방향: 계측과 맞는 강성이 없음",
@@ -69,6 +73,7 @@ pub fn project_line(answer: &ProjectReport, language: Language) -> String {
             let direction = stiffness.direction.clone();
             let found = &stiffness.solutions;
             let said: Sentence = match found.choice {
+                Choice::One if !stiffness.is_undoubted() => Line::NotChosen { direction },
                 Choice::One => Line::One { direction },
                 Choice::Bounded => Line::Bounded { direction },
                 Choice::Indistinguishable => Line::Several {

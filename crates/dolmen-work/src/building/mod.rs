@@ -23,7 +23,7 @@ mod wind_seen;
 pub use answer::{
     BuildingAnswer, BuildingSpectral, DampedSpectral, MINOR_RATIO, StandingBuilding, stiffness_word,
 };
-pub use plan_answer::{PlanAnswer, Written};
+pub use plan_answer::{FromRecord, PlanAnswer, Written};
 pub use simulation::{Against, BeyondRoom, BuildingSimulation, LargestDrift, WatchedPoint};
 pub use tune::tune;
 pub use tune_answer::{

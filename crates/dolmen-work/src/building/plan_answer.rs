@@ -1,6 +1,9 @@
 //! What the modes of a survey say of a building's storey in plan.
 
-use dolmen::structure::building::{Outline, PlanMode, PlanStiffness, PlanStorey};
+use crate::beside_file::BesideFile;
+use dolmen::structure::building::{
+    EccentricityFrom, Outline, PlanBounds, PlanMode, PlanSolution, PlanStiffness, PlanStorey,
+};
 
 /// What the modes of a survey say of the storey of a building with one floor.
 #[derive(Clone, Debug)]
@@ -21,6 +24,32 @@ pub struct PlanAnswer {
     pub load_factors: Vec<f64>,
     /// A twist is given, but not those of both modes along x and y: it was not used.
     pub twist_unused: bool,
+    /// Bounds of the stiffness over every centre of rigidity on the floor, where the modes do not give it.
+    pub bounds: Option<PlanBounds>,
+    /// The one solution beside the stiffness of the file.
+    pub beside_file: Option<BesideFile>,
+    /// The record whose shapes gave the twists.
+    pub from_record: Option<FromRecord>,
+}
+
+/// A record whose sensors show how the floor moves.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FromRecord {
+    /// Sensors on the floor.
+    pub sensors: usize,
+    /// Modes that it shows; the lowest three are taken.
+    pub modes_found: usize,
+    /// Share of their shapes at the sensors that no rigid floor has.
+    pub unexplained: f64,
+}
+
+impl PlanAnswer {
+    /// The solution, where one alone is accepted and its centre of rigidity is from the modes, not from the file.
+    pub fn determined(&self) -> Option<&PlanSolution> {
+        let mut accepted = self.found.accepted();
+        let one = accepted.next().filter(|_| accepted.next().is_none());
+        one.filter(|_| self.found.eccentricity_from == EccentricityFrom::Twists)
+    }
 }
 
 /// The stiffness of the file.

@@ -1,16 +1,22 @@
 //! Stiffness of a building's storey in plan from the modes of a survey.
 
-use super::plan_answer::{PlanAnswer, Written};
+use super::plan_answer::{FromRecord, PlanAnswer, Written};
 use crate::error::WorkError;
 use crate::surveyed::WithoutStiffness;
+use dolmen::modal::Modes;
 use dolmen::structure::building::{
-    EccentricityFrom, Floor, PlanMode, PlanMotion, PlanSolution, PlanStorey, Storey, StoreyFall,
-    StoreyStiffness, plan_stiffness, storey_falls,
+    EccentricityFrom, Floor, FloorModes, FloorPlace, PlanMode, PlanMotion, PlanSolution, PlanStorey, Storey,
+    StoreyFall, StoreyStiffness, floor_modes, plan_bounds, plan_stiffness, storey_falls,
 };
-use dolmen_project::{BuildingPart, ModeKind, Quantity, Survey};
+use dolmen_project::{BuildingPart, ModeKind, Quantity, Survey, SurveyMode};
 
 /// A stiffness between x and y, over that along them, below which walls stand along x and y: rounding of turned ones. Our choice.
 const ALONG_AXES: f64 = 1e-9;
+/// Share of the shapes above which the floor is not rigid as its sensors are described: no stiffness is found from them. As for sensors that
+/// contradict each other.
+const UNEXPLAINED_MOST: f64 = 0.05;
+/// A frequency of the file is that of the record's mode within this part of it. Our choice: what rounding to two digits leaves.
+const ONE_MODE: f64 = 0.02;
 
 /// What a survey of a building leads to.
 pub(crate) enum FromModes {
@@ -20,20 +26,46 @@ pub(crate) enum FromModes {
     Without(WithoutStiffness),
 }
 
-/// Every stiffness that explains the modes of the survey; `None` if it states none.
-pub(crate) fn stiffness(part: &BuildingPart, survey: &Survey) -> Result<Option<FromModes>, WorkError> {
-    let modes = plan_modes(survey);
-    if modes.is_empty() {
-        let has_record = survey.records.is_some() || !survey.setups.is_empty();
-        return Ok(has_record.then_some(FromModes::Without(WithoutStiffness::OnlyRecord)));
+/// Every stiffness that explains the modes of the survey; `None` if it states none and its records, if any, show none.
+///
+/// The shapes of a record whose sensors see how the floor moves give the twists of the modes, and with them the centre of rigidity.
+pub(crate) fn stiffness(
+    part: &BuildingPart,
+    survey: &Survey,
+    found: Option<&Modes>,
+) -> Result<Option<FromModes>, WorkError> {
+    let without = |why| Ok(Some(FromModes::Without(why)));
+    let stated = plan_modes(survey);
+    let has_record = survey.records.is_some() || !survey.setups.is_empty();
+    if stated.is_empty() && !has_record {
+        return Ok(None);
     }
     let (floors, storeys) = part.floors_and_storeys(&mut Quantity::nominal)?;
     let ([floor], [below]) = (floors.as_slice(), storeys.as_slice()) else {
         let floors = floors.len();
-        return Ok(Some(FromModes::Without(WithoutStiffness::Floors { floors })));
+        return without(WithoutStiffness::Floors { floors });
+    };
+    let place = FloorPlace {
+        height_m: below.height_m,
+        centre_m: floor.centre_m,
+        gyration_m: floor.gyration_m,
+    };
+    let moving = found.and_then(|modes| floor_modes(modes, &place));
+    let rigid = moving
+        .as_ref()
+        .filter(|of| of.unexplained() <= UNEXPLAINED_MOST && !of.modes.is_empty());
+    let modes = match (stated.is_empty(), rigid, &moving) {
+        (false, Some(rigid), _) => with_shapes_of(rigid, stated),
+        (false, None, _) => stated,
+        (true, Some(rigid), _) => rigid.plan_modes(),
+        (true, None, Some(bent)) if !bent.modes.is_empty() => {
+            let unexplained = bent.unexplained();
+            return without(WithoutStiffness::FloorNotRigid { unexplained });
+        }
+        (true, None, _) => return without(WithoutStiffness::OnlyRecord),
     };
     let Some(written) = written(floor, below) else {
-        return Ok(Some(FromModes::Without(WithoutStiffness::WallsTurned)));
+        return without(WithoutStiffness::WallsTurned);
     };
     let storey = PlanStorey {
         mass_kg: floor.mass_kg,
@@ -46,7 +78,7 @@ pub(crate) fn stiffness(part: &BuildingPart, survey: &Survey) -> Result<Option<F
     };
     let found = match plan_stiffness(&storey, &modes) {
         Ok(found) => found,
-        Err(why) => return Ok(Some(FromModes::Without(WithoutStiffness::Plan(why)))),
+        Err(why) => return without(WithoutStiffness::Plan(why)),
     };
     let load_factor = |one: &PlanSolution| load_factor(floor, below, one, part.gravity_m_s2);
     let load_factors = found
@@ -54,8 +86,20 @@ pub(crate) fn stiffness(part: &BuildingPart, survey: &Survey) -> Result<Option<F
         .iter()
         .map(load_factor)
         .collect::<Result<_, _>>()?;
-    let twist_unused =
-        found.eccentricity_from == EccentricityFrom::Stated && modes.iter().any(|mode| mode.twist.is_some());
+    let is_stated = found.eccentricity_from == EccentricityFrom::Stated;
+    let twist_unused = is_stated && modes.iter().any(|mode| mode.twist.is_some());
+    let three: Option<&[PlanMode; 3]> = modes.as_slice().try_into().ok();
+    let bounds = three.filter(|_| is_stated).and_then(|three| {
+        let three = three.map(|mode| PlanMode { shape: None, ..mode });
+        plan_bounds(&storey, &three, reach_m(floor))
+    });
+    let from_record = rigid
+        .filter(|_| modes.iter().any(|mode| mode.shape.is_some()) && !is_stated)
+        .map(|rigid| FromRecord {
+            sensors: rigid.sensors,
+            modes_found: rigid.modes.len(),
+            unexplained: rigid.unexplained(),
+        });
     Ok(Some(FromModes::Plan(Box::new(PlanAnswer {
         modes,
         storey,
@@ -65,28 +109,82 @@ pub(crate) fn stiffness(part: &BuildingPart, survey: &Survey) -> Result<Option<F
         found,
         load_factors,
         twist_unused,
+        bounds,
+        from_record,
+        beside_file: None,
     }))))
+}
+
+/// The modes that the file states with the twists and shapes that the record shows of those along x and y, where it shows both.
+fn with_shapes_of(rigid: &FloorModes, stated: Vec<PlanMode>) -> Vec<PlanMode> {
+    let with_shape = |mode: PlanMode| {
+        let along = mode.motion.filter(|motion| *motion != PlanMotion::Torsion);
+        let own = along.zip(rigid.nearest(mode.frequency_hz, ONE_MODE));
+        match own {
+            Some((motion, own)) if mode.twist.is_none() => PlanMode {
+                twist: own.twist.get(motion.index()).copied(),
+                shape: Some(own.shape),
+                ..mode
+            },
+            _ => mode,
+        }
+    };
+    let filled: Vec<PlanMode> = stated.iter().copied().map(with_shape).collect();
+    let is_sway = |mode: &&PlanMode| matches!(mode.motion, Some(PlanMotion::X | PlanMotion::Y));
+    match filled.iter().filter(is_sway).all(|mode| mode.twist.is_some()) {
+        true => filled,
+        false => stated,
+    }
+}
+
+/// Where on the floor a centre of rigidity can be, from the centre of mass, m; `None` where its outline is not known.
+fn reach_m(floor: &Floor) -> Option<[[f64; 2]; 2]> {
+    let corners = floor.outline.as_ref()?.corners_m();
+    Some([0, 1].map(|axis| {
+        let from_mass = corners.iter().map(|corner| corner[axis] - floor.centre_m[axis]);
+        from_mass.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], e| {
+            [least.min(e), most.max(e)]
+        })
+    }))
 }
 
 /// All modes that a survey states, ascending. Modes of kind torsion turn in whatever direction they stand, and so do those of
 /// direction "torsion"; what a direction of another name says of the motion is not known.
 fn plan_modes(survey: &Survey) -> Vec<PlanMode> {
     let each = survey.modes.iter().flat_map(|(direction, modes)| {
-        modes.iter().map(move |mode| PlanMode {
-            frequency_hz: mode.frequency.value,
-            frequency_sd_hz: mode.frequency.standard_deviation(),
-            motion: match (mode.kind, direction.as_str()) {
-                (ModeKind::Torsion, _) | (_, "torsion") => Some(PlanMotion::Torsion),
-                (ModeKind::Translation, "x") => Some(PlanMotion::X),
-                (ModeKind::Translation, "y") => Some(PlanMotion::Y),
-                (ModeKind::Translation, _) => None,
-            },
-            twist: mode.twist,
+        modes.iter().map(move |mode| {
+            let motion = motion(mode, direction);
+            PlanMode {
+                frequency_hz: mode.frequency.value,
+                frequency_sd_hz: mode.frequency.standard_deviation(),
+                motion,
+                twist: mode.twist,
+                shape: shape(mode, motion),
+            }
         })
     });
     let mut modes: Vec<PlanMode> = each.collect();
     modes.sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
     modes
+}
+
+fn motion(mode: &SurveyMode, direction: &str) -> Option<PlanMotion> {
+    match (mode.kind, direction) {
+        (ModeKind::Torsion, _) | (_, "torsion") => Some(PlanMotion::Torsion),
+        (ModeKind::Translation, "x") => Some(PlanMotion::X),
+        (ModeKind::Translation, "y") => Some(PlanMotion::Y),
+        (ModeKind::Translation, _) => None,
+    }
+}
+
+/// u, v, ρθ over the displacement along the direction of the mode.
+fn shape(mode: &SurveyMode, motion: Option<PlanMotion>) -> Option<[f64; 3]> {
+    let (twist, sideways) = (mode.twist?.ratio, mode.sideways?);
+    match motion? {
+        PlanMotion::X => Some([1.0, sideways, twist]),
+        PlanMotion::Y => Some([sideways, 1.0, twist]),
+        PlanMotion::Torsion => None,
+    }
 }
 
 /// The stiffness of the file about its centre of rigidity; `None` where x and y couple there.

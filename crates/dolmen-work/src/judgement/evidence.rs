@@ -264,6 +264,11 @@ fn latest(project: &Project, measured: Vec<MeasuredFrequency>) -> Vec<MeasuredFr
     all
 }
 
+/// Of each direction of the model what the latest survey that states it measured.
+pub fn latest_frequencies(project: &Project, check: &Check) -> Vec<MeasuredFrequency> {
+    latest(project, measured_frequencies(&project.surveys, check))
+}
+
 /// The later survey that measured the direction too, of a frequency that a survey measured.
 pub(crate) fn superseded_by(
     project: &Project,

@@ -15,7 +15,8 @@ pub use colour::Colour;
 pub use earthquake::{DecidedBy, Earthquake, EarthquakeFinding};
 pub(crate) use evidence::superseded_by;
 pub use evidence::{
-    Evidence, MeasuredFrequency, RecordFrequency, first_sway, lowest_measured, measured_frequencies,
+    Evidence, MeasuredFrequency, RecordFrequency, first_sway, latest_frequencies, lowest_measured,
+    measured_frequencies,
 };
 pub use exit::{Verb, exit_status, first_status};
 pub use judge::{Judgement, judge, judge_check, judge_run, judge_simulation, judge_stack_run};

@@ -29,9 +29,9 @@ pub use chain::{
     check_chain_across,
 };
 pub use change::{
-    ChangeNote, Difference, Evidence, FittedTemperature, ModeChange, NotCompared, SurveyChange,
-    SurveyChangeOptions, Surveyed, SwappedChannels, TEMPERATURE_SURVEYS_LEAST, TemperatureEffect,
-    TemperatureKnowledge, TurnedChannel, survey_change,
+    ChangeNote, Difference, Evidence, ExchangedDirections, FittedTemperature, ModeChange, NotCompared,
+    SurveyChange, SurveyChangeOptions, Surveyed, SwappedChannels, TEMPERATURE_SURVEYS_LEAST,
+    TemperatureEffect, TemperatureKnowledge, TurnedChannel, survey_change,
 };
 pub use damage::{DamageState, DamageThresholds, JointDamage, StackDamage, stack_damage};
 pub use error::AssessError;

@@ -122,7 +122,7 @@ pub enum ModalError {
     /// No spectral peak stands above the noise, so nothing can be chosen from the data.
     #[error(
         "no peak of the spectrum rises {prominence_db} dB above its surroundings between {low_hz} and {high_hz} Hz: \
-         the record may hold noise alone; give block_rows and the frequency range to try all the same"
+         the record may hold noise alone; for a free decay after a pull or a blow set method = \"era\"; else give block_rows and the frequency range to try all the same"
     )]
     NoPeak {
         /// Prominence asked, dB.

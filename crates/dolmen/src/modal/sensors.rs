@@ -1,5 +1,5 @@
-//! Sensors that contradict each other: two of one place and direction that move differently, one turned round, or two exchanged on a floor
-//! that moves as a rigid body in its lowest modes.
+//! Sensors that contradict each other: two of one place and direction that move differently; on a floor that moves as a rigid body in its lowest
+//! modes one sensor or station turned round, or two exchanged.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
@@ -28,6 +28,24 @@ pub enum SensorDoubt {
         /// Share of the motion that no rigid floor has.
         unexplained: f64,
         /// The same with the sign changed.
+        changed: f64,
+    },
+    /// With the signs of both sensors of one place changed, a floor moves as a rigid body: the station is turned by 180°.
+    StationTurned {
+        /// Their names.
+        channels: Vec<String>,
+        /// Share of the motion that no rigid floor has.
+        unexplained: f64,
+        /// The same with their signs changed.
+        changed: f64,
+    },
+    /// With the sensors of two places exchanged, those of one direction with each other, a floor moves as a rigid body.
+    StationsSwapped {
+        /// Their names, by place.
+        channels: [Vec<String>; 2],
+        /// Share of the motion that no rigid floor has.
+        unexplained: f64,
+        /// The same with the two exchanged.
         changed: f64,
     },
     /// With two sensors exchanged, a floor moves as a rigid body.
@@ -62,7 +80,8 @@ const CLEARLY: f64 = 2.0;
 /// What the sensors of a record say against each other.
 ///
 /// # Limits
-/// Two sensors that are exchanged with alike motion are not seen, nor is one alone at its height. A floor that is not rigid is left alone
+/// Two sensors that are exchanged with alike motion are not seen, nor is one alone at its height. A sensor at another place than described
+/// may look like two stations exchanged. A floor that is not rigid is left alone
 /// unless one single change explains it.
 pub fn doubt_sensors(record: &Record, modes: &[Mode]) -> Vec<SensorDoubt> {
     let channels = record.channels();
@@ -136,11 +155,72 @@ fn covariance(record: &Record, channels: &[usize]) -> Vec<Vec<f64>> {
         .collect()
 }
 
-/// A change of the channels of a floor.
-#[derive(Clone, Copy)]
-enum Change {
-    Turned(usize),
-    Swapped([usize; 2]),
+/// A change of the channels of a floor: sensors whose signs change, and pairs that are exchanged.
+#[derive(Clone, Default)]
+struct Change {
+    turned: Vec<usize>,
+    swapped: Vec<[usize; 2]>,
+}
+
+impl Change {
+    fn turned(turned: Vec<usize>) -> Self {
+        Change {
+            turned,
+            swapped: Vec::new(),
+        }
+    }
+
+    fn swapped(swapped: Vec<[usize; 2]>) -> Self {
+        Change {
+            turned: Vec::new(),
+            swapped,
+        }
+    }
+}
+
+/// Sensors of a floor by their places, two or more at each.
+fn stations(channels: &[Channel], floor: &[usize]) -> Vec<Vec<usize>> {
+    let place = |i: usize| channels[floor[i]].position_m.unwrap_or([f64::NAN; 3]);
+    let mut all: Vec<Vec<usize>> = Vec::new();
+    for i in 0..floor.len() {
+        let near = |of: &&mut Vec<usize>| {
+            let (p, q) = (place(of[0]), place(i));
+            (0..3).map(|axis| (p[axis] - q[axis]).powi(2)).sum::<f64>().sqrt() <= ONE_PLACE_M
+        };
+        match all.iter_mut().find(near) {
+            Some(of) => of.push(i),
+            None => all.push(vec![i]),
+        }
+    }
+    all.retain(|of| of.len() > 1);
+    all
+}
+
+/// Exchanges of the sensors of two stations, each with that of its direction; `None` where the stations measure other directions.
+fn exchanged(channels: &[Channel], floor: &[usize], stations: [&[usize]; 2]) -> Option<Change> {
+    let along = |a: usize, b: usize| -> f64 {
+        let of = |i: usize| channels[floor[i]].direction.unwrap_or([f64::NAN; 3]);
+        of(a).iter().zip(of(b)).map(|(d, e)| d * e).sum()
+    };
+    let [first, second] = stations;
+    let partner = |a: &usize| {
+        let own = second.iter().find(|b| along(*a, **b) >= ONE_DIRECTION);
+        own.map(|b| [*a, *b])
+    };
+    let pairs: Vec<[usize; 2]> = first.iter().map(partner).collect::<Option<_>>()?;
+    (first.len() == second.len()).then(|| Change::swapped(pairs))
+}
+
+/// All single changes of sensors and stations.
+fn changes(channels: &[Channel], floor: &[usize]) -> Vec<Change> {
+    let count = floor.len();
+    let turned = (0..count).map(|i| Change::turned(vec![i]));
+    let swapped = (0..count).flat_map(|j| (0..j).map(move |i| Change::swapped(vec![[i, j]])));
+    let stations = stations(channels, floor);
+    let half_turns = stations.iter().cloned().map(Change::turned);
+    let pairs = (0..stations.len()).flat_map(|j| (0..j).map(move |i| [i, j]));
+    let moved = pairs.filter_map(|[i, j]| exchanged(channels, floor, [&stations[i], &stations[j]]));
+    turned.chain(swapped).chain(half_turns).chain(moved).collect()
 }
 
 fn floor_doubt(channels: &[Channel], modes: &[Mode], floor: &[usize]) -> Option<SensorDoubt> {
@@ -157,30 +237,39 @@ fn floor_doubt(channels: &[Channel], modes: &[Mode], floor: &[usize]) -> Option<
     if as_is < UNEXPLAINED {
         return None;
     }
-    let count = floor.len();
-    let turned = (0..count).map(Change::Turned);
-    let swapped = (0..count).flat_map(|j| (0..j).map(move |i| Change::Swapped([i, j])));
-    let mut changes: Vec<(f64, Change)> = turned
-        .chain(swapped)
-        .map(|change| (unexplained(&shapes, &motions, Some(change)), change))
+    let mut changes: Vec<(f64, Change)> = changes(channels, floor)
+        .into_iter()
+        .map(|change| (unexplained(&shapes, &motions, Some(&change)), change))
         .collect();
     changes.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let [(changed, best), (second, _), ..] = changes[..] else {
+    let [(changed, best), (second, _), ..] = changes.as_slice() else {
         return None;
     };
-    if changed * LESSENS > as_is || changed * CLEARLY > second {
+    let changed = *changed;
+    if changed * LESSENS > as_is || changed * CLEARLY > *second {
         return None;
     }
-    let name = |i: usize| channels[floor[i]].name.clone();
-    Some(match best {
-        Change::Turned(i) => SensorDoubt::Turned {
+    let name = |i: &usize| channels[floor[*i]].name.clone();
+    let unexplained = as_is;
+    Some(match (best.turned.as_slice(), best.swapped.as_slice()) {
+        ([i], _) => SensorDoubt::Turned {
             channel: name(i),
-            unexplained: as_is,
+            unexplained,
             changed,
         },
-        Change::Swapped([i, j]) => SensorDoubt::Swapped {
+        ([], [[i, j]]) => SensorDoubt::Swapped {
             channels: [name(i), name(j)],
-            unexplained: as_is,
+            unexplained,
+            changed,
+        },
+        ([], pairs) => SensorDoubt::StationsSwapped {
+            channels: [0, 1].map(|of| pairs.iter().map(|pair| name(&pair[of])).collect()),
+            unexplained,
+            changed,
+        },
+        (turned, _) => SensorDoubt::StationTurned {
+            channels: turned.iter().map(name).collect(),
+            unexplained,
             changed,
         },
     })
@@ -228,18 +317,19 @@ fn shape_of(mode: &Mode, channels: usize, floor: &[usize]) -> Option<Vec<Complex
 }
 
 /// Share of the shapes that no rigid floor has.
-fn unexplained(shapes: &[Vec<Complex64>], motions: &[Vec<f64>], change: Option<Change>) -> f64 {
-    let place = |i: usize| match change {
-        Some(Change::Swapped([a, b])) if i == a => b,
-        Some(Change::Swapped([a, b])) if i == b => a,
-        Some(Change::Swapped(_) | Change::Turned(_)) | None => i,
+fn unexplained(shapes: &[Vec<Complex64>], motions: &[Vec<f64>], change: Option<&Change>) -> f64 {
+    let place = |i: usize| {
+        let pairs = change.iter().flat_map(|change| &change.swapped);
+        let other = pairs.filter_map(|[a, b]| match i {
+            _ if i == *a => Some(*b),
+            _ if i == *b => Some(*a),
+            _ => None,
+        });
+        other.last().unwrap_or(i)
     };
-    let sign = |i: usize| {
-        if matches!(change, Some(Change::Turned(of)) if of == i) {
-            -1.0
-        } else {
-            1.0
-        }
+    let sign = |i: usize| match change.is_some_and(|change| change.turned.contains(&i)) {
+        true => -1.0,
+        false => 1.0,
     };
     let along = |shape: &[Complex64], motion: &[f64]| {
         (0..shape.len())
@@ -300,10 +390,7 @@ mod tests {
             let mut turned = shapes();
             turned.iter_mut().for_each(|shape| shape[wrong] = -shape[wrong]);
             let named = best(&turned, &motions);
-            assert!(
-                matches!(named, (Change::Turned(of), left) if of == wrong && left.abs() < 1e-12),
-                "{wrong}"
-            );
+            assert!(named.0.turned == [wrong] && named.1.abs() < 1e-12, "{wrong}");
         }
     }
 
@@ -315,17 +402,46 @@ mod tests {
             let mut swapped = shapes();
             swapped.iter_mut().for_each(|shape| shape.swap(pair[0], pair[1]));
             let named = best(&swapped, &motions);
+            assert!(named.0.swapped == [pair] && named.1.abs() < 1e-12, "{pair:?}");
+        }
+    }
+
+    #[test]
+    fn exact_a_station_turned_round_and_two_exchanged_are_named() {
+        let (channels, floor) = (corners(), (0..6).collect::<Vec<_>>());
+        let motions = orthonormal(motions(&channels, &floor)).unwrap();
+        for station in [0, 2, 4] {
+            let mut turned = shapes();
+            for shape in &mut turned {
+                (station..station + 2).for_each(|i| shape[i] = -shape[i]);
+            }
+            let named = best(&turned, &motions);
             assert!(
-                matches!(named, (Change::Swapped(of), left) if of == pair && left.abs() < 1e-12),
-                "{pair:?}"
+                named.0.turned == [station, station + 1] && named.1.abs() < 1e-12,
+                "{station}"
+            );
+        }
+        for [a, b] in [[0, 2], [0, 4], [2, 4]] {
+            let mut moved = shapes();
+            for shape in &mut moved {
+                shape.swap(a, b);
+                shape.swap(a + 1, b + 1);
+            }
+            let named = best(&moved, &motions);
+            assert!(
+                named.0.swapped == [[a, b], [a + 1, b + 1]] && named.1.abs() < 1e-12,
+                "{a} {b}: {:?}",
+                named.0.swapped
             );
         }
     }
 
     fn best(shapes: &[Vec<Complex64>], motions: &[Vec<f64>]) -> (Change, f64) {
-        let swaps = (0..6).flat_map(|j| (0..j).map(move |i| Change::Swapped([i, j])));
-        let all = (0..6).map(Change::Turned).chain(swaps);
-        let tried = all.map(|change| (change, unexplained(shapes, motions, Some(change))));
+        let all = changes(&corners(), &(0..6).collect::<Vec<_>>()).into_iter();
+        let tried = all.map(|change| {
+            let left = unexplained(shapes, motions, Some(&change));
+            (change, left)
+        });
         tried.min_by(|a, b| a.1.total_cmp(&b.1)).unwrap()
     }
 }

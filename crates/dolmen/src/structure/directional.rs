@@ -87,7 +87,7 @@ impl DirectionalModes {
 }
 
 /// Components turned by the common angle that makes them as real as they can be.
-fn real_shape(shape: &[Complex64]) -> Vec<f64> {
+pub(super) fn real_shape(shape: &[Complex64]) -> Vec<f64> {
     let turn = Complex64::from_polar(1.0, -0.5 * shape.iter().map(|z| z * z).sum::<Complex64>().arg());
     shape.iter().map(|z| (z * turn).re).collect()
 }

@@ -60,6 +60,7 @@ fn inverse() -> Result<Vec<Case>, ValidationError> {
         frequency_sd_hz: 0.0,
         motion: Some(motions[j]),
         twist: twists[j].map(|ratio| Twist { ratio, sd: 0.0 }),
+        shape: None,
     });
     let found = plan_stiffness(&storey, &modes)?;
     let one = found.accepted().next();

@@ -85,6 +85,7 @@ fn unlabelled(frequencies_hz: [f64; 3]) -> [PlanMode; 3] {
         frequency_sd_hz: 0.0,
         motion: None,
         twist: None,
+        shape: None,
     })
 }
 
@@ -239,6 +240,7 @@ fn exact_without_eccentricity_each_stiffness_is_m_omega_squared() {
         frequency_sd_hz: 0.01 * frequency_hz,
         motion: Some(motion),
         twist: None,
+        shape: None,
     };
     // two equal frequencies are those of a square plan
     for [x, y, torsion] in [[1.5, 1.1, 1.3], [1.2, 1.2, 1.7]] {
@@ -285,6 +287,7 @@ fn labelled(frequencies: [f64; 3], shapes: &[[f64; 3]; 3]) -> Option<[PlanMode; 
                 ratio: shapes[j][2] / shapes[j][motions[j].index()],
                 sd: 0.002,
             }),
+            shape: None,
         })
     })
 }
@@ -413,6 +416,7 @@ fn refuses_more_than_three_twins_and_says_what_few_leave_free() {
         frequency_sd_hz: 0.0,
         motion,
         twist: None,
+        shape: None,
     };
     let (x, y) = (Some(PlanMotion::X), Some(PlanMotion::Y));
     let off = storey([0.5, 0.0]);

@@ -1,6 +1,7 @@
 //! What changed between two surveys of one structure.
 
 mod difference;
+mod directions;
 mod mode_change;
 mod notes;
 mod slips;
@@ -9,6 +10,7 @@ mod swapped;
 mod temperature;
 
 pub use difference::{Difference, Evidence};
+pub use directions::ExchangedDirections;
 pub use mode_change::{ModeChange, NotCompared, SurveyChange, TemperatureKnowledge};
 pub use notes::ChangeNote;
 pub use surveys::{SurveyChangeOptions, Surveyed, survey_change};

@@ -1,5 +1,6 @@
 //! What must be known beside the numbers of a change.
 
+use super::directions::ExchangedDirections;
 use super::swapped::{SwappedChannels, TurnedChannel};
 
 /// What must be known beside the numbers.
@@ -44,6 +45,17 @@ pub enum ChangeNote {
     Swapped(SwappedChannels),
     /// A channel looks turned round in one of the surveys.
     Turned(TurnedChannel),
+    /// The directions x and y look exchanged in one of the surveys.
+    DirectionsExchanged(ExchangedDirections),
+    /// All frequencies differ by the ratio of the sampling rates of the records.
+    RateRatio {
+        /// After over before.
+        factor: f64,
+        /// The sampling rates, Hz.
+        rates_hz: [f64; 2],
+        /// How many modes.
+        modes: usize,
+    },
     /// No mode has a partner, and all frequencies differ by one factor.
     OneFactor {
         /// After over before.
@@ -110,6 +122,20 @@ impl std::fmt::Display for ChangeNote {
                 f,
                 "channel \"{}\" looks turned round in one of the surveys: mean MAC of {} modes {:.2} as they are, {:.2} with its sign changed",
                 turned.channel, turned.modes, turned.assurance, turned.turned
+            ),
+            ChangeNote::DirectionsExchanged(found) => write!(
+                f,
+                "the directions x and y look exchanged in one of the surveys: both have the same {} frequencies, their modes alike to {:.2} as they are and to {:.2} \
+                 with x and y exchanged",
+                found.modes, found.likeness, found.exchanged
+            ),
+            ChangeNote::RateRatio {
+                factor,
+                rates_hz: [before, after],
+                modes,
+            } => write!(
+                f,
+                "all {modes} frequencies are {factor:.4} times what they were, the ratio of the sampling rates {before} and {after} Hz: one of these is probably wrong"
             ),
             ChangeNote::OneFactor { factor, modes } => write!(
                 f,

@@ -8,6 +8,7 @@
 //! | r | `relative` | change that temperature does not explain | - |
 
 use super::difference::{Raw, tested, welch};
+use super::directions::exchanged_directions;
 use super::mode_change::{ModeChange, NotCompared, SurveyChange, TemperatureKnowledge};
 use super::notes::ChangeNote;
 use super::slips::slips;
@@ -180,6 +181,8 @@ pub fn survey_change(
         Slip::Swapped(swapped) => ChangeNote::Swapped(swapped),
         Slip::Turned(turned) => ChangeNote::Turned(turned),
     }));
+    let exchanged = exchanged_directions(&from.modes, &to.modes, &options.pairing);
+    notes.extend(exchanged.map(ChangeNote::DirectionsExchanged));
     notes.extend(slips(&modes, &lost, &new));
     Ok(SurveyChange {
         from: from.name.clone(),

@@ -18,6 +18,8 @@ const REPEATED: f64 = 1e-6;
 /// A mode moves otherwise than measured where another motion has more than this many times the energy of the measured one. Our choice:
 /// who sees a floor sway or twist sees the larger part of its motion.
 const OTHERWISE: f64 = 2.0;
+/// Assurance of a measured shape and that of a solution below which the solution is not accepted. Our choice: shapes 18° apart.
+const SHAPE_LEAST: f64 = 0.9;
 
 /// A mode of a solution moves otherwise than the measured one.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,6 +33,16 @@ pub struct MovesOtherwise {
     pub would_be: PlanMotion,
     /// The part of the energy that this has.
     pub share: f64,
+}
+
+/// A mode of a solution has another shape than the measured one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct ShapeOtherwise {
+    /// Its frequency, Hz.
+    pub frequency_hz: f64,
+    /// Assurance (MAC) of u, v, ρθ as measured and as they would be: 1 for one shape.
+    pub assurance: f64,
 }
 
 /// A stiffness that has the measured frequencies.
@@ -49,14 +61,21 @@ pub struct PlanSolution {
     pub shapes: [[f64; 3]; 3],
     /// By how many per cent a stiffness is off, most, where each frequency is off by 1 %; 2 if sway and twist do not couple.
     pub amplification: f64,
-    /// The first mode that contradicts the measured motion: the solution is not accepted. `None`: it is.
+    /// The first mode that contradicts the measured motion: the solution is not accepted.
     pub moves_otherwise: Option<MovesOtherwise>,
+    /// The mode whose measured shape it contradicts most: the solution is not accepted.
+    pub shape_otherwise: Option<ShapeOtherwise>,
 }
 
 impl PlanSolution {
     /// Parts of the energy of each mode, ascending, in u, v and θ of the centre of mass.
     pub fn energy_shares(&self) -> [[f64; 3]; 3] {
         self.shapes.map(|shape| shape.map(|q| q * q))
+    }
+
+    /// Whether its modes move as they were measured.
+    pub fn is_accepted(&self) -> bool {
+        self.moves_otherwise.is_none() && self.shape_otherwise.is_none()
     }
 }
 
@@ -91,7 +110,7 @@ pub struct PlanStiffness {
 impl PlanStiffness {
     /// Solutions whose modes move as they were measured.
     pub fn accepted(&self) -> impl Iterator<Item = &PlanSolution> {
-        self.solutions.iter().filter(|one| one.moves_otherwise.is_none())
+        self.solutions.iter().filter(|one| one.is_accepted())
     }
 }
 
@@ -105,7 +124,7 @@ impl PlanStiffness {
 /// twists of the modes along x and y the eccentricity is found too: the shapes are orthogonal and K has no entry between u and v,
 /// which leaves one unknown and a cubic. A twist of one of the two modes alone is not used.
 ///
-/// Solutions whose modes move otherwise than measured are kept with the reason. With fewer than three frequencies the result says
+/// Solutions whose modes move otherwise than measured, or have another shape, are kept with the reason. With fewer than three frequencies the result says
 /// what each determines by itself (only without eccentricity in its way), and what stays free.
 ///
 /// # Errors
@@ -118,7 +137,7 @@ impl PlanStiffness {
 /// ```
 /// use dolmen::structure::building::{PlanMode, PlanMotion, PlanStorey, plan_stiffness};
 /// let storey = PlanStorey { mass_kg: 604e3, gyration_m: 8.0, weight_takes_n_m: 0.0, eccentricity_m: [0.0, 0.0] };
-/// let mode = |frequency_hz, motion| PlanMode { frequency_hz, frequency_sd_hz: 0.03, motion: Some(motion), twist: None };
+/// let mode = |frequency_hz, motion| PlanMode { frequency_hz, frequency_sd_hz: 0.03, motion: Some(motion), twist: None, shape: None };
 /// let modes = [mode(1.5, PlanMotion::X), mode(1.1, PlanMotion::Y), mode(1.3, PlanMotion::Torsion)];
 /// let found = plan_stiffness(&storey, &modes)?;
 /// let one = found.accepted().next().unwrap();
@@ -157,7 +176,7 @@ pub fn plan_stiffness(storey: &PlanStorey, modes: &[PlanMode]) -> Result<PlanSti
         solutions.push(solution(storey, &modes, root, from)?);
     }
     solutions.sort_by(|a, b| {
-        let refused = |one: &PlanSolution| one.moves_otherwise.is_some();
+        let refused = |one: &PlanSolution| !one.is_accepted();
         let by_stiffness = a.stiffness[0].total_cmp(&b.stiffness[0]);
         refused(a).cmp(&refused(b)).then(by_stiffness)
     });
@@ -221,6 +240,9 @@ fn check(storey: &PlanStorey, modes: &[PlanMode]) -> Result<(), PlanStiffnessErr
             number("twist", twist.ratio)?;
             not_negative("twist sd", twist.sd)?;
         }
+        for given in mode.shape.iter().flatten() {
+            number("shape", *given)?;
+        }
     }
     for motion in PlanMotion::ALL {
         if modes.iter().filter(|mode| mode.motion == Some(motion)).count() > 1 {
@@ -281,14 +303,35 @@ fn solution(
         shapes: root.shapes,
         amplification: scatter.amplification,
         moves_otherwise: None,
+        shape_otherwise: None,
     };
     solution.moves_otherwise = moves_otherwise(modes, &solution.energy_shares());
+    solution.shape_otherwise = shape_otherwise(modes, &solution.shapes);
     Ok(solution)
 }
 
-fn moves_otherwise(modes: &[PlanMode; 3], energy_shares: &[[f64; 3]; 3]) -> Option<MovesOtherwise> {
+/// The mode whose measured shape is least like that of the root.
+fn shape_otherwise(modes: &[PlanMode; 3], shapes: &[[f64; 3]; 3]) -> Option<ShapeOtherwise> {
+    let dot = |a: &[f64; 3], b: &[f64; 3]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    let each = modes.iter().zip(shapes).filter_map(|(mode, own)| {
+        let measured = mode.shape?;
+        let assurance = dot(&measured, own).powi(2) / (dot(&measured, &measured) * dot(own, own));
+        Some(ShapeOtherwise {
+            frequency_hz: mode.frequency_hz,
+            assurance,
+        })
+    });
+    let least = each.min_by(|a, b| a.assurance.total_cmp(&b.assurance));
+    least.filter(|of| !(of.assurance >= SHAPE_LEAST))
+}
+
+/// A measured shape says more than the name of the motion, and is held against the root by itself.
+pub(super) fn moves_otherwise(
+    modes: &[PlanMode; 3],
+    energy_shares: &[[f64; 3]; 3],
+) -> Option<MovesOtherwise> {
     let of_mode = |(mode, shares): (&PlanMode, &[f64; 3])| {
-        let measured = mode.motion?;
+        let measured = mode.motion.filter(|_| mode.shape.is_none())?;
         let most = |a: &PlanMotion, b: &PlanMotion| shares[a.index()].total_cmp(&shares[b.index()]);
         let would_be = PlanMotion::ALL.into_iter().max_by(most)?;
         let share = shares[would_be.index()];

@@ -42,6 +42,8 @@ pub struct PlanMode {
     pub motion: Option<PlanMotion>,
     /// How much it turns beside that.
     pub twist: Option<Twist>,
+    /// u, v and ρθ of the centre of mass, any scale that the three share, if all of them were measured.
+    pub shape: Option<[f64; 3]>,
 }
 
 /// The floor on its storey, without the stiffness.

@@ -1,0 +1,87 @@
+//! Measured frequencies that are near those of the model: how near, and where scatter alone does not explain the difference.
+
+use crate::document::{Finding, Tone};
+use dolmen_project::Project;
+use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
+use dolmen_work::judgement::{MeasuredFrequency, latest_frequencies};
+use dolmen_work::state::State;
+
+/// Standard deviations beyond which scatter does not explain a difference. As for evidence.
+const DEVIATIONS_MOST: f64 = 3.0;
+/// Part of a frequency below which a difference is not worth a word, however small the scatter: masses and lengths are not known better. Ours.
+const WORTH: f64 = 0.02;
+
+messages! {
+    /// Measured frequencies near those of the model.
+    pub(crate) enum Agreement in "check.agreement" {
+        Off { survey: String, direction: String, measured: Quantity, computed: Quantity, relative: Quantity, deviations: Quantity, stiffness: Quantity } => {
+            en: "Survey {survey} measured {measured} in direction {direction}; this model has {computed}. That counts as agreement (10 %), but is {relative} and {deviations} standard deviations off: the stiffness of the structure over its mass may be {stiffness} of that of the model.",
+            ko: "{survey} 조사의 {direction} 방향 실측 고유진동수는 {measured}, 해석 모델은 {computed}이다. 10 % 이내이므로 일치로 보지만 {relative}, 표준편차의 {deviations}배 차이가 난다. 질량에 대한 실제 강성은 모델의 {stiffness}일 수 있다.",
+        },
+        Agree { each: Vec<Sentence> } => {
+            en: "Measured frequencies agree with this model: {each}.",
+            ko: "실측 고유진동수가 해석 모델과 일치한다: {each}.",
+        },
+        One { survey: String, direction: String, measured: Quantity, computed: Quantity } => {
+            en: "direction {direction} {measured}, model {computed} (survey {survey})",
+            ko: "{direction} 방향 {measured}, 모델 {computed}({survey} 조사)",
+        },
+    }
+}
+
+/// Of each direction what its latest survey measured, where the model is not contradicted there.
+pub(super) fn agreement(project: &Project, state: &State) -> Vec<Finding> {
+    let near = latest_frequencies(project, &state.check)
+        .into_iter()
+        .filter(|of| !of.differs() && !project.identified_from().contains(of.survey.as_str()));
+    let (off, agreeing): (Vec<MeasuredFrequency>, Vec<MeasuredFrequency>) =
+        near.partition(|of| deviations(of).is_some());
+    let mut all: Vec<Finding> = off.iter().filter_map(said_off).collect();
+    let each: Vec<Sentence> = agreeing.iter().map(one).collect();
+    if !each.is_empty() {
+        all.push(Finding::key(Tone::Good, Agreement::Agree { each }));
+    }
+    all
+}
+
+/// By how many standard deviations it is off, where that is worth a word.
+fn deviations(of: &MeasuredFrequency) -> Option<f64> {
+    let apart = (of.measured_hz - of.computed_hz).abs();
+    let deviations = apart / of.sd_hz?;
+    (deviations > DEVIATIONS_MOST && apart > WORTH * of.computed_hz).then_some(deviations)
+}
+
+fn said_off(of: &MeasuredFrequency) -> Option<Finding> {
+    let ratio = of.measured_hz / of.computed_hz;
+    let said = Agreement::Off {
+        survey: of.survey.clone(),
+        direction: of.direction.clone(),
+        measured: measured(of),
+        computed: hertz(of.computed_hz),
+        relative: Quantity::percent((ratio - 1.0).abs(), 2),
+        deviations: Quantity::ratio(deviations(of)?, 2),
+        stiffness: Quantity::percent(ratio * ratio, 3),
+    };
+    Some(Finding::key(Tone::Warn, said))
+}
+
+fn one(of: &MeasuredFrequency) -> Sentence {
+    Agreement::One {
+        survey: of.survey.clone(),
+        direction: of.direction.clone(),
+        measured: measured(of),
+        computed: hertz(of.computed_hz),
+    }
+    .into()
+}
+
+fn measured(of: &MeasuredFrequency) -> Quantity {
+    Quantity {
+        sd_si: of.sd_hz,
+        ..hertz(of.measured_hz)
+    }
+}
+
+fn hertz(value: f64) -> Quantity {
+    Quantity::new(value, Unit::si("Hz"), Digits::Significant(4))
+}

@@ -1,0 +1,84 @@
+//! The stiffness that a survey leads to beside that of the project file.
+
+use serde::Serialize;
+
+/// Standard deviations of the difference within which both are one. As for measured frequencies.
+const DEVIATIONS_MOST: f64 = 3.0;
+/// Part that a difference must have to be worth a word, and where no deviation is known. Chosen here.
+const RATIO_LEAST: f64 = 1.05;
+const RATIO_ALONE: f64 = 1.2;
+
+/// Stiffness that was found over that of the file.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct BesideFile {
+    /// Of each spring, lowest first, or of k_x, k_y, k_θ.
+    pub ratios: Vec<f64>,
+    /// Their differences in standard deviations of both together; `None` where none is known.
+    pub deviations: Option<Vec<f64>>,
+    /// Whether they differ beyond scatter.
+    pub differs: bool,
+    /// Whether the file marks all its values as assumed.
+    pub is_assumed: bool,
+}
+
+/// A stiffness with its standard deviation, 0 if not known.
+#[derive(Clone, Copy)]
+pub(crate) struct Known {
+    pub(crate) value: f64,
+    pub(crate) sd: f64,
+}
+
+/// What was found beside what the file has.
+pub(crate) fn beside(found: &[Known], file: &[Known], is_assumed: bool) -> Option<BesideFile> {
+    if found.len() != file.len() || found.is_empty() {
+        return None;
+    }
+    let both = || found.iter().zip(file);
+    let ratios: Vec<f64> = both().map(|(a, b)| a.value / b.value).collect();
+    let deviation = |(a, b): (&Known, &Known)| {
+        let sd = a.sd.hypot(b.sd);
+        (a.sd > 0.0).then(|| (a.value - b.value).abs() / sd)
+    };
+    let deviations: Option<Vec<f64>> = both().map(deviation).collect();
+    let is_beyond = |ratio: f64, most: f64| !(ratio.ln().abs() <= most.ln());
+    let differs = match &deviations {
+        Some(all) => {
+            let each = ratios.iter().zip(all);
+            each.into_iter()
+                .any(|(ratio, sd)| is_beyond(*ratio, RATIO_LEAST) && *sd > DEVIATIONS_MOST)
+        }
+        None => ratios.iter().any(|ratio| is_beyond(*ratio, RATIO_ALONE)),
+    };
+    Some(BesideFile {
+        ratios,
+        deviations,
+        differs,
+        is_assumed,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn all(values: &[f64], sd: f64) -> Vec<Known> {
+        values.iter().map(|value| Known { value: *value, sd }).collect()
+    }
+
+    #[test]
+    fn exact_a_ratio_is_told_in_deviations_of_both_and_scatter_is_none() {
+        let found = beside(&all(&[33.0, 18.0], 0.3), &all(&[30.0, 18.0], 0.4), false).unwrap();
+        assert!((found.ratios[0] - 1.1).abs() < 1e-12);
+        // 3 over √(0.3² + 0.4²)
+        assert!((found.deviations.as_ref().unwrap()[0] - 6.0).abs() < 1e-12 && found.differs);
+        let rough = beside(&all(&[33.0], 1.0), &all(&[30.0], 1.0), false).unwrap();
+        assert!(!rough.differs, "{rough:?}");
+        let near = beside(&all(&[30.9], 0.1), &all(&[30.0], 0.0), false).unwrap();
+        assert!(!near.differs, "3 % are no news: {near:?}");
+        assert!(
+            beside(&all(&[40.0], 0.0), &all(&[30.0], 0.0), false)
+                .unwrap()
+                .differs
+        );
+    }
+}

@@ -1,0 +1,37 @@
+//! Stiffness from a record whose shapes contradict the model, or whose sensors contradict each other: it is not chosen.
+
+use crate::kinds;
+use crate::surveyed::{StiffnessDoubt, SurveyAnswer};
+use dolmen_project::{Project, Survey};
+
+/// Directions that records give stiffness in, in the order of the axes.
+const AXES: [&str; 2] = ["x", "y"];
+
+/// Doubts the stiffness of directions that the survey states no modes of: it is from its records.
+pub(crate) fn doubt(project: &Project, survey: &Survey, answer: &mut SurveyAnswer) {
+    let found = answer.modes().map(|(modes, _)| modes.clone());
+    let Some(modes) = found else { return };
+    let doubt = kinds::shape_doubt(project, &modes);
+    let setups = answer.setups.iter().flat_map(|setups| &setups.records);
+    let is_told = answer
+        .records
+        .iter()
+        .chain(setups)
+        .any(|record| !record.doubts.is_empty());
+    let explains = doubt.as_ref().is_some_and(|doubt| !doubt.changes.is_empty());
+    for stiffness in &mut answer.stiffness {
+        let is_stated = survey.modes.contains_key(&stiffness.direction);
+        let axis = AXES.iter().position(|axis| *axis == stiffness.direction);
+        let Some(axis) = axis.filter(|_| !is_stated) else {
+            continue;
+        };
+        stiffness.doubted = match &doubt {
+            _ if is_told || explains => Some(StiffnessDoubt::Sensors),
+            Some(doubt) if doubt.is_of(axis) => Some(StiffnessDoubt::Shapes {
+                unexplained: doubt.unexplained_along[axis],
+            }),
+            _ => None,
+        };
+    }
+    answer.shape_doubt = doubt;
+}

@@ -1,0 +1,355 @@
+//! Shapes of a record that contradict a chain or frame, and the single change of its sensors that would make them agree.
+//!
+//! | symbol | code | meaning |
+//! |:--|:--|:--|
+//! | φ | `values` | components of a mode at the sensors along x and y, as real as they can be |
+//! | ψ | `shape` | the model's mode of the same frequency at the sensors of its direction, 0 at the others |
+//! | r | `residual` | 1 − (φ·ψ)²/(φ² ψ²): share of a mode that the model does not have |
+
+use super::inverse::Sprung;
+use super::{Chain, Frame, directional::real_shape};
+use crate::modal::{Mode, Modes};
+use dolmen_linalg::Complex64;
+use std::collections::BTreeMap;
+
+/// A sensor within 15° of x or y (cosine of it) is along it, as for the modes of a direction.
+const ALONG_LEAST: f64 = 0.966;
+/// Sensors of one level, m, that differ by more than this share of the largest component twist, as for the modes of a direction.
+const LEVEL_M: f64 = 0.05;
+const TWIST_MOST: f64 = 0.3;
+/// Most parts of a model whose every stiffness for given frequencies is followed here. Ours: 120 solutions of five.
+const PARTS_MOST: usize = 5;
+/// Share of the shapes above which a single change of sensors is sought, and above which shapes contradict the model where none is found. Ours.
+const UNEXPLAINED: f64 = 0.05;
+const CONTRADICTS: f64 = 0.2;
+/// By how much a change must lessen the share, and how near to the best another change is as good. As for sensors on a floor.
+const LESSENS: f64 = 4.0;
+const AS_GOOD: f64 = 2.0;
+/// A share below which two changes are alike. Ours: noise of shapes.
+const NOISE: f64 = 0.005;
+/// Most changes that are named: of more none is likely. Ours.
+const CHANGES_MOST: usize = 4;
+/// Factors between units and ranges that get mixed up. Shapes do not tell 9.8 (g beside m/s²) from 10, nor 981 (g beside gal) from 1000.
+const FACTORS: [f64; 3] = [10.0, 100.0, 1000.0];
+
+/// One change of the sensors of a record.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ChannelChange {
+    /// The sign of one.
+    Turned {
+        /// Its name.
+        channel: String,
+    },
+    /// Two exchanged.
+    Exchanged {
+        /// Their names.
+        channels: [String; 2],
+    },
+    /// One in another unit or range.
+    Scaled {
+        /// Its name.
+        channel: String,
+        /// What its numbers are to be multiplied by.
+        factor: f64,
+    },
+}
+
+/// Shapes of a record that the model does not have.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ShapeDoubt {
+    /// Share of the shapes that the model does not have with any stiffness of these frequencies.
+    pub unexplained: f64,
+    /// The same of the modes along x and along y.
+    pub unexplained_along: [f64; 2],
+    /// The share after any of `changes`; `unexplained` without one.
+    pub changed: f64,
+    /// Single changes of sensors that make the shapes agree, each by itself; empty where none does.
+    pub changes: Vec<ChannelChange>,
+}
+
+impl ShapeDoubt {
+    /// Whether the modes along x (0) or y (1) are doubted: all where a change of sensors explains the shapes.
+    pub fn is_of(&self, axis: usize) -> bool {
+        !self.changes.is_empty() || self.unexplained_along[axis] > CONTRADICTS
+    }
+}
+
+/// What the shapes of a record say against a chain; `None` where they agree.
+///
+/// # Limits
+/// As [`frame_shape_doubt`].
+pub fn chain_shape_doubt(chain: &Chain, modes: &Modes) -> Option<ShapeDoubt> {
+    shape_doubt(chain, modes)
+}
+
+/// What the shapes of a record say against a frame; `None` where they agree.
+///
+/// Each mode counts to the direction in which it moves more. Where a direction has as many modes as the model parts, their frequencies lead to
+/// every stiffness, and the shapes of the one that fits best are held against the measured ones. With fewer modes only the motion in the other
+/// direction counts.
+///
+/// # Limits
+/// Models of at most five parts. A change that leaves all modes alike is not seen. Two sensors alone in a direction cannot tell which of them is
+/// turned: both are named.
+pub fn frame_shape_doubt(frame: &Frame, modes: &Modes) -> Option<ShapeDoubt> {
+    shape_doubt(frame, modes)
+}
+
+/// A sensor along x or y on the model.
+struct Sensor {
+    name: String,
+    /// 0 along x, 1 along y.
+    axis: usize,
+    sign: f64,
+    height_m: f64,
+    /// Its displacement per unit of each coordinate of the model.
+    lever: Vec<f64>,
+}
+
+/// A change of the sensors, by their places.
+#[derive(Clone, Copy)]
+enum Change {
+    None,
+    Turned(usize),
+    Exchanged([usize; 2]),
+    Scaled(usize, f64),
+}
+
+/// Coordinates of the modes of each stiffness that has some frequencies.
+type Roots = Vec<Vec<Vec<f64>>>;
+
+struct Measured<'a, S: Sprung> {
+    of: &'a S,
+    parts: usize,
+    sensors: Vec<Sensor>,
+    /// By mode: its frequency, Hz, and its components as they were read.
+    modes: Vec<(f64, Vec<f64>)>,
+    roots: BTreeMap<Vec<u64>, Roots>,
+}
+
+fn shape_doubt<S: Sprung>(of: &S, modes: &Modes) -> Option<ShapeDoubt> {
+    let mut measured = Measured::new(of, modes)?;
+    let [all, x, y] = measured.unexplained(Change::None);
+    if all <= UNEXPLAINED {
+        return None;
+    }
+    let found = measured.best_changes(all);
+    if found.is_empty() && all <= CONTRADICTS {
+        return None;
+    }
+    let changed = found.first().map_or(all, |(share, _)| *share);
+    Some(ShapeDoubt {
+        unexplained: all,
+        unexplained_along: [x, y],
+        changed,
+        changes: found
+            .into_iter()
+            .filter_map(|(_, change)| measured.named(change))
+            .collect(),
+    })
+}
+
+impl<'a, S: Sprung> Measured<'a, S> {
+    /// `None` where no shape can be held against the model.
+    fn new(of: &'a S, modes: &Modes) -> Option<Self> {
+        let parts = of.model().ok()?.parts();
+        let mut places = Vec::new();
+        let mut sensors = Vec::new();
+        for (at, channel) in modes.channels.iter().enumerate() {
+            let (Some(position), Some(direction)) = (channel.position_m, channel.direction) else {
+                continue;
+            };
+            let Some(axis) = [0, 1]
+                .into_iter()
+                .find(|axis| direction[*axis].abs() >= ALONG_LEAST)
+            else {
+                continue;
+            };
+            let Ok(lever) = of.sensor(position[2]) else {
+                continue;
+            };
+            places.push(at);
+            sensors.push(Sensor {
+                name: channel.name.clone(),
+                axis,
+                sign: direction[axis].signum(),
+                height_m: position[2],
+                lever,
+            });
+        }
+        let components = |mode: &Mode| -> Option<Vec<f64>> {
+            let own: Option<Vec<Complex64>> = places.iter().map(|at| mode.shape.get(*at).copied()).collect();
+            own.map(|own| real_shape(&own))
+        };
+        let mut measured = Measured {
+            of,
+            parts,
+            sensors,
+            modes: modes
+                .modes
+                .iter()
+                .filter_map(|mode| Some((mode.frequency_hz, components(mode)?)))
+                .collect(),
+            roots: BTreeMap::new(),
+        };
+        let twisting: Vec<bool> = (0..measured.modes.len()).map(|m| measured.twists(m)).collect();
+        let mut kept = twisting.into_iter();
+        measured.modes.retain(|_| !kept.next().unwrap_or(false));
+        let is_enough = measured.sensors.len() > 1 && !measured.modes.is_empty();
+        (is_enough && parts <= PARTS_MOST).then_some(measured)
+    }
+
+    /// Components along the axes after a change.
+    fn values(&self, mode: usize, change: Change) -> Vec<f64> {
+        let mut read = self.modes[mode].1.clone();
+        match change {
+            Change::None => {}
+            Change::Turned(at) => read[at] = -read[at],
+            Change::Exchanged([a, b]) => read.swap(a, b),
+            Change::Scaled(at, factor) => read[at] *= factor,
+        }
+        read.iter()
+            .zip(&self.sensors)
+            .map(|(x, of)| x * of.sign)
+            .collect()
+    }
+
+    /// Whether sensors of one level and direction move apart.
+    fn twists(&self, mode: usize) -> bool {
+        let values = self.values(mode, Change::None);
+        let largest = values.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+        let mut pairs = (0..values.len()).flat_map(|j| (0..j).map(move |i| [i, j]));
+        pairs.any(|[i, j]| {
+            let (a, b) = (&self.sensors[i], &self.sensors[j]);
+            a.axis == b.axis
+                && (a.height_m - b.height_m).abs() < LEVEL_M
+                && (values[i] - values[j]).abs() > TWIST_MOST * largest
+        })
+    }
+
+    /// Mean share of all modes that the model does not have, of those along x, and of those along y.
+    fn unexplained(&mut self, change: Change) -> [f64; 3] {
+        let shares = |values: &[f64]| -> [f64; 2] {
+            let power: f64 = values.iter().map(|x| x * x).sum();
+            [0, 1].map(|axis| {
+                let own = values.iter().zip(&self.sensors).filter(|(_, of)| of.axis == axis);
+                own.map(|(x, _)| x * x).sum::<f64>() / power
+            })
+        };
+        let mut along: [Vec<(usize, Vec<f64>, f64)>; 2] = [Vec::new(), Vec::new()];
+        for mode in 0..self.modes.len() {
+            let values = self.values(mode, change);
+            let share = shares(&values);
+            let axis = usize::from(share[1] > share[0]);
+            along[axis].push((mode, values, 1.0 - share[axis]));
+        }
+        let mut sums = [0.0; 2];
+        for (axis, own) in along.iter().enumerate() {
+            let across: f64 = own.iter().map(|(_, _, across)| across).sum();
+            sums[axis] = across;
+            if own.len() >= self.parts {
+                let lowest = &own[..self.parts];
+                let beyond: f64 = own[self.parts..].iter().map(|(_, _, across)| across).sum();
+                let frequencies: Vec<f64> = lowest.iter().map(|(mode, ..)| self.modes[*mode].0).collect();
+                let values: Vec<&Vec<f64>> = lowest.iter().map(|(_, values, _)| values).collect();
+                sums[axis] = beyond + self.of_frequencies(&frequencies, &values, axis);
+            }
+        }
+        let mean = |sum: f64, count: usize| if count == 0 { 0.0 } else { sum / count as f64 };
+        [
+            mean(sums[0] + sums[1], along[0].len() + along[1].len()),
+            mean(sums[0], along[0].len()),
+            mean(sums[1], along[1].len()),
+        ]
+    }
+
+    /// Sum of the residuals with the stiffness of these frequencies that fits best; their number where there is none.
+    fn of_frequencies(&mut self, frequencies: &[f64], values: &[&Vec<f64>], axis: usize) -> f64 {
+        let key: Vec<u64> = frequencies.iter().map(|f| f.to_bits()).collect();
+        if !self.roots.contains_key(&key) {
+            let found = self.solved(frequencies);
+            self.roots.insert(key.clone(), found);
+        }
+        let roots = self.roots.get(&key).map_or(&[][..], Vec::as_slice);
+        let residual = |(values, coordinates): (&&Vec<f64>, &Vec<f64>)| {
+            let shape = self.sensors.iter().map(|of| match of.axis == axis {
+                true => of.lever.iter().zip(coordinates).map(|(l, q)| l * q).sum::<f64>(),
+                false => 0.0,
+            });
+            let shape: Vec<f64> = shape.collect();
+            let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+            let scale = dot(values, values) * dot(&shape, &shape);
+            match scale > 0.0 {
+                true => 1.0 - dot(values, &shape).powi(2) / scale,
+                false => 1.0,
+            }
+        };
+        let sum = |root: &Vec<Vec<f64>>| values.iter().zip(root).map(residual).sum::<f64>();
+        roots.iter().map(sum).fold(values.len() as f64, f64::min)
+    }
+
+    fn solved(&self, frequencies: &[f64]) -> Roots {
+        let Ok(Some(found)) = self.of.roots(frequencies) else {
+            return Vec::new();
+        };
+        let modes = |k: &Vec<f64>| -> Option<Vec<Vec<f64>>> {
+            let modes = self.of.natural_modes_with(k).ok()?;
+            Some(modes.into_iter().map(|mode| mode.coordinates).collect())
+        };
+        found.stiffness.iter().filter_map(modes).collect()
+    }
+
+    /// The changes that leave least, best first: none unless the best lessens the share enough, nor where too many are as good.
+    fn best_changes(&mut self, as_is: f64) -> Vec<(f64, Change)> {
+        let count = self.sensors.len();
+        let turned = (0..count).map(Change::Turned);
+        let exchanged = (0..count).flat_map(|j| (0..j).map(move |i| Change::Exchanged([i, j])));
+        let both_ways = FACTORS.iter().flat_map(|factor| [*factor, 1.0 / factor]);
+        let both_ways: Vec<f64> = both_ways.collect();
+        let scaled =
+            (0..count).flat_map(|at| both_ways.iter().map(move |factor| Change::Scaled(at, *factor)));
+        let all: Vec<Change> = turned.chain(exchanged).chain(scaled).collect();
+        let mut tried: Vec<(f64, Change)> = all
+            .into_iter()
+            .map(|change| (self.unexplained(change)[0], change))
+            .collect();
+        tried.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let Some(best) = tried.first().map(|(share, _)| *share) else {
+            return Vec::new();
+        };
+        if best * LESSENS > as_is {
+            return Vec::new();
+        }
+        tried.retain(|(share, _)| *share <= (AS_GOOD * best).max(NOISE));
+        let mut found: Vec<(f64, Change)> = Vec::new();
+        for (share, change) in tried {
+            // of the factors of a sensor the best
+            let is_known = |(_, known): &(f64, Change)| match (known, change) {
+                (Change::Scaled(a, _), Change::Scaled(b, _)) => *a == b,
+                _ => false,
+            };
+            if !found.iter().any(is_known) {
+                found.push((share, change));
+            }
+        }
+        match found.len() <= CHANGES_MOST {
+            true => found,
+            false => Vec::new(),
+        }
+    }
+
+    fn named(&self, change: Change) -> Option<ChannelChange> {
+        let name = |at: usize| self.sensors[at].name.clone();
+        match change {
+            Change::None => None,
+            Change::Turned(at) => Some(ChannelChange::Turned { channel: name(at) }),
+            Change::Exchanged(pair) => Some(ChannelChange::Exchanged {
+                channels: pair.map(name),
+            }),
+            Change::Scaled(at, factor) => Some(ChannelChange::Scaled {
+                channel: name(at),
+                factor,
+            }),
+        }
+    }
+}

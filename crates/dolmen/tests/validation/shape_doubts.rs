@@ -1,0 +1,201 @@
+// SOURCE     Modes of a frame and of a chain with known stiffness, seen by sensors of which one is turned, exchanged or in another unit.
+// GOAL       Shapes that contradict the model are seen, and the change of sensors that was made is named.
+//
+//        o x2, y2
+//        |          modes along x and y  →  (a sensor is changed)  →  which one was it?
+//        o x1, y1
+//      /////
+//
+// PARAMETERS Gate: 180 and 120 t, x 30 and 18, y 45 and 30 MN/m. Flagpole of Naju (Choi 2021).
+// PUBLISHED  Nothing.
+// TOLERANCE  none: names; shares by closed form 1e-9.
+
+use crate::choi_2021::{naju, twice_the_least};
+use dolmen::modal::{Method, Mode, Modes};
+use dolmen::signal::{Channel, Quantity};
+use dolmen::structure::{
+    ChannelChange, Convention, Frame, ShapeDoubt, Storey, chain_shape_doubt, frame_shape_doubt,
+};
+use dolmen_linalg::Complex64;
+
+fn gate() -> Frame {
+    let storey = |mass_kg: f64, height_m: f64, axial_n: f64| Storey {
+        mass_kg,
+        height_m,
+        axial_n,
+    };
+    let storeys = vec![storey(180e3, 4.8, 300e3 * 9.81), storey(120e3, 4.1, 120e3 * 9.81)];
+    Frame::new(storeys, Convention::Drift).unwrap()
+}
+
+fn channel(name: &str, z: f64, direction: [f64; 3]) -> Channel {
+    Channel {
+        name: name.into(),
+        quantity: Quantity::Acceleration,
+        position_m: Some([0.0, 0.0, z]),
+        direction: Some(direction),
+    }
+}
+
+fn modes(channels: Vec<Channel>, mut all: Vec<(f64, Vec<f64>)>) -> Modes {
+    all.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mode = |(frequency_hz, shape): (f64, Vec<f64>)| Mode {
+        frequency_hz,
+        frequency_sd_hz: Some(0.002 * frequency_hz),
+        frequency_changes_hz: vec![],
+        damping_ratio: None,
+        damping_ratio_sd: None,
+        shape: shape
+            .into_iter()
+            .map(|x| Complex64::from_polar(1.0, 0.3) * x)
+            .collect(),
+        shape_sd: None,
+        phase_collinearity: 1.0,
+        cycles: 600.0,
+        orders: vec![],
+        kurtosis: None,
+        wander: None,
+        window_bias: None,
+        accepted: None,
+    };
+    Modes {
+        modes: all.into_iter().map(mode).collect(),
+        channels,
+        method: Method::SsiCov,
+        duration_s: 600.0,
+        history: vec![],
+    }
+}
+
+/// x1, x2, y1, y2 of the gate.
+fn of_gate() -> Modes {
+    let (x, y) = ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0]);
+    let channels = vec![
+        channel("x1", 4.8, x),
+        channel("x2", 8.9, x),
+        channel("y1", 4.8, y),
+        channel("y2", 8.9, y),
+    ];
+    let along = |k: [f64; 2], at: usize| {
+        let found = gate().natural_modes(&k).unwrap();
+        found.into_iter().map(move |mode| {
+            let mut shape = vec![0.0; 4];
+            shape[at..at + 2].copy_from_slice(&mode.displacement);
+            (mode.frequency_hz, shape)
+        })
+    };
+    let all = along([30e6, 18e6], 0).chain(along([45e6, 30e6], 2));
+    modes(channels, all.collect())
+}
+
+fn changed(change: impl Fn(&mut Vec<Complex64>)) -> Option<ShapeDoubt> {
+    let mut seen = of_gate();
+    seen.modes.iter_mut().for_each(|mode| change(&mut mode.shape));
+    frame_shape_doubt(&gate(), &seen)
+}
+
+#[test]
+fn holds_shapes_of_the_model_are_not_doubted() {
+    assert_eq!(changed(|_| {}), None);
+    // nor are they of a chain
+    let chain = naju();
+    let k = twice_the_least(&chain);
+    assert_eq!(chain_shape_doubt(&chain, &of_chain(&k, |_| {})), None);
+}
+
+#[test]
+fn exact_the_change_that_was_made_of_a_gates_sensors_is_named() {
+    let turned = changed(|shape| shape[1] = -shape[1]).unwrap();
+    // of two sensors in a direction either may be the one
+    for name in ["x1", "x2"] {
+        let channel = name.to_owned();
+        assert!(
+            turned.changes.contains(&ChannelChange::Turned { channel }),
+            "{turned:?}"
+        );
+    }
+    assert_eq!(turned.changes.len(), 2, "{turned:?}");
+    assert!(
+        turned.is_of(0) && turned.is_of(1) && turned.changed < 1e-9,
+        "{turned:?}"
+    );
+    let mixed = changed(|shape| shape.swap(1, 3)).unwrap();
+    let exchanged = |a: &str, b: &str| ChannelChange::Exchanged {
+        channels: [a.to_owned(), b.to_owned()],
+    };
+    assert!(mixed.changes.contains(&exchanged("x2", "y2")), "{mixed:?}");
+    let scaled = changed(|shape| shape[2] *= 10.0).unwrap();
+    let tenth = |of: &ChannelChange| matches!(of, ChannelChange::Scaled { channel, factor } if channel == "y1" && (factor - 0.1).abs() < 1e-12);
+    assert!(scaled.changes.iter().any(tenth), "{scaled:?}");
+}
+
+fn of_chain(k: &[f64], change: impl Fn(&mut Vec<f64>)) -> Modes {
+    let chain = naju();
+    let heights: Vec<f64> = chain
+        .joint_heights_m()
+        .into_iter()
+        .skip(1)
+        .chain([chain.height_m()])
+        .collect();
+    let channels = heights
+        .iter()
+        .map(|z| channel(&format!("{z:.2}"), *z, [1.0, 0.0, 0.0]));
+    let found = chain.natural_modes(k).unwrap();
+    let all = found.into_iter().map(|mode| {
+        let mut shape: Vec<f64> = heights
+            .iter()
+            .map(|z| chain.displacement_at(&mode.coordinates, *z).unwrap())
+            .collect();
+        change(&mut shape);
+        (mode.frequency_hz, shape)
+    });
+    modes(channels.collect(), all.collect())
+}
+
+#[test]
+fn exact_of_a_chains_sensors_the_one_that_is_wrong_is_named_alone() {
+    let chain = naju();
+    let k = twice_the_least(&chain);
+    let name = |at: usize| {
+        let heights = chain.joint_heights_m();
+        let z = heights.get(at + 1).copied().unwrap_or(chain.height_m());
+        format!("{z:.2}")
+    };
+    for wrong in 0..chain.links().len() {
+        let found = chain_shape_doubt(&chain, &of_chain(&k, |shape| shape[wrong] = -shape[wrong]));
+        let Some(found) = found else {
+            // the lowest point hardly moves
+            assert_eq!(wrong, 0);
+            continue;
+        };
+        let channel = name(wrong);
+        assert_eq!(found.changes, [ChannelChange::Turned { channel }], "{found:?}");
+    }
+    let swapped = chain_shape_doubt(&chain, &of_chain(&k, |shape| shape.swap(1, 3))).unwrap();
+    let channels = [name(1), name(3)];
+    assert_eq!(
+        swapped.changes,
+        [ChannelChange::Exchanged { channels }],
+        "{swapped:?}"
+    );
+}
+
+#[test]
+fn exact_axes_turned_by_an_angle_are_no_slip_of_one_sensor() {
+    // all sensors read along axes turned by 35°: sin² of it of every mode lies across
+    let angle = 35_f64.to_radians();
+    let (sin, cos) = angle.sin_cos();
+    let turned = changed(|shape| {
+        for (x, y) in [(0, 2), (1, 3)] {
+            let (a, b) = (shape[x], shape[y]);
+            shape[x] = a * cos + b * sin;
+            shape[y] = b * cos - a * sin;
+        }
+    })
+    .unwrap();
+    assert!(
+        turned.changes.is_empty() && turned.is_of(0) && turned.is_of(1),
+        "{turned:?}"
+    );
+    assert!((turned.unexplained - sin * sin).abs() < 1e-9, "{turned:?}");
+}
