@@ -258,6 +258,15 @@ pub enum WorkError {
     },
     /// Histories of the wind are written at their own steps.
     OutputStepOfWind,
+    /// The step of histories of the wind cuts the resonance off.
+    WindStepTooLong {
+        /// Given, s.
+        step_s: f64,
+        /// The most that is allowed, s.
+        most_s: f64,
+        /// The frequency of a mode that it would leave out, Hz.
+        mode_hz: f64,
+    },
     /// A point of a building was lost.
     PointNotWatched,
 

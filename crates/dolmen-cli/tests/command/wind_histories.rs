@@ -86,6 +86,14 @@ fn holds_limits_decide_headline_and_exit_and_files_hold_the_first_history() {
             "simulate floor --wind --repeats 2 --duration 100 {words}"
         ))
     };
+    let whole = |limit: &str, words: &str| {
+        with_line(
+            &scratch,
+            "far_from_the_centre",
+            &format!("wind = {{ {WIND}{limit} }}"),
+        );
+        scratch.briefly(&format!("simulate floor --wind --repeats 2 {words}"))
+    };
     let answer = run("", "");
     assert_eq!(answer.status, 0, "{}", answer.stderr);
     assert!(
@@ -103,7 +111,12 @@ fn holds_limits_decide_headline_and_exit_and_files_hold_the_first_history() {
     let said = answer.words();
     assert!(said.contains("Wind: beyond its limits (acceleration:"), "{said}");
     assert!(said.contains("2 of these 2 histories go beyond it"), "{said}");
-    let answer = run(
+    // of a hundred seconds nothing within is decided
+    let answer = run(r#", acceleration_limit = "9 m/s2""#, "");
+    let said = answer.words();
+    assert!(said.contains("Wind: not decided (acceleration:"), "{said}");
+    assert!(said.contains("of 100 s nothing within them is decided"), "{said}");
+    let answer = whole(
         r#", acceleration_limit = "9 m/s2", drift_limit = 0.06"#,
         "--language ko",
     );
@@ -161,6 +174,7 @@ fn refuses_a_wind_that_is_not_there_and_flags_without_effect() {
             "--wind blows the wind of the file on a building in time: this file has a chain",
         ),
         ("floor --wind --step 1e-7", "at most 4 000 000"),
+        ("floor --wind --step 2", "give at most"),
     ] {
         let answer = scratch.briefly(&format!("simulate {words}"));
         assert_eq!(answer.status, 2, "{words}: {}", answer.stdout);
@@ -180,5 +194,80 @@ fn refuses_a_wind_that_is_not_there_and_flags_without_effect() {
     assert!(
         stderr.contains("damping_ratio is 0, but must be above 0"),
         "{stderr}"
+    );
+}
+
+/// One floor whose answers are near its limits.
+fn floor(limits: &str, more: &str) -> String {
+    format!(
+        "schema = 1\nkind = \"building\"\nname = \"one floor\"\nevidence = \"assumed\"\n\
+         units = {{ length = \"m\", mass = \"t\", stiffness = \"kN/mm\" }}\n\
+         floors = [{{ mass = 900, sides = [20, 12], height = 30, centre = [1.0, 0.5], \
+         stiffness = {{ x = 6.0, y = 5.0, rotation = \"450000 kN*m/rad\", centre = [-0.5, 0] }} }}]\n\
+         damping = {{ ratio = 0.01 }}\n\
+         wind = {{ speed = \"25 m/s\", means = \"10 min\", code = \"EN 1991-1-4\", terrain = \"II\", force_coefficient = 1.3{limits} }}\n{more}"
+    )
+}
+
+#[test]
+fn holds_the_mean_square_and_stops_that_are_met_decide_too() {
+    let scratch = Scratch::new("wind_histories_decide");
+    let said = |limits: &str, more: &str, words: &str| {
+        fs::write(scratch.path().join("project.toml"), floor(limits, more)).unwrap();
+        scratch.briefly(&format!("{words} project.toml"))
+    };
+    // 0.520 m/s² in the mean of ten histories, 0.553 by the mean square
+    let limits = ", acceleration_limit = \"0.54 m/s2\"";
+    let (check, run) = (said(limits, "", "check"), said(limits, "", "simulate --wind"));
+    for answer in [&check, &run] {
+        assert!(
+            answer.words().contains("beyond its limits (acceleration: 0.97"),
+            "{}",
+            answer.stdout
+        );
+        assert_eq!(answer.status, 1, "{}", answer.stdout);
+    }
+    assert!(
+        run.words()
+            .contains("By the mean square that is beyond its limit"),
+        "{}",
+        run.stdout
+    );
+    // the step at which lines reach the modes gives the standard deviation that the usual one gives
+    let json = |words: &str| -> Value {
+        let answer = scratch.briefly(&format!(
+            "--json simulate --wind --repeats 6 {words} project.toml"
+        ));
+        serde_json::from_str(&answer.stdout).unwrap_or_else(|why| panic!("{why} {}", answer.stderr))
+    };
+    let refused = scratch.briefly("simulate --wind --step 0.5 project.toml");
+    assert_eq!(refused.status, 2, "{}", refused.stdout);
+    let most = refused.stderr.split("at most ").nth(1).unwrap();
+    let most: f64 = most.split_whitespace().next().unwrap().parse().unwrap();
+    let run = json(&format!("--step {}", most - 1e-4));
+    let corner = |key: &str| number(&run, &format!("/along_y/without_dampers/corner_m_s2/{key}"));
+    let ratio = corner("rms") / corner("mean_square/rms");
+    assert!((ratio - 1.0).abs() < 0.15, "{ratio}");
+    // a damper whose room its strokes reach in the mean square, and then one that only single histories go beyond
+    let damper = |room: &str| {
+        format!(
+            "[damper.d]\nkind = \"tmd\"\nfloor = 1\nplace = [-8, 0]\ndirection = \"y\"\nmass_ratio = 0.02\n\
+             tuning = \"warburton_force\"\nstroke = \"{room}\"\n"
+        )
+    };
+    let struck = said(limits, &damper("0.128 m"), "simulate --wind");
+    let words = struck.words();
+    assert!(words.contains("beyond its limits (room of d: 0.89"), "{words}");
+    assert!(
+        words.contains("meets its stops in 3 of these 10 histories"),
+        "{words}"
+    );
+    assert_eq!(struck.status, 1, "{words}");
+    let struck = said("", &damper("0.146 m"), "simulate --wind");
+    let words = struck.words();
+    assert!(words.contains("Wind: not decided (room of d: 0.9"), "{words}");
+    assert!(
+        words.contains("meets its stops in 1 of these 10 histories"),
+        "{words}"
     );
 }

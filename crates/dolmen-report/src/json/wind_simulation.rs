@@ -30,6 +30,10 @@ pub fn wind_simulation_json(run: &WindSimulation) -> Value {
         "stroke_names": strokes.map(|stroke| stroke.name).collect::<Vec<_>>(),
         "along_x": along(0),
         "along_y": along(1),
+        "as_long_as_its_wind": run.is_as_long_as_its_wind(),
+        "struck_stops": run.struck().iter().map(|of| json!({
+            "damper": of.name, "histories": of.histories, "largest_stroke_m": of.largest_m, "room_m": of.room_m,
+        })).collect::<Vec<_>>(),
         "beyond_room": run.beyond_room().iter().map(|beyond| json!({
             "damper": beyond.name, "stroke_m": beyond.stroke_m, "room_m": beyond.room_m,
         })).collect::<Vec<_>>(),

@@ -47,8 +47,20 @@ messages! {
             ko: "{axis} 방향 바람에서 {floor} 바닥 아래 층의 층간변위비가 평균 {ratio}으로 허용값 {limit}을(를) 넘는다. 평균제곱법의 값은 {mean_square}이다.",
         },
         BeyondRoom { damper: Sentence, needed: Quantity, has: Quantity } => {
-            en: "Damper {damper} is beyond its room: it needs {needed} each way in the mean of the histories and has {has}. It would meet its stops, which these histories do not have, so that all values with dampers are too good.",
-            ko: "제진장치 {damper}의 행정이 시간이력 평균 {needed}으로 여유 공간 {has}을(를) 넘는다. 스토퍼 충돌을 고려하지 않아 제진장치가 있을 때의 응답을 작게 평가한다.",
+            en: "Damper {damper} is beyond its room: it needs {needed} each way, in the mean of the histories or by the mean square, and has {has}. It would meet its stops, which these histories do not have, so that all values with dampers are too good.",
+            ko: "제진장치 {damper}의 행정이 시간이력 평균 또는 평균제곱법으로 {needed}이며 여유 공간 {has}을(를) 넘는다. 스토퍼 충돌을 고려하지 않아 제진장치가 있을 때의 응답을 작게 평가한다.",
+        },
+        Struck { damper: Sentence, struck: usize, histories: usize, largest: Quantity, has: Quantity } => {
+            en: "Damper {damper} meets its stops in {struck} of these {histories} histories, the largest stroke being {largest} of the {has} that it has: the histories do not have the stops, and are too good there.",
+            ko: "제진장치 {damper}이(가) 시간이력 {histories}개 중 {struck}개에서 스토퍼에 부딪친다(최대 행정 {largest}, 여유 공간 {has}). 시간이력에는 스토퍼가 없어 응답을 작게 평가한다.",
+        },
+        TooShort { length: Quantity } => {
+            en: "Limits are of the ten minutes of the mean wind, in which the largest gusts may come at any time: of {length} nothing within them is decided. Leave --duration out.",
+            ko: "한계는 평균풍속의 10분에 대한 것이며 최대 돌풍은 그 안에서 언제든 올 수 있다. {length}의 시간이력으로는 한계 이내를 판정할 수 없다. --duration을 뺀다.",
+        },
+        BeyondByMeanSquare { limit: Quantity, beyond: usize, histories: usize } => {
+            en: "By the mean square that is beyond its limit, which decides: {limit} is allowed; {beyond} of {histories} histories go beyond it.",
+            ko: "평균제곱법의 값이 허용값 {limit}을(를) 넘으며 이 값으로 판정한다. 시간이력 {histories}개 중 {beyond}개가 허용값을 넘는다.",
         },
         With { acceleration: Quantity, displacement: Quantity, axis: Sentence } => {
             en: "With the dampers the peak acceleration of that corner is {acceleration} of that without, the peak displacement of the top floor {displacement}, the wind along {axis}.",
@@ -72,6 +84,23 @@ pub(super) fn findings(run: &WindSimulation) -> Vec<Finding> {
                 has: significant(beyond.room_m, millimetres(), 3),
             },
         ));
+    }
+    for struck in run.struck() {
+        all.push(Finding::key(
+            Tone::Bad,
+            Blew::Struck {
+                damper: stroke_words(&struck.name),
+                struck: struck.histories,
+                histories: run.seeds.len(),
+                largest: significant(struck.largest_m, millimetres(), 3),
+                has: significant(struck.room_m, millimetres(), 3),
+            },
+        ));
+    }
+    let is_limited = run.acceleration_limit_m_s2.is_some() || run.drift_limit.is_some();
+    if is_limited && !run.is_as_long_as_its_wind() {
+        let length = seconds_whole(run.duration_s);
+        all.push(Finding::key(Tone::Warn, Blew::TooShort { length }));
     }
     acceleration(run, &mut all);
     all.extend(drift(run));
@@ -111,13 +140,21 @@ fn acceleration(run: &WindSimulation, all: &mut Vec<Finding>) {
         return;
     };
     let (limit, beyond) = (in_si(limit_m_s2), top.beyond(limit_m_s2));
+    all.push(Finding::key(Tone::Plain, said));
     let is_beyond = top.peak() > limit_m_s2;
+    if !is_beyond && run.judged_acceleration_m_s2() > limit_m_s2 {
+        let said = Blew::BeyondByMeanSquare {
+            limit,
+            beyond,
+            histories,
+        };
+        return all.push(Finding::key(Tone::Bad, said));
+    }
     let tone = match (is_beyond, beyond) {
         (true, _) => Tone::Bad,
         (false, 0) => Tone::Plain,
         (false, _) => Tone::Warn,
     };
-    all.push(Finding::key(Tone::Plain, said));
     all.push(Finding::key(
         tone,
         match is_beyond {
@@ -138,11 +175,11 @@ fn acceleration(run: &WindSimulation, all: &mut Vec<Finding>) {
 }
 
 fn drift(run: &WindSimulation) -> Option<Finding> {
-    let drift = run.largest_drift()?;
+    let drift = run.judged_drift()?;
     let of: &InTime = &run.motions()[drift.axis].drifts_m[drift.storey];
     let height_m = run.building.storeys()[drift.storey].height_m;
     let (floor, axis) = (floor_words(&run.floors[drift.storey]), axis_words(drift.axis));
-    let ratio = Quantity::percent(drift.of_height, 3);
+    let ratio = Quantity::percent(of.peak() / height_m, 3);
     let mean_square = Quantity::percent(of.mean_square.peak() / height_m, 3);
     Some(match run.drift_limit {
         Some(limit) if drift.of_height > limit => Finding::key(

@@ -31,4 +31,4 @@ pub use tune_answer::{
 };
 pub use tuned::TuneOptions;
 pub use wind_answer::{BuildingWind, FloorInWind, FloorMet, WIND_DURATION_S, WindAlong, WindMotion};
-pub use wind_history_answer::{DriftInTime, HistoriesAlong, InTime, MotionInTime, WindSimulation};
+pub use wind_history_answer::{DriftInTime, HistoriesAlong, InTime, MotionInTime, Struck, WindSimulation};

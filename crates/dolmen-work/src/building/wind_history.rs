@@ -15,9 +15,12 @@ use std::ops::Range;
 
 /// Histories of each wind where nobody said how many: their mean peak is then known to a third of its scatter. Our choice.
 const REPEATS: usize = 10;
-/// Longest step, s, and steps of a period of the lowest mode: lines reach eight times its frequency. Our choice.
+/// Longest step that is taken where none is given, s. Our choice.
 const STEP_MOST_S: f64 = 0.02;
+/// Steps of a period of the lowest mode at least: lines, which reach a quarter of the rate of samples, reach eight times its frequency. Our choice.
 const STEPS_A_PERIOD: f64 = 32.0;
+/// Steps of a period of the third mode at least, the last that sways or twists without a node: lines reach twice its frequency. Our choice.
+const STEPS_A_THIRD_PERIOD: f64 = 8.0;
 
 /// How the wind blows.
 pub(crate) struct WindOptions {
@@ -47,10 +50,16 @@ pub(crate) fn simulate_wind(
     let dampers = part.dampers(&alone, pick)?;
     let building = alone.building();
     let blown = Blown::new((building, &dampers), part, given, pick)?;
-    let slowest_hz = alone.modes().modes.iter().map(|mode| mode.frequency_hz);
-    let slowest_hz = slowest_hz.fold(f64::INFINITY, f64::min);
+    let (step_most_s, mode_hz) = step_most(alone.modes().modes.iter().map(|mode| mode.frequency_hz));
+    if let Some(step_s) = options.step_s.filter(|step_s| *step_s > step_most_s) {
+        return Err(WorkError::WindStepTooLong {
+            step_s,
+            most_s: step_most_s,
+            mode_hz,
+        });
+    }
     let duration_s = options.duration_s.unwrap_or(WIND_DURATION_S);
-    let own_step_s = STEP_MOST_S.min(1.0 / (STEPS_A_PERIOD * slowest_hz));
+    let own_step_s = STEP_MOST_S.min(step_most_s);
     let step_s = options.step_s.unwrap_or(own_step_s).min(duration_s);
     let times = gust_times(&blown.structure, &blown.dampers, duration_s, step_s)?;
     let repeats = options.repeats.unwrap_or(REPEATS) as u64;
@@ -73,6 +82,17 @@ pub(crate) fn simulate_wind(
         building: building.clone(),
         dampers,
     }))
+}
+
+/// The longest step with which gusts reach the modes that they move, s, and the frequency of the one that decides, Hz.
+fn step_most(frequencies_hz: impl Iterator<Item = f64>) -> (f64, f64) {
+    let mut all: Vec<f64> = frequencies_hz.collect();
+    all.sort_by(f64::total_cmp);
+    let lowest = all.first().map(|hz| (1.0 / (STEPS_A_PERIOD * hz), *hz));
+    let third = all.get(2).map(|hz| (1.0 / (STEPS_A_THIRD_PERIOD * hz), *hz));
+    let each = lowest.into_iter().chain(third);
+    each.min_by(|a, b| a.0.total_cmp(&b.0))
+        .unwrap_or((STEP_MOST_S, 0.0))
 }
 
 fn histories_along(

@@ -1,10 +1,11 @@
 //! A building in histories of the wind of its file, beside the mean square.
 
 use super::simulation::BeyondRoom;
+use super::wind_answer::WIND_DURATION_S;
 use dolmen::damper::GustPeak;
 use dolmen::numeric::variance;
 use dolmen::structure::Building;
-use dolmen_project::{BuiltDamper, Names};
+use dolmen_project::{BuiltDamper, Names, strokes_of};
 
 /// What `dolmen simulate --wind` found.
 #[derive(Clone, Debug, PartialEq)]
@@ -93,6 +94,11 @@ impl InTime {
         self.peaks.iter().sum::<f64>() / self.peaks.len().max(1) as f64
     }
 
+    /// What is judged: that mean, or the peak by the mean square where it is larger.
+    pub fn judged(&self) -> f64 {
+        self.peak().max(self.mean_square.peak())
+    }
+
     /// Standard deviation of the peaks; `None` of fewer than two histories.
     pub fn peak_rms(&self) -> Option<f64> {
         variance(&self.peaks).ok().map(f64::sqrt)
@@ -130,29 +136,85 @@ impl WindSimulation {
 
     /// The storey that drifts most over its height in the mean of the histories: the wind, the storey from 0.
     pub fn largest_drift(&self) -> Option<DriftInTime> {
+        self.drift_by(InTime::peak)
+    }
+
+    /// The acceleration of the top floor that is judged, m/s².
+    pub fn judged_acceleration_m_s2(&self) -> f64 {
+        let [x, y] = self.motions().map(|motion| motion.corner_m_s2.judged());
+        x.max(y)
+    }
+
+    /// The drift that is judged: the largest over its height.
+    pub fn judged_drift(&self) -> Option<DriftInTime> {
+        self.drift_by(InTime::judged)
+    }
+
+    /// Each stroke that is judged, m.
+    pub fn judged_strokes_m(&self) -> Vec<f64> {
+        self.strokes_by(InTime::judged)
+    }
+
+    /// Dampers that need more room, in the mean of the histories or by the mean square, than they have.
+    pub fn beyond_room(&self) -> Vec<BeyondRoom> {
+        BeyondRoom::of(&self.dampers, self.judged_strokes_m().into_iter())
+    }
+
+    /// Dampers that meet their stops in some history, whatever the mean.
+    pub fn struck(&self) -> Vec<Struck> {
+        let [x, y] = self.motions();
+        let pairs = x.strokes_m.iter().zip(&y.strokes_m);
+        let each = strokes_of(&self.dampers).into_iter().zip(pairs);
+        let found = each.filter_map(|(of, (x, y))| {
+            let room_m = of.room_m?;
+            let mut peaks = x.peaks.iter().zip(&y.peaks).map(|(x, y)| x.max(*y));
+            let histories = peaks.by_ref().filter(|peak| *peak > room_m).count();
+            (histories > 0).then(|| Struck {
+                name: of.name,
+                histories,
+                largest_m: x.largest().max(y.largest()),
+                room_m,
+            })
+        });
+        found.collect()
+    }
+
+    /// Whether a history is as long as the wind that its limits are of.
+    pub fn is_as_long_as_its_wind(&self) -> bool {
+        self.duration_s >= WIND_DURATION_S
+    }
+
+    fn strokes_by(&self, value: fn(&InTime) -> f64) -> Vec<f64> {
+        let [x, y] = self.motions();
+        let pairs = x.strokes_m.iter().zip(&y.strokes_m);
+        pairs.map(|(x, y)| value(x).max(value(y))).collect()
+    }
+
+    fn drift_by(&self, value: fn(&InTime) -> f64) -> Option<DriftInTime> {
         let each = self.motions().into_iter().enumerate();
         let all = each.flat_map(|(axis, motion)| {
             let storeys = motion.drifts_m.iter().zip(self.building.storeys()).enumerate();
             storeys.map(move |(storey, (drift, of))| DriftInTime {
                 axis,
                 storey,
-                of_height: drift.peak() / of.height_m,
+                of_height: value(drift) / of.height_m,
             })
         });
         all.max_by(|a, b| a.of_height.total_cmp(&b.of_height))
     }
+}
 
-    /// The larger peak of each stroke in the mean of the histories, m.
-    pub fn strokes_m(&self) -> Vec<f64> {
-        let [x, y] = self.motions();
-        let pairs = x.strokes_m.iter().zip(&y.strokes_m);
-        pairs.map(|(x, y)| x.peak().max(y.peak())).collect()
-    }
-
-    /// Dampers that need more room in the mean of the histories than they have.
-    pub fn beyond_room(&self) -> Vec<BeyondRoom> {
-        BeyondRoom::of(&self.dampers, self.strokes_m().into_iter())
-    }
+/// A damper that meets its stops in some histories.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Struck {
+    /// Its stroke.
+    pub name: String,
+    /// In how many histories.
+    pub histories: usize,
+    /// Its largest stroke of all, m.
+    pub largest_m: f64,
+    /// The room that it has, m.
+    pub room_m: f64,
 }
 
 /// The drift of a storey.
@@ -162,6 +224,6 @@ pub struct DriftInTime {
     pub axis: usize,
     /// The storey, from 0.
     pub storey: usize,
-    /// Its peak over the height, in the mean of the histories.
+    /// Its peak over the height.
     pub of_height: f64,
 }

@@ -119,14 +119,15 @@ pub(super) fn of_wind(project: &Project, state: &State, is_contradicted: bool) -
     if_model_is_right(compared(standing, &answer.floors), is_contradicted)
 }
 
-/// The mean of the peaks of histories against the same limits.
+/// Histories against the same limits: the mean of their peaks, or the mean square where that is larger, so that there is one answer to one question. A
+/// damper that meets its stops in one of them, which they do not have, and histories shorter than the wind that the limits are of, leave nothing within.
 pub(super) fn of_wind_histories(run: &WindSimulation, is_contradicted: bool) -> Vec<WindFinding> {
     let mut all = Vec::new();
     if let Some(limit) = run.acceleration_limit_m_s2 {
-        let (_, top) = run.top_acceleration();
-        all.push(WindFinding::of(WindLimit::Acceleration, None, limit / top.peak()));
+        let ratio = limit / run.judged_acceleration_m_s2();
+        all.push(WindFinding::of(WindLimit::Acceleration, None, ratio));
     }
-    if let (Some(limit), Some(drift)) = (run.drift_limit, run.largest_drift()) {
+    if let (Some(limit), Some(drift)) = (run.drift_limit, run.judged_drift()) {
         let floor = run.floors[drift.storey].clone();
         all.push(WindFinding::of(
             WindLimit::Drift,
@@ -134,13 +135,20 @@ pub(super) fn of_wind_histories(run: &WindSimulation, is_contradicted: bool) -> 
             limit / drift.of_height,
         ));
     }
-    all.extend(rooms(&run.dampers, run.strokes_m()));
-    if_model_is_right(all, is_contradicted)
+    all.extend(rooms(&run.dampers, run.judged_strokes_m()));
+    for struck in run.struck() {
+        let mut own = all.iter_mut().filter(|of| of.part.as_ref() == Some(&struck.name));
+        if let Some(of) = own.find(|of| of.limit == Some(WindLimit::Room) && of.word == WindWord::Within) {
+            of.word = WindWord::NotDecided;
+            of.ratio = Some(struck.room_m / struck.largest_m);
+        }
+    }
+    if_model_is_right(all, is_contradicted || !run.is_as_long_as_its_wind())
 }
 
-/// A survey that contradicts the model leaves nothing within its limit.
-fn if_model_is_right(mut all: Vec<WindFinding>, is_contradicted: bool) -> Vec<WindFinding> {
-    if is_contradicted {
+/// What is not of the structure, or not of its wind, leaves nothing within its limit.
+fn if_model_is_right(mut all: Vec<WindFinding>, is_in_doubt: bool) -> Vec<WindFinding> {
+    if is_in_doubt {
         let within = all.iter_mut().filter(|of| of.word == WindWord::Within);
         within.for_each(|of| of.word = WindWord::NotDecided);
     }

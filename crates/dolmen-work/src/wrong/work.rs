@@ -185,6 +185,10 @@ sentences! {
             en: "--output-step has no effect with --wind: histories of the wind are written at every step; give --step instead",
             ko: "--wind에는 --output-step이 쓰이지 않는다. 바람의 시간이력은 모든 시간 간격에서 쓴다. --step을 준다",
         },
+        WindStepTooLong { step_s, most_s, mode_hz } as { step_s, most_s: format!("{most_s:.4}"), mode_hz: format!("{mode_hz:.3}") } => {
+            en: "--step is {step_s} s, but gusts reach a quarter of the rate of samples, and the mode at {mode_hz} Hz needs them well beyond it: give at most {most_s} s, or leave --step out",
+            ko: "--step이 {step_s} s인데 난류는 표본화 진동수의 4분의 1까지만 들어가므로 {mode_hz} Hz 모드의 공진이 빠진다. {most_s} s 이하로 주거나 --step을 뺀다",
+        },
         PointNotWatched => {
             en: "a point of the file was not watched",
             ko: "파일의 점 하나를 살피지 않았다",
