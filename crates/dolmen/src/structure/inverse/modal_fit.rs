@@ -35,6 +35,8 @@ struct Target {
     ln_omega_squared: f64,
     /// sd of ln f.
     sd: f64,
+    /// Whether that follows from one that was stated in Hz.
+    is_stated: bool,
     /// Changes of ln f by each block of time, over sd.
     changes: Vec<f64>,
     shape: Option<Shape>,
@@ -66,6 +68,7 @@ impl ModalFit {
             Ok(Target {
                 ln_omega_squared: 2.0 * (std::f64::consts::TAU * mode.frequency_hz).ln(),
                 sd: if given > 0.0 { given } else { stand_in.frequency },
+                is_stated: given > 0.0,
                 changes: match given > 0.0 {
                     true => changes.map(|d| d / mode.frequency_sd_hz).collect(),
                     false => Vec::new(),
@@ -151,6 +154,26 @@ impl ModalFit {
             }
         }
         a
+    }
+
+    /// The same residuals with frequencies as they were stated, in Hz: what lies far from a measured frequency is as far below as above.
+    ///
+    /// ```text
+    /// r = (f/f_measured − 1)/sd,   from r' = ln(f/f_measured)/sd and dr'/dx
+    /// ```
+    pub(super) fn residuals_as_stated(&self, x: &[f64]) -> Option<Residuals> {
+        let mut all = self.residuals(x)?;
+        let mut row = 0;
+        for target in &self.targets {
+            if target.is_stated {
+                let ratio = (all.residual[row] * target.sd).exp();
+                all.residual[row] = (ratio - 1.0) / target.sd;
+                (0..x.len()).for_each(|i| all.jacobian[(row, i)] *= ratio);
+            }
+            row += 1 + target.shape.as_ref().map_or(0, |shape| shape.measured.len());
+        }
+        let is_finite = all.residual.iter().all(|r| r.is_finite());
+        is_finite.then_some(all)
     }
 
     /// Residuals (computed − measured)/sd, frequencies as logarithms, and d/dx; `None` if the structure falls.

@@ -32,7 +32,8 @@ impl<S: Sprung> Search<'_, S> {
     /// min over the other x of χ²(x_i, x) = χ²_best + 3.84 (widened²)
     /// ```
     ///
-    /// Data that share blocks of time are taken as independent here.
+    /// A frequency that carries a standard deviation counts by its difference in Hz, as it was stated: with a large one a logarithm would hold the lower end
+    /// too high. Data that share blocks of time are taken as independent here.
     pub(super) fn bounds(&self, best: &Found) -> Vec<StiffnessBounds> {
         let deviation = self.deviation_unit() * self.widened(best);
         let allowed = self.squares(best) + CHI_SQUARED_95 * deviation.powi(2);
@@ -45,7 +46,10 @@ impl<S: Sprung> Search<'_, S> {
     }
 
     fn squares(&self, found: &Found) -> f64 {
-        found.misfit.powi(2) * self.fit.data() as f64
+        match self.fit.residuals_as_stated(&found.x) {
+            Some(at) => at.residual.iter().map(|r| r * r).sum(),
+            None => found.misfit.powi(2) * self.fit.data() as f64,
+        }
     }
 
     /// One end of the interval of stiffness `i`; `None` if there is none on that side.
@@ -94,7 +98,7 @@ impl<S: Sprung> Search<'_, S> {
         let mut others = start.to_vec();
         others.remove(i);
         let end = levenberg_marquardt(others, ITERATIONS_MOST, |others| {
-            let all = self.fit.residuals(&whole(others))?;
+            let all = self.fit.residuals_as_stated(&whole(others))?;
             let column = |j: usize| if j < i { j } else { j + 1 };
             Some(Residuals {
                 jacobian: Matrix::from_fn(all.residual.len(), others.len(), |p, j| {
