@@ -49,6 +49,10 @@ messages! {
             en: "axial_force: in every storey it is {ratio} times the weight of the masses: is one of them in tf or kgf (1 tf is 9.81 kN), or a mass given as a weight?",
             ko: "axial_force: 모든 층에서 질량에 따른 무게의 {ratio}배이다. 어느 한쪽이 tf나 kgf(1 tf = 9.81 kN)이거나 무게를 질량으로 적은 것이 아닌가?",
         },
+        FrictionWithoutWeight { path: String, coefficient: String } => {
+            en: "{path} is 0, and so is the friction that {coefficient} takes from it: to leave P-delta out and keep the friction, give friction.force",
+            ko: "{path}이(가) 0이므로 {coefficient}에 따른 마찰력도 0이다. P-델타 효과만 빼려면 friction.force로 마찰력을 준다",
+        },
         FloorMass { path: String, per_area: Quantity } => {
             en: "{path} gives the floor {per_area}, and floors have 0.2 to 5 t/m²: is it a weight in kN (1 t weighs 9.81 kN), or in another unit?",
             ko: "{path}에 따르면 바닥의 질량이 {per_area}이다. 보통 0.2~5 t/m²이다. kN 단위의 무게(1 t = 9.81 kN)이거나 다른 단위가 아닌가?",

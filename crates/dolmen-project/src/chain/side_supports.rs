@@ -10,7 +10,48 @@ use crate::measure::{Bound, Measure};
 use crate::needed::listed;
 use crate::reader::Reader;
 use crate::stack::SideSupportRaw;
+use crate::usual::{guess, rounded, unit_of};
 use crate::wrong::WrongChain;
+
+/// Most free travel of a pole to a post over the height at which it would meet it: a pole leans by 1/10 at its end. Chosen here.
+const GAP_SHARE_MOST: f64 = 0.2;
+/// Least stiffness of a post times its height squared over weight × height of the pole: 1 is about what keeps a pole upright. Chosen here.
+const HOLD_SHARE_LEAST: f64 = 0.01;
+/// Largest stiffness of a post, N/m: a hundred times that of half a metre of granite over two metres, as a cantilever. Chosen here.
+const STIFFNESS_MOST_N_M: f64 = 1e10;
+
+/// Probable slips in the posts of a pole that weighs `weight_n`.
+pub(super) fn judge_side_supports(
+    reader: &mut Reader,
+    supports: &[ChainSupportPart],
+    weight_n: f64,
+    height_m: f64,
+) {
+    for support in supports {
+        if let Some(gap) = &support.gap {
+            let share = gap.value / support.height.value;
+            if share > GAP_SHARE_MOST {
+                let message = WrongChain::GapOfPost {
+                    path: gap.path.clone(),
+                    written: gap.written.clone(),
+                    share: rounded(share),
+                };
+                reader.slip(&gap.path, message, guess(1000.0, unit_of(gap)));
+            }
+        }
+        let stiffness = &support.stiffness;
+        let share = stiffness.value * support.height.value.powi(2) / (weight_n * height_m);
+        if share < HOLD_SHARE_LEAST || stiffness.value > STIFFNESS_MOST_N_M {
+            let message = WrongChain::StiffnessOfPost {
+                path: stiffness.path.clone(),
+                written: stiffness.written.clone(),
+                share: rounded(share),
+                product: reader.echo(weight_n * height_m, Measure::Moment),
+            };
+            reader.slip(&stiffness.path, message, WrongChain::StiffnessOfPostUnits);
+        }
+    }
+}
 
 pub(super) fn side_supports(
     reader: &mut Reader,

@@ -1,6 +1,7 @@
 //! Probable slips in a chain.
 
 use super::part::{ChainPart, JointPart, LinkPart};
+use super::side_supports::judge_side_supports;
 use super::soil::judge_soil;
 use super::stone::judge_stone;
 use crate::heaviness::Heaviness;
@@ -64,6 +65,9 @@ pub(crate) fn judge_chain(reader: &mut Reader, chain: &ChainPart) {
         return;
     }
     judge_joints(reader, chain, &masses);
+    let weight_n = masses.iter().sum::<f64>() * chain.gravity_m_s2;
+    let height_m = lengths.iter().map(|length| length.value).sum();
+    judge_side_supports(reader, &chain.side_supports, weight_n, height_m);
     if let Some(stone) = &chain.stone {
         judge_stone(reader, stone);
     }

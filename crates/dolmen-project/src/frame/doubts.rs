@@ -1,6 +1,6 @@
 //! Patterns over all storeys of a frame that look like a slip.
 
-use super::part::{Axial, FramePart};
+use super::part::{Axial, FramePart, SlipForces};
 use crate::doubted::Doubted;
 use crate::reader::Reader;
 use crate::usual::mass_kg;
@@ -17,6 +17,7 @@ pub(crate) fn doubt_frame(reader: &mut Reader, part: &FramePart) {
         .iter()
         .filter_map(|storey| Some(storey.axial_force.as_ref()?.value))
         .collect();
+    doubt_friction(reader, part);
     if part.axial == Axial::FromMasses || forces.len() != part.storeys.len() {
         return;
     }
@@ -43,5 +44,35 @@ pub(crate) fn doubt_frame(reader: &mut Reader, part: &FramePart) {
     if near(STANDARD_GRAVITY_M_S2) || near(1.0 / STANDARD_GRAVITY_M_S2) {
         let mean = shares.iter().sum::<f64>() / shares.len() as f64;
         reader.doubt("storeys", Doubted::AxialFactor { ratio: ratio(mean) });
+    }
+}
+
+/// Friction that follows from an axial force of 0.
+fn doubt_friction(reader: &mut Reader, part: &FramePart) {
+    let forces = part
+        .storeys
+        .iter()
+        .filter_map(|storey| storey.axial_force.as_ref());
+    let Some(none) = forces.clone().find(|force| force.value == 0.0) else {
+        return;
+    };
+    let is_whole = match part.axial {
+        Axial::Storey => true,
+        Axial::Level => forces.clone().all(|force| force.value == 0.0),
+        Axial::FromMasses => false,
+    };
+    let frictions = part
+        .directions
+        .iter()
+        .filter_map(|direction| direction.friction.as_ref());
+    for friction in frictions.filter(|_| is_whole) {
+        let SlipForces::Coefficient { kinetic, .. } = &friction.slip else {
+            continue;
+        };
+        let (path, coefficient) = (none.path.clone(), kinetic.path.clone());
+        reader.doubt(
+            &kinetic.path,
+            Doubted::FrictionWithoutWeight { path, coefficient },
+        );
     }
 }

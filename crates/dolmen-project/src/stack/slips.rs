@@ -1,6 +1,7 @@
 //! Probable slips in a stack.
 
 use super::part::{BedPart, BlockPart, MadePart, PagodaPart, PagodaSlendernessPart, ShapePart, StackPart};
+use super::slips_held::judge_held;
 use crate::quantity::Quantity;
 use crate::reader::Reader;
 use crate::usual::{beside_neighbour, beside_others, guess, median_of_others, odd_ones, unit_of, within};
@@ -55,6 +56,7 @@ pub(crate) fn judge_stack(reader: &mut Reader, stack: &StackPart) {
     judge_extents(reader, stack);
     judge_order(reader, stack);
     judge_tilts(reader, stack);
+    judge_held(reader, stack);
     if let Some(made) = &stack.made {
         judge_made(reader, made);
     }

@@ -206,6 +206,18 @@ messages! {
             en: "{path} = {written}, but footings of poles and towers are at most 40 m wide",
             ko: "{path} = {written}인데 당간이나 탑의 기초는 40 m를 넘지 않는다",
         },
+        GapOfPost { path: String, written: String, share: String } => {
+            en: "{path} = {written}, {share} × the height at which the pole would meet the post: it has fallen long before",
+            ko: "{path} = {written}은(는) 지주에 닿는 높이의 {share}배이며, 당간은 그 전에 이미 전도된다",
+        },
+        StiffnessOfPost { path: String, written: String, share: String, product: String } => {
+            en: "{path} = {written}: with its height squared it is {share} of weight × height of the pole ({product}), and posts have 1/100 of that or more and no more than 10 GN/m",
+            ko: "{path} = {written}: 높이의 제곱을 곱하면 당간의 중량 × 높이({product})의 {share}인데, 지주는 그 1/100 이상, 10 GN/m 이하이다",
+        },
+        StiffnessOfPostUnits => {
+            en: "it is a force per length, and a bare number is in N/m unless units.force and units.length are given for it: write \"20 kN/mm\"",
+            ko: "단위 길이당 힘이다. 단위 없는 수는 N/m로 읽을 수 있으므로 \"20 kN/mm\"처럼 단위를 붙인다",
+        },
         FootingInUnits => {
             en: "a bare number is in units.length, m without it: is it in mm?",
             ko: "단위 없는 수는 units.length, 그것도 없으면 m이다. mm로 쓴 값인가?",

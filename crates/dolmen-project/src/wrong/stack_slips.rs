@@ -13,6 +13,26 @@ messages! {
             en: "list the stones lowest first, or say with on what each stands on",
             ko: "석재를 아래에서부터 쓰거나 각 석재가 놓인 곳을 on으로 밝힌다",
         },
+        TieStiffness { path: String, written: String } => {
+            en: "{path} = {written}, but dowels and clamps have 100 kN/m to 100 GN/m",
+            ko: "{path} = {written}인데 촉과 은장은 100 kN/m~100 GN/m이다",
+        },
+        TieStrength { path: String, written: String } => {
+            en: "{path} = {written}, but dowels and clamps bear 10 N to 50 MN",
+            ko: "{path} = {written}인데 촉과 은장의 강도는 10 N~50 MN이다",
+        },
+        BesideStiffness { path: String, written: String } => {
+            en: "{path} = {written}, but what stands beside stones has 10 kN/m to 100 GN/m",
+            ko: "{path} = {written}인데 석재 옆의 지지물은 10 kN/m~100 GN/m이다",
+        },
+        BesideGap { path: String, written: String } => {
+            en: "{path} = {written}, but stones that move by 2 m have fallen",
+            ko: "{path} = {written}인데 석재가 2 m 움직이면 이미 낙하한 것이다",
+        },
+        ForceUnits => {
+            en: "a stiffness is a force per length, \"20 kN/mm\", a strength a force, \"15 kN\"; bare numbers are in N/m and N unless units are given for them",
+            ko: "강성은 단위 길이당 힘(\"20 kN/mm\"), 강도는 힘(\"15 kN\")이다. 단위 없는 수는 units가 없으면 N/m, N이다",
+        },
         LeansFar { path: String, written: String } => {
             en: "{path} = {written} leans further than any stone stands",
             ko: "{path} = {written}은(는) 석재가 설 수 없을 만큼 큰 기울기이다",
