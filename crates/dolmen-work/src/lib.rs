@@ -25,6 +25,7 @@ pub mod follow;
 pub mod frame;
 mod held_beside_file;
 mod identify;
+mod in_runs;
 pub mod inventory;
 pub mod judgement;
 pub mod kept;

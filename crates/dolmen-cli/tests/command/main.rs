@@ -79,6 +79,7 @@ mod training;
 mod tunings;
 mod untrusted;
 mod verbs;
+mod what_counts;
 mod wind_histories;
 mod wind_on_buildings;
 mod workbooks;

@@ -5,6 +5,7 @@ use crate::document::{Finding, Tone};
 use crate::limits;
 use crate::simulated::{seconds, version_name};
 use crate::text::GROWN;
+use dolmen::signal::Component;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::building::{Against, BuildingSimulation};
 
@@ -35,6 +36,10 @@ messages! {
         TiltLeftOut { survey: String, tilt: String } => {
             en: "the building starts plumb: the tilt of survey {survey} ({tilt}) is not in it, and what leans drifts further to that side.",
             ko: "건물은 연직 상태에서 시작하며 {survey} 조사의 실측 기울기({tilt})를 반영하지 않았다. 기울어진 건물은 그 방향으로 더 변위한다.",
+        },
+        VerticalLeftOut => {
+            en: "the vertical component of the motion, z, does not act: a building of floors knows no vertical shaking.",
+            ko: "지진동의 연직 성분 z는 작용하지 않는다. 층 모델은 연직 진동을 고려하지 않는다.",
         },
         NoWind => {
             en: "the wind of the file does not blow during the motion; `dolmen check` says what it does.",
@@ -104,6 +109,9 @@ pub(super) fn alarms(simulation: &BuildingSimulation) -> Vec<(Tone, Sentence)> {
             room: four(beyond.room_m),
         };
         all.push((Tone::Bad, said.into()));
+    }
+    if simulation.motion.motion.has(Component::Z) {
+        all.push((Tone::Warn, Moved::VerticalLeftOut.into()));
     }
     if simulation.without_wind {
         all.push((Tone::Plain, Moved::NoWind.into()));

@@ -6,7 +6,7 @@ use crate::simulated::{
     Simulated, capitalised, cut, kilo, millimetres, milliradians, seconds, undamped, under, version_name,
 };
 use dolmen::dynamics::ChainOutcome;
-use dolmen_project::ChainAxis;
+use dolmen::signal::Component;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::chain::ChainSimulation;
 
@@ -74,6 +74,10 @@ messages! {
         ForcesLeftOut => {
             en: "Forces and moments of static loads and the wind of the file do not act in this run: `dolmen check` judges them.",
             ko: "이 해석에는 정하중의 힘·모멘트와 바람을 반영하지 않았다. `dolmen check`에서 판정한다.",
+        },
+        VerticalLeftOut => {
+            en: "The vertical component of the motion, z, does not act: a chain turns in one plane, and its beds bear what they bear at rest. Shaking upwards takes from that.",
+            ko: "지진동의 연직 성분 z는 작용하지 않는다. 체인 모델은 한 평면에서 회전하며 접합면의 축력은 정적 상태의 값이다. 연직 진동은 그 축력을 줄일 수 있다.",
         },
         WordStood => { en: "stood", ko: "안정 유지" },
         WordOpened => { en: "joints opened", ko: "접합면 벌어짐" },
@@ -152,6 +156,10 @@ pub(super) fn loads(simulation: &ChainSimulation) -> Vec<Finding> {
     });
     let left_out = simulation.loads_left_out.then_some(Ending::ForcesLeftOut);
     let carries = carries.map(|said| Finding::key(Tone::Plain, said));
+    let motion = simulation.motion.as_ref();
+    let vertical = motion.is_some_and(|(of, _)| of.motion.has(Component::Z));
+    let vertical = vertical.then_some(Ending::VerticalLeftOut);
+    let left_out = left_out.into_iter().chain(vertical);
     let left_out = left_out.map(|said| Finding::key(Tone::Warn, said));
     carries.into_iter().chain(left_out).collect()
 }

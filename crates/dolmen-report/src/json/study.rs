@@ -39,6 +39,8 @@ pub fn study_json(answer: &StudyAnswer) -> Result<Value, AssessError> {
         })),
         "noise_seed": study.artificial.map(|made| made.seed),
         "notes": answer.notes.iter().map(|note| &note.english).collect::<Vec<_>>(),
+        "left_out_of_runs": answer.left_out_of_runs.iter().map(|said| &said.english).collect::<Vec<_>>(),
+        "copies": answer.copies.iter().map(|copy| json!({ "motion": copy.motion, "of": copy.of })).collect::<Vec<_>>(),
         "inputs": inputs.collect::<Vec<_>>(),
         "cases": answer.cases.len(),
         "samples": study.samples,

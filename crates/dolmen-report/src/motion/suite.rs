@@ -58,8 +58,8 @@ messages! {
             ko: "연직 성분이라 뺀 채널: {count}개.",
         },
         CopyOf { file: String, first: String } => {
-            en: "Not taken: {file} has the samples of {first}.",
-            ko: "뺀 파일: {file}은(는) {first}와(과) 표본이 같다.",
+            en: "Not taken: {file} is {first} again: the same samples, or scaled, turned over, cut or sampled anew.",
+            ko: "뺀 파일: {file}은(는) {first}의 사본이다. 표본이 같거나 배율·부호·길이·표본 간격만 다르다.",
         },
         Refused { file: String, why: Both } => {
             en: "Not taken: {file}: {why}",

@@ -35,10 +35,23 @@ pub(crate) fn findings(answer: &StudyAnswer) -> Vec<Finding> {
         .into_iter()
         .map(|doubt| Finding::key(Tone::Bad, doubt))
         .collect();
+    let left_out = answer.left_out_of_runs.iter().map(|said| {
+        let said = said.clone();
+        Finding::key(Tone::Warn, run::Done::NotInRuns { said })
+    });
     if answer.study.scan.is_none() {
+        all.extend(left_out);
         return all;
     }
-    all.extend(capacity(answer));
+    let found = capacity(answer);
+    if found.is_none() {
+        // nothing is left but why
+        let why = run::refused_for(answer).into_iter();
+        all.extend(why.map(|said| Finding::key(Tone::Bad, said)));
+    }
+    all.extend(found);
+    all.extend(left_out);
+    all.extend(run::copies(answer).map(|said| Finding::key(Tone::Warn, said)));
     all.extend(
         doubts::doubts(answer)
             .into_iter()

@@ -29,8 +29,8 @@ messages! {
             ko: "θ는 증분해석의 절반이 해당 상태에 이르는 최대지반가속도(θ_v는 최대지반속도), β는 대수 표준편차이며 각각의 95 % 신뢰구간을 함께 제시한다. 충분한 수: θ의 표준오차가 10 %가 되는 입력지진의 수이며, β를 거의 알 수 없는 7개 미만에서는 제시하지 않는다.",
         },
         RiskMeaning => {
-            en: "In brackets the annual rate at the ends of both intervals; beyond the hazard: the share of a rate that comes from shaking for which no hazard was given.",
-            ko: "괄호는 두 신뢰구간의 끝에서의 연간 초과율이다. 재해도 범위 밖: 재해도가 주어지지 않은 지진동에서 나온 초과율의 비율.",
+            en: "In brackets the annual rate at the ends of both intervals, open where more than half of it would come from shaking weaker than any of the hazard, or where it would exceed one a year; beyond the hazard: the share of a rate that comes from shaking for which no hazard was given.",
+            ko: "괄호는 두 신뢰구간의 끝에서의 연간 초과율이며, 절반 넘게 재해도보다 약한 지진동에서 나오거나 연 1회를 넘으면 상한을 제시하지 않는다. 재해도 범위 밖: 재해도가 주어지지 않은 지진동에서 나온 초과율의 비율.",
         },
         Reached => { en: "reached", ko: "도달" },
         Theta => { en: "θ", ko: "θ" },
@@ -52,8 +52,8 @@ messages! {
             ko: "θ는 적합한 곡선의 중앙값이다. 한계 지진동 표의 중앙값은 증분해석 결과 자체의 중앙값으로 증분 간격까지 구하였다. 한계 지진동이 대수정규분포를 따르지 않거나 도달한 증분해석이 절반 미만이면 둘은 다르다.",
         },
         Records { motions: usize, records: usize } => {
-            en: "The {motions} motions are of {records} records: directions of one record count as one motion, in curves, intervals and bands.",
-            ko: "입력지진 {motions}개는 기록 {records}개에서 나왔다. 한 기록의 여러 방향은 곡선, 신뢰구간, 띠에서 입력지진 하나로 센다.",
+            en: "The {motions} motions are of {records} records: directions and copies of one record count as one motion, in curves, intervals and bands.",
+            ko: "입력지진 {motions}개는 기록 {records}개에서 나왔다. 한 기록의 여러 방향과 사본은 곡선, 신뢰구간, 띠에서 입력지진 하나로 센다.",
         },
         Bounds => {
             en: "Where none or all reached a state, or its scatter is below the steps of the scan: what is known with 95 % confidence, and no curve.",

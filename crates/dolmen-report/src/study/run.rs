@@ -59,6 +59,12 @@ messages! {
             en: "Not finished: {missing} of {jobs} are missing; the same command goes on from here. What follows is of the part that is done.",
             ko: "미완료: {jobs} 중 {missing}건이 끝나지 않았다. 같은 명령으로 이어서 해석할 수 있으며, 아래 결과는 완료된 부분만의 것이다.",
         },
+        NotInRuns { said: Both } => { en: "Left out: {said}.", ko: "미반영: {said}." },
+        Copies { each: Vec<Sentence> } => {
+            en: "Motions that are one record count as one: {each}.",
+            ko: "같은 기록인 지반운동은 하나로 센다: {each}.",
+        },
+        Copy { motion: String, of: String } => { en: "{motion} is {of} again", ko: "{motion}은(는) {of}의 사본" },
         Note { note: Both } => { en: "{note}.", ko: "{note}." },
     }
 }
@@ -75,6 +81,9 @@ pub(super) fn section(document: &mut Document<'_>, answer: &StudyAnswer) {
         ends(answer).into(),
     ]));
     notes(document, answer);
+    document
+        .blocks
+        .extend(copies(answer).map(|said| Block::Warning(said.into())));
     let capacities = answer.capacities();
     let refused = capacities
         .iter()
@@ -85,9 +94,8 @@ pub(super) fn section(document: &mut Document<'_>, answer: &StudyAnswer) {
             scans: scans(refused),
         });
     }
-    for (why, count) in answer.refusals() {
-        let why = why.to_owned();
-        document.note(Done::RefusedFor { count, why });
+    for said in refused_for(answer) {
+        document.note(said);
     }
     for doubt in doubts(answer) {
         document.put(Block::Warning(doubt.into()));
@@ -109,9 +117,33 @@ pub(super) fn unscanned(document: &mut Document<'_>, answer: &StudyAnswer) {
 }
 
 fn notes(document: &mut Document<'_>, answer: &StudyAnswer) {
+    for said in &answer.left_out_of_runs {
+        let said = said.clone();
+        document.put(Block::Warning(Done::NotInRuns { said }.into()));
+    }
     for note in &answer.notes {
         document.note(Done::Note { note: note.clone() });
     }
+}
+
+/// Each reason for which scans were refused.
+pub(super) fn refused_for(answer: &StudyAnswer) -> Vec<Done> {
+    let each = answer.refusals().into_iter();
+    let each = each.map(|(why, count)| Done::RefusedFor {
+        count,
+        why: why.to_owned(),
+    });
+    each.collect()
+}
+
+/// Motions that are others again.
+pub(super) fn copies(answer: &StudyAnswer) -> Option<Done> {
+    let each = answer.copies.iter().map(|copy| {
+        let (motion, of) = (copy.motion.clone(), copy.of.clone());
+        Done::Copy { motion, of }.into()
+    });
+    let each: Vec<Sentence> = each.collect();
+    (!each.is_empty()).then_some(Done::Copies { each })
 }
 
 /// What the runs themselves leave open.

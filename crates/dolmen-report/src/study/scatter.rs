@@ -17,8 +17,8 @@ messages! {
             ko: "표본 {samples}개 중 {without}개는 곡선이 없다.",
         },
         NotSplit => {
-            en: "Where β is not split: fewer than three samples have a curve of their own, or more than a tenth of them have none.",
-            ko: "β를 나누지 못한 경우는 곡선이 있는 표본이 3개 미만이거나 표본의 10분의 1 넘게 곡선이 없는 경우이다.",
+            en: "Where β is not split: fewer than three samples have a curve of their own, more than a tenth of them have none, or both parts together lie outside the interval of β.",
+            ko: "β를 나누지 못한 경우는 곡선이 있는 표본이 3개 미만이거나 표본의 10분의 1 넘게 곡선이 없거나 두 값을 합한 것이 β의 신뢰구간을 벗어난 경우이다.",
         },
         CrossBelow { mild: Sentence, severe: Sentence, at: Quantity, probability: Quantity } => {
             en: "The curves of {mild} and {severe} cross at {at}, where both have {probability}: below it the worse state is called likelier than the milder one, which cannot be.",

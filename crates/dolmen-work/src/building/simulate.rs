@@ -2,8 +2,8 @@
 
 use super::{BuildingSimulation, WatchedPoint};
 use crate::error::WorkError;
+use crate::in_runs::LeftOutOfRuns;
 use crate::motion::MotionAnswer;
-use crate::tilt_left_out::TiltLeftOut;
 use crate::version::Version;
 use dolmen::damper::{AttachedDamper, damped_building_history};
 use dolmen::dynamics::{
@@ -62,6 +62,7 @@ pub(crate) fn simulate(
             along: [x, y],
         });
     }
+    let left_out = LeftOutOfRuns::of(version.project);
     Ok(Some(BuildingSimulation {
         file: version.file.to_owned(),
         name: version.project.name.clone(),
@@ -75,8 +76,8 @@ pub(crate) fn simulate(
         history,
         without_dampers,
         points,
-        tilt_left_out: TiltLeftOut::of(&version.project.surveys),
-        without_wind: version.project.loads.wind().is_some(),
+        tilt_left_out: left_out.tilt,
+        without_wind: left_out.wind,
     }))
 }
 

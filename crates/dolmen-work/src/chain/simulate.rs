@@ -4,10 +4,10 @@ use super::limits::link_names;
 use super::{ChainSimulation, ChainTogether};
 use crate::error::WorkError;
 use crate::frame::simulate::horizontal;
+use crate::in_runs::LeftOutOfRuns;
 use crate::motion::MotionAnswer;
 use crate::progress::{Progress, simulating};
 use crate::study::SWING_REST_S;
-use crate::tilt_left_out::TiltLeftOut;
 use crate::undamped::Undamped;
 use crate::version::Version;
 use crate::wrong::Place;
@@ -15,8 +15,7 @@ use dolmen::dynamics::{
     ChainModel, ChainRotations, ChainRun, DynamicsError, JointOpening, TimeFunction, chain_at_rest,
     chain_growth, simulate_chain,
 };
-use dolmen::signal::Component;
-use dolmen_project::{ChainAxis, ChainPart, LoadPart, LoadsPart, Quantity};
+use dolmen_project::{ChainPart, LoadsPart, Quantity};
 
 /// Length of a run that begins with a push alone, s: a pole of 0.3 Hz swings twenty times. Chosen here.
 const PUSHED_S: f64 = 60.0;
@@ -166,6 +165,7 @@ fn simulate_one(
     let growth = chain_growth(&model, &history)?;
     let mut joints = model.joints().iter();
     let is_damped = model.has_friction() || joints.any(|joint| joint.damping_n_m_s_rad > 0.0);
+    let left_out = LeftOutOfRuns::of(version.project);
     Ok(ChainSimulation {
         file: version.file.to_owned(),
         name: version.project.name.clone(),
@@ -179,18 +179,10 @@ fn simulate_one(
             None => modes.first().map(|mode| mode.frequency_hz),
         },
         carried_n: carried_n(loads),
-        loads_left_out: loads.wind().is_some() || loads.loads.iter().any(LoadPart::pushes),
+        loads_left_out: left_out.wind || left_out.forces,
         undamped: (!is_damped).then(|| Undamped::of(&version.project.surveys, None)),
         lean: part.lean.clone(),
-        tilt_left_out: match part.lean {
-            Some(_) => None,
-            None => TiltLeftOut::of(&version.project.surveys),
-        },
-        model,
-        motion,
-        push_rad: options.push_rad,
-        options: run,
-        growth,
+        tilt_left_out: left_out.tilt.filter(|_| part.lean.is_none()),
         history,
     })
 }

@@ -3,10 +3,10 @@
 use super::FrameSimulation;
 use super::columns_alone::columns_in_motion;
 use crate::error::WorkError;
+use crate::in_runs::LeftOutOfRuns;
 use crate::motion::MotionAnswer;
 use crate::progress::{Progress, simulating};
 use crate::study::SWING_REST_S;
-use crate::tilt_left_out::TiltLeftOut;
 use crate::undamped::Undamped;
 use crate::version::Version;
 use crate::wrong::Place;
@@ -96,7 +96,7 @@ pub(crate) fn simulate(
             storeys: storey_names(part),
             undamped: (!is_damped(part, direction, &frame))
                 .then(|| Undamped::of(&version.project.surveys, Some(direction))),
-            tilt_left_out: TiltLeftOut::of(&version.project.surveys),
+            tilt_left_out: LeftOutOfRuns::of(version.project).tilt,
             columns: columns_in_motion(
                 part,
                 &load.ground_acceleration_m_s2,

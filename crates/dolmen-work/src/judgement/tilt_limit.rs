@@ -41,16 +41,20 @@ pub fn tilt_beyond_limit(project: &Project) -> Option<TiltAgainstLimit> {
 /// When a survey without a date was made is not known: it may be the last.
 pub fn tilt_against_limit(project: &Project) -> Option<TiltAgainstLimit> {
     let limit = project.watch.tilt_limit?;
-    let tilted = || project.surveys.iter().filter(|survey| !survey.tilt.is_empty());
-    let dated = tilted().filter_map(|survey| Some((date(&survey.name)?, survey)));
-    let last = dated.max_by_key(|(day, _)| *day).map(|(_, survey)| survey);
-    let undated = tilted().filter(|survey| date(&survey.name).is_none());
-    let all = undated.chain(last);
-    let worst = all.max_by(|a, b| a.tilt_together().total_cmp(&b.tilt_together()))?;
+    let (last, tilt) = last_tilt(project)?;
     Some(TiltAgainstLimit {
         survey: worst.name.clone(),
         directions: worst.tilt.keys().cloned().collect(),
         tilt: worst.tilt_together(),
         limit,
     })
+}
+
+/// The last survey that states any tilt, and that tilt by all directions together, horizontal / vertical.
+pub fn last_tilt(project: &Project) -> Option<(&Survey, f64)> {
+    let tilted = |survey: &&Survey| !survey.tilt.is_empty();
+    let dated = project.surveys.iter().filter(tilted);
+    let last = dated.max_by_key(|survey| date(&survey.name).unwrap_or_default())?;
+    let squares = last.tilt.values().map(|tilt| tilt.ratio * tilt.ratio);
+    Some((last, squares.sum::<f64>().sqrt()))
 }

@@ -8,7 +8,7 @@ use crate::error::{Within as _, WorkError};
 use crate::told::told_both;
 use dolmen::signal::{
     Component, GroundMotion, MatchedMotion, SpectralOrdinate, SpectrumMatch, SpectrumMisfit, SuiteCandidate,
-    SuiteRule, match_spectrum, motion_suite, response_spectrum,
+    SuiteRule, is_same_shaking, match_spectrum, motion_suite, response_spectrum,
 };
 use dolmen_records::motions::{ComponentReading, Orientation, Origin, origin, read_channels};
 use dolmen_records::{Files, MOTION_BYTES_MOST};
@@ -87,7 +87,7 @@ pub enum NotTaken {
     },
     /// It is vertical.
     Vertical,
-    /// Its samples are those of a record before it.
+    /// It is a record before it again: the same samples, or scaled, turned over, cut or sampled anew.
     CopyOf {
         /// The file of that one.
         file: String,
@@ -181,7 +181,14 @@ pub fn suite(options: &SuiteOptions, names: &[String], files: &dyn Files) -> Res
                 not_taken.push((place, NotTaken::Vertical));
                 continue;
             }
-            let same = |one: &&Found| one.reading.acceleration_m_s2 == reading.acceleration_m_s2;
+            let samples = |of: &ComponentReading| (of.acceleration_m_s2.clone(), of.time_step_s);
+            let (own, step_s) = samples(&reading);
+            let same = |one: &&Found| {
+                is_same_shaking(
+                    (&one.reading.acceleration_m_s2, one.reading.time_step_s),
+                    (&own, step_s),
+                )
+            };
             if let Some(first) = found.iter().find(same) {
                 let file = first.file.clone();
                 not_taken.push((place, NotTaken::CopyOf { file }));

@@ -88,6 +88,8 @@ pub fn unlike_words(unlike: &Unlike, language: Language) -> String {
         Unlike::Bonds => "접합면이 부착됨(학습 조건: 부착 없음)".to_owned(),
         Unlike::Ties => "촉 또는 은장이 있음(학습 조건: 없음)".to_owned(),
         Unlike::SideSupports => "측면 지지가 있음(학습 조건: 없음)".to_owned(),
+        Unlike::Loads => "정하중이 작용함(학습 조건: 없음)".to_owned(),
+        Unlike::SupportsMove => "지점이 이동함(학습 조건: 지점 고정)".to_owned(),
         Unlike::Leans { slope } => format!("기울기 1/{:.0}(학습 조건: 연직)", 1.0 / slope),
         Unlike::Frequency {
             measured_hz,

@@ -4,6 +4,7 @@ use super::repeats::{Repeating, repeats};
 use super::sliding::sliding;
 use super::{LeftOut, StackRuns, StackSimulation};
 use crate::error::WorkError;
+use crate::in_runs::LeftOutOfRuns;
 use crate::judgement::is_worse_stack_run;
 use crate::motion::MotionAnswer;
 use crate::progress::{Progress, simulating};
@@ -129,7 +130,7 @@ impl Shakable<'_> {
             variant: version.variant.map(str::to_owned),
             stack: stack.clone(),
             lean: self.part.lean.clone(),
-            without_wind: version.project.loads.wind().is_some(),
+            without_wind: LeftOutOfRuns::of(version.project).wind,
             motion: self.motion.clone(),
             law,
             history,

@@ -3,6 +3,7 @@
 use super::fitted::Fitted;
 use super::kind::StudyKind;
 use super::maps::ResponseMaps;
+use super::motions::MotionCopy;
 use super::run::{Run, RunOutcome};
 use super::scans::{CapacityOf, LevelRow, capacity_of};
 use super::shaking_measure::ShakingScales;
@@ -56,6 +57,10 @@ pub struct StudyAnswer {
     pub version: String,
     /// What is to be known of the project file: values that it does not give, and others.
     pub notes: Vec<Both>,
+    /// What the runs leave out of what the file gives.
+    pub left_out_of_runs: Vec<Both>,
+    /// Motions that are others again.
+    pub copies: Vec<MotionCopy>,
     /// Inputs, the varied ones first.
     pub inputs: Vec<InputColumn>,
     /// Cases: samples of the first combination, then of the next.

@@ -9,6 +9,7 @@ use super::motions::PreparedMotion;
 use super::plan::Plan;
 use super::run::{Run, RunOutcome};
 use crate::error::WorkError;
+use crate::in_runs::no_capacity;
 use crate::progress::{Progress, Stage};
 use crate::stack::study::run_stacks;
 use crate::told::told_both;
@@ -227,6 +228,9 @@ pub(super) fn model_of(study: &StudyPart, project: &Project, sample: &Drawn) -> 
 }
 
 fn stack_model(stack: Stack) -> Result<Model, Both> {
+    if let Some(why) = no_capacity(&stack) {
+        return Err(why.into());
+    }
     let limits = stack_limits(&stack, &StackLimits::default()).map_err(|why| told_both(&why))?;
     if !limits.standing.stands() {
         return Err(CaseRefused::Falls {

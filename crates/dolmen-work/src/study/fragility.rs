@@ -9,8 +9,8 @@ use super::run::{Run, RunOutcome};
 use super::scans::CapacityOf;
 use super::shaking::scaled;
 use dolmen::assess::{
-    AssessError, Fragility, FragilityBound, FragilityFit, Observation, annual_risk, fit_fragility_of_motions,
-    scatter_split,
+    AnnualRisk, AssessError, Fragility, FragilityBound, FragilityFit, Observation, annual_risk,
+    fit_fragility_of_motions, scatter_split,
 };
 use dolmen_words::Language;
 use std::collections::BTreeSet;
@@ -137,20 +137,42 @@ impl StudyAnswer {
             let (theta, beta) = (fit.theta_interval(0.95).ok()?, fit.beta_interval(0.95).ok()?);
             let rate = |theta, beta| {
                 let curve = Fragility::new(theta, beta).ok()?;
-                Some(annual_risk(&hazard.curve, &curve).annual_rate)
+                Some(annual_risk(&hazard.curve, &curve))
             };
-            Some([rate(theta.upper, beta.lower)?, rate(theta.lower, beta.upper)?])
+            let (least, most) = (rate(theta.upper, beta.lower)?, rate(theta.lower, beta.upper)?);
+            Some([least.annual_rate, known_most(&most)])
+        });
+        let scatter = scatter.and_then(|_| scatter_split(&observations, &motions, &samples).ok().flatten());
+        let scatter = scatter.filter(|split| {
+            let interval = by_acceleration
+                .as_ref()
+                .ok()
+                .and_then(|fit| fit.beta_interval(0.95).ok());
+            interval.is_none_or(|of| (of.lower..=of.upper).contains(&split.of_motions.hypot(split.of_inputs)))
         });
         StateFragility {
             state,
             rate_interval,
             risk: risk.map(|(hazard, fit)| annual_risk(&hazard.curve, &fit.curve)),
-            scatter: scatter.and_then(|_| scatter_split(&observations, &motions, &samples).ok().flatten()),
+            scatter,
             by_measure,
             by_acceleration,
             observations,
             motions,
         }
+    }
+}
+
+/// Share of a rate that may come from shaking weaker than any of the hazard. Chosen here: beyond it more than half of the number is a slope that nobody gave.
+const BELOW_HAZARD_MOST: f64 = 0.5;
+/// Most rate, 1/year, at which a structure that stands is expected to reach a state. Chosen here: it has stood longer than a year.
+const RATE_MOST: f64 = 1.0;
+
+/// The upper end of a rate; infinite where the hazard does not tell it.
+fn known_most(risk: &AnnualRisk) -> f64 {
+    match risk.share_below_points > BELOW_HAZARD_MOST || risk.annual_rate > RATE_MOST {
+        true => f64::INFINITY,
+        false => risk.annual_rate,
     }
 }
 
@@ -248,7 +270,10 @@ pub fn fragility_columns(answer: &StudyAnswer) -> Vec<Column> {
             state.rate_interval.map(|ends| ends[0])
         }),
         numbers("annual_rate_most", &|state| {
-            state.rate_interval.map(|ends| ends[1])
+            state
+                .rate_interval
+                .map(|ends| ends[1])
+                .filter(|most| most.is_finite())
         }),
         numbers("probability_in_50_years", &|state| {
             state.risk.map(|risk| risk.probability_in(YEARS))

@@ -4,6 +4,7 @@ use super::answer::{CaseInputs, InputColumn};
 use crate::error::WorkError;
 use dolmen::numeric::Random;
 use dolmen_project::{Override, Project, Quantity, StudyPart};
+use dolmen_words::message::Both;
 use std::collections::BTreeMap;
 
 /// Values drawn for one sample, by path.
@@ -40,6 +41,12 @@ pub(super) fn drawn(project: &Project, seed: u64, sample: u64) -> Result<Drawn, 
 
 /// What is kept of reading a combination.
 pub(super) struct ReadCombination {
+    /// Fingerprint of all that its model is built from.
+    pub(super) model: String,
+    /// What its runs leave out.
+    pub(super) left_out: Vec<Both>,
+    /// What they hold beside the structure.
+    pub(super) held: Vec<Both>,
     /// The samples drawn.
     pub(super) samples: Vec<Drawn>,
     /// Value and SI unit of each varied input that is a quantity.

@@ -72,8 +72,7 @@ fn input_word(name: &str, language: Language) -> String {
         (_, Some(motion)) => format!("지반운동 {motion}"),
         ("the project file", _) => "프로젝트 파일".to_owned(),
         ("inputs of the cases", _) => "조합의 입력값".to_owned(),
-        ("parts in a table", _) => "표의 부재".to_owned(),
-        ("stones", _) => "석재".to_owned(),
+        ("the structure as read", _) => "읽어 들인 구조물(계측 기울기 포함)".to_owned(),
         (other, _) => other.to_owned(),
     };
     language.pick(name.to_owned(), korean)

@@ -5,8 +5,8 @@ use crate::error::WorkError;
 use crate::fingerprint::fingerprint;
 use crate::motion::{self, MotionRequest};
 use dolmen::signal::{
-    Component, GroundMotion, Noise, SignalError, SpectralOrdinate, noise_motion, peak_velocity_m_s,
-    response_spectrum,
+    Component, GroundMotion, Noise, SignalError, SpectralOrdinate, is_same_shaking, noise_motion,
+    peak_velocity_m_s, response_spectrum,
 };
 use dolmen_project::{Project, StudyPart};
 use dolmen_records::Files;
@@ -27,7 +27,34 @@ pub(super) struct PreparedMotion {
     component: Component,
 }
 
+/// A motion of a study that is another again.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct MotionCopy {
+    /// The motion.
+    pub motion: String,
+    /// The one before it that it is.
+    pub of: String,
+}
+
 impl PreparedMotion {
+    /// Whether a component of it is one of another again: the same samples, or scaled, turned over, cut or sampled anew.
+    pub(super) fn is_copy_of(&self, other: &PreparedMotion) -> bool {
+        let series = |motion: &'_ GroundMotion| {
+            let horizontal = [Component::X, Component::Y].into_iter();
+            let has = horizontal.filter(|component| motion.has(*component));
+            has.collect::<Vec<_>>()
+        };
+        let (own, its) = (series(&self.motion), series(&other.motion));
+        own.iter().any(|a| {
+            its.iter().any(|b| {
+                is_same_shaking(
+                    (self.motion.acceleration_m_s2(*a), self.motion.time_step_s()),
+                    (other.motion.acceleration_m_s2(*b), other.motion.time_step_s()),
+                )
+            })
+        })
+    }
+
     /// As it acts on what moves in one plane: turned, with its size measured along that plane.
     pub(super) fn in_plane(&self, turn_rad: f64) -> Result<Self, WorkError> {
         let motion = self.acting(1.0, turn_rad)?;

@@ -6,19 +6,21 @@ use super::fitted::Fitted;
 use super::inputs::{Drawn, ReadCombination, case_inputs, drawn, input_columns, value_at};
 use super::journal::JournalHeader;
 use super::kind::StudyKind;
-use super::motions::{PreparedMotion, motion_names, prepared};
+use super::motions::{MotionCopy, PreparedMotion, motion_names, prepared};
 use super::run::Run;
 use super::shaking_measure::ShakingScales;
 use crate::error::WorkError;
 use crate::fingerprint::fingerprint;
+use crate::in_runs::{LeftOutOfRuns, held_in_runs};
 use crate::opened::Opened;
 use crate::stack;
+use crate::wrong::OfRuns;
 use dolmen::assess::{RockingScale, rocking_scale};
+use dolmen::signal::Component;
 use dolmen::stability::stack::{StackLimits, stack_limits};
 use dolmen_project::Problem;
 use dolmen_project::{
-    Override, Project, Quantity, Scan, Structure, StudyPart, canonical_text, lists_in_tables,
-    parse_combination,
+    Override, Project, Quantity, Scan, Structure, StudyPart, canonical_text, parse_combination,
 };
 use dolmen_records::Files;
 use dolmen_words::Language;
@@ -40,6 +42,11 @@ pub struct Plan<'o> {
     pub(super) motions: Vec<(String, PreparedMotion)>,
     inputs: Vec<InputColumn>,
     cases: Vec<CaseInputs>,
+    /// Of each combination, the fingerprint of all that its model is built from.
+    models: Vec<String>,
+    /// What runs leave out of the file, and what they hold beside the structure.
+    left_out: Vec<Both>,
+    held: Vec<Both>,
     fingerprints: Vec<(String, String)>,
 }
 
@@ -84,6 +91,9 @@ impl<'o> Plan<'o> {
             motions,
             inputs: Vec::new(),
             cases: Vec::new(),
+            models: Vec::new(),
+            left_out: Vec::new(),
+            held: Vec::new(),
             fingerprints: Vec::new(),
         };
         plan.read_inputs()?;
@@ -110,13 +120,31 @@ impl<'o> Plan<'o> {
                     _ => Ok(Drawn::default()),
                 };
                 let paths = self.study.vary.iter().map(|axis| axis.path.as_str());
+                let model = project.as_ref().map_or(String::new(), |project| {
+                    let all = format!(
+                        "{:?}{:?}{}",
+                        project.structure, project.loads, project.gravity_m_s2
+                    );
+                    fingerprint(all.as_bytes())
+                });
+                let left_out = project.as_ref().map(|project| LeftOutOfRuns::of(project).words());
                 Ok(ReadCombination {
+                    model,
+                    left_out: left_out.unwrap_or_default(),
+                    held: project.as_ref().map(held_in_runs).unwrap_or_default(),
                     samples: (0..samples).map(draw).collect::<Result<_, WorkError>>()?,
                     values: paths.map(|path| value_at(project.as_ref(), path)).collect(),
                 })
             })
             .collect::<Result<_, WorkError>>()?;
         self.inputs = input_columns(self.study, &read);
+        self.models = read.iter().map(|read| read.model.clone()).collect();
+        self.left_out = once_each(read.iter().flat_map(|read| &read.left_out));
+        let is_vertical = |(_, motion): &(String, PreparedMotion)| motion.motion.has(Component::Z);
+        if self.kind != StudyKind::Stack && self.motions.iter().any(is_vertical) {
+            self.left_out.push(OfRuns::VerticalLeftOut.into());
+        }
+        self.held = once_each(read.iter().flat_map(|read| &read.held));
         for (combination, read) in read.iter().enumerate() {
             let (variant, values) = self.study.combination(combination);
             let cases = read
@@ -137,13 +165,9 @@ impl<'o> Plan<'o> {
         }
         let cases = format!("{:?}{:?}", self.inputs, self.cases); // files that the project names act here
         all.push(("inputs of the cases".to_owned(), fingerprint(cases.as_bytes())));
-        if lists_in_tables(&self.opened.text) {
-            let parts = format!("{:?}", self.opened.project.structure);
-            all.push(("parts in a table".to_owned(), fingerprint(parts.as_bytes())));
-        }
-        if let Structure::Stack(part) = &self.opened.project.structure {
-            all.push(("stones".to_owned(), fingerprint(format!("{part:?}").as_bytes())));
-        }
+        // all that a model is built from, also what no line of the file says: files, and the tilt of a survey
+        let models = self.models.join(" ");
+        all.push(("the structure as read".to_owned(), fingerprint(models.as_bytes())));
         Ok(all)
     }
 
@@ -322,6 +346,8 @@ impl<'o> Plan<'o> {
                 .and_then(|site| site.hazard.clone()),
             version: env!("CARGO_PKG_VERSION").to_owned(),
             notes: self.notes(),
+            left_out_of_runs: self.left_out.clone(),
+            copies: copies(&self.motions),
             inputs: self.inputs.clone(),
             cases: self.cases.clone(),
             motions: self.motions.iter().map(|(name, _)| name.clone()).collect(),
@@ -338,12 +364,13 @@ impl<'o> Plan<'o> {
         let own = &self.opened.project.motions;
         let part = |at: usize| own.iter().find(|part| part.name == self.motions[at].0);
         let mut records: Vec<usize> = (0..self.motions.len()).collect();
+        let shaking = |at: usize| &self.motions[at].1;
         for at in 0..self.motions.len() {
             for before in 0..at {
                 let is_one = part(at)
                     .zip(part(before))
                     .is_some_and(|(at, before)| at.is_of_one_record(before));
-                if is_one && records[at] != records[before] {
+                if (is_one || shaking(at).is_copy_of(shaking(before))) && records[at] != records[before] {
                     let (from, to) = (records[at].max(records[before]), records[at].min(records[before]));
                     records
                         .iter_mut()
@@ -366,7 +393,7 @@ impl<'o> Plan<'o> {
             ),
             korean: format!("{}행: {}", warning.line, warning.message.text(Language::Korean)),
         });
-        let mut notes: Vec<Both> = warnings.collect();
+        let mut notes: Vec<Both> = warnings.chain(self.held.iter().cloned()).collect();
         if let (StudyKind::Building, Some([x, y])) = (self.kind, self.axis_of_file()) {
             let degrees = y.atan2(x).to_degrees() + 0.0;
             notes.push(Both {
@@ -415,6 +442,30 @@ impl<'o> Plan<'o> {
         }
         words.join(", ")
     }
+}
+
+/// Sentences in their order, each once.
+fn once_each<'a>(all: impl Iterator<Item = &'a Both>) -> Vec<Both> {
+    let mut once: Vec<Both> = Vec::new();
+    for said in all {
+        if !once.contains(said) {
+            once.push(said.clone());
+        }
+    }
+    once
+}
+
+/// Motions that are those before them again, whatever their files are called.
+fn copies(motions: &[(String, PreparedMotion)]) -> Vec<MotionCopy> {
+    let each = motions.iter().enumerate().filter_map(|(at, (name, motion))| {
+        let mut before = motions[..at].iter();
+        let (of, _) = before.find(|(_, before)| motion.is_copy_of(before))?;
+        Some(MotionCopy {
+            motion: name.clone(),
+            of: of.clone(),
+        })
+    });
+    each.collect()
 }
 
 /// A problem of a project file with what is allowed and what to do.

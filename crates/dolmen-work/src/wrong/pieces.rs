@@ -66,6 +66,14 @@ messages! {
             en: "it does not stand without shaking: {verdict}",
             ko: "흔들지 않아도 서 있지 못한다: {verdict}",
         },
+        PressedWithoutMass => {
+            en: "static loads without mass press its stones together, so that shaking it says nothing of its capacity: model what weighs on it as a block, or study a variant with loads = []",
+            ko: "질량 없는 정하중이 석재를 누르고 있어 흔들어도 한계 지진동을 알 수 없다. 얹힌 것을 블록으로 모델링하거나 loads = []인 대안을 검토한다",
+        },
+        SupportsMove => {
+            en: "its supports move before the ground shakes, and runs shake it as it stood before: study a variant with support_movement = []",
+            ko: "지점이 먼저 이동하지만 해석은 이동 전의 형상을 흔든다. support_movement = []인 대안을 검토한다",
+        },
         NotDone { study: String, missing: usize } => {
             en: "study \"{study}\" is not done: {missing} scans are missing; run it again",
             ko: "study \"{study}\"이(가) 끝나지 않았다. 조합 {missing}개가 없다. 다시 실행한다",
@@ -77,6 +85,44 @@ messages! {
         NoScan { study: String } => {
             en: "study \"{study}\" has no scan that can be used",
             ko: "study \"{study}\"에 쓸 수 있는 조합이 없다",
+        },
+    }
+}
+
+messages! {
+    /// What of a file runs on moving ground hold, and what they leave out.
+    pub(crate) enum OfRuns in "work.runs" {
+        WindLeftOut => {
+            en: "the wind of the file does not act in the runs: `dolmen check` judges it",
+            ko: "해석에 파일의 바람을 반영하지 않았다. `dolmen check`에서 판정한다",
+        },
+        ForcesLeftOut => {
+            en: "forces and moments of static loads do not act in the runs: `dolmen check` judges them",
+            ko: "해석에 정하중의 힘과 모멘트를 반영하지 않았다. `dolmen check`에서 판정한다",
+        },
+        VerticalLeftOut => {
+            en: "vertical components of the motions do not act in the runs",
+            ko: "해석에 지진동의 연직 성분을 반영하지 않았다",
+        },
+        TiltLeftOut { survey: String, tilt: String } => {
+            en: "the runs start plumb: the tilt of survey {survey} ({tilt}) is not in them, and what leans gives way to less",
+            ko: "해석은 연직 상태에서 시작하며 {survey} 조사의 실측 기울기({tilt})를 반영하지 않았다. 기울어진 구조물의 한계 지진동은 더 작다",
+        },
+        Leans { survey: String, tilt: String } => {
+            en: "the runs start leaning as survey {survey} found it ({tilt})",
+            ko: "해석은 {survey} 조사의 실측 기울기({tilt})에서 시작한다",
+        },
+        LoadsAct => {
+            en: "static loads act in the runs as forces without mass",
+            ko: "정하중은 질량 없는 힘으로 해석에 작용한다",
+        },
+        LoadsMove => {
+            en: "what hangs on it as static loads moves with it, with its mass",
+            ko: "매달린 정하중은 그 질량과 함께 움직인다",
+        },
+        SidePosts { posts: usize } => {
+            en: "side supports hold it in the runs: {posts}",
+            ko: "해석에 측면 지지를 고려하였다: {posts}개",
         },
     }
 }

@@ -24,6 +24,10 @@ pub enum Unlike {
     Ties,
     /// It has side supports.
     SideSupports,
+    /// Static loads act on it.
+    Loads,
+    /// Its supports move.
+    SupportsMove,
     /// It leans as surveyed.
     Leans {
         /// Horizontal / vertical, by both directions together.
@@ -49,6 +53,8 @@ impl fmt::Display for Unlike {
             Unlike::Bonds => f.write_str("joints are bonded, trained dry"),
             Unlike::Ties => f.write_str("it has dowels or clamps, trained without"),
             Unlike::SideSupports => f.write_str("it has side supports, trained without"),
+            Unlike::Loads => f.write_str("static loads act on it, trained without"),
+            Unlike::SupportsMove => f.write_str("its supports move, trained on supports at rest"),
             Unlike::Leans { slope } => write!(f, "it leans by 1/{:.0}, trained upright", 1.0 / slope),
             Unlike::Frequency {
                 measured_hz,
@@ -62,7 +68,7 @@ impl fmt::Display for Unlike {
 }
 
 /// How a stack differs from the pagodas that the score was trained on in all but its six factors: friction, stiffness, damping and density by more
-/// than a twentieth, bonds, ties and side supports. Ask this before [`super::ScoreModel::score`], which sees the factors alone; empty if alike.
+/// than a twentieth, bonds, ties, side supports, static loads and supports that move. Ask this before [`super::ScoreModel::score`], which sees the factors alone; empty if alike.
 pub fn unlike_trained(stack: &Stack) -> Vec<Unlike> {
     let mut unlike: Vec<Unlike> = Vec::new();
     let mut see = |quantity, given: f64, trained: f64| {
@@ -106,6 +112,8 @@ pub fn unlike_trained(stack: &Stack) -> Vec<Unlike> {
         (stack.joints().iter().any(has_bonds), Unlike::Bonds),
         (!stack.ties().is_empty(), Unlike::Ties),
         (!stack.side_supports().is_empty(), Unlike::SideSupports),
+        (!stack.static_loads().is_empty(), Unlike::Loads),
+        (!stack.support_movements().is_empty(), Unlike::SupportsMove),
     ] {
         if is_so {
             unlike.push(found);

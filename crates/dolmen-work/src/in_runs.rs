@@ -1,0 +1,82 @@
+//! What of a project file runs on moving ground hold, and what they leave out: the same for `simulate` and `study`.
+
+use crate::tilt_left_out::TiltLeftOut;
+use crate::wrong::{CaseRefused, OfRuns};
+use dolmen::structure::stack::Stack;
+use dolmen_project::{LoadPart, Project, Structure};
+use dolmen_words::message::Both;
+
+/// What runs leave out of what the file gives.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(crate) struct LeftOutOfRuns {
+    /// The wind.
+    pub(crate) wind: bool,
+    /// Forces and moments of static loads on a chain; on a stack they act.
+    pub(crate) forces: bool,
+    /// A surveyed tilt.
+    pub(crate) tilt: Option<TiltLeftOut>,
+}
+
+impl LeftOutOfRuns {
+    pub(crate) fn of(project: &Project) -> Self {
+        LeftOutOfRuns {
+            wind: project.loads.wind().is_some(),
+            forces: matches!(project.structure, Structure::Chain(_))
+                && project.loads.loads.iter().any(LoadPart::pushes),
+            tilt: match &project.structure {
+                Structure::Frame(_) | Structure::Building(_) => TiltLeftOut::of(&project.surveys),
+                Structure::Chain(part) if part.lean.is_none() => TiltLeftOut::of(&project.surveys),
+                Structure::Chain(_) | Structure::Stack(_) => TiltLeftOut::of_model(project),
+                Structure::Survey => None,
+            },
+        }
+    }
+
+    /// Each in a sentence.
+    pub(crate) fn words(&self) -> Vec<Both> {
+        let tilt = self.tilt.clone().map(|of| OfRuns::TiltLeftOut {
+            survey: of.survey,
+            tilt: of.written,
+        });
+        let all = [
+            self.wind.then_some(OfRuns::WindLeftOut),
+            self.forces.then_some(OfRuns::ForcesLeftOut),
+            tilt,
+        ];
+        all.into_iter().flatten().map(Both::from).collect()
+    }
+}
+
+/// What runs hold beside the structure and its weight, each in a sentence.
+pub(crate) fn held_in_runs(project: &Project) -> Vec<Both> {
+    let (lean, posts) = match &project.structure {
+        Structure::Stack(part) => (part.lean.as_ref().map(|of| (&of.survey, &of.written)), 0),
+        Structure::Chain(part) => (
+            part.lean.as_ref().map(|of| (&of.survey, &of.written)),
+            part.side_supports.len(),
+        ),
+        _ => (None, 0),
+    };
+    let lean = lean.map(|(survey, tilt)| OfRuns::Leans {
+        survey: survey.clone(),
+        tilt: tilt.clone(),
+    });
+    let loads = &project.loads.loads;
+    let loads = match &project.structure {
+        Structure::Stack(_) if !loads.is_empty() => Some(OfRuns::LoadsAct),
+        Structure::Chain(_) if loads.iter().any(|load| load.weight.is_some()) => Some(OfRuns::LoadsMove),
+        _ => None,
+    };
+    let posts = (posts > 0).then_some(OfRuns::SidePosts { posts });
+    let all = [lean, loads, posts];
+    all.into_iter().flatten().map(Both::from).collect()
+}
+
+/// Why runs of a stack give no capacity of it: loads without mass press its joints together, or its supports move before the ground shakes.
+pub(crate) fn no_capacity(stack: &Stack) -> Option<CaseRefused> {
+    let mut moved = stack.support_movements().iter();
+    if moved.any(|of| of.movement_m.iter().any(|part| *part != 0.0)) {
+        return Some(CaseRefused::SupportsMove);
+    }
+    stack.is_pressed().then_some(CaseRefused::PressedWithoutMass)
+}
