@@ -12,7 +12,9 @@ use clap::{Command, CommandFactory as _};
 use clap_mangen::Man;
 use dolmen_folder::Outputs;
 use dolmen_project::json_schema;
-use dolmen_report::explain::{EXPLANATIONS, explain as look_up, explanation_in, nearest_code};
+use dolmen_report::explain::{
+    EXPLANATIONS, explain as look_up, explained_text, explanation_in, nearest_code,
+};
 use dolmen_report::files::NamedFile;
 use dolmen_report::sentences::sentences_csv;
 use dolmen_words::Language;
@@ -74,7 +76,7 @@ pub(crate) fn explain(code: Option<&str>, manner: &Manner) -> Result<Outcome> {
         let told = chosen.iter().filter_map(|e| explanation_in(e.code, language));
         let lines = told.map(|e| match code {
             None => format!("{:20} {}\n", e.code, e.title),
-            Some(_) => format!("{}: {}\n\n{}\n", e.code, e.title, e.text),
+            Some(_) => explained_text(e, manner.style()),
         });
         say(&lines.collect::<String>())?;
     }

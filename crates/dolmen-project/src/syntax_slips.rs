@@ -193,7 +193,12 @@ fn brackets(text: &str, tokens: &[Placed]) -> Option<Fault> {
         let is_list = top.sign == '[';
         let is_after = top.next == Next::Comma;
         // what can stand in no list: a line that begins with a key of its own, or a header
-        if is_list && (begins_pair && of.starts_line || is_header) || !is_list && is_after && is_header {
+        let is_no_item = is_header || begins_pair && of.starts_line;
+        let is_cut_off = match is_list {
+            true => is_no_item,
+            false => is_after && is_header,
+        };
+        if is_cut_off {
             return Some(unclosed(text, top, of.span.start));
         }
         match of.token {

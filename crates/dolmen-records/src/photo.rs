@@ -47,6 +47,63 @@ pub struct Photo {
     pub bytes: Vec<u8>,
 }
 
+impl Photo {
+    /// Quarters of a turn, clockwise, that the camera noted (EXIF, the tag Orientation), 0 to 3; pages and PDF make it by themselves.
+    ///
+    /// # Limits
+    /// What is mirrored too is taken as it is; no camera notes that.
+    pub fn quarter_turns(&self) -> u8 {
+        match (self.format, orientation(&self.bytes)) {
+            (PhotoFormat::Jpeg, Some(3)) => 2,
+            (PhotoFormat::Jpeg, Some(6)) => 1,
+            (PhotoFormat::Jpeg, Some(8)) => 3,
+            _ => 0,
+        }
+    }
+}
+
+/// The tag Orientation of the first EXIF segment of a JPEG.
+///
+/// Source: CIPA DC-008 (2012) Exif 2.3, 4.5.4 and 4.6.4.
+fn orientation(bytes: &[u8]) -> Option<u16> {
+    const ORIENTATION: u16 = 0x0112;
+    const ENTRY: usize = 12;
+    let mut at = 2;
+    // segments before the samples: FF, marker, length with its own two bytes
+    let exif = loop {
+        let head: [u8; 4] = bytes.get(at..at + 4)?.try_into().ok()?;
+        let length = usize::from(u16::from_be_bytes([head[2], head[3]]));
+        if head[0] != 0xff || head[1] == 0xda || length < 2 {
+            return None;
+        }
+        let segment = bytes.get(at + 4..at + 2 + length)?;
+        match (head[1], segment.strip_prefix(b"Exif\0\0")) {
+            (0xe1, Some(exif)) => break exif,
+            _ => at += 2 + length,
+        }
+    };
+    let is_little = exif.starts_with(b"II");
+    let u16_at = |at: usize| {
+        let two: [u8; 2] = exif.get(at..at.checked_add(2)?)?.try_into().ok()?;
+        Some(match is_little {
+            true => u16::from_le_bytes(two),
+            false => u16::from_be_bytes(two),
+        })
+    };
+    let u32_at = |at: usize| {
+        let [first, second] = [u16_at(at)?, u16_at(at.checked_add(2)?)?].map(u32::from);
+        Some(match is_little {
+            true => second << 16 | first,
+            false => first << 16 | second,
+        })
+    };
+    let list = usize::try_from(u32_at(4)?).ok()?;
+    let entries = usize::from(u16_at(list)?);
+    let mut each = (0..entries).map(|i| list.saturating_add(2 + ENTRY * i));
+    let own = each.find(|at| u16_at(*at) == Some(ORIENTATION))?;
+    u16_at(own.saturating_add(8))
+}
+
 impl std::fmt::Debug for Photo {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "Photo({:?}, {} × {})", self.format, self.width, self.height)
@@ -179,6 +236,46 @@ mod tests {
             (read.format, read.width, read.height),
             (PhotoFormat::Jpeg, 6000, 4000)
         );
+    }
+
+    #[test]
+    fn exact_the_turn_that_the_camera_noted() {
+        // a TIFF head, one list of two entries, the second of them the orientation: byte orders II and MM
+        let with = |orientation: u16, is_little: bool| {
+            let [two, four] = match is_little {
+                true => [u16::to_le_bytes as fn(u16) -> [u8; 2], u16::to_le_bytes],
+                false => [u16::to_be_bytes as fn(u16) -> [u8; 2], u16::to_be_bytes],
+            };
+            let long = |value: u16| match is_little {
+                true => [four(value), [0, 0]].concat(),
+                false => [vec![0, 0], four(value).to_vec()].concat(),
+            };
+            let entry = |tag: u16, value: u16| {
+                [
+                    two(tag).to_vec(),
+                    two(3).to_vec(),
+                    long(1),
+                    two(value).to_vec(),
+                    vec![0, 0],
+                ]
+                .concat()
+            };
+            let mut exif = b"Exif\0\0".to_vec();
+            exif.extend(if is_little { b"II" } else { b"MM" });
+            exif.extend([two(42).to_vec(), long(8), two(2).to_vec()].concat());
+            exif.extend([entry(0x0103, 6), entry(0x0112, orientation), vec![0; 4]].concat());
+            let plain = jpeg(6000, 4000);
+            let mut bytes = vec![0xff, 0xd8, 0xff, 0xe1];
+            bytes.extend((exif.len() as u16 + 2).to_be_bytes());
+            bytes.extend(exif);
+            bytes.extend(&plain[2..]);
+            read_photo(bytes).unwrap().quarter_turns()
+        };
+        for is_little in [true, false] {
+            let turns = [1, 3, 6, 8, 0, 77].map(|of| with(of, is_little));
+            assert_eq!(turns, [0, 2, 1, 3, 0, 0], "little: {is_little}");
+        }
+        assert_eq!(read_photo(jpeg(6000, 4000)).unwrap().quarter_turns(), 0);
     }
 
     #[test]

@@ -17,6 +17,10 @@ messages! {
             ko: "{line}행: {message}",
         },
         MoreFindings { count: usize } => { en: "further findings: {count}", ko: "그 밖의 결과: {count}개" },
+        MoreToActOn { count: usize, to_act_on: usize } => {
+            en: "further findings: {count}, to look into: {to_act_on}",
+            ko: "그 밖의 결과: {count}개(확인할 것 {to_act_on}개)",
+        },
         MoreNotes { count: usize } => { en: "notes on the file: {count}", ko: "입력 파일 경고: {count}개" },
         Full => { en: "all of it with --full", ko: "전체 내용은 --full" },
     }
@@ -35,12 +39,14 @@ pub(crate) fn brief_text(all: &[Finding], project: &Project, above: usize, style
     let mut shown = vec![false; key.len()];
     for i in by_weight {
         let lines = findings_text([key[i]], style).lines().count();
-        if lines > left {
-            break;
+        // a shorter one may have room where a longer one has none
+        if lines <= left {
+            left -= lines;
+            shown[i] = true;
         }
-        left -= lines;
-        shown[i] = true;
     }
+    let is_hidden = |(i, finding): (usize, &&Finding)| !shown[i] && rank(finding.tone) < rank(Tone::Plain);
+    let to_act_on = key.iter().enumerate().filter(|of| is_hidden(*of)).count();
     let shown: Vec<&Finding> = key
         .into_iter()
         .zip(shown)
@@ -48,7 +54,12 @@ pub(crate) fn brief_text(all: &[Finding], project: &Project, above: usize, style
         .map(|of| of.0)
         .collect();
     let count = shown.len();
-    findings_text(shown, style) + &more_text(project, all.len() - count, style)
+    let more = match (all.len() - count, to_act_on) {
+        (0, _) => None,
+        (count, 0) => Some(Brief::MoreFindings { count }),
+        (count, to_act_on) => Some(Brief::MoreToActOn { count, to_act_on }),
+    };
+    findings_text(shown, style) + &more_text(project, more, style)
 }
 
 /// In what order findings are given the lines that there are: the first whatever it is, then those to act on.
@@ -60,16 +71,13 @@ fn rank(tone: Tone) -> u8 {
     }
 }
 
-fn more_text(project: &Project, findings: usize, style: TextStyle) -> String {
+fn more_text(project: &Project, findings: Option<Brief>, style: TextStyle) -> String {
     let notes = project.warnings.len();
-    let parts = [
-        (findings, Brief::MoreFindings { count: findings }),
-        (notes, Brief::MoreNotes { count: notes }),
-    ];
-    let mut each: Vec<String> = parts
+    let notes = (notes > 0).then_some(Brief::MoreNotes { count: notes });
+    let mut each: Vec<String> = findings
         .into_iter()
-        .filter(|(count, _)| *count > 0)
-        .map(|(_, message)| said(message, style.language))
+        .chain(notes)
+        .map(|message| said(message, style.language))
         .collect();
     each.push(said(Brief::Full, style.language));
     wrapped(&each.join(" · "), "  ", "  ", style.columns())

@@ -1,5 +1,6 @@
 //! What the codes in messages and reports mean: the long answer behind a short note.
 
+use crate::document::{TextStyle, wrapped};
 use crate::explain_korean::EXPLANATIONS_KOREAN;
 pub use crate::explanation::Explanation;
 use dolmen_words::Language;
@@ -307,6 +308,16 @@ pub fn explanation_in(code: &'static str, language: Language) -> Option<&'static
         Language::English => explain(code),
         Language::Korean => EXPLANATIONS_KOREAN.iter().find(|e| e.code == code),
     }
+}
+
+/// The explanation of a code for a terminal, its paragraphs within the columns that there are.
+pub fn explained_text(of: &Explanation, style: TextStyle) -> String {
+    let mut out = wrapped(&format!("{}: {}", of.code, of.title), "", "  ", style.columns());
+    for paragraph in of.text.split("\n\n") {
+        out += "\n";
+        out += &wrapped(&paragraph.replace('\n', " "), "", "", style.columns());
+    }
+    out
 }
 
 /// The code most like `code`, to suggest when there is none of that name.

@@ -17,6 +17,14 @@ messages! {
         Verdict { words: Both } => { en: "VERDICT {words}", ko: "판정: {words}" },
         OwnWeight { word: Both } => { en: "Own weight: {word}", ko: "자중: {word}" },
         WeightAndLoads { word: Both } => { en: "Weight and loads: {word}", ko: "자중·작용하중: {word}" },
+        OwnWeightSamples { word: Both, share: Quantity } => {
+            en: "Own weight: {word} (falls in {share} of samples)",
+            ko: "자중: {word}(표본의 {share}에서 전도)",
+        },
+        WeightAndLoadsSamples { word: Both, share: Quantity } => {
+            en: "Weight and loads: {word} (at a limit in {share} of samples)",
+            ko: "자중·작용하중: {word}(표본의 {share}에서 한계 도달)",
+        },
         IfRight { word: Both, factor: Quantity, evidence: Sentence } => {
             en: "Own weight: {word} ({factor} if this model were right; {evidence})",
             ko: "자중: {word}(이 모델이 옳다면 {factor}; {evidence})",
@@ -80,6 +88,7 @@ messages! {
         },
         WordMoved { word: Both } => { en: "{word} (its supports moved)", ko: "{word}(지점 이동)" },
         WordHeldByLoads { word: Both } => { en: "{word} (static loads without mass hold it)", ko: "{word}(질량 없는 정하중이 누름)" },
+        WordLoosePost { word: Both } => { en: "{word} (a side post with a gap may close)", ko: "{word}(틈이 있는 지주가 맞닿을 수 있음)" },
         WordNoStiffness { word: Both } => { en: "{word} (the stiffness is not known)", ko: "{word}(강성 미상)" },
         WordNoStiffnessIn { word: Both, direction: String } => {
             en: "{word} (the stiffness of direction {direction} is not known)",
@@ -229,6 +238,13 @@ fn own_weight(judged: &VersionJudgement, weight: Weight, contradicted: Option<Se
             evidence,
         },
         (Weight::Unknown { .. }, Some(evidence)) => Headline::UnknownSince { word, evidence },
+        (Weight::Stable | Weight::Marginal, _) if judged.falling_share.is_some() => {
+            let share = Quantity::percent(judged.falling_share.unwrap_or_default(), 2);
+            match judged.with_loads {
+                true => Headline::WeightAndLoadsSamples { word, share },
+                false => Headline::OwnWeightSamples { word, share },
+            }
+        }
         _ if judged.with_loads => Headline::WeightAndLoads { word },
         _ => Headline::OwnWeight { word },
     }
@@ -287,6 +303,7 @@ fn wind(judged: &VersionJudgement) -> Option<Sentence> {
             part: of.part.clone().unwrap_or_default(),
             ratio,
         },
+        (Some(WindLimit::NotGiven), _) => Headline::WordNoLimit { word },
         (_, None) | (None, _) => Headline::Word { word },
     };
     Some(Headline::Wind { said: said.into() }.into())
@@ -315,6 +332,7 @@ fn word(of: &EarthquakeFinding) -> Headline {
             word,
             part: of.part.clone().unwrap_or_default(),
         },
+        (DecidedBy::LoosePost, _) => Headline::WordLoosePost { word },
         (DecidedBy::StiffnessUnknown, _) => match &of.part {
             None => Headline::WordNoStiffness { word },
             Some(direction) => Headline::WordNoStiffnessIn {
@@ -362,6 +380,7 @@ mod tests {
             variant: None,
             governed_by: None,
             with_loads: false,
+            falling_share: None,
             weight: Some(Weight::Unknown {
                 load_factor_if_right: Some(1.95),
             }),

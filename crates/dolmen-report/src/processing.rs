@@ -44,6 +44,10 @@ messages! {
             ko: "양 끝 {each_end} 반코사인 테이퍼",
         },
         Rotated { angle: Quantity } => { en: "turned by {angle}° from x towards y", ko: "x에서 y로 {angle}° 회전" },
+        Oriented { azimuth: Quantity } => {
+            en: "turned so that x points {azimuth}° from north",
+            ko: "x가 북에서 {azimuth}° 방향을 향하도록 회전",
+        },
         Decimated { factor: usize } => { en: "decimated by {factor}", ko: "1/{factor} 재표본화" },
         ChannelScaled { channel: String, factor: Quantity } => {
             en: "{channel} scaled by {factor}",
@@ -143,6 +147,9 @@ pub(crate) fn step(of: &Processing) -> Sentence {
         },
         Processing::Rotated { angle_rad } => Step::Rotated {
             angle: trimmed(angle_rad.to_degrees(), ""),
+        },
+        Processing::Oriented { x_azimuth_deg } => Step::Oriented {
+            azimuth: trimmed(*x_azimuth_deg, ""),
         },
         Processing::Decimate { factor } => Step::Decimated { factor: *factor },
         Processing::ChannelScaled { channel, factor } => Step::ChannelScaled {

@@ -7,10 +7,12 @@ use crate::{
     loads, modal, stack, stack_simulation, study, tune, watch,
 };
 use dolmen_project::Structure;
+use dolmen_words::Language;
 use dolmen_work::answer::ProjectReport;
 use dolmen_work::state::{Check, State};
+use std::collections::BTreeSet;
 
-/// All findings, what is worst first.
+/// All findings, what is worst first; what several runs say in the same words stands once.
 pub(crate) fn all_findings(answer: &ProjectReport) -> Vec<Finding> {
     let mut all = answer.check().map_or(Vec::new(), check::findings);
     if let Some(runs) = answer.own_stack_runs() {
@@ -28,6 +30,8 @@ pub(crate) fn all_findings(answer: &ProjectReport) -> Vec<Finding> {
     all.extend(answer.watch().into_iter().flat_map(watch::findings));
     all.extend(identification::findings(&answer.project, answer.surveys()));
     all.sort_by_key(|finding| finding.tone != Tone::Bad);
+    let mut said = BTreeSet::new();
+    all.retain(|finding| said.insert(finding.sentence.text(Language::English)));
     all
 }
 
@@ -66,7 +70,7 @@ pub(crate) fn whole_document(answer: &ProjectReport) -> Document<'_> {
         whole.append(study::sections(found));
     }
     if let Some(found) = answer.change() {
-        whole.append(change::sections(&answer.project, found));
+        whole.append(change::sections(found));
     }
     if let Some(found) = answer.watch() {
         whole.append(watch::sections(found));

@@ -2,6 +2,7 @@
 
 use crate::building::{BuildingSimulation, TogetherAnswer, TuneAnswer};
 use crate::chain::ChainSimulation;
+use crate::compared_readings::ComparedReadings;
 use crate::frame::FrameSimulation;
 use crate::motion::MotionReport;
 use crate::photos::Photos;
@@ -77,8 +78,14 @@ pub struct CompareAnswer {
     pub file: String,
     /// What the file says.
     pub project: Arc<Project>,
-    /// The change.
-    pub change: SurveyChange,
+    /// The survey before.
+    pub from: String,
+    /// The survey after.
+    pub to: String,
+    /// The change of what vibrates; `None` where one of the two has no modes.
+    pub change: Option<SurveyChange>,
+    /// Tilts and inspections side by side.
+    pub readings: ComparedReadings,
     /// Which of both surveys have records that hold an earthquake, and of which part of them their modes are.
     pub shaken: Vec<(String, ModesOf)>,
 }
@@ -138,9 +145,9 @@ impl ProjectReport {
     }
 
     /// What changed from one survey to another; `None` where fewer than two can be compared.
-    pub fn change(&self) -> Option<&SurveyChange> {
+    pub fn change(&self) -> Option<&CompareAnswer> {
         self.answers.iter().find_map(|answer| match answer {
-            Answer::Compare(compared) => Some(&compared.change),
+            Answer::Compare(compared) => Some(&**compared),
             _ => None,
         })
     }

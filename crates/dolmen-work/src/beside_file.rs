@@ -40,7 +40,10 @@ pub(crate) fn beside(found: &[Known], file: &[Known], is_assumed: bool) -> Optio
         (a.sd > 0.0).then(|| (a.value - b.value).abs() / sd)
     };
     let deviations: Option<Vec<f64>> = both().map(deviation).collect();
-    let is_beyond = |ratio: f64, most: f64| !(ratio.ln().abs() <= most.ln());
+    let is_beyond = |ratio: f64, most: f64| {
+        let apart = ratio.ln().abs();
+        apart > most.ln() || apart.is_nan()
+    };
     let differs = match &deviations {
         Some(all) => {
             let each = ratios.iter().zip(all);

@@ -2,6 +2,7 @@
 
 use crate::answer::CompareAnswer;
 use crate::change_fault::ChangeFault;
+use crate::compared_readings::{compared_readings, has_modes};
 use crate::error::WorkError;
 use crate::identify;
 use crate::opened::Opened;
@@ -42,11 +43,32 @@ pub fn compare(
     let answers: Vec<SurveyAnswer> = needed
         .map(|i| identify::found_in(&project.surveys[i], files, progress))
         .collect::<Result<_, _>>()?;
+    Ok(compared_of(opened, &compared, &answers)?)
+}
+
+/// What changed between two surveys of a project; `answers` hold what their records gave.
+///
+/// # Errors
+/// [`ChangeFault::Assess`].
+pub(crate) fn compared_of(
+    opened: &Opened,
+    compared: &ComparedSurveys,
+    answers: &[SurveyAnswer],
+) -> Result<CompareAnswer, ChangeFault> {
+    let project = &opened.project;
+    let [from, to] = [compared.from, compared.to].map(|at| &project.surveys[at]);
+    let change = match has_modes(from) && has_modes(to) {
+        true => Some(change_of(project, compared, answers)?),
+        false => None,
+    };
     Ok(CompareAnswer {
         file: opened.file.clone(),
         project: opened.project.clone(),
-        change: change_of(project, &compared, &answers)?,
-        shaken: shaken(project, &compared, &answers),
+        from: from.name.clone(),
+        to: to.name.clone(),
+        change,
+        readings: compared_readings(project, compared.from, compared.to),
+        shaken: shaken(project, compared, answers),
     })
 }
 
@@ -75,14 +97,12 @@ pub struct ComparedSurveys {
     pub earlier: Vec<usize>,
 }
 
-/// Whether a survey has modes, or records to find them in.
-fn has_modes(survey: &Survey) -> bool {
-    survey.records.is_some()
-        || !survey.setups.is_empty()
-        || survey.modes.values().any(|modes| !modes.is_empty())
+/// Whether a survey has anything that can be compared.
+fn is_usable(survey: &Survey) -> bool {
+    has_modes(survey) || !survey.tilt.is_empty() || !survey.inspections.is_empty()
 }
 
-/// Which surveys are compared: those named, else the first and the last whose names begin with a date.
+/// Which surveys are compared: those named, else the first and the last whose names begin with a date; of those with modes if there are two of them.
 ///
 /// # Errors
 /// [`ChangeFault::NoSurvey`], [`ChangeFault::Unclear`], [`ChangeFault::Same`].
@@ -91,7 +111,7 @@ pub fn surveys_to_compare(
     from: Option<&str>,
     to: Option<&str>,
 ) -> Result<ComparedSurveys, ChangeFault> {
-    let usable = || project.surveys.iter().enumerate().filter(|(_, s)| has_modes(s));
+    let usable = || project.surveys.iter().enumerate().filter(|(_, s)| is_usable(s));
     let known = || {
         let names: Vec<&str> = usable().map(|(_, s)| s.name.as_str()).collect();
         if names.is_empty() {
@@ -111,6 +131,14 @@ pub fn surveys_to_compare(
     };
     let mut dated: Vec<([u32; 3], usize)> = usable().filter_map(|(i, s)| Some((date(&s.name)?, i))).collect();
     dated.sort();
+    let with_modes: Vec<([u32; 3], usize)> = dated
+        .iter()
+        .copied()
+        .filter(|(_, i)| has_modes(&project.surveys[*i]))
+        .collect();
+    if with_modes.len() > 1 {
+        dated = with_modes;
+    }
     let unclear = || ChangeFault::Unclear { known: known() };
     let end = |name: Option<&str>, of_dated: Option<&([u32; 3], usize)>| match name {
         Some(name) => named(name),
@@ -134,6 +162,7 @@ pub fn surveys_to_compare(
         )
     };
     let earlier = usable()
+        .filter(|(_, survey)| has_modes(survey))
         .map(|(i, _)| i)
         .filter(|i| fitted && *i != from && *i != to && place(*i) < place(to))
         .filter(|i| project.surveys[*i].temperature_c.is_some())
@@ -199,11 +228,8 @@ fn stated(direction: &str, mode: &SurveyMode) -> ObservedMode {
     }
 }
 
-/// What changed between two surveys of a project; `answers` hold what their records gave.
-///
-/// # Errors
-/// [`ChangeFault::Assess`].
-pub fn change_of(
+/// How the modes of two surveys of a project differ.
+fn change_of(
     project: &Project,
     compared: &ComparedSurveys,
     answers: &[SurveyAnswer],

@@ -127,7 +127,7 @@ fn compared(
         (Structure::Frame(part), Check::Frame(_)) => frame::limits::by_spectrum(part, &answer.site, limit),
         (_, Check::Building(building)) => Ok(Compared {
             parts: building::limits::by_spectrum(building, limit),
-            not_compared: Vec::new(),
+            ..Compared::default()
         }),
         _ => Ok(Compared::default()),
     }

@@ -26,7 +26,11 @@ use dolmen_project::{Pick, Project, Quantity, Structure, Survey};
 pub(crate) fn check(project: &Project, pick: Pick<'_>) -> Result<Option<Check>, WorkError> {
     Ok(match &project.structure {
         Structure::Survey => None,
-        Structure::Chain(part) => Some(Check::Chain(Box::new(chain::check::check(part, pick)?))),
+        Structure::Chain(part) => Some(Check::Chain(Box::new(chain::check::check(
+            part,
+            &project.loads,
+            pick,
+        )?))),
         Structure::Frame(part) => Some(Check::Frame(frame::check::check(part, pick)?)),
         Structure::Stack(part) => Some(Check::Stack(Box::new(stack::check::check(part, pick)?))),
         Structure::Building(part) => Some(Check::Building(Box::new(building::check::check(
@@ -158,6 +162,7 @@ pub(crate) fn stiffness(
         direction,
         modes,
         notes,
+        loads: &project.loads,
     };
     match &project.structure {
         Structure::Stack(_) | Structure::Building(_) | Structure::Survey => Ok(Vec::new()),

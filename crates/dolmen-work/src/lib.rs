@@ -15,6 +15,7 @@ pub mod chain;
 mod change_fault;
 mod check;
 pub mod compare;
+pub mod compared_readings;
 mod days;
 mod demand;
 mod doubted;

@@ -60,6 +60,8 @@ pub struct Compared {
     pub parts: Vec<PartLimit>,
     /// Directions without any.
     pub not_compared: Vec<NotCompared>,
+    /// Whether joints have dry friction, so that each is held against the worse of sticking and free.
+    pub rubs: bool,
 }
 
 /// A direction in which nothing was compared.
@@ -80,6 +82,8 @@ pub enum WhyNotCompared {
     Falls,
     /// It falls under its own weight while its joints slip.
     FallsSlipping,
+    /// A side post with a gap may close, which makes what is above it ask more.
+    LoosePost,
 }
 
 impl PartLimit {

@@ -1,9 +1,9 @@
 //! `dolmen report`: everything that can be said of one project.
 
-use crate::answer::{Answer, CheckAnswer, CompareAnswer, ProjectReport};
+use crate::answer::{Answer, CheckAnswer, ProjectReport};
 use crate::building::tune;
 use crate::check::{CheckOptions, Sampling, check};
-use crate::compare::{change_of, shaken, surveys_to_compare};
+use crate::compare::{compared_of, surveys_to_compare};
 use crate::error::WorkError;
 use crate::fingerprint::fingerprint;
 use crate::identify::{IdentifyOptions, identify};
@@ -59,12 +59,11 @@ pub fn report(
     // the years take the weather out; the first and the last survey alone do not, unless the file says what temperature does
     let is_covered = is_watched && project.change.temperature == TemperaturePart::Unknown;
     if !is_covered && let Ok(compared) = surveys_to_compare(project, None, None) {
-        answers.push(Answer::Compare(Box::new(CompareAnswer {
-            file: opened.file.clone(),
-            project: opened.project.clone(),
-            change: change_of(project, &compared, &identified.surveys)?,
-            shaken: shaken(project, &compared, &identified.surveys),
-        })));
+        answers.push(Answer::Compare(Box::new(compared_of(
+            opened,
+            &compared,
+            &identified.surveys,
+        )?)));
     }
     if is_watched {
         let watched = watch_of(opened, &identified.surveys, files)?;

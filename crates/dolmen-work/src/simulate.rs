@@ -179,9 +179,14 @@ fn without_shaking(project: &Project) -> Result<Option<WithoutShaking>, WorkErro
         return Ok(found.filter(|found| found.weight != Weight::Stable));
     }
     let factor = kinds::least_load_factor(project, &mut Quantity::nominal)?;
-    let is_marginal = factor.map(Verdict::of_load_factor) == Some(Verdict::Marginal);
-    Ok(is_marginal.then_some(WithoutShaking {
-        weight: Weight::Marginal,
+    let weight = match factor.map(Verdict::of_load_factor) {
+        Some(Verdict::Marginal) => Weight::Marginal,
+        // only friction, or a post with a gap, holds it
+        Some(Verdict::Unstable) => Weight::Unstable,
+        Some(Verdict::Stable | Verdict::Unknown) | None => return Ok(None),
+    };
+    Ok(Some(WithoutShaking {
+        weight,
         governed_by: None,
     }))
 }

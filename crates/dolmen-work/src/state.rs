@@ -374,8 +374,30 @@ impl State {
 
     /// The worst verdict of the structure.
     pub fn verdict(&self) -> Verdict {
-        let loads = self.loads.as_ref().map(LoadsAnswer::verdict);
+        let loads = self.loads.as_ref().map(|loads| self.loads_verdict(loads));
         worst([self.weight_verdict()].into_iter().chain(loads))
+    }
+
+    /// That of wind and static loads. Supports that move change the shape: static loads as they are move with it, of wind and of factors
+    /// nothing is known then.
+    fn loads_verdict(&self, loads: &LoadsAnswer) -> Verdict {
+        let moves =
+            matches!(&self.check, Check::Stack(answer) if !answer.stack.support_movements().is_empty());
+        let mut combinations = loads.combinations.iter();
+        let asks_more = combinations.any(|of| of.wind != 0.0 || of.loads > 1.0 || of.weight < 1.0);
+        match loads.verdict() {
+            Verdict::Stable | Verdict::Marginal if moves && asks_more => Verdict::Unknown,
+            verdict => verdict,
+        }
+    }
+
+    /// The share of the samples that falls under its own weight, or that wind and static loads bring to a limit, whichever is larger; `None`
+    /// without samples, or where none does.
+    pub fn falling_share(&self) -> Option<f64> {
+        let sampled = self.sampled.as_ref()?;
+        let each = std::iter::once(&sampled.unstable).chain(&sampled.under_loads);
+        let shares = each.filter(|of| of.count > 0).map(|of| of.estimate);
+        shares.max_by(f64::total_cmp)
     }
 
     /// The worst verdict without wind and static loads.
@@ -395,7 +417,7 @@ impl State {
         let verdict = self.verdict();
         // static loads of a stack are in its check already
         let in_check = matches!(&self.check, Check::Stack(answer) if !answer.stack.static_loads().is_empty());
-        let is_one = in_check && verdict != Verdict::Stable && loads.verdict() == verdict;
+        let is_one = in_check && verdict != Verdict::Stable && self.loads_verdict(loads) == verdict;
         (is_one || self.weight_verdict() != verdict).then_some(loads)
     }
 

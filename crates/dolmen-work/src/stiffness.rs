@@ -3,12 +3,15 @@
 use crate::error::WorkError;
 use crate::surveyed::StiffnessAnswer;
 use dolmen::structure::{Convention, MeasuredMode, StiffnessNote, StiffnessSolution, StiffnessSolutions};
+use dolmen_project::LoadsPart;
 
 /// What stiffness is sought from.
 pub(crate) struct MeasuredDirection<'a> {
     pub(crate) direction: &'a str,
     pub(crate) modes: &'a [MeasuredMode],
     pub(crate) notes: &'a [StiffnessNote],
+    /// What hangs on the structure, and swings with it.
+    pub(crate) loads: &'a LoadsPart,
 }
 
 impl MeasuredDirection<'_> {

@@ -13,6 +13,7 @@ use dolmen::modal::{
 use dolmen::signal::ChannelFault;
 use dolmen::structure::building::PlanStiffnessError;
 use dolmen::structure::{Choice, Convention, ShapeDoubt, StiffnessSolutions};
+use dolmen_project::EarthquakePart;
 use dolmen_words::message::Both;
 
 /// Why no stiffness is sought.

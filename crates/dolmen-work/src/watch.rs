@@ -2,6 +2,7 @@
 
 use crate::change_fault::ChangeFault;
 use crate::compare::surveyed;
+use crate::compared_readings::has_modes;
 use crate::days::{Days, days};
 use crate::error::WorkError;
 use crate::judgement::tilt_beyond_limit;
@@ -41,12 +42,6 @@ pub fn can_watch(project: &Project) -> bool {
         .iter()
         .any(|log| log.kind != LogKind::Temperature);
     has_logs || usable.count() >= REPORTED_LEAST
-}
-
-fn has_modes(survey: &Survey) -> bool {
-    survey.records.is_some()
-        || !survey.setups.is_empty()
-        || survey.modes.values().any(|modes| !modes.is_empty())
 }
 
 /// What the surveys of a project say of its structure over the years.

@@ -57,8 +57,11 @@ fn gate_modes() -> Decaying {
     along([30e6, 18e6], 0).chain(along([45e6, 30e6], 2)).collect()
 }
 
+/// A survey: its name, level and direction of each channel, its sampling rate.
+type Placed<'a> = (&'a str, [(usize, &'a str); 4], f64);
+
 /// A gate with stiffness as it is given, its record read by these places: level and direction of each channel.
-fn gate(stiffness: &str, surveys: &[(&str, [(usize, &str); 4], f64)]) -> String {
+fn gate(stiffness: &str, surveys: &[Placed<'_>]) -> String {
     let mut text = format!(
         "schema = 1\nkind = \"frame\"\nname = \"Gate\"\nevidence = \"measured\"\nunits = {{ length = \"m\", mass = \"t\", stiffness = \"kN/mm\" }}\n\
          storeys = [{{ name = \"low\", mass = 180, height = 4.8 }}, {{ name = \"high\", mass = 120, height = 4.1 }}]\n{stiffness}\n"

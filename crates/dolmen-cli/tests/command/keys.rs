@@ -7,7 +7,8 @@ use serde_json::Value;
 use std::collections::BTreeSet;
 use std::fs;
 
-const COMMANDS: [&str; 51] = [
+const COMMANDS: [&str; 52] = [
+    "check examples/naju_flagpole/two_directions.toml",
     "check examples/naju_flagpole/side_posts.toml",
     "simulate examples/naju_flagpole/side_posts.toml --motion el-centro --duration 3",
     "simulate examples/tower_in_wind --wind --repeats 2 --duration 20 --variant damped",

@@ -115,7 +115,12 @@ fn exact_a_tilt_and_loads_take_from_what_a_bed_passes_before_the_shaking() {
     let number = |of: &Value, key: &str| of[key].as_f64().unwrap();
     let close = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-9, "{a} {b}");
     close(number(&of, "taken"), taken);
-    close(number(&of, "capacity"), limit - taken);
+    // vertical shaking takes weight off the bed
+    let left = |demand: &Value| {
+        let peak = demand["peak_ground_acceleration_m_s2"].as_f64().unwrap();
+        1.0 - 0.77 * peak / 9.8
+    };
+    close(number(&of, "capacity"), left(&demand) * limit - taken);
     // inertia about the joint 1000 · 1.5² + 750 = 3000 kg m²
     let omega2: f64 = 185.3e3 / 3000.0;
     close(
@@ -135,7 +140,11 @@ fn exact_a_tilt_and_loads_take_from_what_a_bed_passes_before_the_shaking() {
     );
     let of = demand["limits"]["parts"][0].clone();
     close(number(&of, "taken"), 200e3 / stiffness * 200.0 * 3.0);
-    close(number(&of, "capacity"), 0.5 * 10.8e3 * 0.6 - number(&of, "taken"));
+    let limit = 0.5 * 10.8e3 * 0.6;
+    close(
+        number(&of, "capacity"),
+        left(&demand) * limit - number(&of, "taken"),
+    );
 }
 
 #[test]
@@ -222,11 +231,11 @@ fn holds_the_joints_of_a_chain_are_held_against_the_edges_of_their_beds() {
     assert_eq!(narrow.status, 1, "{}{}", narrow.stdout, narrow.stderr);
     assert!(
         narrow.words().contains("the joint below ‘pole’ has a moment of")
-            && narrow.words().contains("its bed stands on its edge at 5.00 kN·m"),
+            && narrow.words().contains("its bed stands on its edge at 3.85 kN·m"),
         "{}",
         narrow.stdout
     );
-    let wide = run(&scratch, "check p.toml", &pole(2.9));
+    let wide = run(&scratch, "check p.toml", &pole(3.9));
     assert_eq!(wide.status, 0, "{}{}", wide.stdout, wide.stderr);
 }
 

@@ -7,6 +7,7 @@ mod brief;
 mod building_studies;
 mod buildings;
 mod chain_axes;
+mod chain_counts;
 mod chain_side_posts;
 mod chains;
 mod chains_on_soil;
@@ -50,6 +51,7 @@ mod one_stones;
 mod plan_stiffness;
 mod prints;
 mod safety;
+mod said_plainly;
 mod score_forms;
 mod sentences;
 #[cfg(all(unix, feature = "postgres"))]

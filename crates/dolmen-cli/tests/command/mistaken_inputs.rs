@@ -159,8 +159,6 @@ fn holds_positions_of_sensors_are_in_the_unit_of_the_file() {
             &lines
                 .replace(" m\"", "")
                 .replace('"', "")
-                .replace("[survey.2025-04-02.records]", "[survey.2025-04-02.records]")
-                .replace("YYYY", "YYYY")
                 .replace("file = record.csv", "file = \"record.csv\"")
                 .replace("name = s1x", "name = \"s1x\"")
                 .replace("name = s2x", "name = \"s2x\"")
@@ -428,7 +426,10 @@ fn refuses_directions_and_ratios_that_mean_another() {
         (format!("{FRAME}{}", survey("DO = [0.8]")), &["did you mean \"do\"?"]),
         (BUILDING.replace("damping.ratio = 0.02", "damping_ratio = 0.02"), &["damping = { ratio = 0.02 }"]),
         (BUILDING.replace("damping.ratio = 0.02", "damping = 0.05"), &["damping = { ratio = 0.05 }"]),
-        (BUILDING.replace("floors", "density = \"2.65 g/cm3\"\nfloors").replace("building", "stack"), &["\"1 t/m3\""]),
+        (
+            "schema = 1\nkind = \"stack\"\nname = \"S\"\ndensity = \"2.65 g/cm3\"\nblocks = [{ name = \"a\", width = 1, height = 1 }]\n".to_owned(),
+            &["\"1 t/m3\""],
+        ),
         (
             "schema = 1\nkind = \"stack\"\nname = \"S\"\ndensity = 2650\njoint = { friction = 31 }\nblocks = [{ name = \"a\", width = 1, height = 1 }]\n".to_owned(),
             &["write 0.601", "마찰각 31°인가?"],

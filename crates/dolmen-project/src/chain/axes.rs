@@ -3,6 +3,7 @@
 use super::axis::ChainAxis;
 use super::part::{ChainPart, JointPart, LinkPart};
 use super::soil_part::FootingPart;
+use crate::loads::LoadsPart;
 use crate::quantity::{Pick, Quantity};
 use dolmen::assess::StiffnessTaken;
 use dolmen::stability::BedEdge;
@@ -59,6 +60,19 @@ impl ChainPart {
     /// None with the file's own values, which are checked on reading. A picked value may be impossible, for
     /// instance a centroid above the link's top: [`StructureError`].
     pub fn build_towards(&self, axis: ChainAxis, pick: Pick<'_>) -> Result<Chain, StructureError> {
+        self.build_loaded(axis, &LoadsPart::none(), pick)
+    }
+
+    /// The chain in a direction with the masses of its static loads, which its beds bear too.
+    ///
+    /// # Errors
+    /// As [`ChainPart::build_towards`].
+    pub fn build_loaded(
+        &self,
+        axis: ChainAxis,
+        loads: &LoadsPart,
+        pick: Pick<'_>,
+    ) -> Result<Chain, StructureError> {
         let links = self.links.iter().enumerate().map(|(i, part)| Link {
             mass_kg: part.heaviness.mass_kg(self.gravity_m_s2, pick),
             length_m: pick(&part.length),
@@ -66,7 +80,9 @@ impl ChainPart {
             inertia: part.inertia_towards(axis, pick),
             bed_width_m: self.bed_towards(axis, i, pick).map(|bed| bed.width_m),
         });
-        let mut links: Vec<Link> = links.collect();
+        let alone = Chain::new(links.collect(), self.gravity_m_s2)?;
+        let loaded = alone.with_added_masses(&loads.added_masses(&alone, pick))?;
+        let mut links: Vec<Link> = loaded.links().to_vec();
         self.take_crushed_beds(axis, &mut links, pick);
         let alone = Chain::new(links, self.gravity_m_s2)?;
         let held = self

@@ -185,8 +185,7 @@ impl ChainPart {
         let (Some(joints), Some(stiffness)) = (&self.joints, self.stiffness_towards(axis, pick)) else {
             return Ok(None);
         };
-        let chain = self.build_towards(axis, pick)?;
-        let chain = chain.with_added_masses(&loads.added_masses(&chain, pick))?;
+        let chain = self.build_loaded(axis, loads, pick)?;
         let mut built = Vec::with_capacity(joints.len());
         for ((part, link), stiffness_n_m_rad) in joints.iter().zip(chain.links()).zip(stiffness) {
             let by_bed = match link.bed_width_m {

@@ -167,7 +167,7 @@ fn judge_unit_of_weights(reader: &mut Reader, chain: &ChainPart, masses: &[f64],
     true
 }
 
-fn judge_link(reader: &mut Reader, link: &LinkPart, mass_kg: f64) {
+fn judge_link(reader: &mut Reader, link: &LinkPart, bed_depth: Option<&Quantity>, mass_kg: f64) {
     let length_m = link.length.value;
     let side_m = (mass_kg / (STONE_KG_M3 * length_m)).sqrt();
     let share = link.centroid.value / length_m;

@@ -223,7 +223,7 @@ impl WindGiven {
 
 impl LoadsPart {
     /// The file says nothing.
-    pub(crate) fn none() -> Self {
+    pub fn none() -> Self {
         LoadsPart {
             wind: WindPart::NotSaid,
             loads: Vec::new(),
@@ -242,6 +242,12 @@ impl LoadsPart {
     /// Whether anything acts beside the weight.
     pub fn is_empty(&self) -> bool {
         self.wind().is_none() && self.loads.is_empty()
+    }
+
+    /// What the static loads weigh together, N.
+    pub fn weight_n(&self, pick: Pick<'_>) -> f64 {
+        let weights = self.loads.iter().filter_map(|load| load.weight.as_ref());
+        weights.map(pick).sum()
     }
 
     /// The masses of loads that a chain carries; forces and moments have none.

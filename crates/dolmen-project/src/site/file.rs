@@ -140,11 +140,30 @@ pub(super) struct MotionFilesRaw {
 #[serde(deny_unknown_fields)]
 pub(super) struct MotionColumnsRaw {
     /// Along x.
-    pub(super) x: Option<At<String>>,
+    pub(super) x: Option<At<MotionColumnRaw>>,
     /// Along y.
-    pub(super) y: Option<At<String>>,
+    pub(super) y: Option<At<MotionColumnRaw>>,
     /// Upwards.
-    pub(super) z: Option<At<String>>,
+    pub(super) z: Option<At<MotionColumnRaw>>,
+}
+
+/// A column or channel: its name, or its number from 1, the time counted as a spreadsheet does.
+#[derive(Debug, serde::Deserialize, JsonSchema)]
+#[serde(untagged)]
+#[schemars(extend("x-must-be" = "the column's name, or its number from 1"))]
+pub(super) enum MotionColumnRaw {
+    Number(u32),
+    Name(String),
+}
+
+impl MotionColumnRaw {
+    /// As it would be named.
+    pub(super) fn name(&self) -> String {
+        match self {
+            MotionColumnRaw::Number(number) => number.to_string(),
+            MotionColumnRaw::Name(name) => name.clone(),
+        }
+    }
 }
 
 /// What is done with the peak that a header states.

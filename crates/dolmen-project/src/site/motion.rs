@@ -147,7 +147,7 @@ fn columns_named(raw: &MotionColumnsRaw) -> Vec<(Component, String)> {
     ];
     let named = each
         .into_iter()
-        .filter_map(|(component, name)| Some((component, name.as_ref()?.value.clone())));
+        .filter_map(|(component, name)| Some((component, name.as_ref()?.value.name())));
     named.collect()
 }
 

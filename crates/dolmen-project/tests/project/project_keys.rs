@@ -39,7 +39,7 @@ error: links[2] has no key "colour"
    |
  7 |   { weight = 15.13, length = 2.61, colour = "grey", centroid = 1.18 },
    |                                    ^^^^^^ unknown key
-   = help: known keys are name, weight, mass, length, centroid, inertia, breadth, bed_width
+   = help: known keys are name, weight, mass, length, centroid, inertia, inertia_across, breadth, depth, bed_width
 "##;
     assert_eq!(refused(&text), said.trim_start_matches('\n'));
 }

@@ -109,6 +109,11 @@ pub enum MotionError {
         /// The unit of both.
         unit: &'static str,
     },
+    /// No column of a text is the time, and no step is given.
+    NoStep {
+        /// The columns there are.
+        names: Vec<String>,
+    },
     /// A channel is to be chosen.
     Channels {
         /// The name asked for.

@@ -9,7 +9,7 @@
 use super::read::motion_of;
 use super::{ComponentReading, MotionError, MotionOptions, Orientation, read_channels};
 use crate::wrong::Turned;
-use dolmen::signal::{Component, GroundMotion};
+use dolmen::signal::{Component, GroundMotion, Processing};
 
 /// Least sine of the angle between two horizontal channels. Chosen here: below 30° the errors of both are doubled.
 const SINE_LEAST: f64 = 0.5;
@@ -84,7 +84,11 @@ pub fn read_oriented(
         placed.extend(turned(first, second, x_azimuth_deg, options)?);
     }
     placed.extend(vertical.into_iter().map(|channel| (Component::Z, channel)));
-    motion_of(name, placed, options)
+    let mut motion = motion_of(name, placed, options)?;
+    if found.0 > 0 {
+        motion.note(Processing::Oriented { x_azimuth_deg });
+    }
+    Ok(motion)
 }
 
 /// Two horizontal channels as x and y.

@@ -61,8 +61,13 @@ fn read_wanted(bytes: &[u8], options: &MotionOptions) -> Result<(Reading, Option
         Err(refused) => refused,
         Ok(reading) => return Ok((reading, column)),
     };
-    let RecordError::UnknownColumn { given, names, .. } = &refused else {
-        return Err(refused.into());
+    let (given, names) = match &refused {
+        RecordError::UnknownColumn { given, names, .. } => (given, names),
+        RecordError::NoRate { names } => {
+            let names = names.clone();
+            return Err(MotionError::NoStep { names });
+        }
+        _ => return Err(refused.into()),
     };
     let meant: Vec<usize> = (0..names.len())
         .filter(|at| is_meant(given, &names[*at]))
@@ -162,10 +167,33 @@ fn without_unit(name: &str) -> &str {
     before.unwrap_or(name)
 }
 
-/// Which way a column points by its name: "EW (gal)", "N-S", "UD", "HNE", "동서(gal)". A number is none, and neither is x, y or a bare N.
+/// Words beside the direction in the names of columns: "동서방향 가속도", "EW component".
+const BESIDE: [&str; 9] = [
+    "가속도",
+    "방향",
+    "성분",
+    "ACCELERATION",
+    "ACCEL",
+    "ACC",
+    "COMPONENT",
+    "COMP",
+    "DIRECTION",
+];
+
+/// Which way a column points by its name: "EW (gal)", "N-S", "UD", "HNE", "동서(gal)", "동서방향 가속도". A number is none, and neither is x, y or
+/// a bare N.
 fn direction_in_name(name: &str) -> Option<Orientation> {
-    let word = without_unit(name).to_uppercase();
-    match word.as_str() {
+    let whole = without_unit(name).to_uppercase();
+    let words = whole.split([' ', '_', ':']).map(|word| {
+        let direction = word.strip_suffix("방향").or_else(|| word.strip_suffix("성분"));
+        direction.unwrap_or(word)
+    });
+    let mut words = words.filter(|word| !word.is_empty() && !BESIDE.contains(word));
+    let (word, more) = (words.next()?, words.next());
+    if more.is_some() {
+        return None;
+    }
+    match word {
         "동서" | "동-서" => Some(Orientation::EAST),
         "남북" | "남-북" => Some(Orientation::NORTH),
         "상하" | "상-하" | "연직" | "수직" => Some(Orientation::Up),
@@ -198,6 +226,10 @@ mod tests {
                 Some(Orientation::Up),
             ),
             ("x_m_s2", Some(Unit::MetrePerSecondSquared), None),
+            ("동서방향 가속도 (cm/s2)", Some(Unit::Gal), east),
+            ("가속도_연직", None, Some(Orientation::Up)),
+            ("EW component [g]", Some(Unit::Gravity), east),
+            ("동서 남북", None, None),
             ("180", None, None),
             ("N", None, None),
             ("roof (north)", None, None),

@@ -2,7 +2,8 @@
 
 use super::dialect::{Line, holds_cells, line_at, unquoted};
 use super::not_a_table::refuse_other_text;
-use super::{Decimal, Delimiter, Header, RecordError, RecordOptions};
+use super::unit::unit_of_label;
+use super::{Decimal, Delimiter, FileUnit, Header, RecordError, RecordOptions};
 use crate::limits::{CHANNELS_MOST, LimitError};
 use crate::number::parse_cell;
 use crate::quoted::shown;
@@ -93,11 +94,31 @@ impl Start {
                 last: !samples.ended,
             });
         }
+        // a line of units stands between the names and the samples
+        let of_units = match passed_over.checked_sub(1).map(|at| &lines[at]) {
+            Some(line) if has_header && names.iter().all(|name| is_unit(unquoted(name))) => {
+                let above = delimiter.cells(line.text);
+                let is_name = |cell: &&[u8]| !cell.is_empty() && !is_number(cell);
+                (above.len() == count && above.iter().all(is_name)).then_some(above)
+            }
+            _ => None,
+        };
+        let passed_over = passed_over - usize::from(of_units.is_some());
         let mut names_unread = false;
         let columns = (1..=count).map(|n| match has_header {
             true if !unquoted(names[n - 1]).is_empty() => match std::str::from_utf8(unquoted(names[n - 1])) {
                 // zeros fill names of fixed width
-                Ok(name) => shown(name.trim_matches(char::is_control)),
+                Ok(name) => match of_units
+                    .as_ref()
+                    .map(|above| String::from_utf8_lossy(unquoted(above[n - 1])))
+                {
+                    Some(above) => shown(&format!(
+                        "{} ({})",
+                        above.trim(),
+                        name.trim_matches(['(', ')', '[', ']'])
+                    )),
+                    None => shown(name.trim_matches(char::is_control)),
+                },
                 Err(_) => {
                     names_unread = true;
                     format!("ch{n}")
@@ -122,6 +143,20 @@ impl Start {
             samples_line: samples.number,
         })
     }
+}
+
+/// Whether a cell says a unit and nothing else, of motion or of time.
+fn is_unit(cell: &[u8]) -> bool {
+    let Ok(text) = std::str::from_utf8(cell) else {
+        return false;
+    };
+    let label = text.trim().trim_matches(['(', ')', '[', ']']);
+    let of_time = format!("t ({label})");
+    matches!(unit_of_label(label), FileUnit::Known(_))
+        || matches!(
+            time_name(of_time.as_bytes()),
+            TimeName::Seconds { named: true, .. }
+        )
 }
 
 /// Refuses more columns than any recorder has; one more may be the delimiter that ends every line.
@@ -274,7 +309,7 @@ pub(super) fn time_name(name: &[u8]) -> TimeName {
     let lower = String::from_utf8_lossy(name).to_lowercase();
     let mut words = lower
         .split(|c: char| !c.is_alphanumeric() && c != 'µ' && c != 'μ')
-        .filter(|w| !w.is_empty());
+        .filter(|w| !matches!(*w, "" | "elapsed" | "경과"));
     let unit = |word: &str| match unit_of_time(word) {
         WordOfTime::Unit { seconds } => Some(seconds),
         WordOfTime::Unclear | WordOfTime::None => None,
@@ -282,7 +317,7 @@ pub(super) fn time_name(name: &[u8]) -> TimeName {
     let is_time = |word: &str| {
         matches!(
             word,
-            "t" | "time" | "times" | "zeit" | "timestamp" | "timestamps" | "시간" | "시각"
+            "t" | "time" | "times" | "zeit" | "timestamp" | "timestamps" | "시간" | "시각" | "경과시간"
         )
     };
     let (first, second, more) = (words.next(), words.next(), words.next());
@@ -327,6 +362,18 @@ mod tests {
         assert_eq!(refusal(&vec![0; 4_000_000]), said(4_000_000));
         let late = [b"1,2\n".repeat(100), b"1,".repeat(2_000_000), b"\n".to_vec()].concat();
         assert!(refusal(&late).starts_with("line 101 has 4000000 bytes"));
+    }
+
+    #[test]
+    fn exact_units_may_stand_below_the_names() {
+        let text = "Station 7,a,b\n시간,EW,NS\ns,gal,(gal)\n0.00,1,2\n0.01,3,4\n";
+        let read = read_record(text.as_bytes(), &RecordOptions::default()).unwrap();
+        let names: Vec<&str> = read.record.channels().iter().map(|of| of.name.as_str()).collect();
+        assert_eq!(names, ["EW (gal)", "NS (gal)"]);
+        assert!((read.record.sampling_rate_hz() - 100.0).abs() < 1e-9);
+        // units alone, with nothing above them, are names
+        let alone = read_csv(b"t,g,mg\n0.00,1,2\n0.01,3,4\n", &RecordOptions::default()).unwrap();
+        assert_eq!(alone.record.channels()[0].name, "g");
     }
 
     #[test]

@@ -45,6 +45,10 @@ sentences! {
             en: "time_step_s is {given}, but the file says {found}: correct it, or leave it out",
             ko: "time_step_s는 {given}인데 파일에는 {found}(으)로 되어 있다. 고치거나 삭제한다",
         },
+        NoStep { names } as { names: listed(names) } => {
+            en: "the time step is not known: no column is named time or t (the columns are {names}); give it as --sample-step, in a project as sample_step_s, or name the time column time",
+            ko: "시간 간격을 알 수 없다. 이름이 time이나 t(시간)인 열이 없다(파일의 열: {names}). --sample-step(프로젝트 파일에서는 sample_step_s)으로 입력하거나 시간 열의 이름을 time으로 한다",
+        },
         Step { given } => {
             en: "time_step_s is {given}, but must be a positive number of seconds",
             ko: "time_step_s가 {given}인데 양의 초이어야 한다",

@@ -201,7 +201,7 @@ fn refuses_what_is_not_known_or_contradicts() {
     for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         assert!(said(NEW, &step(bad)).contains("positive number of seconds"));
     }
-    assert!(said("0\n0.1\n-0.3\n", &in_unit(Unit::Gravity)).contains("sampling rate is not known"));
+    assert!(said("0\n0.1\n-0.3\n", &in_unit(Unit::Gravity)).contains("time step is not known"));
 }
 
 /// As a Korean network gives a station: one file, columns in any order, the unit in the header.

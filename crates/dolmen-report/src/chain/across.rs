@@ -13,8 +13,8 @@ const DIGITS: usize = 3;
 messages! {
     /// A chain in its direction of motion and across.
     pub(crate) enum Across in "chain.across" {
-        OfAlong { said: Sentence } => { en: "Direction x, along: {said}", ko: "x 방향(운동 방향): {said}" },
-        OfAcross { said: Sentence } => { en: "Direction y, across: {said}", ko: "y 방향(직각 방향): {said}" },
+        TowardsX { said: Sentence } => { en: "Direction x, along: {said}", ko: "x 방향(운동 방향): {said}" },
+        TowardsY { said: Sentence } => { en: "Direction y, across: {said}", ko: "y 방향(직각 방향): {said}" },
         Unknown => {
             en: "whether it stands is unknown: the stiffness of the joints is not given.",
             ko: "접합부 강성이 주어지지 않아 안정 여부를 판정할 수 없다.",
@@ -72,7 +72,7 @@ pub(super) fn findings(check: &ChainCheck) -> Vec<Finding> {
 /// That it is of across.
 pub(super) fn of_across(finding: Finding) -> Finding {
     Finding {
-        sentence: Across::OfAcross {
+        sentence: Across::TowardsY {
             said: finding.sentence,
         }
         .into(),
@@ -85,7 +85,7 @@ pub(super) fn of_along(check: &ChainCheck, finding: Finding) -> Finding {
     match check.across {
         None => finding,
         Some(_) => Finding {
-            sentence: Across::OfAlong {
+            sentence: Across::TowardsX {
                 said: finding.sentence,
             }
             .into(),

@@ -7,6 +7,7 @@ use crate::simulated::{
 };
 use dolmen::dynamics::ChainOutcome;
 use dolmen::signal::Component;
+use dolmen_project::ChainAxis;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::chain::ChainSimulation;
 
@@ -75,6 +76,10 @@ messages! {
             en: "Forces and moments of static loads and the wind of the file do not act in this run: `dolmen check` judges them.",
             ko: "이 해석에는 정하중의 힘·모멘트와 바람을 반영하지 않았다. `dolmen check`에서 판정한다.",
         },
+        FrictionBeyondBed { name: String, moment: Quantity, most: Quantity } => {
+            en: "Spring and friction below ‘{name}’ pass {moment}, more than the {most} at which its bed stands on its edge: unless posts or dowels beside the bed take the difference, it opens, and this run does not follow that.",
+            ko: "‘{name}’ 하부의 스프링과 마찰이 전달하는 모멘트 {moment}이(가) 합력이 밑면 끝에 이르는 모멘트 {most}보다 크다. 지주나 촉이 그 차이를 부담하지 않으면 접합면이 벌어지며, 이 해석은 그 거동을 추적하지 못한다.",
+        },
         VerticalLeftOut => {
             en: "The vertical component of the motion, z, does not act: a chain turns in one plane, and its beds bear what they bear at rest. Shaking upwards takes from that.",
             ko: "지진동의 연직 성분 z는 작용하지 않는다. 체인 모델은 한 평면에서 회전하며 접합면의 축력은 정적 상태의 값이다. 연직 진동은 그 축력을 줄일 수 있다.",
@@ -95,6 +100,7 @@ pub(crate) fn simulation_findings(simulations: &[&ChainSimulation]) -> Vec<Findi
         let without = undamped(simulation.undamped.as_ref());
         let first = [finding(simulation)].into_iter();
         first
+            .chain(beyond_bed(simulation))
             .chain(together(simulation))
             .chain(without)
             .chain(beyond_small(simulation))
@@ -104,6 +110,22 @@ pub(crate) fn simulation_findings(simulations: &[&ChainSimulation]) -> Vec<Findi
             .chain(met(simulation))
     })
     .collect()
+}
+
+/// The joint whose spring and friction pass the most beyond what its bed can.
+pub(super) fn beyond_bed(simulation: &ChainSimulation) -> Option<Finding> {
+    let beyond = simulation.parts().into_iter().filter(|part| {
+        let ratio = part.ratio().unwrap_or(f64::INFINITY);
+        ratio < 1.0 - 1e-9
+    });
+    let worst = beyond.max_by(|a, b| b.ratio().unwrap_or(0.0).total_cmp(&a.ratio().unwrap_or(0.0)))?;
+    let moment = |n_m: f64| Quantity::new(n_m, kilo("N·m"), Digits::Significant(3));
+    let said = Ending::FrictionBeyondBed {
+        name: worst.part.name().to_owned(),
+        moment: moment(worst.demand),
+        most: moment(worst.capacity?),
+    };
+    Some(Finding::key(Tone::Bad, said))
 }
 
 /// What both directions do together, said once.

@@ -1,12 +1,14 @@
 //! What a comparison of two surveys says in plain words.
 
 use super::doubts::doubts;
-use super::quantities::{bare_percent, hertz, percent};
+use super::quantities::{bare_percent, hertz, percent, plus};
+use super::readings;
 use super::temperature::known;
 use crate::document::{Finding, Tone};
 use dolmen::assess::{Difference, ModeChange, SurveyChange};
-use dolmen_project::{Project, Survey, date_of};
+use dolmen_project::{Survey, date_of};
 use dolmen_words::{Quantity, Sentence, messages};
+use dolmen_work::answer::CompareAnswer;
 use dolmen_work::surveyed::ModesOf;
 
 messages! {
@@ -24,9 +26,9 @@ messages! {
             en: "From survey {from} to {to} no change was shown in {tested} of {known}. A change of {least} would have been seen with {power} probability; smaller ones could have been missed.",
             ko: "{from} 조사에서 {to} 조사까지 {known} 중 비교한 {tested}개에서 변화가 확인되지 않았다. {least}의 변화는 {power}의 확률로 발견되었을 것이나 그보다 작은 변화는 놓쳤을 수 있다.",
         },
-        Changed { from: String, to: String, changed: usize, tested: Sentence, alpha: Quantity } => {
-            en: "From survey {from} to {to} {changed} of {tested} changed beyond chance ({alpha} for all together).",
-            ko: "{from} 조사에서 {to} 조사까지 {tested} 중 {changed}개가 유의하게 변하였다(전체 유의수준 {alpha}).",
+        Changed { from: String, to: String, changed: usize, tested: Sentence, alpha: Quantity, each: Vec<Sentence> } => {
+            en: "From survey {from} to {to} {changed} of {tested} changed beyond chance ({alpha} for all together); the largest: {each}.",
+            ko: "{from} 조사에서 {to} 조사까지 {tested} 중 {changed}개가 유의하게 변하였다(전체 유의수준 {alpha}). 변화가 큰 것: {each}.",
         },
         OneFrequency => { en: "1 frequency", ko: "고유진동수 1개" },
         Frequencies { count: usize } => { en: "{count} frequencies", ko: "고유진동수 {count}개" },
@@ -52,15 +54,17 @@ messages! {
         },
         OneRatio => { en: "1 damping ratio", ko: "감쇠비 1개" },
         Ratios { count: usize } => { en: "{count} damping ratios", ko: "감쇠비 {count}개" },
-        DampingOf { frequency: Quantity, change: Quantity, half: Quantity } => {
-            en: "{frequency} {change} ± {half}",
-            ko: "{frequency} {change} ± {half}",
+        Of { frequency: Quantity, sign: String, change: Quantity, half: Quantity } => {
+            en: "{frequency} {sign}{change} ± {half}",
+            ko: "{frequency} {sign}{change} ± {half}",
         },
     }
 }
 
+/// How many of the frequencies that changed stand in the sentence.
+const LISTED: usize = 3;
 /// Which of both surveys hold an earthquake.
-pub(crate) fn shaken(surveys: &[(String, ModesOf)]) -> Vec<Finding> {
+fn shaken(surveys: &[(String, ModesOf)]) -> Vec<Finding> {
     let each = surveys.iter().map(|(survey, of)| {
         let survey = survey.clone();
         let said = match of {
@@ -74,22 +78,27 @@ pub(crate) fn shaken(surveys: &[(String, ModesOf)]) -> Vec<Finding> {
 }
 
 /// Surveys that were left out for want of a date.
-pub(crate) fn undated(project: &Project, change: &SurveyChange) -> Option<Finding> {
+pub(crate) fn undated(answer: &CompareAnswer) -> Option<Finding> {
     let is_usable = |survey: &&Survey| {
         survey.records.is_some()
             || !survey.setups.is_empty()
             || survey.modes.values().any(|modes| !modes.is_empty())
     };
-    let compared = [&change.from, &change.to];
-    let left = project.surveys.iter().filter(is_usable);
+    let compared = [&answer.from, &answer.to];
+    let left = answer.project.surveys.iter().filter(is_usable);
     let left = left.filter(|survey| date_of(&survey.name).is_none() && !compared.contains(&&survey.name));
     let surveys: Vec<String> = left.map(|survey| survey.name.clone()).collect();
     (!surveys.is_empty()).then(|| Finding::key(Tone::Warn, Found::Undated { surveys }))
 }
 
 /// The findings, the doubts first: what follows them rests on the pairs that were made.
-pub(crate) fn findings(change: &SurveyChange) -> Vec<Finding> {
-    let mut all = doubts(change);
+pub(crate) fn findings(answer: &CompareAnswer) -> Vec<Finding> {
+    let mut all = shaken(&answer.shaken);
+    all.extend(readings::findings(answer));
+    let Some(change) = &answer.change else {
+        return all;
+    };
+    all.splice(0..0, doubts(change));
     all.extend(damping(change));
     all.push(frequencies(change));
     if change.temperature.leaves_doubt() {
@@ -121,11 +130,29 @@ fn frequencies(change: &SurveyChange) -> Finding {
                 changed,
                 tested: counted(change.tested()),
                 alpha: Quantity::percent(change.significance, 1),
+                each: most_changed(change),
             };
             (Tone::Warn, said)
         }
     };
     Finding::key(tone, said)
+}
+
+/// The frequencies that changed most, with their intervals.
+fn most_changed(change: &SurveyChange) -> Vec<Sentence> {
+    let mut changed: Vec<&ModeChange> = change.changed().collect();
+    changed.sort_by(|a, b| b.frequency.relative.abs().total_cmp(&a.frequency.relative.abs()));
+    let one = |mode: &ModeChange| {
+        let half = mode.frequency.evidence.as_ref();
+        let said = Found::Of {
+            frequency: hertz(mode.from.frequency_hz),
+            sign: plus(mode.frequency.relative),
+            change: bare_percent(mode.frequency.relative, 1),
+            half: percent(half.map_or(f64::NAN, |e| e.half_width_95), 1),
+        };
+        said.into()
+    };
+    changed.into_iter().take(LISTED).map(one).collect()
 }
 
 fn counted(frequencies: usize) -> Sentence {
@@ -139,8 +166,9 @@ fn counted(frequencies: usize) -> Sentence {
 fn damping(change: &SurveyChange) -> Option<Finding> {
     let one = |(mode, damping): (&ModeChange, &Difference)| {
         let half = damping.evidence.as_ref().map_or(f64::NAN, |e| e.half_width_95);
-        let said = Found::DampingOf {
+        let said = Found::Of {
             frequency: hertz(mode.from.frequency_hz),
+            sign: plus(damping.relative),
             change: bare_percent(damping.relative, 0),
             half: percent(half, 0),
         };

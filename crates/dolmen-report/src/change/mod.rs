@@ -6,16 +6,16 @@ mod findings;
 mod frequencies;
 mod notes;
 mod quantities;
+mod readings;
 mod remarks;
 mod temperature;
 
-pub(crate) use findings::{findings, shaken, undated};
+pub(crate) use findings::{findings, undated};
 
 use crate::document::Document;
 use crate::figures::survey_changes;
-use dolmen::assess::SurveyChange;
-use dolmen_project::Project;
 use dolmen_words::{Quantity, Template, messages};
+use dolmen_work::answer::CompareAnswer;
 
 messages! {
     /// The head of a comparison, its figure, and what it does not prove.
@@ -40,7 +40,7 @@ messages! {
 }
 
 /// The sentences on two surveys as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 8] = [
+pub(crate) const TEMPLATES: [&[Template]; 9] = [
     findings::Found::TEMPLATES,
     doubts::Doubted::TEMPLATES,
     Compared::TEMPLATES,
@@ -49,16 +49,21 @@ pub(crate) const TEMPLATES: [&[Template]; 8] = [
     dampings::Dampings::TEMPLATES,
     remarks::Remarks::TEMPLATES,
     notes::Noted::TEMPLATES,
+    readings::Readings::TEMPLATES,
 ];
 
 /// The section on two surveys of a project.
-pub(crate) fn sections<'a>(project: &Project, change: &'a SurveyChange) -> Document<'a> {
+pub(crate) fn sections(answer: &CompareAnswer) -> Document<'_> {
     let mut document = Document::default();
     document.heading(Compared::Head {
-        from: change.from.clone(),
-        to: change.to.clone(),
+        from: answer.from.clone(),
+        to: answer.to.clone(),
     });
-    document.paragraph(temperature::measured(project, change));
+    let Some(change) = &answer.change else {
+        readings::section(&mut document, answer);
+        return document;
+    };
+    document.paragraph(temperature::measured(&answer.project, change));
     if !change.modes.is_empty() {
         let power = Quantity::percent(change.power, 2);
         let caption = vec![Compared::Drawn.into(), Compared::Band { power }.into()];
@@ -67,6 +72,7 @@ pub(crate) fn sections<'a>(project: &Project, change: &'a SurveyChange) -> Docum
         temperature::fitted(&mut document, change);
         dampings::section(&mut document, change);
     }
+    readings::section(&mut document, answer);
     for remark in remarks::remarks(change) {
         document.note(remark);
     }

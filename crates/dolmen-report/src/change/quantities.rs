@@ -28,6 +28,11 @@ pub(super) fn bare_percent(share: f64, decimals: usize) -> Quantity {
     bare
 }
 
+/// The sign of a change that grew, which numbers do not write.
+pub(super) fn plus(change: f64) -> String {
+    if change > 0.0 { "+" } else { "" }.to_owned()
+}
+
 pub(super) fn temperature(temperature_c: f64) -> Quantity {
     Quantity::new(temperature_c, Unit::si("°C"), Digits::Trimmed(3))
 }

@@ -118,6 +118,7 @@ pub(crate) fn findings(answer: &CheckAnswer) -> Vec<Finding> {
     let checks = answer.state.iter().map(|state| &state.check);
     all.extend(checks.flat_map(|check| measured::other_directions(&answer.project, check)));
     all.extend(measured::against_its_limit(&answer.project));
+    all.extend(measured::undated(&answer.project));
     all.extend(measured::against_drift(&answer.project));
     all.extend(measured::severe_damage(&answer.project));
     all.extend(measured::over_the_years(&answer.project));

@@ -68,6 +68,10 @@ messages! {
             en: "The tilt that survey {survey} measured, {tilt} by all directions together, is within the limit of {limit} that the file sets (tilt_limit).",
             ko: "{survey} 조사의 실측 기울기는 모든 방향을 합하여 {tilt}(으)로, 파일에서 정한 한계(tilt_limit) {limit} 이내이다.",
         },
+        Undated { surveys: Vec<String> } => {
+            en: "Surveys whose names say no date: {surveys}. Which survey is the last is told by the dates, so beside one with a date these lean no model, their frequencies and damage give way, and compare and watch leave them out; only their tilt is held against tilt_limit. Begin the name with the date, 2025-04-02.",
+            ko: "이름에 날짜가 없는 조사: {surveys}. 최근 조사는 날짜로 정하므로, 날짜가 있는 조사가 있으면 이 조사의 기울기는 모델에 반영되지 않고 고유진동수와 손상은 뒤로 밀리며 compare와 watch에서 빠진다. 기울기를 tilt_limit와 비교하는 데만 쓴다. 이름을 2025-04-02처럼 날짜로 시작한다.",
+        },
         BeyondDrift { survey: String, tilt: Sentence, limit: Sentence } => {
             en: "The tilt that survey {survey} measured, {tilt} by all directions together, is already beyond the storey drift of {limit} that is allowed: storeys start plumb here, and no comparison with that limit holds.",
             ko: "{survey} 조사의 실측 기울기는 모든 방향을 합하여 {tilt}(으)로, 이미 허용 층간변위비 {limit}을(를) 넘는다. 이 모델의 층은 연직에서 시작하므로 그 한계와의 비교는 성립하지 않는다.",
@@ -126,6 +130,28 @@ pub(super) fn against_its_limit(project: &Project) -> Option<Finding> {
         (false, true) => Finding::key(Tone::Warn, Measured::NearItsLimit { tilt, limit, survey }),
         (false, false) => Finding::new(Tone::Good, Measured::WithinItsLimit { tilt, limit, survey }),
     })
+}
+
+/// Surveys without a date beside some that have one, if they hold anything that the last survey decides.
+pub(super) fn undated(project: &Project) -> Option<Finding> {
+    let (dated, undated): (Vec<&Survey>, Vec<&Survey>) = project
+        .surveys
+        .iter()
+        .partition(|survey| date_of(&survey.name).is_some());
+    let counts = |survey: &&&Survey| {
+        let has_records = survey.records.is_some() || !survey.setups.is_empty();
+        // frequencies that were assumed are no measurement
+        let mut modes = survey.modes.values().flatten();
+        let has_modes = modes.any(|mode| !mode.frequency.is_assumed());
+        has_records || has_modes || !survey.tilt.is_empty() || !survey.inspections.is_empty()
+    };
+    let surveys: Vec<String> = undated
+        .iter()
+        .filter(counts)
+        .map(|survey| survey.name.clone())
+        .collect();
+    let is_beside = !dated.is_empty() && !surveys.is_empty();
+    is_beside.then(|| Finding::key(Tone::Warn, Measured::Undated { surveys }))
 }
 
 /// A measured tilt beyond the drift at which storeys are judged, or free-standing columns fall, in a model that starts plumb.

@@ -43,7 +43,7 @@ pub fn check_text(answer: &CheckAnswer, style: TextStyle) -> String {
             style.columns(),
         );
         return match style.is_full {
-            true => out + &notes_text(&answer.project, style),
+            true => out + &findings_text(&findings(answer), style) + &notes_text(&answer.project, style),
             false => out + &brief_text(&findings(answer), &answer.project, 0, style),
         };
     };

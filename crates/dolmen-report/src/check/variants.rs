@@ -6,8 +6,9 @@ use crate::html::words::verdict_word;
 use dolmen::stability::Verdict;
 use dolmen::structure::lowest_frequency_hz;
 use dolmen_words::message::Both;
-use dolmen_words::{Language, Quantity, Unit, messages};
+use dolmen_words::{Digits, Language, Quantity, Unit, messages};
 use dolmen_work::answer::CheckAnswer;
+use dolmen_work::judgement::judge_check;
 use dolmen_work::state::{Check, State, VariantAnswer};
 
 /// Differences of λ below this share are called none.
@@ -51,7 +52,8 @@ messages! {
         LoadFactor => { en: "λ", ko: "λ" },
         LeastMargin => { en: "least margin", ko: "최소 여유도" },
         Lowest => { en: "lowest frequency", ko: "최저 고유진동수" },
-        FallsShare => { en: "P(falls)", ko: "전도 확률" },
+        FallsShare => { en: "P(falls by its weight)", ko: "자중 전도 확률" },
+        OverloadedShare => { en: "P(loads at a limit)", ko: "하중 한계 도달 확률" },
         Named { name: Both } => { en: "{name}", ko: "{name}" },
         Unknown => { en: "unknown", ko: "미상" },
         Falls => { en: "falls", ko: "전도" },
@@ -67,9 +69,14 @@ struct Row {
     borne: Option<f64>,
     /// With wind and static loads.
     verdict: Verdict,
+    /// Of its weight alone.
+    own_verdict: Verdict,
     margins: Vec<Option<f64>>,
     frequency_hz: Option<f64>,
+    /// Share of samples that fall under their own weight.
     falls: Option<f64>,
+    /// Share of samples that wind and static loads bring to a limit.
+    overloaded: Option<f64>,
 }
 
 /// The name of a variant: its title, else that of its table.
@@ -130,12 +137,13 @@ fn loaded(after: &Row, before: &Row) -> Option<Finding> {
 fn changed(after: Row, before: &Row) -> Option<Finding> {
     let (new, old) = (after.load_factor?, before.load_factor?);
     let [from, to] = [old, new].map(|factor| Quantity::beside_one(factor, 4));
-    let verdict = Both::of(|language| verdict_word(after.verdict, language));
+    let verdict = Both::of(|language| verdict_word(after.own_verdict, language));
     let variant = after.name;
     let tone = match new < old {
         true => Tone::Warn,
         false => Tone::Plain,
     };
+    // the number of wind is said by itself, so this word is that of weight
     let is_same = (new / old - 1.0).abs() < SAME_SHARE;
     if is_same && after.borne.is_some() {
         return None; // said with its loads
@@ -182,10 +190,15 @@ pub(crate) fn section(answer: &CheckAnswer) -> Document<'_> {
     let given = Both::of(|language| language.pick("as given", "현재"));
     let versions = answer.variants.iter();
     let versions = versions.map(|variant| (title(variant), &variant.state));
-    let all: Vec<Row> = std::iter::once((given, state))
-        .chain(versions)
-        .flat_map(|(name, state)| rows(state, &name))
-        .collect();
+    let mut basis = rows(state, &given);
+    let judged = judge_check(answer);
+    // what a survey contradicts is not stable
+    if judged.headline().is_some_and(|of| of.evidence.is_contradicted()) {
+        let doubted = basis.iter_mut().filter(|row| row.verdict != Verdict::Unstable);
+        doubted.for_each(|row| row.verdict = Verdict::Unknown);
+    }
+    let of_versions = versions.flat_map(|(name, state)| rows(state, &name));
+    let all: Vec<Row> = basis.into_iter().chain(of_versions).collect();
     let table = table(&all);
     let caption = vec![Variants::Drawn.into(), Variants::DrawnMeaning.into()];
     document.figure(caption, move |language| {
@@ -208,6 +221,8 @@ fn dot(row: &Row, language: Language) -> VariantDot {
 fn table(all: &[Row]) -> Table {
     let with_falls = all.iter().any(|row| row.falls.is_some());
     let with_loads = all.iter().any(|row| row.borne.is_some());
+    let with_overloaded = all.iter().any(|row| row.overloaded.is_some());
+    let share = |share: f64| Quantity::new(share, Unit::percent(), Digits::Significant(3));
     let row = |row: &Row| {
         let unknown = || Cell::words(Variants::Unknown);
         let margin = match row.least_margin() {
@@ -236,9 +251,10 @@ fn table(all: &[Row]) -> Table {
             });
         }
         if with_falls {
-            cells.push(Cell::Number(row.falls.map(|share| {
-                Quantity::new(share, Unit::percent(), dolmen_words::Digits::Significant(3))
-            })));
+            cells.push(Cell::Number(row.falls.map(share)));
+        }
+        if with_overloaded {
+            cells.push(Cell::Number(row.overloaded.map(share)));
         }
         cells
     };
@@ -254,6 +270,9 @@ fn table(all: &[Row]) -> Table {
     }
     if with_falls {
         columns.push(Column::numbers(Variants::FallsShare, Unit::percent()));
+    }
+    if with_overloaded {
+        columns.push(Column::numbers(Variants::OverloadedShare, Unit::percent()));
     }
     Table {
         caption: vec![Variants::Caption.into(), Variants::CaptionMeaning.into()],
@@ -283,6 +302,8 @@ impl Row {
 
 fn rows(state: &State, name: &Both) -> Vec<Row> {
     let falls = state.sampled.as_ref().map(|sampled| sampled.unstable.estimate);
+    let sampled = state.sampled.as_ref();
+    let overloaded = sampled.and_then(|sampled| sampled.under_loads.as_ref().map(|of| of.estimate));
     match &state.check {
         Check::Chain(check) => {
             let across = check.across.as_ref();
@@ -305,9 +326,11 @@ fn rows(state: &State, name: &Both) -> Vec<Row> {
                     Some(_) => state.verdict(),
                     None => state.stability_verdict(),
                 },
+                own_verdict: state.stability_verdict(),
                 margins: joints.map(|joint| joint.margin).collect(),
                 frequency_hz: lowest.min_by(f64::total_cmp),
                 falls,
+                overloaded,
             }]
         }
         Check::Frame(directions) => directions
@@ -321,9 +344,11 @@ fn rows(state: &State, name: &Both) -> Vec<Row> {
                     load_factor: stability.map(|of| of.load_factor),
                     borne: None,
                     verdict: stability.map_or(Verdict::Unknown, |of| of.verdict),
+                    own_verdict: stability.map_or(Verdict::Unknown, |of| of.verdict),
                     margins: storeys.map(|storey| storey.margin).collect(),
                     frequency_hz: lowest_frequency_hz(&of.check.modes),
                     falls,
+                    overloaded,
                 }
             })
             .collect(),
@@ -336,9 +361,11 @@ fn rows(state: &State, name: &Both) -> Vec<Row> {
                 load_factor: Some(answer.load_factor()),
                 borne: None,
                 verdict: Verdict::of_load_factor(answer.load_factor()),
+                own_verdict: Verdict::of_load_factor(answer.load_factor()),
                 margins: answer.falls.iter().map(|fall| Some(fall.load_factor)).collect(),
                 frequency_hz: mode.map(|mode| mode.frequency_hz),
                 falls,
+                overloaded,
             }]
         }
         Check::Stack(_) => Vec::new(),

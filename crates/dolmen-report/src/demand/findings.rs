@@ -66,6 +66,14 @@ messages! {
             en: "Direction {direction} is not compared with the demand of the site: it falls under its own weight while its joints slip.",
             ko: "{direction} 방향은 접합부가 미끄러질 때 자중만으로 붕괴하므로 부지의 요구 수준과 비교하지 않는다.",
         },
+        LoosePost => {
+            en: "The demand of the site is not compared: a side post with a gap may close, and what is above it then asks more than without. `dolmen simulate` follows it.",
+            ko: "틈이 있는 지주가 맞닿으면 그 위의 요구 수준이 커지므로 부지의 요구 수준과 비교하지 않는다. `dolmen simulate`로 검토한다.",
+        },
+        Rubs => {
+            en: "Joints with dry friction are held against the site as free and as sticking, where the whole moves with the ground: the larger moment counts. A part that sticks while others turn is not tried.",
+            ko: "마찰이 있는 접합부는 자유로운 경우와 고착되어 전체가 지반과 함께 움직이는 경우 중 큰 모멘트로 부지의 지진과 비교하였다. 일부만 고착된 경우는 검토하지 않았다.",
+        },
         BySpectrum => { en: "by the spectrum of the site", ko: "부지 스펙트럼에 대하여" },
         NotCompared { why: String } => {
             en: "The demand of the site is not compared: {why}.",
@@ -90,6 +98,11 @@ pub(crate) fn findings(answer: Option<&DemandAnswer>) -> Vec<Finding> {
     );
     let without = answer.compared.not_compared.iter();
     let without = without.map(|of| Finding::key(Tone::Unknown, not_compared(of)));
+    let rubs = answer
+        .compared
+        .rubs
+        .then(|| Finding::key(Tone::Plain, Found::Rubs));
+    let parts = parts.into_iter().chain(rubs);
     let unverified = unverified(&answer.site).map(|said| Finding::new(Tone::Warn, said));
     let compared = compared.into_iter().chain(refused).chain(without).chain(parts);
     let local = local_mechanisms::finding(&answer.local_mechanisms);
@@ -99,6 +112,7 @@ pub(crate) fn findings(answer: Option<&DemandAnswer>) -> Vec<Finding> {
 /// Why a direction was not compared.
 pub(super) fn not_compared(of: &NotCompared) -> Found {
     match (of.why, of.direction.clone()) {
+        (WhyNotCompared::LoosePost, _) => Found::LoosePost,
         (WhyNotCompared::StiffnessUnknown, None) => Found::NoStiffness,
         (WhyNotCompared::StiffnessUnknown, Some(direction)) => Found::NoStiffnessIn { direction },
         (WhyNotCompared::Falls, None) => Found::Falls,

@@ -13,6 +13,9 @@ const HEIGHT_MOST: f64 = 482.0;
 /// Width and height of a photograph, pt: 125 × 85 mm.
 const PHOTO_MOST: [f64; 2] = [354.0, 241.0];
 
+/// A quarter of a turn, in 60 000ths of a degree.
+const QUARTER_TURN: u32 = 5_400_000;
+
 const A: &str = "http://schemas.openxmlformats.org/drawingml/2006/main";
 const PIC: &str = "http://schemas.openxmlformats.org/drawingml/2006/picture";
 const ASVG: &str = "http://schemas.microsoft.com/office/drawing/2016/SVG/main";
@@ -65,9 +68,8 @@ impl<'a> Media<'a> {
         let svg = relation(&format!("{name}.svg"));
         Ok(drawing(
             self.placed,
-            &relation(&format!("{name}.png")),
-            Some(&svg),
-            &size,
+            (&relation(&format!("{name}.png")), Some(&svg)),
+            (&size, None),
             alt,
         ))
     }
@@ -84,9 +86,21 @@ impl<'a> Media<'a> {
         }
         self.placed += 1;
         let [width, height] = [photo.width, photo.height].map(|side| f64::from(side.max(1)));
-        let scale = (width_most.min(PHOTO_MOST[0]) / width).min(PHOTO_MOST[1] / height);
-        let size = [width * scale, height * scale].map(|side| format!("{:.0}", side * EMU));
-        drawing(self.placed, &relation(&name), None, &size, alt)
+        let quarters = photo.quarter_turns();
+        // as it lies on the page
+        let [across, down] = match quarters % 2 {
+            1 => [height, width],
+            _ => [width, height],
+        };
+        let scale = (width_most.min(PHOTO_MOST[0]) / across).min(PHOTO_MOST[1] / down);
+        let emu = |side: f64| format!("{:.0}", side * scale * EMU);
+        let size = [width, height].map(emu);
+        let turn = (quarters > 0).then(|| Turn {
+            angle: (u32::from(quarters) * QUARTER_TURN).to_string(),
+            beside: emu((0.5 * (across - width)).max(0.0)),
+            above: emu((0.5 * (down - height)).max(0.0)),
+        });
+        drawing(self.placed, (&relation(&name), None), (&size, turn), alt)
     }
 }
 
@@ -106,7 +120,19 @@ fn sides(svg: &str) -> Option<[f64; 2]> {
     sides.iter().all(|side| *side > 0.0).then_some(sides)
 }
 
-fn drawing(id: usize, shown: &str, svg: Option<&str>, size: &[String; 2], alt: &str) -> Xml {
+/// How a photograph is turned as the camera noted, and what it then takes beyond its own box.
+struct Turn {
+    angle: String,
+    beside: String,
+    above: String,
+}
+
+fn drawing(
+    id: usize,
+    (shown, svg): (&str, Option<&str>),
+    (size, turn): (&[String; 2], Option<Turn>),
+    alt: &str,
+) -> Xml {
     let (id, name) = (id.to_string(), format!("Figure {id}"));
     let extent = [("cx", size[0].as_str()), ("cy", size[1].as_str())];
     let mut xml = Xml::default();
@@ -115,6 +141,10 @@ fn drawing(id: usize, shown: &str, svg: Option<&str>, size: &[String; 2], alt: &
         xml.element("w:drawing", &[], |xml| {
             xml.element("wp:inline", &flat, |xml| {
                 xml.leaf("wp:extent", &extent);
+                if let Some(Turn { beside, above, .. }) = &turn {
+                    let beyond = [("l", beside), ("t", above), ("r", beside), ("b", above)];
+                    xml.leaf("wp:effectExtent", &beyond.map(|(side, by)| (side, by.as_str())));
+                }
                 xml.leaf("wp:docPr", &[("id", &id), ("name", &name), ("descr", alt)]);
                 xml.element("wp:cNvGraphicFramePr", &[], |xml| {
                     xml.leaf("a:graphicFrameLocks", &[("xmlns:a", A), ("noChangeAspect", "1")]);
@@ -128,7 +158,9 @@ fn drawing(id: usize, shown: &str, svg: Option<&str>, size: &[String; 2], alt: &
                             });
                             xml.element("pic:blipFill", &[], |xml| blip(xml, shown, svg));
                             xml.element("pic:spPr", &[], |xml| {
-                                xml.element("a:xfrm", &[], |xml| {
+                                let turned: Vec<(&str, &str)> =
+                                    turn.iter().map(|turn| ("rot", turn.angle.as_str())).collect();
+                                xml.element("a:xfrm", &turned, |xml| {
                                     xml.leaf("a:off", &[("x", "0"), ("y", "0")]);
                                     xml.leaf("a:ext", &extent);
                                 });

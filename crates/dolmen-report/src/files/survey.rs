@@ -40,10 +40,13 @@ pub fn identification_files(
 /// Figure and JSON of what changed.
 pub fn change_files(answer: &CompareAnswer, language: Language) -> Vec<NamedFile> {
     let json = change_json(answer);
-    vec![
-        NamedFile::json("change.json", &json),
-        NamedFile::svg("change", &survey_changes(&answer.change, language)),
-    ]
+    let figure = answer
+        .change
+        .as_ref()
+        .map(|change| NamedFile::svg("change", &survey_changes(change, language)));
+    std::iter::once(NamedFile::json("change.json", &json))
+        .chain(figure)
+        .collect()
 }
 
 /// Figure and JSON of a history.

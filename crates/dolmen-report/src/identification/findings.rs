@@ -10,6 +10,7 @@ use super::plan_centre::Centre;
 use super::solutions::stiffness_quantities;
 use super::words::{Words, counted};
 use crate::document::{Finding, Tone};
+use crate::simulated::kilo;
 use dolmen::structure::{Choice, StiffnessNote};
 use dolmen_project::{Project, Quantity as Input, Structure};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, Values, messages};
@@ -18,6 +19,10 @@ use dolmen_work::surveyed::{StiffnessAnswer, SurveyAnswer, WithoutStiffness};
 messages! {
     /// Findings on stiffness from vibration.
     pub(crate) enum Found in "identification.findings" {
+        WithLoads { weight: Quantity } => {
+            en: "What hangs there, {weight} of static loads, was taken to hang there in every survey, and swings along.",
+            ko: "모든 조사에서 정하중 {weight}이(가) 매달려 함께 진동한 것으로 보았다.",
+        },
         NoPlace => {
             en: "No stiffness is sought: no channel has both a position and a direction; give both to those that stand on the structure.",
             ko: "위치와 방향이 모두 주어진 채널이 없어 강성을 추정하지 않았다. 구조물 위의 채널에 둘 다 주어야 한다.",
@@ -123,11 +128,20 @@ pub(crate) fn findings(project: &Project, all: &[SurveyAnswer]) -> Vec<Finding> 
         .iter()
         .filter_map(|survey| Some((survey, survey.factors.as_ref()?)));
     let joint_by_joint = joint_by_joint.flat_map(|(survey, answer)| joints::findings(&survey.name, answer));
+    let hangs = match &project.structure {
+        Structure::Chain(_) => project.loads.weight_n(&mut Input::nominal),
+        _ => 0.0,
+    };
+    let hangs = (hangs != 0.0 && each().next().is_some()).then(|| {
+        let weight = Quantity::new(hangs, kilo("N"), Digits::Significant(3));
+        Finding::key(Tone::Plain, Found::WithLoads { weight })
+    });
     // what is wrong with the sensors comes before what they lead to
     let sensors = all.iter().filter_map(doubted::finding);
     let beside = all.iter().flat_map(beside::findings);
     sensors
         .chain(own)
+        .chain(hangs)
         .chain(beside)
         .chain(beds)
         .chain(in_plan)

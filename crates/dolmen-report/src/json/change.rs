@@ -2,14 +2,34 @@
 
 use super::check::project;
 use super::identify::modes_of;
-use dolmen::assess::{ModeChange, TemperatureKnowledge};
+use crate::engineer::damage_words;
+use dolmen::assess::{ModeChange, SurveyChange, TemperatureKnowledge};
+use dolmen_words::Language;
 use dolmen_words::advice::Advice;
 use dolmen_work::answer::CompareAnswer;
+use dolmen_work::compared_readings::{ComparedItem, ComparedReadings, ItemCourse};
 use serde_json::{Value, json};
 
-/// What changed from one survey to another.
+/// What changed from one survey to another; without modes in one of the two, nothing of frequencies stands in it.
 pub fn change_json(answer: &CompareAnswer) -> Value {
-    let change = &answer.change;
+    let mut all = json!({
+        "project": project(&answer.project, &answer.file),
+        "from": answer.from,
+        "to": answer.to,
+        "earthquakes": answer.shaken.iter().map(|(survey, of)| json!({ "survey": survey, "modes_of": modes_of(*of) })).collect::<Vec<_>>(),
+        "tilts": tilts(&answer.readings),
+        "inspections": answer.readings.items.iter().map(item).collect::<Vec<_>>(),
+        "without_modes": answer.readings.without_modes,
+    });
+    if let (Some(all), Some(Value::Object(of_modes))) =
+        (all.as_object_mut(), answer.change.as_ref().map(modes))
+    {
+        all.extend(of_modes);
+    }
+    all
+}
+
+fn modes(change: &SurveyChange) -> Value {
     let (temperature, step_c) = match &change.temperature {
         TemperatureKnowledge::NotMeasured => ("not measured", None),
         TemperatureKnowledge::Same => ("same", Some(0.0)),
@@ -17,10 +37,6 @@ pub fn change_json(answer: &CompareAnswer) -> Value {
         TemperatureKnowledge::Corrected { step_c } => ("corrected", Some(*step_c)),
     };
     json!({
-        "project": project(&answer.project, &answer.file),
-        "earthquakes": answer.shaken.iter().map(|(survey, of)| json!({ "survey": survey, "modes_of": modes_of(*of) })).collect::<Vec<_>>(),
-        "from": change.from,
-        "to": change.to,
         "temperature": temperature,
         "temperature_step_c": step_c,
         "may_be_the_weather": change.temperature.leaves_doubt(),
@@ -61,5 +77,36 @@ fn mode(mode: &ModeChange) -> Value {
         "explaining_per_c": mode.explaining_per_c,
         "uniform_stiffness": mode.uniform_stiffness,
         "uniform_stiffness_sd": mode.uniform_stiffness_sd,
+    })
+}
+
+fn tilts(readings: &ComparedReadings) -> Value {
+    let each = readings.tilts.iter().map(|tilt| {
+        json!({
+            "direction": tilt.direction,
+            "from": tilt.from.ratio,
+            "to": tilt.to.ratio,
+            "change": tilt.change(),
+            "same_datum": !readings.other_datum,
+        })
+    });
+    each.collect()
+}
+
+fn item(item: &ComparedItem) -> Value {
+    let (course, from, to) = match &item.course {
+        ItemCourse::New { size } => ("new", None, size.as_ref()),
+        ItemCourse::NotFoundAgain => ("not found again", None, None),
+        ItemCourse::Sized { from, to } => ("sized", Some(from), Some(to)),
+        ItemCourse::NoSize => ("no size", None, None),
+        ItemCourse::Several { .. } => ("several", None, None),
+    };
+    json!({
+        "part": item.part,
+        "what": damage_words(&item.what).text(Language::English),
+        "course": course,
+        "worse": item.course.is_worse(),
+        "from_m": from.map(|size| size.value),
+        "to_m": to.map(|size| size.value),
     })
 }

@@ -36,6 +36,7 @@ fn not_compared(of: &NotCompared) -> Value {
         "why": match of.why {
             WhyNotCompared::StiffnessUnknown => "stiffness unknown",
             WhyNotCompared::Falls => "falls",
+            WhyNotCompared::LoosePost => "a side post with a gap may close",
             WhyNotCompared::FallsSlipping => "falls while its joints slip",
         },
     })

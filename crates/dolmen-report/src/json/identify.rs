@@ -19,7 +19,9 @@ use dolmen_work::building::PlanAnswer;
 use dolmen_work::model_modes::{BesideModel, ModelMode, ModelModes, WhichMode};
 use dolmen_work::record_seen::{ChannelSeen, RecordSeen, SpectrogramSeen};
 use dolmen_work::stack::FactorsAnswer;
-use dolmen_work::surveyed::{RecordAnswer, SetupsAnswer, StiffnessAnswer, StiffnessDoubt, SurveyAnswer};
+use dolmen_work::surveyed::{
+    Earthquake, ModesOf, RecordAnswer, SetupsAnswer, StiffnessAnswer, StiffnessDoubt, SurveyAnswer,
+};
 use serde_json::{Value, json};
 
 /// What was identified from every survey.

@@ -51,6 +51,14 @@ messages! {
             en: "Wind is in the file, but no combination has a factor on it: it was not counted. Write wind = 1 into [combination.NAME].",
             ko: "파일에 풍하중이 있으나 어느 하중조합에도 계수가 없어 고려하지 않았다. [combination.이름]에 wind = 1을 쓴다.",
         },
+        BeforeMoved => {
+            en: "That is of the shape in the file, before its supports moved: of wind, and of more load than there is, nothing is known of the shape after it.",
+            ko: "이는 지점이 이동하기 전, 파일에 입력한 형상의 값이다. 이동 후의 형상이 바람이나 지금보다 큰 하중을 받을 때의 안정은 알 수 없다.",
+        },
+        LoadsInNoneOfStack => {
+            en: "No combination of the file counts its static loads; whether the stack stands without wind is judged with them all the same.",
+            ko: "파일의 하중조합 가운데 정하중을 포함하는 것이 없다. 다만 바람이 없을 때의 안정 판정에는 정하중이 포함되어 있다.",
+        },
         LoadsInNone => {
             en: "Static loads are in the file, but no combination has a factor on them: they were not counted. Write loads = 1 into [combination.NAME].",
             ko: "파일에 정하중이 있으나 어느 하중조합에도 계수가 없어 고려하지 않았다. [combination.이름]에 loads = 1을 쓴다.",
@@ -245,7 +253,11 @@ pub(crate) fn findings(project: &Project, state: &State) -> Vec<Finding> {
         all.push(Finding::key(Tone::Warn, Found::WindInNone));
     }
     if answer.has_loads && in_none(|of| of.loads) && !answer.combinations.is_empty() {
-        all.push(Finding::key(Tone::Warn, Found::LoadsInNone));
+        let said = match &state.check {
+            Check::Stack(_) => Found::LoadsInNoneOfStack,
+            _ => Found::LoadsInNone,
+        };
+        all.push(Finding::key(Tone::Warn, said));
     }
     let stack = match &state.check {
         Check::Stack(answer) => Some(&answer.stack),
@@ -256,6 +268,9 @@ pub(crate) fn findings(project: &Project, state: &State) -> Vec<Finding> {
             .worst()
             .and_then(|worst| of_combination(answer, worst, stack)),
     );
+    if stack.is_some_and(|stack| !stack.support_movements().is_empty()) && !answer.combinations.is_empty() {
+        all.push(Finding::key(Tone::Warn, Found::BeforeMoved));
+    }
     let slides = answer
         .worst()
         .and_then(CombinationAnswer::stack)

@@ -80,6 +80,10 @@ messages! {
             en: "tapered by half a cosine, {each} at each end",
             ko: "양 끝 {each}에 반코사인 테이퍼 적용",
         },
+        Oriented { azimuth: Quantity } => {
+            en: "turned so that x points {azimuth} from north",
+            ko: "x가 북에서 {azimuth} 방향을 향하도록 회전",
+        },
         Rotated { angle: Quantity } => {
             en: "turned by {angle} from x towards y",
             ko: "x에서 y 방향으로 {angle} 회전",
@@ -177,6 +181,9 @@ pub(super) fn step_words(step: &Processing) -> Sentence {
         },
         Processing::Tapered { each_end_s } => Steps::Tapered {
             each: seconds(each_end_s),
+        },
+        Processing::Oriented { x_azimuth_deg } => Steps::Oriented {
+            azimuth: Quantity::new(x_azimuth_deg, Unit::si("°"), Digits::Trimmed(6)),
         },
         Processing::Rotated { angle_rad } => Steps::Rotated {
             angle: Quantity::new(angle_rad.to_degrees(), Unit::si("°"), Digits::Trimmed(6)),

@@ -8,6 +8,7 @@ use crate::stack::lean;
 use dolmen::assess::DamageState;
 use dolmen::blocks::{ContactLaw, Outcome};
 use dolmen_words::{Digits, Quantity, Unit};
+use dolmen_work::judgement::Earthquake;
 use dolmen_work::stack::{StackRuns, StackSimulation};
 
 /// How it ended and what may be concluded from it, the most important first.
@@ -72,8 +73,10 @@ pub(super) fn tone(simulation: &StackSimulation) -> Tone {
         _ if simulation.ended_before_the_motion_s().is_some() => Tone::Unknown,
         _ if simulation.shifted().is_some() && !simulation.falls() => Tone::Warn,
         Outcome::Stood => Tone::Good,
-        Outcome::Uplifted { .. } | Outcome::Slid { .. } => Tone::Warn,
         Outcome::Fell { .. } => Tone::Bad,
+        // the colour of the word on the earthquake
+        _ if Earthquake::of_damage(simulation.counted_damage()) == Earthquake::BelowDemand => Tone::Bad,
+        Outcome::Uplifted { .. } | Outcome::Slid { .. } => Tone::Warn,
         Outcome::StillMoving { .. }
         | Outcome::Stopped { .. }
         | Outcome::NotConverged { .. }

@@ -1,7 +1,7 @@
 //! What decides in a study: capacity, doubts about it, trends, the worst state.
 
 use super::words::{Words, g, state};
-use super::{doubts, hazard, run, scatter, trends};
+use super::{doubts, hazard, run, scatter, trends, words};
 use crate::document::{Finding, Tone};
 use dolmen::assess::Reached;
 use dolmen_words::{Quantity, Sentence, messages};
@@ -17,6 +17,14 @@ messages! {
         Fell { fell: usize, scans: Sentence, state: Sentence, least: Quantity } => {
             en: "{fell} of {scans} reached “{state}”, the weakest at {least}.",
             ko: "{scans} 중 {fell}건이 ‘{state}’ 상태에 이르렀으며, 그 최소 가속도는 {least}이다.",
+        },
+        DriftBeyond { beyond: usize, scans: Sentence, limit: Quantity, least: Quantity } => {
+            en: "{beyond} of {scans} drifted beyond the allowable {limit} of a storey that the file sets ([limits]), the weakest at {least}.",
+            ko: "{scans} 중 {beyond}건이 파일에서 정한 허용 층간변위 {limit}([limits])을(를) 넘었으며, 그 최소 가속도는 {least}이다.",
+        },
+        DriftWithin { scans: Sentence, limit: Quantity, largest: Quantity } => {
+            en: "None of {scans} drifted beyond the allowable {limit} of a storey that the file sets ([limits]), up to {largest}.",
+            ko: "{scans} 모두 {largest}까지 파일에서 정한 허용 층간변위 {limit}([limits]) 이내이다.",
         },
         Median { state: Sentence, theta: Quantity, beta: Quantity } => {
             en: "The curve fitted to them (lognormal) has its median for “{state}” at {theta}, scatter of the logarithm β = {beta}.",
@@ -43,6 +51,7 @@ pub(crate) fn findings(answer: &StudyAnswer) -> Vec<Finding> {
         all.extend(left_out);
         return all;
     }
+    all.extend(allowed_drift(answer));
     let found = capacity(answer);
     if found.is_none() {
         // nothing is left but why
@@ -64,6 +73,33 @@ pub(crate) fn findings(answer: &StudyAnswer) -> Vec<Finding> {
     all.extend(hazard::extrapolated(answer).map(|said| Finding::key(Tone::Warn, said)));
     all.extend(trends::findings(answer));
     all
+}
+
+/// The scans against the allowable drift of the file.
+fn allowed_drift(answer: &StudyAnswer) -> Option<Finding> {
+    let found = answer.allowed_drift()?;
+    let scans = words::scans(found.scans);
+    let limit = Quantity::percent(found.limit, 3);
+    Some(match found.least_m_s2 {
+        Some(least) => {
+            let said = Found::DriftBeyond {
+                beyond: found.beyond,
+                scans,
+                limit,
+                least: g(answer, least),
+            };
+            Finding::key(Tone::Warn, said)
+        }
+        None => {
+            let largest = g(answer, found.largest_m_s2);
+            let said = Found::DriftWithin {
+                scans,
+                limit,
+                largest,
+            };
+            Finding::key(Tone::Plain, said)
+        }
+    })
 }
 
 /// How many reached the last state, and the least peak that did it.

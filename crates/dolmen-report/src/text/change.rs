@@ -1,21 +1,20 @@
 //! `dolmen compare` as text.
 
 use crate::brief::notes_text;
-use crate::change::{findings, sections, shaken, undated};
+use crate::change::{findings, sections, undated};
 use crate::check::project_text;
 use crate::document::{Finding, TextStyle, document_text, findings_text};
 use dolmen_work::answer::CompareAnswer;
 
 /// What changed from one survey to another.
 pub fn change_text(answer: &CompareAnswer, style: TextStyle) -> String {
-    let (project, file, change) = (&answer.project, &answer.file, &answer.change);
-    let mut found: Vec<Finding> = undated(project, change).into_iter().collect();
-    found.extend(shaken(&answer.shaken));
-    found.extend(findings(change));
+    let project = &answer.project;
+    let mut found: Vec<Finding> = undated(answer).into_iter().collect();
+    found.extend(findings(answer));
     let said = found.iter().filter(|finding| style.is_full || finding.is_key);
-    let mut out = project_text(project, file, style) + "\n" + &findings_text(said, style);
+    let mut out = project_text(project, &answer.file, style) + "\n" + &findings_text(said, style);
     if style.is_full {
-        out += &document_text(&sections(project, change), style);
+        out += &document_text(&sections(answer), style);
     }
     match style.is_full {
         true => out + &notes_text(project, style),

@@ -5,6 +5,7 @@ use super::wind_answer::{BuildingWind, FloorInWind, FloorMet, WIND_DURATION_S, W
 use super::wind_rows::{WindRows, largest, worst};
 use crate::error::WorkError;
 use crate::told::told_both;
+use dolmen::assess::demand::DriftLimit;
 use dolmen::damper::{AttachedDamper, DamperError, gust_motion};
 use dolmen::dynamics::LinearSystem;
 use dolmen::structure::Building;
@@ -23,11 +24,23 @@ pub(crate) fn add_wind(
         return Ok(());
     };
     match in_wind(standing, part, given, pick) {
-        Ok(wind) => standing.wind = Some(Box::new(wind)),
+        Ok(mut wind) => {
+            let drift = wind.largest_drift(&standing.building).map(|(.., drift)| drift);
+            wind.drift_limit = wind_drift_limit(project, wind.drift_limit, drift);
+            standing.wind = Some(Box::new(wind));
+        }
         Err(WorkError::Damper(why)) => standing.wind_refused = Some(told_both(&why)),
         Err(other) => return Err(other),
     }
     Ok(())
+}
+
+/// The drift that a storey is held against in the wind: what the wind of the file allows; where it allows what it may, the allowable drift of
+/// `[limits]`, which is one in an earthquake, and holds in the wind only where it is passed.
+pub(crate) fn wind_drift_limit(project: &Project, of_wind: Option<f64>, drift: Option<f64>) -> Option<f64> {
+    let allowed = project.drift_limit.as_ref().map(DriftLimit::ratio);
+    let passed = allowed.filter(|allowed| drift.is_some_and(|drift| drift > *allowed));
+    of_wind.or(passed)
 }
 
 fn in_wind(

@@ -1,6 +1,6 @@
 //! `dolmen simulate --wind`: a building in histories of the wind of its file, without its dampers and with them.
 
-use super::wind::Blown;
+use super::wind::{Blown, wind_drift_limit};
 use super::wind_answer::WIND_DURATION_S;
 use super::wind_history_answer::{HistoriesAlong, MotionInTime, WindSimulation};
 use super::wind_rows::WindRows;
@@ -65,7 +65,7 @@ pub(crate) fn simulate_wind(
     let repeats = options.repeats.unwrap_or(REPEATS) as u64;
     let seeds: Vec<u64> = (0..repeats).map(|k| options.seed.wrapping_add(k)).collect();
     let along = |axis| histories_along(&blown, building, axis, (&times, &seeds));
-    Ok(Some(WindSimulation {
+    let mut run = WindSimulation {
         file: version.file.to_owned(),
         name: version.project.name.clone(),
         variant: version.variant.map(str::to_owned),
@@ -81,7 +81,10 @@ pub(crate) fn simulate_wind(
         along: [along(0)?, along(1)?],
         building: building.clone(),
         dampers,
-    }))
+    };
+    let drift = run.largest_drift().map(|drift| drift.of_height);
+    run.drift_limit = wind_drift_limit(version.project, run.drift_limit, drift);
+    Ok(Some(run))
 }
 
 /// The longest step with which gusts reach the modes that they move, s, and the frequency of the one that decides, Hz.

@@ -1,12 +1,15 @@
 //! The check of a chain.
 
 use crate::error::WorkError;
-use dolmen::assess::{ChainAcross, ChainCheck, check_chain, check_chain_across, check_one_stone};
+use dolmen::assess::{
+    ChainAcross, ChainCheck, LoadedChain, check_chain, check_chain_across, check_one_stone,
+};
 use dolmen::stability::{ChainStability, chain_limits, chain_stability};
-use dolmen_project::{ChainAxis, ChainPart, Pick, Quantity};
+use dolmen::structure::lowest_frequency_hz;
+use dolmen_project::{ChainAxis, ChainPart, LoadsPart, Pick, Quantity};
 
 /// What is known of a chain, each input with the value that `pick` chooses.
-pub(crate) fn check(part: &ChainPart, pick: Pick<'_>) -> Result<ChainCheck, WorkError> {
+pub(crate) fn check(part: &ChainPart, loads: &LoadsPart, pick: Pick<'_>) -> Result<ChainCheck, WorkError> {
     let stiffness = part.stiffness_n_m_rad(pick);
     let chain = part.build(pick)?;
     let mut check = check_chain(&chain, stiffness.as_deref())?;
@@ -16,7 +19,36 @@ pub(crate) fn check(part: &ChainPart, pick: Pick<'_>) -> Result<ChainCheck, Work
     }
     check.on_soil = part.on_soil(pick);
     check.across = across(part, pick)?.map(Box::new);
+    check.loaded = loaded(part, loads, pick)?.map(Box::new);
     Ok(check)
+}
+
+/// The chain with what its static loads weigh; `None` where they weigh nothing.
+fn loaded(part: &ChainPart, loads: &LoadsPart, pick: Pick<'_>) -> Result<Option<LoadedChain>, WorkError> {
+    if loads.loads.iter().all(|load| load.weight.is_none()) {
+        return Ok(None);
+    }
+    let mut found = LoadedChain {
+        frequency_hz: None,
+        frequency_across_hz: None,
+        uplift_tilt_rad: None,
+    };
+    for axis in part.axes() {
+        let Some(stiffness) = part.stiffness_towards(*axis, pick) else {
+            continue;
+        };
+        let chain = part.build_loaded(*axis, loads, pick)?;
+        let of_axis = check_chain(&chain, Some(&stiffness))?;
+        let frequency_hz = lowest_frequency_hz(&of_axis.modes);
+        match axis {
+            ChainAxis::Along => {
+                found.frequency_hz = frequency_hz;
+                found.uplift_tilt_rad = uplift_tilt(&of_axis);
+            }
+            ChainAxis::Across => found.frequency_across_hz = frequency_hz,
+        }
+    }
+    Ok(Some(found))
 }
 
 /// The chain across the direction of motion; `None` where the file gives it nothing of its own there.
@@ -69,6 +101,9 @@ pub(crate) struct UpliftTilt {
 
 /// Least tilt at which a joint reaches its uplift limit.
 pub(crate) fn uplift_tilt(check: &ChainCheck) -> Option<f64> {
+    if let Some(loaded) = &check.loaded {
+        return loaded.uplift_tilt_rad;
+    }
     let joints = check.stability.iter().flat_map(|stability| &stability.joints);
     joints
         .filter_map(|joint| joint.uplift_tilt_rad)

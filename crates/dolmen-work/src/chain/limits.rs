@@ -7,7 +7,8 @@ use crate::part_limit::{Compared, Limited, NotCompared, Part, PartLimit, WhyNotC
 use dolmen::assess::demand::{SiteDemand, chain_moments_by_spectrum};
 use dolmen::dynamics::ChainRotations;
 use dolmen::stability::{BedEdge, JointHold};
-use dolmen_project::{ChainPart, Quantity};
+use dolmen::structure::Chain;
+use dolmen_project::{ChainPart, ChainSupportPart, Quantity};
 
 /// Names of the links, lowest first.
 pub(crate) fn link_names(part: &ChainPart) -> Vec<String> {
@@ -35,11 +36,56 @@ pub(crate) fn by_spectrum(
     site: &SiteDemand,
     damping_ratio: f64,
 ) -> Result<Compared, WorkError> {
+    let is_loose = |support: &ChainSupportPart| support.gap.is_some();
+    if part.side_supports.iter().any(is_loose) {
+        let why = WhyNotCompared::LoosePost;
+        return Ok(Compared {
+            parts: Vec::new(),
+            not_compared: vec![NotCompared { direction: None, why }],
+            rubs: false,
+        });
+    }
     match at_rest {
         [along, across] => by_spectrum_all_round(part, [along, across], site, damping_ratio),
         [along, ..] => along_alone(part, along, site, damping_ratio),
         [] => Ok(Compared::default()),
     }
+}
+
+/// The moments of the joints by the spectrum of the site: those on the springs; with dry friction also those while every joint sticks and the
+/// whole moves with the ground, the larger of both. `None` if it falls.
+fn moments_of(
+    part: &ChainPart,
+    (chain, stiffness): (&Chain, &[f64]),
+    site: &SiteDemand,
+    damping_ratio: f64,
+) -> Result<Option<Vec<f64>>, WorkError> {
+    let Some(mut moments) = chain_moments_by_spectrum(chain, stiffness, site, damping_ratio)? else {
+        return Ok(None);
+    };
+    if let Some(peak_m_s2) = site.peak_ground_acceleration_m_s2.filter(|_| rubs(part)) {
+        let heights_m = chain.joint_heights_m();
+        let links = || chain.links().iter().zip(&heights_m);
+        for (i, moment) in moments.iter_mut().enumerate() {
+            let above = links().skip(i);
+            let stuck: f64 = above
+                .map(|(link, foot_m)| link.mass_kg * (foot_m + link.centroid_m - heights_m[i]))
+                .sum();
+            *moment = moment.abs().max(stuck * peak_m_s2);
+        }
+    }
+    Ok(Some(moments))
+}
+
+fn rubs(part: &ChainPart) -> bool {
+    part.joints.iter().flatten().any(|joint| joint.friction.is_some())
+}
+
+/// What the vertical acceleration of the site leaves of the weight on a bed, all of it at the worst moment, as of a stack; 1 without any.
+fn left_of_weight(chain: &Chain, site: &SiteDemand) -> f64 {
+    let peak_m_s2 = site.peak_ground_acceleration_m_s2.unwrap_or(0.0);
+    let vertical_m_s2 = site.vertical.map_or(0.0, |vertical| vertical.ratio * peak_m_s2);
+    (1.0 - vertical_m_s2 / chain.gravity_m_s2()).max(0.0)
 }
 
 fn along_alone(
@@ -51,13 +97,15 @@ fn along_alone(
     let none = |why| Compared {
         parts: Vec::new(),
         not_compared: vec![NotCompared { direction: None, why }],
+        rubs: false,
     };
     let Some(stiffness) = part.stiffness_n_m_rad(&mut Quantity::nominal) else {
         return Ok(none(WhyNotCompared::StiffnessUnknown));
     };
-    let Some(moments) = chain_moments_by_spectrum(&at_rest.chain, &stiffness, site, damping_ratio)? else {
+    let Some(moments) = moments_of(part, (&at_rest.chain, &stiffness), site, damping_ratio)? else {
         return Ok(none(WhyNotCompared::Falls));
     };
+    let left = left_of_weight(&at_rest.chain, site);
     let each = link_names(part)
         .into_iter()
         .zip(moments)
@@ -67,11 +115,12 @@ fn along_alone(
         // which way the loads push and the structure leans is not known to be the same, nor to be another
         let loads_n_m = joint.moment_n_m.unwrap_or(joint.rigid_moment_n_m);
         let taken_n_m = joint.tilt_moment_n_m.abs() + loads_n_m.abs();
-        at_edge(link, moment, joint.limit_n_m, taken_n_m)
+        at_edge(link, moment, joint.limit_n_m.map(|most| left * most), taken_n_m)
     });
     Ok(Compared {
         parts: parts.collect(),
         not_compared: Vec::new(),
+        rubs: rubs(part),
     })
 }
 
@@ -88,7 +137,7 @@ fn by_spectrum_all_round(
         let not_compared = |why| NotCompared { direction, why };
         let not_compared = match part.stiffness_towards(of.axis, &mut Quantity::nominal) {
             None => not_compared(WhyNotCompared::StiffnessUnknown),
-            Some(stiffness) => match chain_moments_by_spectrum(&of.chain, &stiffness, site, damping_ratio)? {
+            Some(stiffness) => match moments_of(part, (&of.chain, &stiffness), site, damping_ratio)? {
                 None => not_compared(WhyNotCompared::Falls),
                 Some(found) => {
                     moments.push(found);
@@ -99,6 +148,7 @@ fn by_spectrum_all_round(
         return Ok(Compared {
             parts: Vec::new(),
             not_compared: vec![not_compared],
+            rubs: false,
         });
     }
     let taken = |axis: usize, joint: usize| {
@@ -113,7 +163,7 @@ fn by_spectrum_all_round(
         }
         let there = [taken(0, joint), taken(1, joint)];
         let asked = [moments[0][joint].abs(), moments[1][joint].abs()];
-        let normal_n = at_rest[0].under.joints[joint].axial_n;
+        let normal_n = left_of_weight(&at_rest[0].chain, site) * at_rest[0].under.joints[joint].axial_n;
         let towards = |[along, across]: [f64; 2]| {
             let growing = [along * asked[0], across * asked[1]];
             let left = |bed: BedEdge| bed.reach(normal_n, there, growing);
@@ -149,6 +199,7 @@ fn by_spectrum_all_round(
     Ok(Compared {
         parts,
         not_compared: Vec::new(),
+        rubs: rubs(part),
     })
 }
 

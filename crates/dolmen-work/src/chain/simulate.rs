@@ -15,7 +15,8 @@ use dolmen::dynamics::{
     ChainModel, ChainRotations, ChainRun, DynamicsError, JointOpening, TimeFunction, chain_at_rest,
     chain_growth, simulate_chain,
 };
-use dolmen_project::{ChainPart, LoadsPart, Quantity};
+use dolmen::signal::Component;
+use dolmen_project::{ChainAxis, ChainPart, LoadsPart, Quantity};
 
 /// Length of a run that begins with a push alone, s: a pole of 0.3 Hz swings twenty times. Chosen here.
 const PUSHED_S: f64 = 60.0;
@@ -183,6 +184,11 @@ fn simulate_one(
         undamped: (!is_damped).then(|| Undamped::of(&version.project.surveys, None)),
         lean: part.lean.clone(),
         tilt_left_out: left_out.tilt.filter(|_| part.lean.is_none()),
+        model,
+        motion,
+        push_rad: options.push_rad,
+        options: run,
+        growth,
         history,
     })
 }

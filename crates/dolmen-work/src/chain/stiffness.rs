@@ -7,12 +7,13 @@ use dolmen::stability::chain_stability;
 use dolmen::structure::{ChainStiffness, chain_stiffness};
 use dolmen_project::{ChainPart, Quantity};
 
-/// Every stiffness that explains the modes, of a chain of two directions in that of the modes.
+/// Every stiffness that explains the modes with what hangs on the chain, of a chain of two directions in that of the modes.
 pub(crate) fn stiffness(
     part: &ChainPart,
     measured: &MeasuredDirection<'_>,
 ) -> Result<Vec<StiffnessAnswer>, WorkError> {
-    let chain = part.build_towards(part.axis_of(measured.direction), &mut Quantity::nominal)?;
+    let axis = part.axis_of(measured.direction);
+    let chain = part.build_loaded(axis, measured.loads, &mut Quantity::nominal)?;
     let found = chain_stiffness(&chain, measured.modes, &ChainStiffness::default())?;
     let load_factor = |k: &[f64]| Ok(chain_stability(&chain, k)?.load_factor);
     Ok(vec![measured.answer(None, found, load_factor)?])

@@ -59,6 +59,8 @@ pub enum DecidedBy {
     BedUnknown,
     /// Nothing: the stiffness is not known, at least in one direction.
     StiffnessUnknown,
+    /// A side post with a gap may close.
+    LoosePost,
     /// Nothing: a survey contradicts the stiffness that the comparison rests on; the ratio is that of the model if it were right.
     Contradicted,
     /// Nothing: supports moved, and the comparison is of the shape before; the ratio is that one.
@@ -206,6 +208,7 @@ impl DecidedBy {
             DecidedBy::NoLimit => "no_limit",
             DecidedBy::BedUnknown => "bed_unknown",
             DecidedBy::StiffnessUnknown => "stiffness_unknown",
+            DecidedBy::LoosePost => "loose_post",
             DecidedBy::Contradicted => "contradicted",
             DecidedBy::NoResponse => "no_response",
             DecidedBy::DoesNotStand => "does_not_stand",
@@ -242,6 +245,7 @@ pub(super) fn of_site(state: &State) -> Vec<EarthquakeFinding> {
 fn of_none(of: &NotCompared) -> EarthquakeFinding {
     let decided_by = match of.why {
         WhyNotCompared::StiffnessUnknown => DecidedBy::StiffnessUnknown,
+        WhyNotCompared::LoosePost => DecidedBy::LoosePost,
         WhyNotCompared::Falls | WhyNotCompared::FallsSlipping => DecidedBy::DoesNotStand,
     };
     EarthquakeFinding {

@@ -321,6 +321,15 @@ fn first_frequency(check: &Check, direction: &str) -> Option<f64> {
     match check {
         // chains and frames do not twist
         Check::Chain(_) if direction == "torsion" => None,
+        // what hangs there swings too
+        Check::Chain(chain) if chain.loaded.is_some() => {
+            let loaded = chain.loaded.as_ref()?;
+            match (&chain.across, direction) {
+                (None, _) | (Some(_), "x") => loaded.frequency_hz,
+                (Some(_), "y") => loaded.frequency_across_hz,
+                (Some(_), _) => None,
+            }
+        }
         Check::Chain(chain) => {
             let modes = match (&chain.across, direction) {
                 (None, _) | (Some(_), "x") => &chain.modes,

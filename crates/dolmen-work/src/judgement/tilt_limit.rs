@@ -1,7 +1,7 @@
 //! A measured tilt against the limit that the file sets.
 
 use crate::survey_dates::date;
-use dolmen_project::Project;
+use dolmen_project::{Project, Survey};
 
 /// Limit over tilt below which a tilt is near its limit. Chosen here, as for a demand.
 const NEAR_BELOW: f64 = 1.25;
@@ -36,25 +36,25 @@ pub fn tilt_beyond_limit(project: &Project) -> Option<TiltAgainstLimit> {
     tilt_against_limit(project).filter(TiltAgainstLimit::is_beyond)
 }
 
-/// The tilt of the last dated survey that states any, or of one without a date where that is larger, against `tilt_limit`; `None` without either.
-///
-/// When a survey without a date was made is not known: it may be the last.
+/// The tilt of [`last_tilt`] against `tilt_limit`; `None` without either.
 pub fn tilt_against_limit(project: &Project) -> Option<TiltAgainstLimit> {
     let limit = project.watch.tilt_limit?;
-    let (last, tilt) = last_tilt(project)?;
+    let (survey, tilt) = last_tilt(project)?;
     Some(TiltAgainstLimit {
-        survey: worst.name.clone(),
-        directions: worst.tilt.keys().cloned().collect(),
-        tilt: worst.tilt_together(),
+        survey: survey.name.clone(),
+        directions: survey.tilt.keys().cloned().collect(),
+        tilt,
         limit,
     })
 }
 
-/// The last survey that states any tilt, and that tilt by all directions together, horizontal / vertical.
+/// The last dated survey that states a tilt, or one without a date where that is larger, and the tilt by all directions together, horizontal /
+/// vertical. When a survey without a date was made is not known: it may be the last.
 pub fn last_tilt(project: &Project) -> Option<(&Survey, f64)> {
-    let tilted = |survey: &&Survey| !survey.tilt.is_empty();
-    let dated = project.surveys.iter().filter(tilted);
-    let last = dated.max_by_key(|survey| date(&survey.name).unwrap_or_default())?;
-    let squares = last.tilt.values().map(|tilt| tilt.ratio * tilt.ratio);
-    Some((last, squares.sum::<f64>().sqrt()))
+    let tilted = || project.surveys.iter().filter(|survey| !survey.tilt.is_empty());
+    let dated = tilted().filter_map(|survey| Some((date(&survey.name)?, survey)));
+    let last = dated.max_by_key(|(day, _)| *day).map(|(_, survey)| survey);
+    let undated = tilted().filter(|survey| date(&survey.name).is_none());
+    let all = undated.chain(last).map(|survey| (survey, survey.tilt_together()));
+    all.max_by(|a, b| a.1.total_cmp(&b.1))
 }

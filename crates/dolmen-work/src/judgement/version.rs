@@ -24,6 +24,8 @@ pub struct VersionJudgement {
     pub governed_by: Option<Governing>,
     /// Whether the word for weight is that under wind or static loads too.
     pub with_loads: bool,
+    /// The share of samples that falls or is brought to a limit; `None` without samples, or where none does.
+    pub falling_share: Option<f64>,
     /// What an earthquake asks of it, one a demand, motion and part; empty where nothing is asked.
     pub earthquake: Vec<EarthquakeFinding>,
     /// What its wind makes of it against what the file allows, of a building; empty where nothing is limited.
@@ -81,6 +83,7 @@ impl VersionJudgement {
             weight,
             governed_by: None,
             with_loads: false,
+            falling_share: None,
             earthquake: Vec::new(),
             wind: Vec::new(),
             evidence,
@@ -190,6 +193,7 @@ pub(super) fn version(
             .iter()
             .any(|of| of.wind != 0.0 || of.loads != 0.0)
     });
+    version.falling_share = state.falling_share();
     version.governed_by = governing(state, weight);
     version.demand_source = state.demand.as_ref().map(|demand| {
         let site = &demand.site;

@@ -10,6 +10,8 @@ use dolmen_words::number::beside_one;
 
 /// Digits of a load factor in a headline.
 const DIGITS: usize = 3;
+/// Share of the samples that fall from which on nothing is called stable: codes ask for a thousand times less of a year.
+const FALLING_SHARE_MOST: f64 = 0.01;
 
 /// The fixed words.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -48,11 +50,21 @@ impl Weight {
         let is_nan = limits.map(|(limit, tilt)| limit / tilt).any(f64::is_nan)
             || stuck.is_some_and(f64::is_nan)
             || of_loads.is_some_and(f64::is_nan);
+        let verdict = match state.verdict() {
+            Verdict::Stable
+                if state
+                    .falling_share()
+                    .is_some_and(|share| share >= FALLING_SHARE_MOST) =>
+            {
+                Verdict::Marginal
+            }
+            verdict => verdict,
+        };
         match (&state.check, is_nan) {
             (_, true) => Weight::of_verdict(Verdict::Unknown, least, false),
             // a stack keeps its word: it rests on shapes and friction, and its springs alone are contradicted
-            (Check::Stack(_), false) => Weight::of_verdict(state.verdict(), None, false),
-            _ => Weight::of_verdict(state.verdict(), least, is_contradicted),
+            (Check::Stack(_), false) => Weight::of_verdict(verdict, None, false),
+            _ => Weight::of_verdict(verdict, least, is_contradicted),
         }
     }
 

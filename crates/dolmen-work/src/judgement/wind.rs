@@ -9,11 +9,11 @@ use dolmen_words::Language;
 /// The fixed words, from the best to the worst.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum WindWord {
-    /// The file gives no limit for the motion in its wind.
+    /// The file gives no wind.
     NotAsked,
     /// Everything stays within its limit.
     Within,
-    /// There is a limit, but the motion is not known.
+    /// There is a limit, but the motion is not known; or no limit.
     NotDecided,
     /// Something is beyond its limit.
     Beyond,
@@ -28,6 +28,8 @@ pub enum WindLimit {
     Drift,
     /// Room of a damper.
     Room,
+    /// Nothing: the file gives no limit.
+    NotGiven,
 }
 
 /// A word, what decided it, and by how much.
@@ -71,6 +73,7 @@ impl WindLimit {
             WindLimit::Acceleration => "acceleration",
             WindLimit::Drift => "drift",
             WindLimit::Room => "room",
+            WindLimit::NotGiven => "no limit",
         }
     }
 }
@@ -82,6 +85,16 @@ impl WindFinding {
         let in_hand = |of: &&WindFinding| of.ratio.unwrap_or(f64::INFINITY);
         let worst = all.iter().filter(|of| of.word == word);
         worst.min_by(|a, b| in_hand(a).total_cmp(&in_hand(b)))
+    }
+
+    /// A wind that nothing limits: what moves in it is not judged.
+    fn without_limit() -> Self {
+        WindFinding {
+            word: WindWord::NotDecided,
+            limit: Some(WindLimit::NotGiven),
+            part: None,
+            ratio: None,
+        }
     }
 
     fn of(limit: WindLimit, part: Option<String>, ratio: f64) -> Self {
@@ -116,7 +129,11 @@ pub(super) fn of_wind(project: &Project, state: &State, is_contradicted: bool) -
         };
         return is_limited.then_some(not_decided).into_iter().collect();
     }
-    if_model_is_right(compared(standing, &answer.floors), is_contradicted)
+    let mut all = compared(standing, &answer.floors);
+    if standing.wind.is_some() && all.is_empty() {
+        all.push(WindFinding::without_limit());
+    }
+    if_model_is_right(all, is_contradicted)
 }
 
 /// Histories against the same limits: the mean of their peaks, or the mean square where that is larger, so that there is one answer to one question. A
@@ -142,6 +159,9 @@ pub(super) fn of_wind_histories(run: &WindSimulation, is_contradicted: bool) -> 
             of.word = WindWord::NotDecided;
             of.ratio = Some(struck.room_m / struck.largest_m);
         }
+    }
+    if all.is_empty() {
+        all.push(WindFinding::without_limit());
     }
     if_model_is_right(all, is_contradicted || !run.is_as_long_as_its_wind())
 }

@@ -37,6 +37,13 @@ pub struct Carried {
     pub frequency_hz: Option<f64>,
 }
 
+impl Carried {
+    /// By the factor on the weight of all.
+    pub fn verdict(&self) -> Verdict {
+        Verdict::of_load_factor(self.load_factor)
+    }
+}
+
 /// Wind as it meets a structure, without a factor of a combination.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct WindMet {
@@ -194,11 +201,22 @@ impl LoadsAnswer {
 
     /// The worst verdict; unknown where the wind is not known, or where gusts make it swing and the wind does not hold that.
     pub fn verdict(&self) -> Verdict {
+        if self.falls_as_it_hangs() {
+            return Verdict::Unstable;
+        }
         match self.worst().map_or(Verdict::Unknown, CombinationAnswer::verdict) {
             Verdict::Unstable => Verdict::Unstable,
             _ if self.lacks_resonance_at_hz().is_some() => Verdict::Unknown,
+            Verdict::Stable if self.carried.is_some_and(|of| of.verdict() == Verdict::Marginal) => {
+                Verdict::Marginal
+            }
             verdict => verdict,
         }
+    }
+
+    /// Whether it falls under its weight and that of its static loads as they hang, whatever factors its combinations have.
+    pub fn falls_as_it_hangs(&self) -> bool {
+        self.carried.is_some_and(|of| of.verdict() == Verdict::Unstable)
     }
 
     /// The lowest natural frequency, Hz, of a structure that gusts make swing under a wind that does not hold that.

@@ -42,6 +42,9 @@ pub enum Governing {
 impl Governing {
     /// The worst combination, or what acts.
     pub(crate) fn of(loads: &LoadsAnswer) -> Governing {
+        if loads.falls_as_it_hangs() {
+            return Governing::Loads;
+        }
         let name = loads.worst().and_then(|worst| worst.name.clone());
         match (name, loads.has_wind, loads.has_loads) {
             (Some(name), _, _) => Governing::Combination(name),

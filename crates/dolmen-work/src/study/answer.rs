@@ -51,6 +51,8 @@ pub struct StudyAnswer {
     pub kind: StudyKind,
     /// Gravity that turns accelerations into g, m/s².
     pub gravity_m_s2: f64,
+    /// The allowable drift of a storey over its height that the file sets for a frame or a building.
+    pub drift_limit: Option<f64>,
     /// How often the ground shakes at the site, if that is known.
     pub hazard: Option<HazardPart>,
     /// Version of the program.

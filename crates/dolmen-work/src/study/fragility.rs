@@ -98,11 +98,13 @@ impl StudyAnswer {
     pub fn state_words(&self, language: Language) -> [&'static str; 4] {
         let words = self.kind.states();
         words.map(|word| match (word, language) {
+            // not the allowable drift of the file
+            ("drift limit", Language::English) => "leans by 10 %",
             (_, Language::English) => word,
             ("falls", _) => "낙하·전도",
             ("slips", _) => "미끄러짐",
             ("opens", _) => "벌어짐",
-            ("drift limit", _) => "층간변위 한계",
+            ("drift limit", _) => "10 % 기울어짐",
             (word, _) => word,
         })
     }

@@ -1,5 +1,6 @@
 //! Studies: their runs, the journal that keeps them, and what they say together.
 
+mod allowed_drift;
 mod answer;
 mod column;
 mod combination_fragility;
@@ -30,6 +31,7 @@ mod shaking_measure;
 mod table;
 
 pub use crate::fingerprint::fingerprint;
+pub use allowed_drift::AllowedDrift;
 pub use answer::{CaseInputs, InputColumn, StudyAnswer, TrendAnswer, TrendVerdict};
 pub use column::{Column, ColumnValues};
 pub use combination_fragility::{CombinationFragility, MeasureFit, StateFragility, YEARS};

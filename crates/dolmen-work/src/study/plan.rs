@@ -15,6 +15,7 @@ use crate::in_runs::{LeftOutOfRuns, held_in_runs};
 use crate::opened::Opened;
 use crate::stack;
 use crate::wrong::OfRuns;
+use dolmen::assess::demand::DriftLimit;
 use dolmen::assess::{RockingScale, rocking_scale};
 use dolmen::signal::Component;
 use dolmen::stability::stack::{StackLimits, stack_limits};
@@ -338,6 +339,7 @@ impl<'o> Plan<'o> {
             study: self.study.clone(),
             kind: self.kind,
             gravity_m_s2: self.opened.project.gravity_m_s2,
+            drift_limit: self.drift_limit(),
             hazard: self
                 .opened
                 .project
@@ -357,6 +359,13 @@ impl<'o> Plan<'o> {
             maps: Vec::new(),
             fitted: Fitted::default(),
         }
+    }
+
+    /// The allowable drift of the file, unless it is varied.
+    fn drift_limit(&self) -> Option<f64> {
+        let is_varied = self.inputs.iter().any(|input| input.path.starts_with("limits"));
+        let limit = self.opened.project.drift_limit.as_ref().filter(|_| !is_varied);
+        limit.map(DriftLimit::ratio)
     }
 
     /// The record of each motion, by the number of the first motion that is of it.

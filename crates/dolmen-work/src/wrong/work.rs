@@ -261,8 +261,8 @@ sentences! {
 sentences! {
     ChangeFault in "change.error" {
         NoSurvey { given, known } as { given, known: known_beside(given, known) } => {
-            en: "there is no survey \"{given}\" with frequencies, modes or records: the file has {known}",
-            ko: "진동수, 모드 또는 기록이 있는 조사 \"{given}\"이(가) 없다. 파일에 있는 것: {known}",
+            en: "there is no survey \"{given}\" with frequencies, modes, records, tilts or inspections: the file has {known}",
+            ko: "진동수, 모드, 기록, 기울기 또는 점검 결과가 있는 조사 \"{given}\"이(가) 없다. 파일에 있는 것: {known}",
         },
         Unclear { known } => {
             en: "the file has no two surveys whose names begin with a date (2019, 2019-04 or 2019-04-02), so that it is not clear which came first: name them with --from and --to (it has {known})",

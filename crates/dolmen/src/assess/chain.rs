@@ -24,9 +24,24 @@ pub struct ChainCheck {
     pub side_supports: Vec<SideSupport>,
     /// The load factor without side supports; `None` without any that is counted, or if the stiffness is not known.
     pub load_factor_without_supports: Option<f64>,
+    /// With what its static loads weigh, which swings too; `None` where they weigh nothing.
+    #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
+    pub loaded: Option<Box<LoadedChain>>,
     /// Across, where the chain has something of its own there; `None`: as in the direction of motion.
     #[cfg_attr(feature = "serde", serde(skip_serializing_if = "Option::is_none"))]
     pub across: Option<Box<ChainAcross>>,
+}
+
+/// A chain with the masses that it carries.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct LoadedChain {
+    /// Lowest natural frequency in the direction of motion, Hz; `None` where it falls or no stiffness is known.
+    pub frequency_hz: Option<f64>,
+    /// The same across, of a chain of two directions.
+    pub frequency_across_hz: Option<f64>,
+    /// Least tilt at which a joint reaches its uplift limit, rad; `None` without bed widths or stiffness.
+    pub uplift_tilt_rad: Option<f64>,
 }
 
 /// A chain across the direction of motion.
@@ -129,6 +144,7 @@ pub fn check_chain(chain: &Chain, stiffness_n_m_rad: Option<&[f64]>) -> Result<C
         side_supports: chain.side_supports().to_vec(),
         load_factor_without_supports: without_supports(chain, stiffness_n_m_rad)?,
         across: None,
+        loaded: None,
     })
 }
 

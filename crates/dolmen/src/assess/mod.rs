@@ -25,8 +25,8 @@ pub use capacity::{
     Capacity, Reached, Reading, ScaleTrial, Trial, capacity, next_in_bracket, reached_quantile,
 };
 pub use chain::{
-    CENTROID_CHANGE, ChainAcross, ChainCheck, JointOnSoil, StiffnessTaken, centroid_effect, check_chain,
-    check_chain_across,
+    CENTROID_CHANGE, ChainAcross, ChainCheck, JointOnSoil, LoadedChain, StiffnessTaken, centroid_effect,
+    check_chain, check_chain_across,
 };
 pub use change::{
     ChangeNote, Difference, Evidence, ExchangedDirections, FittedTemperature, ModeChange, NotCompared,

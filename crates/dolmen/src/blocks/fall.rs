@@ -36,8 +36,24 @@ struct Stone {
     supports: Vec<Support>,
     /// Drop that counts as a fall, m.
     drop: f64,
+    /// Whether the ground below something that it stands on is moved: then a stone that still lies on that one has not fallen, however far it came
+    /// down against the others.
+    on_moved_ground: bool,
     /// Since when it touches nothing that it stood on, s.
     apart_since_s: Option<f64>,
+}
+
+impl Stone {
+    /// Whether its bed turned over on something that it stood on, or it dropped too far below its place there; on moved ground below all of its
+    /// places.
+    fn has_left(&self, assembly: &Assembly, body: &RigidBody) -> bool {
+        let dropped = |of: &Support| of.is_above(assembly, body, self.drop);
+        let has_dropped = match self.on_moved_ground {
+            true => self.supports.iter().all(dropped),
+            false => self.supports.iter().any(dropped),
+        };
+        has_dropped || self.supports.iter().any(|of| of.is_turned_over(assembly, body))
+    }
 }
 
 /// Watches every stone for its fall.
@@ -65,6 +81,7 @@ impl Falls {
             Stone {
                 supports,
                 drop: DROP * least_thickness(&Hull::of(&of.solid)),
+                on_moved_ground: !stack.support_movements().is_empty(),
                 apart_since_s: None,
             }
         });
@@ -77,11 +94,7 @@ impl Falls {
     pub(super) fn look(&mut self, assembly: &Assembly, time_s: f64) -> Option<(usize, f64)> {
         for (block, stone) in self.stones.iter_mut().enumerate() {
             let body = &assembly.bodies[block + 1];
-            if stone
-                .supports
-                .iter()
-                .any(|of| of.is_left(assembly, body, stone.drop))
-            {
+            if stone.has_left(assembly, body) {
                 return Some((block, time_s));
             }
             let touches = |of: &Support| touches(assembly, of.body, block + 1);
@@ -121,12 +134,18 @@ impl Support {
         }
     }
 
-    /// Whether a stone dropped too far below its place on this, or its bed turned over on it.
-    fn is_left(&self, assembly: &Assembly, stone: &RigidBody, drop: f64) -> bool {
+    /// Whether a stone dropped too far below its place on this.
+    fn is_above(&self, assembly: &Assembly, stone: &RigidBody, drop: f64) -> bool {
         let support = &assembly.bodies[self.body];
         let place = support.position + support.rotation * self.place;
+        place.z - stone.position.z > drop
+    }
+
+    /// Whether the bed of a stone turned over on this.
+    fn is_turned_over(&self, assembly: &Assembly, stone: &RigidBody) -> bool {
+        let support = &assembly.bodies[self.body];
         let turn = (support.rotation * self.normal).dot(stone.rotation * self.normal);
-        place.z - stone.position.z > drop || turn < TURN_LEAST
+        turn < TURN_LEAST
     }
 }
 

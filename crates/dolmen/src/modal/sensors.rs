@@ -320,12 +320,12 @@ fn shape_of(mode: &Mode, channels: usize, floor: &[usize]) -> Option<Vec<Complex
 fn unexplained(shapes: &[Vec<Complex64>], motions: &[Vec<f64>], change: Option<&Change>) -> f64 {
     let place = |i: usize| {
         let pairs = change.iter().flat_map(|change| &change.swapped);
-        let other = pairs.filter_map(|[a, b]| match i {
+        let mut others = pairs.rev().filter_map(|[a, b]| match i {
             _ if i == *a => Some(*b),
             _ if i == *b => Some(*a),
             _ => None,
         });
-        other.last().unwrap_or(i)
+        others.next().unwrap_or(i)
     };
     let sign = |i: usize| match change.is_some_and(|change| change.turned.contains(&i)) {
         true => -1.0,
@@ -428,10 +428,13 @@ mod tests {
                 shape.swap(a + 1, b + 1);
             }
             let named = best(&moved, &motions);
+            // two sensors that a rigid floor moves alike may be exchanged or not
+            let (swapped, pairs) = (&named.0.swapped, [[a, b], [a + 1, b + 1]]);
             assert!(
-                named.0.swapped == [[a, b], [a + 1, b + 1]] && named.1.abs() < 1e-12,
-                "{a} {b}: {:?}",
-                named.0.swapped
+                !swapped.is_empty()
+                    && swapped.iter().all(|pair| pairs.contains(pair))
+                    && named.1.abs() < 1e-12,
+                "{a} {b}: {swapped:?}"
             );
         }
     }

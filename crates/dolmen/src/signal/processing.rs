@@ -76,6 +76,11 @@ pub enum Processing {
         /// From x towards y, rad.
         angle_rad: f64,
     },
+    /// Channels that say which way they point turned so that x points in a direction.
+    Oriented {
+        /// Direction of x, degrees from north towards east.
+        x_azimuth_deg: f64,
+    },
     /// Anti-alias filtered, then each `factor`-th sample kept.
     Decimate {
         /// Samples before / samples after.
@@ -264,6 +269,9 @@ impl std::fmt::Display for Processing {
             Processing::Scaled { factor } => write!(f, "scaled by {factor}"),
             Processing::Tapered { each_end_s } => {
                 write!(f, "tapered by half a cosine, {each_end_s} s at each end")
+            }
+            Processing::Oriented { x_azimuth_deg } => {
+                write!(f, "turned so that x points {x_azimuth_deg}° from north")
             }
             Processing::Rotated { angle_rad } => {
                 write!(f, "turned by {:.6}° from x towards y", angle_rad.to_degrees())

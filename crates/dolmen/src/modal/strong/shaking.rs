@@ -328,9 +328,12 @@ fn husid(shaken: &[Vec<f64>], weights: &[(usize, f64)]) -> [usize; 2] {
     let samples = shaken.first().map_or(0, Vec::len);
     let mut sum = 0.0;
     let mut sums = Vec::with_capacity(samples);
-    for t in 0..samples {
+    let energy = |t: usize| -> f64 {
         let each = weights.iter().map(|(c, w)| w * shaken[*c][t] * shaken[*c][t]);
-        sum += each.sum::<f64>();
+        each.sum()
+    };
+    for t in 0..samples {
+        sum += energy(t);
         sums.push(sum);
     }
     STRONG.map(|share| sums.partition_point(|of| *of < share * sum))

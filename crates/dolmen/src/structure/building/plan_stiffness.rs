@@ -322,7 +322,8 @@ fn shape_otherwise(modes: &[PlanMode; 3], shapes: &[[f64; 3]; 3]) -> Option<Shap
         })
     });
     let least = each.min_by(|a, b| a.assurance.total_cmp(&b.assurance));
-    least.filter(|of| !(of.assurance >= SHAPE_LEAST))
+    // one that is not a number is no assurance
+    least.filter(|of| of.assurance < SHAPE_LEAST || of.assurance.is_nan())
 }
 
 /// A measured shape says more than the name of the motion, and is held against the root by itself.

@@ -1,0 +1,160 @@
+//! What two surveys read beside vibration: tilts, and what inspections found.
+
+use dolmen_project::{DamageKind, Inspection, Project, Quantity, Survey, Tilt};
+
+/// Readings of two surveys, side by side.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ComparedReadings {
+    /// Tilts along directions that both surveys read.
+    pub tilts: Vec<ComparedTilt>,
+    /// Directions of tilt that one of the two alone read.
+    pub tilts_of_one: Vec<String>,
+    /// Whether the two surveys name different marks as their datum, so that tilts do not compare.
+    pub other_datum: bool,
+    /// What inspections found; empty unless both surveys hold one.
+    pub items: Vec<ComparedItem>,
+    /// Which of the two has no modes and no records to find them in.
+    pub without_modes: Vec<String>,
+}
+
+/// A tilt in two surveys.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ComparedTilt {
+    /// Its direction.
+    pub direction: String,
+    /// In the survey before.
+    pub from: Tilt,
+    /// In the survey after.
+    pub to: Tilt,
+}
+
+impl ComparedTilt {
+    /// By how much it changed, horizontal / vertical.
+    pub fn change(&self) -> f64 {
+        self.to.ratio - self.from.ratio
+    }
+
+    /// Whether it leans further than before, or over to the other side.
+    pub fn has_grown(&self) -> bool {
+        self.to.ratio.abs() > self.from.ratio.abs() || self.to.ratio * self.from.ratio < 0.0
+    }
+}
+
+/// Damage of one kind at one part in two inspections.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ComparedItem {
+    /// The part.
+    pub part: String,
+    /// What it is.
+    pub what: DamageKind,
+    /// What became of it.
+    pub course: ItemCourse,
+}
+
+/// What became of a damage from one inspection to another.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ItemCourse {
+    /// The later inspection has it, the earlier one not.
+    New {
+        /// Its size, if given.
+        size: Option<Quantity>,
+    },
+    /// The earlier inspection has it, the later one not: mended, or not looked for.
+    NotFoundAgain,
+    /// Both have it with a size.
+    Sized {
+        /// Before.
+        from: Quantity,
+        /// After.
+        to: Quantity,
+    },
+    /// Both have it, one without a size.
+    NoSize,
+    /// A part has several of the kind in one of the inspections, and which is which is not known.
+    Several {
+        /// In the inspection before.
+        before: usize,
+        /// In the one after.
+        after: usize,
+    },
+}
+
+impl ItemCourse {
+    /// Whether it is worse than before.
+    pub fn is_worse(&self) -> bool {
+        match self {
+            ItemCourse::New { .. } => true,
+            ItemCourse::Sized { from, to } => to.value > from.value,
+            ItemCourse::Several { before, after } => after > before,
+            ItemCourse::NotFoundAgain | ItemCourse::NoSize => false,
+        }
+    }
+}
+
+/// The readings of two surveys of a project, by index.
+pub(crate) fn compared_readings(project: &Project, from: usize, to: usize) -> ComparedReadings {
+    let (before, after) = (&project.surveys[from], &project.surveys[to]);
+    let tilts = before.tilt.iter().filter_map(|(direction, tilt)| {
+        Some(ComparedTilt {
+            direction: direction.clone(),
+            from: tilt.clone(),
+            to: after.tilt.get(direction)?.clone(),
+        })
+    });
+    let of_one = |a: &Survey, b: &Survey| -> Vec<String> {
+        let only = a.tilt.keys().filter(|direction| !b.tilt.contains_key(*direction));
+        only.cloned().collect()
+    };
+    let without = [before, after].into_iter().filter(|survey| !has_modes(survey));
+    ComparedReadings {
+        tilts: tilts.collect(),
+        tilts_of_one: [of_one(before, after), of_one(after, before)].concat(),
+        other_datum: matches!((&before.datum, &after.datum), (Some(a), Some(b)) if a != b),
+        items: items(&before.inspections, &after.inspections),
+        without_modes: without.map(|survey| survey.name.clone()).collect(),
+    }
+}
+
+/// Whether a survey has modes, or records to find them in.
+pub(crate) fn has_modes(survey: &Survey) -> bool {
+    survey.records.is_some()
+        || !survey.setups.is_empty()
+        || survey.modes.values().any(|modes| !modes.is_empty())
+}
+
+/// Damage by part and kind, in the order of the later inspection, then what was not found again.
+fn items(before: &[Inspection], after: &[Inspection]) -> Vec<ComparedItem> {
+    if before.is_empty() || after.is_empty() {
+        return Vec::new();
+    }
+    let mut keys: Vec<(&String, &DamageKind)> = Vec::new();
+    for item in after.iter().chain(before) {
+        let key = (&item.part, &item.what);
+        if !keys.contains(&key) {
+            keys.push(key);
+        }
+    }
+    let of = |all: &[Inspection], (part, what): (&String, &DamageKind)| -> Vec<Option<Quantity>> {
+        let same = all.iter().filter(|item| &item.part == part && &item.what == what);
+        same.map(|item| item.size.clone()).collect()
+    };
+    let course = |key| match (of(before, key).as_slice(), of(after, key).as_slice()) {
+        ([], [size]) => ItemCourse::New { size: size.clone() },
+        ([_], []) => ItemCourse::NotFoundAgain,
+        ([Some(from)], [Some(to)]) => ItemCourse::Sized {
+            from: from.clone(),
+            to: to.clone(),
+        },
+        ([_], [_]) => ItemCourse::NoSize,
+        (before, after) => ItemCourse::Several {
+            before: before.len(),
+            after: after.len(),
+        },
+    };
+    let each = keys.into_iter().map(|key| ComparedItem {
+        part: key.0.clone(),
+        what: key.1.clone(),
+        course: course(key),
+    });
+    each.collect()
+}
