@@ -141,7 +141,7 @@ fn exact_load_factor_and_frequency_across_are_their_own() {
         said.contains("How stiff joints 1 are across is not given, and was assumed"),
         "{said}"
     );
-    // the softer direction decides, and is named
+    // the softer direction decides, and the headline names it
     let weak = stone("", ", stiffness_across = \"280 kN*m/rad\"", "");
     let answer = scratch("axes-weak", &weak).briefly("check project.toml");
     assert_eq!(answer.status, 1);

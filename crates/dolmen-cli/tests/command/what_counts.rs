@@ -1,5 +1,5 @@
 // SOURCE     Poles, pillars and a floor whose answers a person can follow; closed forms beside them where there are some.
-// GOAL       What of a file decides an answer is in it, and what is not is named: studies after a survey has changed, loads without mass, supports that move, motions
+// GOAL       What of a file decides an answer is in it, and the answer names what is not: studies after a survey has changed, loads without mass, supports that move, motions
 //            that are one record, a wind whose steps or length cut it short.
 // TOLERANCE  words as each test says; half a per cent of an end of an interval, which is sought to a third of a per cent.
 

@@ -143,7 +143,7 @@ fn changed(after: Row, before: &Row) -> Option<Finding> {
         true => Tone::Warn,
         false => Tone::Plain,
     };
-    // the number of wind is said by itself, so this word is that of weight
+    // a finding of its own has the number of wind, so this word is that of weight
     let is_same = (new / old - 1.0).abs() < SAME_SHARE;
     if is_same && after.borne.is_some() {
         return None; // said with its loads

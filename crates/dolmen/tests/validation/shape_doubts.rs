@@ -1,5 +1,5 @@
 // SOURCE     Modes of a frame and of a chain with known stiffness, seen by sensors of which one is turned, exchanged or in another unit.
-// GOAL       Shapes that contradict the model are seen, and the change of sensors that was made is named.
+// GOAL       Shapes that contradict the model are seen, and the answer names the change of sensors that was made.
 //
 //        o x2, y2
 //        |          modes along x and y  →  (a sensor is changed)  →  which one was it?
