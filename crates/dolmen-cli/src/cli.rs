@@ -134,9 +134,9 @@ pub(crate) struct Draw {
 pub(crate) struct Sensors {
     /// Project file with a structure, or a folder that holds project.toml
     pub(crate) project: PathBuf,
-    /// Sensors that record at once
-    #[arg(long, short = 'n', value_name = "N", default_value_t = 4)]
-    pub(crate) count: usize,
+    /// Sensors that record at once; 4, or as many as there are places, without it
+    #[arg(long, short = 'n', value_name = "N")]
+    pub(crate) count: Option<usize>,
     /// Axes of each sensor: 1, 2 (both horizontal) or 3
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub(crate) axes: usize,
@@ -259,6 +259,9 @@ pub(crate) struct Simulate {
     pub(crate) project: PathBuf,
     #[command(flatten)]
     pub(crate) motion: Motion,
+    /// A second motion, of the file or carried by Dolmen, that acts on what the first left, when that has come to rest: an aftershock
+    #[arg(long, value_name = "NAME")]
+    pub(crate) then: Option<String>,
     /// Simulate this variant of the file instead of the structure as it is
     #[arg(long, value_name = "NAME")]
     pub(crate) variant: Option<String>,
@@ -402,7 +405,7 @@ pub(crate) struct Report {
     /// Project files, or folders that hold project.toml: one report for all of them
     #[arg(required = true)]
     pub(crate) projects: Vec<PathBuf>,
-    /// Where to write it: a page (.html), a document to print (.pdf, where built in) or to edit (.docx), or a workbook of its tables for
+    /// Where to write it: a page (.html), a document to print (.pdf, where built in) or to edit (.docx, .hwpx), or a workbook of its tables for
     /// Excel (.xlsx); may be given for each
     #[arg(long, short, value_name = "FILE", default_value = "report.html")]
     pub(crate) output: Vec<PathBuf>,

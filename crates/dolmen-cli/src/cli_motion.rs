@@ -116,7 +116,7 @@ pub(crate) enum Shape {
 #[derive(Clone, Debug, Args)]
 #[command(next_help_heading = "Motion of the ground")]
 pub(crate) struct Motion {
-    /// A motion of the project file ([motion.NAME]), or one that Dolmen carries with it, along x: el-centro-1940-ns
+    /// A motion of the project file ([motion.NAME]), or one that Dolmen carries with it, along x: el-centro-1940-ns; or the ground that a survey measured, survey:NAME: its channels above it are set beside the answer
     #[arg(
         long = "motion",
         id = "name",

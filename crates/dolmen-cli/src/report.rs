@@ -19,6 +19,7 @@ use dolmen_project::Project;
 use dolmen_report::docx::docx;
 use dolmen_report::files::figure_files;
 use dolmen_report::html::{Imprint, NotReported, html};
+use dolmen_report::hwpx::hwpx;
 use dolmen_report::text::project_line;
 #[cfg(feature = "pdf")]
 use dolmen_report::typeset::{Typeset, typeset};
@@ -51,6 +52,7 @@ enum Format {
     #[cfg(feature = "pdf")]
     Pdf,
     Docx,
+    Hwpx,
     Xlsx,
 }
 
@@ -61,6 +63,7 @@ impl Format {
         match extension.as_deref() {
             None | Some("html" | "htm") => Ok(Format::Html),
             Some("docx") => Ok(Format::Docx),
+            Some("hwpx") => Ok(Format::Hwpx),
             Some("xlsx") => Ok(Format::Xlsx),
             #[cfg(feature = "pdf")]
             Some("pdf") => Ok(Format::Pdf),
@@ -158,6 +161,7 @@ pub(crate) fn run(options: &Report, typed: &Typed, manner: &Manner) -> Result<Ou
             #[cfg(feature = "pdf")]
             Format::Pdf => printed(typeset(&answers, &others, language, &imprint), manner)?,
             Format::Docx => docx(&answers, &others, language, &imprint, &painted)?,
+            Format::Hwpx => hwpx(&answers, &others, language, &imprint, &painted)?,
             Format::Xlsx => workbook(&answers, &others, language, &imprint)?,
         };
         let made = output

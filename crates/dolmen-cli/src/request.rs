@@ -65,6 +65,7 @@ pub(crate) fn keeping_motion(outputs: Outputs, named: &[String]) -> Outputs {
 pub(crate) fn simulation(options: &Simulate, manner: &Manner) -> Result<SimulateOptions> {
     Ok(SimulateOptions {
         motion: motion(&options.motion, &options.motion.motion_file, manner)?,
+        then: options.then.clone(),
         variant: options.variant.clone(),
         direction: options.direction.clone(),
         push: options.push.clone(),

@@ -14,11 +14,11 @@ use anyhow::Result;
 use dolmen_folder::{Found, Outputs};
 use dolmen_project::Structure;
 use dolmen_report::files::{simulate_answer_value, simulation_files};
-use dolmen_report::simulation_headline_text;
 use dolmen_report::text::{
     TextStyle, building_simulation_text, chain_simulation_text, frame_simulation_text,
     simulation_inputs_text, simulation_text, supports_text, wind_simulation_text,
 };
+use dolmen_report::{after_first_text, simulation_headline_text};
 use dolmen_work::judgement::{Verb, judge_simulation};
 use dolmen_work::simulation::Simulation;
 use dolmen_work::{FlagVerb, WorkError, prepare};
@@ -38,11 +38,12 @@ pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<O
     if !manner.json {
         let variant = options.variant.as_deref();
         let file = &found.opened.file;
+        let motions: Vec<_> = prepared.motion().into_iter().chain(prepared.then()).collect();
         say(&simulation_inputs_text(
             prepared.project(),
             file,
             variant,
-            prepared.motion(),
+            &motions,
             manner.style(),
         ))?;
     }
@@ -56,6 +57,7 @@ pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<O
                 manner.style(),
             ))?;
         }
+        say(&after_first_text(&answer, manner.style()))?;
         for simulation in &answer.simulations {
             say(&text_of(simulation, manner.style()))?;
         }

@@ -169,8 +169,8 @@ sentences! {
             ko: "양식은 통합문서(.xlsx)나 웹 페이지(.html)로 쓴다",
         },
         ReportFormat { ending } => {
-            en: "a report is not written as .{ending}: -o takes a page (.html), a document to print (.pdf) or to edit (.docx), or a workbook (.xlsx)",
-            ko: "보고서는 .{ending}(으)로 쓰지 않는다. -o에는 웹 페이지(.html), 인쇄할 문서(.pdf), 편집할 문서(.docx) 또는 통합문서(.xlsx)를 쓴다",
+            en: "a report is not written as .{ending}: -o takes a page (.html), a document to print (.pdf) or to edit (.docx, .hwpx), or a workbook (.xlsx)",
+            ko: "보고서는 .{ending}(으)로 쓰지 않는다. -o에는 웹 페이지(.html), 인쇄할 문서(.pdf), 편집할 문서(.docx, .hwpx) 또는 통합문서(.xlsx)를 쓴다",
         },
         NoPdf => {
             en: "this dolmen was built without PDF: build it with `--features pdf`, or write a page (.html) and print it from a browser",

@@ -3,9 +3,11 @@
 use crate::wrong::PathError;
 use crate::{Access, files};
 use anyhow::Result;
-use dolmen_records::{FileError, Files, PROJECT_BYTES_MOST, stays_within};
+use dolmen_project::date_of;
+use dolmen_records::{FileError, Files, PROJECT_BYTES_MOST, stays_within, time_text};
 use dolmen_work::Opened;
 use std::path::{Path, PathBuf};
+use std::time::{SystemTime, UNIX_EPOCH};
 
 /// A project, its file, and the folder that it names files in.
 pub struct Found {
@@ -81,6 +83,13 @@ impl Files for Folder {
 
     fn shown(&self, name: &str) -> String {
         self.path.join(name).display().to_string()
+    }
+
+    fn today(&self) -> Option<[u32; 3]> {
+        /// Where a day begins first it does so 14 hours before it does at UTC, s.
+        const FIRST_DAY_S: f64 = 14.0 * 3600.0;
+        let now = SystemTime::now().duration_since(UNIX_EPOCH).ok()?;
+        date_of(&time_text(now.as_secs_f64() + FIRST_DAY_S))
     }
 }
 

@@ -242,6 +242,7 @@ impl<'a> Following<'a> {
                         .into_iter()
                         .collect(),
                     faults: BTreeMap::from([(survey.name.clone(), faults.clone())]),
+                    earthquakes: BTreeMap::new(), // its own table states it
                 },
                 survey: &survey.name,
                 own_text: &survey.own_text,
@@ -257,9 +258,9 @@ impl<'a> Following<'a> {
                     self.known.insert(hash);
                     self.arrivals += 1;
                     survey.put_into(&mut self.state.history);
-                    self.state.faults.insert(survey.name.clone(), faults);
+                    self.state.observed.faults.insert(survey.name.clone(), faults);
                     if let Some(observed) = taken.observed() {
-                        self.state.observed.insert(survey.name.clone(), observed);
+                        self.state.observed.modes.insert(survey.name.clone(), observed);
                     }
                     let at_s = taken.time.at_s;
                     self.last_survey_s = Some(self.last_survey_s.map_or(at_s, |last| last.max(at_s)));
@@ -281,12 +282,7 @@ impl<'a> Following<'a> {
 
     /// What the history says now.
     fn judge(&mut self) -> Result<()> {
-        self.answer = match watch_observed(
-            &self.state.history,
-            &self.state.observed,
-            &self.state.faults,
-            &self.state.logs,
-        ) {
+        self.answer = match watch_observed(&self.state.history, &self.state.observed, &self.state.logs) {
             Ok(answer) => Some(answer),
             Err(WorkError::Change(why)) if matches!(*why, ChangeFault::TooFewToWatch { .. }) => None,
             Err(why) => return Err(why.into()),
@@ -308,11 +304,12 @@ impl<'a> Following<'a> {
                 least: SURVEYS_LEAST,
             },
         };
-        let open = self
-            .alarms()
-            .iter()
-            .filter(|alarm| alarm.is_of_structure())
-            .count();
+        // in a backlog those of later records are not yet known on its day
+        let day = dolmen_work::day_of_a_record(survey);
+        let is_known = |alarm: &&OpenAlarm| day.is_none_or(|day| alarm.date.as_str() <= day);
+        let alarms = self.alarms();
+        let of_structure = alarms.iter().filter(|alarm| alarm.is_of_structure());
+        let open = of_structure.filter(is_known).count();
         self.listener.record(&FollowedRecord {
             survey,
             file: &name_of(path),

@@ -1,14 +1,14 @@
 //! The structure that is followed, as the store has it.
 
+use crate::stored::observed;
 use crate::wrong::{FollowError, told};
 use anyhow::Result;
-use dolmen::modal::ObservedMode;
 use dolmen_store::{Search, Store, StoredFiles};
 use dolmen_work::Opened;
 use dolmen_work::follow::Pattern;
 use dolmen_work::logs::Logs;
-use dolmen_work::sensor_alarms::SensorFaults;
-use std::collections::{BTreeMap, BTreeSet};
+use dolmen_work::watch::Observed;
+use std::collections::BTreeSet;
 
 /// The state of the structure that records are taken with.
 pub(crate) struct State {
@@ -16,8 +16,7 @@ pub(crate) struct State {
     pub(crate) pattern: Pattern,
     pub(crate) files: StoredFiles,
     pub(crate) history: Opened,
-    pub(crate) observed: BTreeMap<String, Vec<ObservedMode>>,
-    pub(crate) faults: SensorFaults,
+    pub(crate) observed: Observed,
     pub(crate) logs: Logs,
 }
 
@@ -37,8 +36,7 @@ impl State {
             project,
             pattern,
             history,
-            observed: store.observed(structure).map_err(told)?,
-            faults: store.faults(structure).map_err(told)?,
+            observed: observed(store, structure).map_err(told)?,
             files,
         })
     }
@@ -46,6 +44,7 @@ impl State {
     pub(crate) fn days_with_modes(&self) -> usize {
         let days: BTreeSet<&str> = self
             .observed
+            .modes
             .iter()
             .filter(|(_, modes)| !modes.is_empty())
             .map(|(name, _)| dolmen_work::day_of_a_record(name).unwrap_or(name))

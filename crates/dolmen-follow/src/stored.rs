@@ -3,16 +3,16 @@
 use crate::clock::now_us;
 use crate::wrong::told;
 use anyhow::Result;
-use dolmen::modal::ObservedMode;
 use dolmen_folder::{Found, fresh_folder, write};
 use dolmen_records::{Files as _, RECORD_BYTES_MOST};
 use dolmen_report::kept::store_fault;
 use dolmen_store::{Act, Exported, Incoming, PROJECT_FILE, Search, Store, StoreError, StoredFiles};
+use dolmen_work::felt::felt;
 use dolmen_work::inventory::{InventoryLine, worst_first};
-use dolmen_work::kept::{Added, Imported, ListedStructure, Unidentified};
+use dolmen_work::kept::{Added, AddedEarthquake, Imported, ListedStructure, Unidentified};
 use dolmen_work::logs::Logs;
-use dolmen_work::sensor_alarms::SensorFaults;
-use dolmen_work::watch::watch_observed;
+use dolmen_work::watch::{Observed, watch_observed};
+use dolmen_work::watched::WatchedEarthquake;
 use dolmen_work::{Opened, Progress, WorkError, survey_modes, told_both};
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
@@ -51,6 +51,7 @@ pub fn add_project(
         files,
         modes: BTreeMap::new(),
         faults: BTreeMap::new(),
+        earthquakes: BTreeMap::new(),
     };
     let mut unidentified = Vec::new();
     if let Some(progress) = progress {
@@ -58,6 +59,8 @@ pub fn add_project(
             match survey_modes(project, &survey, &found.files, progress) {
                 Ok(Some(found)) => {
                     incoming.faults.insert(survey.clone(), found.faults);
+                    let earthquake = found.earthquake.map(|of| (survey.clone(), of));
+                    incoming.earthquakes.extend(earthquake);
                     incoming.modes.insert(survey, found.modes);
                 }
                 Ok(None) => {}
@@ -74,7 +77,23 @@ pub fn add_project(
     };
     let mut added = store.add(&incoming, &act).map_err(told)?;
     added.unidentified = unidentified;
+    added.earthquakes = earthquakes_of(store, &added.structure)?;
     Ok(added)
+}
+
+/// Earthquakes that a stored structure felt.
+fn earthquakes_of(store: &mut Store, structure: &str) -> Result<Vec<AddedEarthquake>> {
+    let stored = read(store, structure).map_err(told)?;
+    let text = String::from_utf8_lossy(&stored.text).into_owned();
+    let opened = Opened::read(text, structure.to_owned(), &stored.files)?;
+    let found = &stored.observed.earthquakes;
+    let all = felt(&opened.project, |survey| found.get(&survey.name).copied());
+    let added = |of: WatchedEarthquake| AddedEarthquake {
+        survey: of.survey,
+        of: of.part.into(),
+        is_answered: of.is_answered,
+    };
+    Ok(all.into_iter().map(added).collect())
 }
 
 /// Every text of the project file that is the name of a file in its folder: records, motions, meshes, tables, and whatever else is
@@ -140,8 +159,7 @@ pub fn take_over(from: &mut Store, into: &mut Store, who: &str) -> Result<Import
 struct Stored {
     text: Vec<u8>,
     files: StoredFiles,
-    observed: BTreeMap<String, Vec<ObservedMode>>,
-    faults: SensorFaults,
+    observed: Observed,
 }
 
 /// Every structure of a store, the worst first; one that cannot be watched says why.
@@ -172,8 +190,16 @@ fn read(store: &mut Store, structure: &str) -> Result<Stored, StoreError> {
     Ok(Stored {
         files: store.files(&exported),
         text: exported.text,
-        observed: store.observed(structure)?,
+        observed: observed(store, structure)?,
+    })
+}
+
+/// What a store has of the records of a structure's surveys.
+pub(crate) fn observed(store: &mut Store, structure: &str) -> Result<Observed, StoreError> {
+    Ok(Observed {
+        modes: store.observed(structure)?,
         faults: store.faults(structure)?,
+        earthquakes: store.earthquakes(structure)?,
     })
 }
 
@@ -181,7 +207,7 @@ fn watched(structure: String, stored: &Stored) -> InventoryLine {
     let text = String::from_utf8_lossy(&stored.text).into_owned();
     let found = Opened::read(text, structure.clone(), &stored.files).and_then(|opened| {
         let logs = Logs::read(&opened.project, &stored.files)?;
-        watch_observed(&opened, &stored.observed, &stored.faults, &logs)
+        watch_observed(&opened, &stored.observed, &logs)
     });
     match found {
         Ok(answer) => InventoryLine::watched(structure, &answer),

@@ -140,6 +140,9 @@ fn patch<'i>(given: &'i Override) -> Option<DeTable<'i>> {
 /// Keys of a study that decide no run, only what is made of the runs.
 const OF_THE_ANSWER: [&str; 4] = ["title", "expect", "spectral_periods_s", "spectral_damping_ratio"];
 
+/// Keys of a motion that decide no run either.
+const OF_THE_EARTHQUAKE: [&str; 2] = ["magnitude", "distance_km"];
+
 /// All that the runs of a study depend on of a project file, in one order: the file without comments, surveys, report, other studies, variants that it
 /// does not name, and what only says what is made of the runs.
 ///
@@ -153,6 +156,8 @@ const OF_THE_ANSWER: [&str; 4] = ["title", "expect", "spectral_periods_s", "spec
 /// let first = of("x = 1 # one\n[study.a]\ny = [2]\n[study.b]\nz = 3\n")?;
 /// assert_eq!(first, of("# again\nx = 1\n[study.a]\ny = [ 2 ]\n")?);
 /// assert_eq!(first, of("x = 1\n[study.a]\ny = [2]\ntitle = 'A'\n")?);
+/// let motion = of("x = 1\nmotion.m = { scale = 2 }\n[study.a]\ny = [2]\n")?;
+/// assert_eq!(motion, of("x = 1\nmotion.m = { scale = 2, magnitude = 6.5 }\n[study.a]\ny = [2]\n")?);
 /// assert_ne!(first, of("x = 1\n[study.a]\ny = [3]\n")?);
 /// assert_eq!(first, of("x = 1\n[study.a]\ny = [2]\n[variant.v]\nx = 2\n")?);
 /// # Ok::<(), dolmen_project::ProjectError>(())
@@ -166,6 +171,13 @@ pub fn canonical_text(text: &str, file: &str, study: &str) -> Result<String, Pro
     let mut root = root.into_inner();
     root.remove("survey");
     root.remove("report");
+    if let Some(DeValue::Table(motions)) = root.get_mut("motion").map(Spanned::get_mut) {
+        for (_, motion) in motions.iter_mut() {
+            if let DeValue::Table(motion) = motion.get_mut() {
+                OF_THE_EARTHQUAKE.iter().for_each(|key| drop(motion.remove(*key)));
+            }
+        }
+    }
     let mut out = String::new();
     let mut studies = root.remove("study");
     let own = match studies.as_mut().map(Spanned::get_mut) {

@@ -7,6 +7,7 @@ use super::content::Structure;
 use super::direction_slips::judge_directions;
 use super::doubted::Doubted;
 use super::frame::{FramePart, doubt_frame};
+use super::loads::LoadsPart;
 use super::quantity::Quantity;
 use super::reader::Reader;
 use super::sensor_slips::judge_sensors;
@@ -28,6 +29,7 @@ const ROUND: f64 = 2e-3;
 pub(super) fn doubt(
     reader: &mut Reader,
     structure: Option<&Structure>,
+    loads: &LoadsPart,
     surveys: &[Survey],
     motions: &[MotionPart],
 ) {
@@ -35,7 +37,7 @@ pub(super) fn doubt(
         Some(Structure::Chain(chain)) => {
             doubt_chain(reader, chain);
             damping(reader, chain.damping_ratio.iter());
-            chain_frequencies(reader, chain, surveys);
+            chain_frequencies(reader, (chain, loads), surveys);
         }
         Some(Structure::Frame(frame)) => {
             doubt_frame(reader, frame);
@@ -112,12 +114,15 @@ fn turn(reader: &mut Reader, motion: &MotionPart) {
     }
 }
 
-fn chain_frequencies(reader: &mut Reader, part: &ChainPart, surveys: &[Survey]) {
-    let modes = part.build(&mut Quantity::nominal).ok().and_then(|chain| {
-        let stiffness = part.stiffness_n_m_rad(&mut Quantity::nominal)?;
-        chain.natural_modes(&stiffness).ok()
-    });
+fn chain_frequencies(reader: &mut Reader, (part, loads): (&ChainPart, &LoadsPart), surveys: &[Survey]) {
+    let pick = &mut Quantity::nominal;
     for direction in surveyed(surveys) {
+        let axis = part.axis_of(&direction);
+        let chain = part.build_loaded(axis, loads, pick).ok();
+        let modes = chain.and_then(|chain| {
+            let stiffness = part.stiffness_towards(axis, pick)?;
+            chain.natural_modes(&stiffness).ok()
+        });
         frequencies(reader, modes.as_deref().unwrap_or_default(), &direction, surveys);
     }
 }

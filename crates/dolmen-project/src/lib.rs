@@ -6,6 +6,7 @@ mod chain;
 mod check;
 mod combine;
 mod content;
+mod date_slips;
 mod direction_slips;
 mod doubted;
 mod doubts;
@@ -74,7 +75,7 @@ pub use doubted::Doubted;
 pub use doubts::{likely, looks_like_radians};
 pub use error::{Problem, ProjectError, headed};
 pub use frame::{
-    Axial, ColumnsPart, DirectionPart, FootPart, FramePart, FrictionPart, SlipForces, StoreyPart,
+    Axial, ColumnsPart, DirectionPart, FootPart, FrameLean, FramePart, FrictionPart, SlipForces, StoreyPart,
 };
 pub use heaviness::Heaviness;
 pub use loads::{
@@ -97,7 +98,8 @@ pub use stack::{
     SupportMovementPart, SurveyedLean, TiePart, TopPart,
 };
 pub use study::{
-    ArtificialPart, Axis, DRIFT_LIMITS, ExpectedTrend, HarmonicPart, LawPart, Override, Scan, StudyPart,
+    AfterPart, ArtificialPart, Axis, DRIFT_LIMITS, ExpectedTrend, HarmonicPart, LawPart, Override, Scan,
+    StudyPart,
 };
 pub use survey::{
     BandPass, ChangePart, ChannelSource, Column, Conditioning, Cut, DamageKind, EarthquakePart, Inspection,

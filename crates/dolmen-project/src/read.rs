@@ -4,6 +4,7 @@ use super::building::{buildable as building_buildable, building};
 use super::chain::{chain, lean_chain};
 use super::check::SchemaCheck;
 use super::content::{Project, Structure, Variant, Warning, WarningKind};
+use super::date_slips::{judge_dates, judge_report_place};
 use super::doubted::Doubted;
 use super::doubts;
 use super::error::{Fault, ProjectError};
@@ -11,7 +12,7 @@ use super::file::{FileRaw, KindRaw};
 use super::file_names::NamesRaw;
 use super::file_number::At;
 use super::foreign::foreign_keys;
-use super::frame::frame;
+use super::frame::{frame, lean_frame};
 use super::identified::without_survey;
 use super::limits::limits;
 use super::loads::{judge_loads, loads};
@@ -257,7 +258,8 @@ fn of_raw(
     let mut surveys = surveys(&mut reader, raw.survey.as_ref());
     let change = change(&mut reader, raw.change.as_ref());
     let watch = watch(&mut reader, raw.watch.as_ref());
-    let place = place(&mut reader, raw.site.as_ref());
+    let has_korean_name = name.as_ref().is_some_and(|name| name.ko.is_some());
+    let place = place(&mut reader, raw.site.as_ref(), has_korean_name);
     let site = site(&mut reader, raw.site.as_ref());
     let drift_limit = limits(&mut reader, raw.limits.as_ref(), kind);
     let motions = motions(&mut reader, raw.motion.as_ref());
@@ -274,7 +276,10 @@ fn of_raw(
                     surveyed.push(direction.clone());
                 }
             }
-            frame(&mut reader, &raw, gravity_m_s2, &surveyed).map(Structure::Frame)
+            frame(&mut reader, &raw, gravity_m_s2, &surveyed).map(|mut part| {
+                lean_frame(&mut reader, raw.as_surveyed.as_ref(), &surveys, &mut part);
+                Structure::Frame(part)
+            })
         }
         Some(KindRaw::Stack) => stack(&mut reader, &raw, gravity_m_s2).map(|mut part| {
             lean(&mut reader, raw.as_surveyed.as_ref(), &surveys, &mut part);
@@ -301,7 +306,7 @@ fn of_raw(
     }
     buildable(&mut reader, structure.as_mut());
     if reader.faults.is_empty() {
-        doubts::doubt(&mut reader, structure.as_ref(), &surveys, &motions);
+        doubts::doubt(&mut reader, structure.as_ref(), &loads, &surveys, &motions);
     }
     // a stack is built for its names alone where something speaks of them
     let inspected = raw
@@ -315,6 +320,10 @@ fn of_raw(
     };
     add_inspections(&mut reader, raw.survey.as_ref(), &mut surveys, &parts);
     let report = report(&mut reader, raw.report.as_ref(), &parts);
+    if let Some(report) = &report {
+        judge_report_place(&mut reader, report, has_korean_name);
+    }
+    judge_dates(&mut reader, &surveys, report.as_ref());
     let schema = raw.schema.and_then(|schema| u32::try_from(schema.value).ok());
     let mut project = match (schema, structure, name) {
         (Some(schema), Some(structure), Some(name)) if reader.faults.is_empty() => Project {

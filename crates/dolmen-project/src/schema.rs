@@ -68,7 +68,10 @@ pub(super) const KEYS_OF_KIND: &[(&str, &[&str])] = &[
             "as_surveyed",
         ],
     ),
-    ("frame", &["storeys", "axial", "convention", "direction"]),
+    (
+        "frame",
+        &["storeys", "axial", "convention", "direction", "as_surveyed"],
+    ),
     (
         "stack",
         &[

@@ -30,6 +30,8 @@ use super::wrong::{Common, Slip};
 
 /// Measured frequency, Hz.
 const FREQUENCY_HZ: (f64, f64) = (0.05, 200.0);
+/// Standard deviation over a measured frequency: records give 0.001 to 0.05, rough readings of a few peaks 0.35.
+const DEVIATION_MOST: f64 = 0.4;
 /// Damping ratio: ambient vibration of heritage has 0.005 to 0.1.
 const DAMPING_RATIO_MOST: f64 = 0.3;
 /// Gravity on Earth, m/s²: 9.78 at the equator, 9.83 at the poles, 9.76 on high mountains.
@@ -65,6 +67,15 @@ pub(super) fn judge(
 fn judge_modes(reader: &mut Reader, survey: &Survey) {
     for mode in survey.modes.values().flatten() {
         let frequency = &mode.frequency;
+        if let Some(cov) = frequency.cov.filter(|cov| *cov > DEVIATION_MOST) {
+            let message = Slip::DeviationLarge {
+                path: frequency.path.to_string(),
+                sd: format!("{} Hz", short(cov * frequency.value)),
+                written: frequency.written.to_string(),
+                percent: format!("{:.0}", 100.0 * cov),
+            };
+            reader.slip(&frequency.path, message, Slip::FrequenciesAreKnown);
+        }
         if !within(frequency.value, FREQUENCY_HZ) {
             let (least, most) = FREQUENCY_HZ;
             let message = Slip::ButStructuresSwayAt {

@@ -2,8 +2,8 @@
 
 use dolmen_records::{SheetCell, SheetValue};
 
-/// Names of rows that sum up others, or give their mean, in small letters and without blanks.
-const NAMES: [&str; 17] = [
+/// Names of rows that sum up others, or give their mean, extremes or scatter, in small letters and without blanks.
+const NAMES: [&str; 33] = [
     "합계",
     "계",
     "소계",
@@ -21,6 +21,22 @@ const NAMES: [&str; 17] = [
     "sum",
     "average",
     "mean",
+    "최대",
+    "최소",
+    "최댓값",
+    "최솟값",
+    "최대값",
+    "최소값",
+    "중앙값",
+    "표준편차",
+    "편차",
+    "max",
+    "min",
+    "maximum",
+    "minimum",
+    "median",
+    "sd",
+    "std",
 ];
 /// How near to the sum a rounded total is, relative.
 const NEAR: f64 = 1e-3;

@@ -11,6 +11,11 @@ pub trait Files: Send + Sync {
     /// [`FileError`] where there is no such file, it cannot be read, or it holds more than `most_bytes`.
     fn read(&self, name: &str, most_bytes: u64) -> Result<Vec<u8>, FileError>;
 
+    /// Year, month and day that it is at most, wherever on Earth; `None` where no clock is asked.
+    fn today(&self) -> Option<[u32; 3]> {
+        None
+    }
+
     /// The file `name` as a user would look for it.
     fn shown(&self, name: &str) -> String {
         name.to_owned()

@@ -48,6 +48,10 @@ messages! {
             ko: "지진 {source}, 재현주기 {years}년: {said}",
         },
         UnderMotion { motion: String, said: Sentence } => { en: "Earthquake {motion}: {said}", ko: "지진 {motion}: {said}" },
+        AfterMotion { motion: String, first: String, said: Sentence } => {
+            en: "Earthquake {motion} after {first}: {said}",
+            ko: "지진 {first} 이후 {motion}: {said}",
+        },
         AtOther { said: Sentence } => { en: "Earthquake: {said}", ko: "지진: {said}" },
         Wind { said: Sentence } => { en: "Wind: {said}", ko: "풍응답: {said}" },
         WordAcceleration { word: Both, ratio: Quantity } => {
@@ -164,6 +168,7 @@ fn parts(judged: &VersionJudgement) -> Vec<Sentence> {
         | Evidence::TooRough(_)
         | Evidence::Unread { .. }
         | Evidence::NotCompared { .. }
+        | Evidence::MarkedAssumed { .. }
         | Evidence::NotMeasured { .. } => None,
     };
     let is_unknown = matches!(judged.weight, Some(Weight::Unknown { .. }));
@@ -267,6 +272,11 @@ fn earthquake(judged: &VersionJudgement) -> Option<Sentence> {
     let said = Sentence::from(word(of));
     Some(
         match (&of.motion, &judged.demand_source) {
+            (Some(_), _) if judged.after.is_some() => {
+                let both = judged.after.clone();
+                let (first, motion) = both.map(|both| (both.first, both.second)).unwrap_or_default();
+                Headline::AfterMotion { motion, first, said }
+            }
             (Some(motion), _) => Headline::UnderMotion {
                 motion: motion.clone(),
                 said,
@@ -412,6 +422,7 @@ mod tests {
             tilt_left_out: None,
             tilt_beyond_limit: false,
             leans: None,
+            after: None,
             inputs: AssumedInputs { assumed: 3, all: 12 },
         }
     }

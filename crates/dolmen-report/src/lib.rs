@@ -1,5 +1,6 @@
 //! Answers as text, JSON, figures and pages, in English and Korean. Opens no file.
 
+mod after_first;
 mod behind;
 mod brief;
 mod brief_rows;
@@ -23,6 +24,7 @@ mod frame_simulation;
 mod gltf;
 mod headline;
 pub mod html;
+pub mod hwpx;
 mod identification;
 mod identify;
 pub mod json;
@@ -34,6 +36,7 @@ mod mark;
 mod modal;
 mod mode_film;
 mod motion;
+mod paper;
 mod processing;
 mod rank;
 mod score;
@@ -53,6 +56,7 @@ mod whole;
 mod wind_simulation;
 pub mod xlsx;
 
+pub use after_first::after_first_text;
 pub use check::{against_text, check_text};
 pub use document::TextStyle;
 pub use headline::simulation_headline_text;

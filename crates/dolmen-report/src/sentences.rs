@@ -7,9 +7,9 @@ use crate::identify::Nothing;
 use crate::load_factor::LoadFactor;
 use crate::surveys_given::Given;
 use crate::{
-    building, building_simulation, chain, change, check, demand, document, engineer, figures, frame,
-    frame_simulation, headline, identification, kept, limits, loads, modal, motion, processing, rank, score,
-    sensors, simulated, stack, stack_simulation, study, text, tune, watch, wind_simulation, xlsx,
+    after_first, building, building_simulation, chain, change, check, demand, document, engineer, figures,
+    frame, frame_simulation, headline, identification, kept, limits, loads, modal, motion, processing, rank,
+    score, sensors, simulated, stack, stack_simulation, study, text, tune, watch, wind_simulation, xlsx,
 };
 use dolmen_words::Template;
 
@@ -39,6 +39,7 @@ pub fn sentences() -> Vec<Template> {
     groups.extend(demand::TEMPLATES);
     groups.extend(limits::TEMPLATES);
     groups.extend(simulated::TEMPLATES);
+    groups.push(after_first::TEMPLATES);
     groups.extend(frame_simulation::TEMPLATES);
     groups.extend(stack::TEMPLATES);
     groups.push(processing::Step::TEMPLATES);

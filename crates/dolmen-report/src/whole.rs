@@ -15,6 +15,11 @@ use std::collections::BTreeSet;
 /// All findings, what is worst first; what several runs say in the same words stands once.
 pub(crate) fn all_findings(answer: &ProjectReport) -> Vec<Finding> {
     let mut all = answer.check().map_or(Vec::new(), check::findings);
+    if answer.watch().is_some() {
+        // what the check leaves to this report
+        let left = check::over_the_years(&answer.project);
+        all.retain(|finding| !left.contains(finding));
+    }
     if let Some(runs) = answer.own_stack_runs() {
         all.extend(stack_simulation::findings(runs));
     }
@@ -28,7 +33,10 @@ pub(crate) fn all_findings(answer: &ProjectReport) -> Vec<Finding> {
     all.extend(modal::findings(answer.surveys()));
     all.extend(answer.change().into_iter().flat_map(change::findings));
     all.extend(answer.watch().into_iter().flat_map(watch::findings));
-    all.extend(identification::findings(&answer.project, answer.surveys()));
+    all.extend(identification::findings_of_latest(
+        &answer.project,
+        answer.surveys(),
+    ));
     all.sort_by_key(|finding| finding.tone != Tone::Bad);
     let mut said = BTreeSet::new();
     all.retain(|finding| said.insert(finding.sentence.text(Language::English)));

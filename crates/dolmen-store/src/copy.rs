@@ -23,15 +23,16 @@ const HEADS: [(&str, &str, &[&str]); 3] = [
         ],
     ),
     ("project", "project", &["project_file", "project_survey"]),
-    ("analysis", "analysis", &["mode", "mode_point"]),
+    ("analysis", "analysis", &["mode", "mode_point", "earthquake"]),
 ];
 /// Every table in an order in which each comes after those that it refers to; the log stays where it was written.
-const ORDER: [&str; 11] = [
+const ORDER: [&str; 12] = [
     "raw",
     "structure",
     "survey",
     "arrival",
     "channel_fault",
+    "stated_earthquake",
     "settings",
     "analysis",
     "survey_analysis",

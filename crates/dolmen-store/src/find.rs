@@ -4,13 +4,13 @@ use crate::database::{Database, Value, all};
 use crate::error::StoreError;
 use crate::incoming::{AIR_TEMPERATURE, PROJECT_FILE, refuse_path};
 use crate::rows::{
-    AdoptionRow, AnalysisRow, ArrivalRow, EnvironmentRow, LogRow, ModeRow, ProjectFileRow, ProjectRow,
-    RecordRow, Row as _, StatedModeRow, SurveyRow, TiltRow, select,
+    AdoptionRow, AnalysisRow, ArrivalRow, EarthquakeRow, EnvironmentRow, LogRow, ModeRow, ProjectFileRow,
+    ProjectRow, RecordRow, Row as _, StatedEarthquakeRow, StatedModeRow, SurveyRow, TiltRow, select,
 };
 use crate::store::{Store, refuse_unknown};
 use dolmen_work::kept::{
-    KeptAnalysis, KeptLog, KeptMode, KeptRecord, KeptState, KeptStructure, KeptSurvey, KeptTilt,
-    ListedStructure, ListedSurvey, StoreFault,
+    KeptAnalysis, KeptEarthquake, KeptLog, KeptMode, KeptRecord, KeptState, KeptStructure, KeptSurvey,
+    KeptTilt, ListedStructure, ListedSurvey, StoreFault,
 };
 
 /// Lines of the log that a structure shows.
@@ -43,6 +43,10 @@ const LATEST: &str = "from structure s \
 /// Whether it is out of use.
 const REMOVED: &str =
     "coalesce((select m.is_removed from mark m where m.structure = s.name order by m.at_us desc limit 1), 0)";
+
+/// The latest analysis of the records of a survey `v`.
+pub(crate) const LAST_ANALYSIS: &str = "(select n.hash from survey_analysis sa join analysis n on n.hash = sa.analysis \
+     where sa.survey = v.hash order by n.at_us desc, n.hash limit 1)";
 
 fn condition(search: &Search) -> (String, Vec<Value>) {
     let escaped = search.words.to_lowercase().replace('!', "!!");
@@ -162,10 +166,12 @@ impl Store {
             "s.name, v.name, v.taken_on, \
              (select e.value from environment e where e.survey = v.hash and e.quantity = '{AIR_TEMPERATURE}'), \
              (select count(*) from record r where r.survey = v.hash), \
-             coalesce((select min(m.frequency_hz) from mode m where m.analysis = \
-               (select n.hash from survey_analysis sa join analysis n on n.hash = sa.analysis where sa.survey = v.hash \
-                order by n.at_us desc, n.hash limit 1)), \
-              (select min(t.frequency_hz) from stated_mode t where t.survey = v.hash))"
+             coalesce((select min(m.frequency_hz) from mode m where m.analysis = {LAST_ANALYSIS}), \
+              (select min(t.frequency_hz) from stated_mode t where t.survey = v.hash)), \
+             (select count(*) from stated_earthquake q where q.survey = v.hash) + \
+              (select count(*) from earthquake q where q.analysis = {LAST_ANALYSIS}), \
+             coalesce((select q.peak_m_s2 from stated_earthquake q where q.survey = v.hash), \
+              (select q.peak_m_s2 from earthquake q where q.analysis = {LAST_ANALYSIS}))"
         );
         let of_state = format!(
             "select {columns} {LATEST} join project_survey ps on ps.project = p.hash join survey v on v.hash = ps.survey \
@@ -193,6 +199,8 @@ impl Store {
                         temperature_c: row.take("temperature_c")?,
                         records: row.take("records")?,
                         lowest_frequency_hz: row.take("frequency_hz")?,
+                        has_earthquake: row.take::<i64>("has_earthquake")? > 0,
+                        earthquake_peak_m_s2: row.take("peak_m_s2")?,
                     })
                 })?;
             }
@@ -382,7 +390,14 @@ fn kept_survey(database: &mut dyn Database, row: SurveyRow) -> Result<KeptSurvey
     for row in rows {
         let of = [Value::Text(row.hash.clone())];
         let modes: Vec<ModeRow> = select(database, "where analysis = $1 order by position", &of)?;
+        let found: Vec<EarthquakeRow> = select(database, "where analysis = $1", &of)?;
+        let found = found.into_iter().next();
         analyses.push(KeptAnalysis {
+            earthquake: found.map(|row| KeptEarthquake {
+                peak_m_s2: row.peak_m_s2,
+                changed: row.changed,
+                changed_sd: row.changed_sd,
+            }),
             hash: row.hash,
             version: row.version,
             method: row.method,
@@ -390,7 +405,16 @@ fn kept_survey(database: &mut dyn Database, row: SurveyRow) -> Result<KeptSurvey
             modes: modes.into_iter().map(identified).collect(),
         });
     }
+    let stated_earthquake: Vec<StatedEarthquakeRow> = select(database, "where survey = $1", &hash)?;
+    let stated_earthquake = stated_earthquake.into_iter().next();
     Ok(KeptSurvey {
+        earthquake: stated_earthquake
+            .map(|row| KeptEarthquake {
+                peak_m_s2: row.peak_m_s2,
+                changed: row.changed,
+                changed_sd: row.changed_sd,
+            })
+            .or_else(|| analyses.first().and_then(|latest| latest.earthquake.clone())),
         name: row.name,
         date: row.taken_on,
         temperature_c: air

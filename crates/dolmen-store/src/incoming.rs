@@ -1,6 +1,7 @@
 //! From a project to the rows that are kept of it.
 
 use crate::database::Value;
+use crate::earthquake_rows;
 use crate::error::StoreError;
 use crate::raw::Kept;
 use crate::rows::{
@@ -9,7 +10,7 @@ use crate::rows::{
     SurveyAnalysisRow, SurveyRow, Table, TiltRow,
 };
 use dolmen::modal::Modes;
-use dolmen_project::{Column, ModeKind, Project, RecordSource, Survey};
+use dolmen_project::{Column, EarthquakePart, ModeKind, Project, RecordSource, Survey};
 use dolmen_records::stays_within;
 use dolmen_work::kept::StoreFault;
 use dolmen_work::sensor_alarms::SensorFaults;
@@ -39,6 +40,8 @@ pub struct Incoming<'a> {
     pub modes: BTreeMap<String, Modes>,
     /// What is wrong with channels of the records of surveys, by the name of the survey.
     pub faults: SensorFaults,
+    /// Earthquakes that the records of surveys hold, by the name of the survey.
+    pub earthquakes: BTreeMap<String, EarthquakePart>,
 }
 
 /// Which records, with which settings, by which version: what tells analyses apart.
@@ -306,6 +309,7 @@ impl Incoming<'_> {
                 let modes = self.modes.get(&survey.name);
                 if let Some(modes) = modes {
                     analysis(&mut rows, modes, &key, (who, at_us));
+                    self.earthquake_of(&mut rows, &survey.name, &key);
                     self.faults_of(&mut rows, &survey.name, &hash);
                 }
                 if modes.is_some() || known.contains(&key.hash()) {
@@ -355,6 +359,13 @@ impl Incoming<'_> {
         }
     }
 
+    /// The earthquake of a survey's records, behind the analysis that found it.
+    fn earthquake_of(&self, rows: &mut Rows, survey: &str, key: &AnalysisKey) {
+        if let Some(of) = self.earthquakes.get(survey) {
+            rows.part(&earthquake_rows::found(key.hash(), of));
+        }
+    }
+
     pub(crate) fn survey(&self, rows: &mut Rows, survey: &Survey, hash: &str) -> Result<(), StoreError> {
         rows.put(&SurveyRow {
             hash: hash.to_owned(),
@@ -389,6 +400,10 @@ impl Incoming<'_> {
                 return Err(StoreFault::Name { what: "path", shown }.into());
             };
             record(rows, source, &kept.hash, (hash, setup, station));
+        }
+        // by itself: an earlier version kept the survey without it
+        if let Some(of) = &survey.earthquake {
+            rows.put(&earthquake_rows::stated(hash, of));
         }
         Ok(())
     }

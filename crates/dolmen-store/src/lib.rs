@@ -12,6 +12,7 @@
 mod arrival;
 mod copy;
 mod database;
+mod earthquake_rows;
 mod error;
 mod find;
 mod incoming;

@@ -2,12 +2,13 @@
 
 use crate::database::{Value, all};
 use crate::error::StoreError;
-use crate::find::{Exported, Taker, not_in};
+use crate::find::{Exported, LAST_ANALYSIS, Taker, not_in};
 use crate::raw::RawFiles;
 use crate::store::{Store, refuse_unknown};
 use dolmen::modal::{ObservedMode, ObservedPoint};
 use dolmen::signal::Channel;
 use dolmen_linalg::Complex64;
+use dolmen_project::EarthquakePart;
 use dolmen_records::{FileError, Files};
 use dolmen_words::messages;
 use dolmen_work::sensor_alarms::{SensorFault, SensorFaults};
@@ -93,6 +94,39 @@ impl Store {
         Ok(found)
     }
 
+    /// The earthquakes that the records of a structure's surveys hold, as the latest analysis found them.
+    ///
+    /// # Errors
+    /// There is no such structure, or the database cannot be read.
+    pub fn earthquakes(&mut self, name: &str) -> Result<BTreeMap<String, EarthquakePart>, StoreError> {
+        let database = self.database.as_mut();
+        refuse_unknown(database, name)?;
+        let of = format!(
+            "e.peak_m_s2, e.changed, e.changed_sd from {{}} join earthquake e on e.analysis = {LAST_ANALYSIS}"
+        );
+        let [own, arrived] = [
+            "project_survey ps join survey v on v.hash = ps.survey",
+            "arrival r join survey v on v.hash = r.survey",
+        ]
+        .map(|surveys| format!("select v.name as survey, {}", of.replace("{}", surveys)));
+        let sql = format!(
+            "{own} where ps.project = {LATEST} union all {arrived} where r.structure = $1 and {} order by survey",
+            not_in(LATEST)
+        );
+        let mut found = BTreeMap::new();
+        for row in all(database, &sql, &[Value::Text(name.to_owned())])? {
+            let mut row = Taker::of(row, "earthquake");
+            let survey: String = row.take("survey")?;
+            let part = EarthquakePart {
+                peak_m_s2: row.take("peak_m_s2")?,
+                changed: row.take("changed")?,
+                changed_sd: row.take("changed_sd")?,
+            };
+            found.insert(survey, part);
+        }
+        Ok(found)
+    }
+
     /// The modes of each survey of the latest state that has records, by the latest analysis of them.
     ///
     /// # Errors
@@ -102,9 +136,9 @@ impl Store {
         refuse_unknown(database, name)?;
         let columns = "v.name as survey, m.position as mode, m.frequency_hz, m.frequency_sd_hz, m.damping_ratio, m.damping_ratio_sd, m.is_accepted, \
              q.channel, q.real_part, q.imaginary_part, q.position as point";
-        let modes = "join mode m on m.analysis = (select n.hash from survey_analysis sa join analysis n on n.hash = sa.analysis \
-               where sa.survey = v.hash order by n.at_us desc, n.hash limit 1) \
-             left join mode_point q on q.analysis = m.analysis and q.mode = m.position";
+        let modes = format!(
+            "join mode m on m.analysis = {LAST_ANALYSIS} left join mode_point q on q.analysis = m.analysis and q.mode = m.position"
+        );
         let sql = format!(
             "select {columns}, 0 as is_arrival, ps.position as place from project_survey ps join survey v on v.hash = ps.survey {modes} \
              where ps.project = {LATEST} \

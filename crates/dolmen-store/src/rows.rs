@@ -110,6 +110,12 @@ rows! {
     ModePointRow in "mode_point" by "analysis, mode, position" {
         analysis: String, mode: i64, position: i64, channel: String, real_part: f64, imaginary_part: f64, sd: Option<f64>,
     }
+    EarthquakeRow in "earthquake" by "analysis" {
+        analysis: String, peak_m_s2: Option<f64>, changed: Option<f64>, changed_sd: Option<f64>,
+    }
+    StatedEarthquakeRow in "stated_earthquake" by "survey" {
+        survey: String, peak_m_s2: Option<f64>, changed: Option<f64>, changed_sd: Option<f64>,
+    }
     MarkRow in "mark" by "structure, at_us" { structure: String, at_us: i64, is_removed: bool, who: String, why: String }
     LogRow in "log" by "at_us, who, verb, subject, detail" { at_us: i64, who: String, verb: String, subject: String, detail: String }
 }

@@ -6,14 +6,14 @@ use crate::incoming::{Group, Incoming, SurveyTables, refuse_name};
 use crate::place::{Place, Where, files_of};
 use crate::raw::{Kept, RawFiles};
 use crate::raw_folder::RawFolder;
-use crate::rows::{AdoptionRow, LogRow, MarkRow, ProjectRow, StructureRow, insert, select};
+use crate::rows::{AdoptionRow, LogRow, MarkRow, ProjectRow, StructureRow, SurveyRow, insert, select};
 use crate::schema::{is_current, migrate};
 #[cfg(feature = "postgres")]
 use crate::server::{Pieces, Session};
 use crate::sqlite::Sqlite;
 use dolmen_words::nearest;
 use dolmen_work::kept::{Added, StoreFault};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -252,6 +252,14 @@ pub(crate) fn put(database: &mut dyn Database, Group(rows): &Group) -> Result<bo
     Ok(true)
 }
 
+/// The surveys of a state of a project by name, each with its hash.
+fn surveys_of(database: &mut dyn Database, project: &str) -> Result<BTreeMap<String, String>, StoreError> {
+    let of = [Value::Text(project.to_owned())];
+    let sql = "where hash in (select survey from project_survey where project = $1)";
+    let rows: Vec<SurveyRow> = select(database, sql, &of)?;
+    Ok(rows.into_iter().map(|row| (row.name, row.hash)).collect())
+}
+
 fn add(database: &mut dyn Database, incoming: &Incoming<'_>, act: &Act<'_>) -> Result<Added, StoreError> {
     let structure = incoming.structure.to_owned();
     let named = [Value::Text(structure.clone())];
@@ -288,6 +296,9 @@ fn add(database: &mut dyn Database, incoming: &Incoming<'_>, act: &Act<'_>) -> R
         new_files: 0,
         new_analyses: 0,
         unidentified: Vec::new(),
+        earthquakes: Vec::new(),
+        changed_surveys: Vec::new(),
+        gone_surveys: Vec::new(),
     };
     for group in incoming.rows(&known, act.who, at_us)?.0 {
         let table = group.0.first().map_or("", |(table, _)| table.name);
@@ -304,6 +315,17 @@ fn add(database: &mut dyn Database, incoming: &Incoming<'_>, act: &Act<'_>) -> R
     let last = "where structure = $1 order by at_us desc limit 1";
     let last: Vec<AdoptionRow> = select(database, last, &named)?;
     let is_adopted = last.first().is_some_and(|last| last.project == added.project);
+    if let Some(before) = last.first().filter(|_| !is_adopted) {
+        let before = surveys_of(database, &before.project)?;
+        let now = surveys_of(database, &added.project)?;
+        for (name, hash) in &before {
+            match now.get(name) {
+                None => added.gone_surveys.push(name.clone()),
+                Some(other) if other != hash => added.changed_surveys.push(name.clone()),
+                Some(_) => {}
+            }
+        }
+    }
     if !is_adopted {
         insert(
             database,

@@ -30,7 +30,7 @@ pub enum Answer {
     /// The record of the structure over the years.
     Watch(Box<WatchAnswer>),
     /// The structure under a ground motion.
-    Simulate(SimulateAnswer),
+    Simulate(Box<SimulateAnswer>),
     /// A study.
     Study(Box<StudyAnswer>),
     /// Dampers of a building.

@@ -4,6 +4,7 @@ use crate::answer::CheckAnswer;
 use crate::chain::check::UpliftTilt;
 use crate::demand;
 use crate::error::{Within as _, WorkError};
+use crate::frame::tilts::tilts as tilts_of_frame;
 use crate::judgement::{measured_frequencies, superseded_by};
 use crate::kinds;
 use crate::opened::Opened;
@@ -122,13 +123,19 @@ pub(crate) fn state_of(project: &Project, options: &CheckOptions) -> Result<Opti
     }))
 }
 
-/// The tilts of the survey that the model leans by, or of the last that states any, against the uplift limit of the joints of a chain or stack; of others it is not known.
+/// The tilts of the survey that the model leans by, or of the last that states any, against the uplift limit of the joints of a chain or stack, or the fall
+/// of a frame; of others it is not known.
 fn tilts(project: &Project, check: &Check) -> Vec<TiltCheck> {
     // what leans in the model is in its limits already
     if let Structure::Stack(part) = &project.structure
         && (part.lean.is_some() || part.carries_own_lean())
     {
         return Vec::new();
+    }
+    if let (Structure::Frame(part), Check::Frame(checks)) = (&project.structure, check)
+        && part.lean.is_some()
+    {
+        return tilts_of_frame(part, checks);
     }
     let tilted = || project.surveys.iter().filter(|survey| !survey.tilt.is_empty());
     let leans_as = match &project.structure {
@@ -209,17 +216,26 @@ fn contradictions(project: &Project, state: &State) -> Vec<FrequencyContradictio
     contradictions.collect()
 }
 
-/// The load factor of a chain without friction, or a frame, that falls under its own weight; `None` if it stands, or that is not known.
-pub(crate) fn falls_by_itself(project: &Project) -> Result<Option<f64>, WorkError> {
+/// As [`falls_by_itself`], of the inputs as the file gives them; `None` of a building: its study says it of each sample.
+pub(crate) fn falls_by_itself_as_given(project: &Project) -> Result<Option<f64>, WorkError> {
+    match &project.structure {
+        Structure::Building(_) => Ok(None),
+        _ => falls_by_itself(project, &mut Quantity::nominal),
+    }
+}
+
+/// The load factor of a chain without friction, a frame or a building that falls under its own weight with the inputs that `pick` chooses; `None` if it
+/// stands, or that is not known. A stack says it by its limits.
+pub(crate) fn falls_by_itself(project: &Project, pick: Pick<'_>) -> Result<Option<f64>, WorkError> {
     let is_held = match &project.structure {
         Structure::Chain(part) => part.joints.iter().flatten().any(|joint| joint.friction.is_some()),
-        Structure::Frame(_) => false,
-        Structure::Stack(_) | Structure::Building(_) | Structure::Survey => return Ok(None),
+        Structure::Frame(_) | Structure::Building(_) => false,
+        Structure::Stack(_) | Structure::Survey => return Ok(None),
     };
     if is_held {
         return Ok(None);
     }
-    Ok(kinds::load_factor(project, &mut Quantity::nominal)?.filter(|factor| *factor <= 1.0))
+    Ok(kinds::load_factor(project, pick)?.filter(|factor| *factor <= 1.0))
 }
 
 /// The load factor under inputs drawn from their distributions; `None` if no stiffness or no scatter is known.

@@ -174,7 +174,7 @@ fn periods(project: &Project, check: &Check, at_rest: &[AtRest]) -> Result<Vec<(
             each.collect()
         }
         Check::Stack(stack) => {
-            let known = stack.frequencies.as_ref();
+            let known = stack.frequencies_of_demand();
             let sway = |direction: &str| known.and_then(|known| known.sway(direction));
             let each = ["x", "y"].into_iter().filter_map(|direction| {
                 let (_, hz) = sway(direction)?;

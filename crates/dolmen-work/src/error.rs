@@ -180,6 +180,21 @@ pub enum WorkError {
         /// What moves: "a chain".
         what: Both,
     },
+    /// A motion shakes along x and y a frame that has one direction.
+    FrameOfOneDirection {
+        /// The direction.
+        direction: String,
+    },
+    /// A motion shakes along x and y a frame of which the file does not say which direction lies along which.
+    DirectionsNotAlong {
+        /// Its directions.
+        directions: String,
+    },
+    /// One direction of a frame is wanted under a motion along x and y.
+    DirectionOfBoth {
+        /// The direction.
+        direction: String,
+    },
     /// A motion shakes a chain along x and y, and friction acts against the turn of both together.
     OnePlaneFriction {
         /// The joint, from 1 at the bottom.
@@ -251,6 +266,17 @@ pub enum WorkError {
     NoWindGiven,
     /// Both wind and a motion of the ground are asked for.
     WindAndMotion,
+    /// A second motion is to act, and there is no first.
+    ThenWithoutMotion,
+    /// A length is given to a run of two motions.
+    ThenAndDuration,
+    /// Two motions of what moves in planes have other horizontal components.
+    ThenComponents {
+        /// The first motion.
+        first: String,
+        /// The second.
+        second: String,
+    },
     /// A seed or repeats of a building are given without the wind.
     NoWindAsked {
         /// The flag.

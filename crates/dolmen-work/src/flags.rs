@@ -179,6 +179,11 @@ const FLAGS: &[Flag] = &[
         instead: &[(Building, || FlagWords::BuildingSmall)],
         ..flag(FlagVerb::Simulate, "rotations", &[Chain])
     },
+    Flag {
+        is_for: Some(|| FlagWords::ActsAfter),
+        instead: &[(Building, || FlagWords::BuildingAsBefore)],
+        ..flag(FlagVerb::Simulate, "then", &[Chain, Frame, Stack])
+    },
     flag(FlagVerb::Simulate, "law", &[Stack]),
     flag(FlagVerb::Simulate, "repeats", &[Stack, Building]),
     Flag {

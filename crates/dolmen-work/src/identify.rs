@@ -24,7 +24,7 @@ use dolmen::modal::{
 };
 use dolmen::signal::{Channel, Record, cut};
 use dolmen::structure::{StiffnessNote, directional_modes};
-use dolmen_project::{Merge, ModeKind, Project, Quantity, RecordSource, Structure, Survey};
+use dolmen_project::{EarthquakePart, Merge, ModeKind, Project, Quantity, RecordSource, Structure, Survey};
 use dolmen_records::Files;
 
 /// Which surveys are identified.
@@ -83,13 +83,15 @@ pub(crate) fn surveys(
 /// What the records of a survey gave.
 #[derive(Clone, Debug)]
 pub struct SurveyModes {
-    /// The modes.
+    /// The modes; none where the records show the structure in an earthquake alone.
     pub modes: Modes,
     /// What is wrong with channels.
     pub faults: Vec<(String, SensorFault)>,
+    /// The earthquake that the records hold.
+    pub earthquake: Option<EarthquakePart>,
 }
 
-/// Modes of the records of one survey; `None` if it has no records, or these show the structure in an earthquake alone.
+/// Modes of the records of one survey; `None` if it has no records.
 ///
 /// # Errors
 /// An unknown survey; records that cannot be read or hold no modes.
@@ -108,10 +110,16 @@ pub fn survey_modes(
     };
     let answer = found_in(survey, files, progress)?;
     let faults = answer.faults();
-    let own = answer.modes().filter(|_| !answer.is_shaken());
-    Ok(own.map(|(modes, _)| SurveyModes {
-        modes: modes.clone(),
-        faults,
+    Ok(answer.modes().map(|(modes, _)| {
+        let mut modes = modes.clone();
+        if answer.is_shaken() {
+            modes.modes.clear();
+        }
+        SurveyModes {
+            modes,
+            faults,
+            earthquake: answer.earthquake().map(Earthquake::part),
+        }
     }))
 }
 

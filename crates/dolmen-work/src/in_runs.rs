@@ -24,9 +24,12 @@ impl LeftOutOfRuns {
             forces: matches!(project.structure, Structure::Chain(_))
                 && project.loads.loads.iter().any(LoadPart::pushes),
             tilt: match &project.structure {
-                Structure::Frame(_) | Structure::Building(_) => TiltLeftOut::of(&project.surveys),
+                Structure::Building(_) => TiltLeftOut::of(&project.surveys),
+                Structure::Frame(part) if part.lean.is_none() => TiltLeftOut::of(&project.surveys),
                 Structure::Chain(part) if part.lean.is_none() => TiltLeftOut::of(&project.surveys),
-                Structure::Chain(_) | Structure::Stack(_) => TiltLeftOut::of_model(project),
+                Structure::Chain(_) | Structure::Frame(_) | Structure::Stack(_) => {
+                    TiltLeftOut::of_model(project)
+                }
                 Structure::Survey => None,
             },
         }
@@ -55,7 +58,8 @@ pub(crate) fn held_in_runs(project: &Project) -> Vec<Both> {
             part.lean.as_ref().map(|of| (&of.survey, &of.written)),
             part.side_supports.len(),
         ),
-        _ => (None, 0),
+        Structure::Frame(part) => (part.lean.as_ref().map(|of| (&of.survey, &of.written)), 0),
+        Structure::Building(_) | Structure::Survey => (None, 0),
     };
     let lean = lean.map(|(survey, tilt)| OfRuns::Leans {
         survey: survey.clone(),

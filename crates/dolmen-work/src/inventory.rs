@@ -1,5 +1,6 @@
 //! Many structures over the years: what each history says in a line, the worst first.
 
+use crate::last_off::LastFarOff;
 use crate::watched::WatchAnswer;
 use dolmen::monitoring::TiltSlope;
 use dolmen_project::LogKind;
@@ -54,8 +55,12 @@ pub struct History {
     pub open_sensor_alarms: usize,
     /// How much it leans in all directions together, horizontal over vertical, where that is beyond its limit.
     pub lean_beyond: Option<f64>,
-    /// The strongest lasting change.
+    /// The lasting change that weighs most: falls of frequency before rises.
     pub change: Option<StrongestChange>,
+    /// Whether a mode changed, or the last surveys lie off, and no repair and no inspection followed.
+    pub is_change_open: bool,
+    /// The mode that the last survey has farthest off what those before it predict.
+    pub last_off: Option<LastFarOff>,
     /// The tilt to look at.
     pub tilt: Option<NearestTilt>,
 }
@@ -104,13 +109,23 @@ impl InventoryLine {
         })
     }
 
-    /// Open alarms and tilts beyond their limit first, then changes, then what was not watched, then the rest.
+    /// Whether it changed without an answer, with no alarm: to be watched.
+    pub fn is_to_watch(&self) -> bool {
+        let is_open = self
+            .history
+            .as_ref()
+            .is_some_and(|history| history.is_change_open);
+        is_open && !self.is_alarming()
+    }
+
+    /// Open alarms and tilts beyond their limit first, then changes that nobody answered, then the others, then what was not watched, then the rest.
     fn rank(&self) -> u8 {
         match &self.history {
             Some(_) if self.is_alarming() => 0,
-            Some(history) if history.change.is_some() => 1,
-            None => 2,
-            Some(_) => 3,
+            Some(history) if history.is_change_open => 1,
+            Some(history) if history.change.is_some() => 2,
+            None => 3,
+            Some(_) => 4,
         }
     }
 }
@@ -150,6 +165,8 @@ impl History {
             cracks_beyond: answer.cracks_beyond(),
             open_sensor_alarms: answer.open_sensor_alarms(),
             lean_beyond: answer.lean_beyond(),
+            is_change_open: answer.has_unanswered_change(),
+            last_off: answer.last_far_off().first().copied(),
             change: strongest.map(|(mode, change)| StrongestChange {
                 frequency_hz: mode.track.frequency_hz,
                 ratio: change.ratio,
@@ -170,11 +187,21 @@ impl History {
     }
 }
 
+/// How much a rise of a frequency weighs, of a fall of its size. Chosen here: what falls loses stiffness.
+const OF_RISE: f64 = 0.5;
+
+/// How much a change of a frequency weighs.
+fn weight(ratio: f64) -> f64 {
+    if ratio < 0.0 { -ratio } else { OF_RISE * ratio }
+}
+
 /// The structures in the order in which they should be looked at: the worst first, of equals by name.
 pub fn worst_first(mut lines: Vec<InventoryLine>) -> Vec<InventoryLine> {
     let size = |line: &InventoryLine| {
-        let change = line.history.as_ref().and_then(|history| history.change.as_ref());
-        change.map_or(0.0, |change| change.ratio.abs())
+        let history = line.history.as_ref();
+        let change = history.and_then(|history| Some(history.change.as_ref()?.ratio));
+        let last = history.and_then(|history| Some(history.last_off?.ratio));
+        change.into_iter().chain(last).map(weight).fold(0.0, f64::max)
     };
     lines.sort_by(|a, b| {
         let alarms =

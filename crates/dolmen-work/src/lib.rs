@@ -9,7 +9,9 @@
 
 mod air;
 pub mod answer;
+mod at_rest;
 pub mod beside_file;
+pub mod between;
 pub mod building;
 pub mod chain;
 mod change_fault;
@@ -20,6 +22,7 @@ mod days;
 mod demand;
 mod doubted;
 mod error;
+pub mod felt;
 mod fingerprint;
 pub mod flags;
 pub mod follow;
@@ -32,6 +35,7 @@ pub mod judgement;
 pub mod kept;
 mod kinds;
 mod known;
+pub mod last_off;
 mod left_out;
 pub mod loads;
 pub mod logs;

@@ -401,7 +401,7 @@ mod tests {
         for name in ["twisting_floor", "three_storey_pagoda"] {
             let opened = example(name);
             let options = SensorsOptions {
-                count: 6,
+                count: Some(6),
                 modes: Some(3),
                 ..SensorsOptions::default()
             };

@@ -99,6 +99,15 @@ impl PartLimit {
         }
     }
 
+    /// The same where a lean without shaking takes some of it.
+    pub(crate) fn taking(self, lean: f64) -> Self {
+        PartLimit {
+            capacity: self.capacity.map(|capacity| (capacity - lean.abs()).max(0.0)),
+            taken: lean.abs(),
+            ..self
+        }
+    }
+
     /// Capacity over demand; `None` without a limit.
     pub fn ratio(&self) -> Option<f64> {
         Some(self.capacity? / self.demand)
@@ -111,7 +120,7 @@ impl PartLimit {
 
     /// Whether a storey drifts beyond what any model of small drifts can tell of: it falls.
     pub fn falls(&self) -> bool {
-        self.limited == Limited::Drift && self.demand > DRIFT_RATIO_MOST
+        self.limited == Limited::Drift && self.demand + self.taken > DRIFT_RATIO_MOST
     }
 
     /// Above, near or below; unknown without a limit.
@@ -126,7 +135,7 @@ impl PartLimit {
     /// How near its limit a part is: the larger the worse; one that falls before all others.
     fn use_of(&self) -> f64 {
         match self.use_ratio() {
-            _ if self.falls() => self.demand / DRIFT_RATIO_MOST * 1e3,
+            _ if self.falls() => (self.demand + self.taken) / DRIFT_RATIO_MOST * 1e3,
             Some(of) if of.is_nan() => f64::INFINITY,
             Some(of) => of,
             None => -1.0 / (1.0 + self.demand),

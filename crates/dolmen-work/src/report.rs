@@ -71,9 +71,9 @@ pub fn report(
     }
     if is_shaken {
         let simulated = simulated(opened, &checked, &options.motion, files, progress)?;
-        answers.push(Answer::Simulate(simulated));
+        answers.push(Answer::Simulate(Box::new(simulated)));
     } else if let Some(moved) = supports_moved(opened, files, progress)? {
-        answers.push(Answer::Simulate(moved));
+        answers.push(Answer::Simulate(Box::new(moved)));
     }
     answers.push(Answer::Tune(tune::of_report(opened, files)?));
     let (studies, left_out) = studies_run(opened, options.journals, files, progress);
@@ -152,5 +152,6 @@ fn simulated(
         does_not_stand: None,
         evidence: Evidence::none(), // of the check, as the next
         without_shaking: None,
+        after: None,
     })
 }

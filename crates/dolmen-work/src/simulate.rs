@@ -1,5 +1,6 @@
 //! `dolmen simulate`: a structure under a ground motion, pushed, or on supports that move.
 
+use crate::at_rest::{AtRest, WAIT_MOST_S};
 use crate::building::simulate::BuildingOptions;
 use crate::building::wind_history::{WindOptions, simulate_wind};
 use crate::chain::simulate::ChainOptions;
@@ -8,10 +9,10 @@ use crate::error::{Within as _, WorkError};
 use crate::frame::simulate::FrameOptions;
 use crate::judgement::{Evidence, Weight, governing};
 use crate::kinds;
-use crate::motion::{MotionAnswer, MotionRequest, prepared};
+use crate::motion::{MotionAnswer, MotionRequest, in_sequence, prepared, refuse_other_components};
 use crate::opened::Opened;
 use crate::progress::Progress;
-use crate::simulation::{SimulateAnswer, Simulation, WithoutShaking};
+use crate::simulation::{AfterFirst, Second, SimulateAnswer, Simulation, WithoutShaking};
 use crate::stack::moving_supports::{Supported, supports};
 use crate::stack::simulate::{Shaken, StackOptions};
 use crate::stack::{Law, Repeating};
@@ -28,6 +29,8 @@ use dolmen_records::Files;
 pub struct SimulateOptions {
     /// The motion.
     pub motion: MotionRequest,
+    /// A second motion, by its name, that acts on what the first left, when that has come to rest.
+    pub then: Option<String>,
     /// This variant instead of the structure as it is.
     pub variant: Option<String>,
     /// Direction of a frame; each whose stiffness is known without it.
@@ -64,6 +67,7 @@ impl Default for SimulateOptions {
     fn default() -> Self {
         SimulateOptions {
             motion: MotionRequest::default(),
+            then: None,
             variant: None,
             direction: None,
             push: None,
@@ -97,6 +101,7 @@ pub struct WindAsked {
 pub struct PreparedSimulation<'a> {
     version: Version<'a>,
     motion: Option<MotionAnswer>,
+    then: Option<MotionAnswer>,
     options: &'a SimulateOptions,
 }
 
@@ -116,7 +121,7 @@ pub fn prepare<'a>(
     }
     if options.wind.is_some() {
         let motion = &options.motion;
-        if motion.is_given() || motion.is_changed() || motion.of_files().is_some() {
+        if motion.is_given() || motion.is_changed() || motion.of_files().is_some() || options.then.is_some() {
             return Err(WorkError::WindAndMotion);
         }
         if version.project.loads.wind().is_none() {
@@ -129,9 +134,22 @@ pub fn prepare<'a>(
         true => None,
         false => Some(prepared(&options.motion, (version.project, files))?),
     };
+    let then = match (&options.then, &motion) {
+        (None, _) => None,
+        (Some(_), None) => return Err(WorkError::ThenWithoutMotion),
+        (Some(_), Some(_)) if options.duration_s.is_some() => return Err(WorkError::ThenAndDuration),
+        (Some(name), Some(first)) => {
+            let then = prepared(&MotionRequest::named(name), (version.project, files))?;
+            if !matches!(version.project.structure, Structure::Stack(_)) {
+                refuse_other_components(&first.motion, &then.motion)?;
+            }
+            Some(then)
+        }
+    };
     Ok(PreparedSimulation {
         version,
         motion,
+        then,
         options,
     })
 }
@@ -165,9 +183,14 @@ pub(crate) fn evidence(project: &Project, variant: Option<&str>) -> Result<Evide
     Ok(check.map_or_else(Evidence::none, |check| Evidence::of(project, &check)))
 }
 
-/// What a chain, frame or building is without any shaking, where that is not "stable": a chain with what acts on it beside its weight; of a stack its check says so.
+/// What a chain, frame or building is without any shaking, where that is not "stable": a chain with what acts on it beside its weight, a frame as it leans; of a stack its check says so.
 fn without_shaking(project: &Project) -> Result<Option<WithoutShaking>, WorkError> {
-    if matches!(project.structure, Structure::Chain(_)) && !project.loads.is_empty() {
+    let asks_check = match &project.structure {
+        Structure::Chain(_) => !project.loads.is_empty(),
+        Structure::Frame(part) => part.lean.is_some(),
+        Structure::Stack(_) | Structure::Building(_) | Structure::Survey => false,
+    };
+    if asks_check {
         let state = state_of(project, &CheckOptions::default())?;
         let found = state.map(|state| {
             let weight = Weight::of(&state, false);
@@ -215,12 +238,17 @@ impl PreparedSimulation<'_> {
         self.motion.as_ref()
     }
 
+    /// The motion that acts after it.
+    pub fn then(&self) -> Option<&MotionAnswer> {
+        self.then.as_ref()
+    }
+
     /// Whether the supports of a stack move instead.
     pub fn moves_supports(&self) -> bool {
         self.motion.is_none() && moves_supports(self.version.project)
     }
 
-    /// The run.
+    /// The run; of two motions the first alone, then both as one with the time to rest between them.
     ///
     /// # Errors
     /// [`WorkError`], where the structure cannot be built or its stiffness is unknown, or the run is refused.
@@ -228,84 +256,171 @@ impl PreparedSimulation<'_> {
         let PreparedSimulation {
             version,
             motion,
+            then,
             options,
         } = self;
-        let mut answer = SimulateAnswer {
-            file: version.file.to_owned(),
-            simulations: Vec::new(),
-            variant: version.variant.map(str::to_owned),
-            does_not_stand: None,
-            evidence: evidence(version.project, version.variant)?,
-            without_shaking: without_shaking(version.project)?,
-        };
-        match (&version.project.structure, motion) {
-            (Structure::Survey, _) => return Err(WorkError::SurveySimulated),
-            (Structure::Chain(part), motion) => {
-                let how = ChainOptions {
-                    push_rad: match &options.push {
-                        None => 0.0,
-                        Some(text) => parse_angle_rad(text).within(|| "--push".to_owned())?,
-                    },
-                    rotations: options.rotations,
-                    duration_s: options.duration_s,
-                    output_step_s: options.output_step_s,
-                };
-                let runs = chain::simulate::simulate(&version, part, motion, &how, progress)?;
-                let runs = runs.into_iter().map(|run| Simulation::Chain(Box::new(run)));
-                answer.simulations.extend(runs);
+        match motion.clone().zip(then) {
+            Some(both) => run_after(&version, both, options, progress),
+            None => run_one(&version, motion, options, progress),
+        }
+    }
+}
+
+/// The first motion alone, as often longer as the structure needs to come to rest; then both as one. What is run again with small differences is both.
+fn run_after(
+    version: &Version<'_>,
+    (first, second): (MotionAnswer, MotionAnswer),
+    options: &SimulateOptions,
+    progress: &dyn Progress,
+) -> Result<SimulateAnswer, WorkError> {
+    let mut once = SimulateOptions {
+        repeats: Repeating::Times(1),
+        ..options.clone()
+    };
+    let whole_s = first.motion.duration_s();
+    let (alone, rest) = loop {
+        let alone = run_one(version, Some(first.clone()), &once, progress)?;
+        let rest = rest_of(&alone.simulations);
+        match rest {
+            Some(rest) if !rest.is_at_rest() && 2.0 * (rest.end_s - whole_s) <= WAIT_MOST_S => {
+                once.duration_s = Some(2.0 * rest.end_s - whole_s);
             }
-            (Structure::Building(part), None) if options.wind.is_some() => {
-                let asked = options.wind.unwrap_or(WindAsked {
-                    seed: 1,
-                    repeats: None,
-                });
-                let how = WindOptions {
-                    duration_s: options.duration_s,
-                    step_s: options.step_s,
-                    seed: asked.seed,
-                    repeats: asked.repeats,
-                };
-                let run = simulate_wind(&version, part, &how)?;
-                let run = run.ok_or(WorkError::BuildingFalls)?;
-                answer.simulations.push(Simulation::Wind(Box::new(run)));
+            rest => break (alone, rest),
+        }
+    };
+    let (first_motion, second_motion) = (first.motion.name().to_owned(), second.motion.name().to_owned());
+    let (mut answer, second) = match rest {
+        Some(AtRest { end_s, speed_m_s }) => {
+            let (both, still_s) = in_sequence(first, end_s - whole_s, second)?;
+            let acted = Second::Acted {
+                still_s,
+                speed_m_s,
+                from_s: whole_s + still_s,
+            };
+            (run_one(version, Some(both), options, progress)?, acted)
+        }
+        None if alone.does_not_stand.is_some() => return Ok(alone),
+        None => {
+            let falls = alone.simulations.iter().any(Simulation::falls);
+            let why = match falls {
+                true => Second::FellBefore,
+                false => Second::NoVerdictBefore,
+            };
+            (alone.clone(), why)
+        }
+    };
+    answer.after = Some(Box::new(AfterFirst {
+        first_motion,
+        second_motion,
+        first: alone,
+        second,
+    }));
+    Ok(answer)
+}
+
+/// How every run of one motion ended; `None` of what is no motion of the ground, and where one has no verdict or fell.
+fn rest_of(simulations: &[Simulation]) -> Option<AtRest> {
+    let mut all = Vec::new();
+    for simulation in simulations {
+        match simulation {
+            Simulation::Stack(runs) if runs.each().all(|run| run.is_whole() && !run.falls()) => {
+                all.extend(runs.each().map(|run| AtRest::of_stack(&run.history)));
             }
-            (Structure::Stack(part), None) => {
-                let how = stack_options(options);
-                match supports(&version, part, &how, progress)? {
-                    Supported::Moved(run) => answer.simulations.push(Simulation::Supports(run)),
-                    Supported::DoesNotStand(why) => answer.does_not_stand = Some(why),
-                }
+            Simulation::Frame(run) if run.is_whole() && !run.falls() => {
+                all.push(AtRest::of_frame(&run.history));
             }
-            (_, None) => return Err(WorkError::NoMotionPrepared),
-            (Structure::Frame(part), Some(motion)) => {
-                let how = FrameOptions {
-                    direction: options.direction.as_deref(),
-                    duration_s: options.duration_s,
-                    output_step_s: options.output_step_s,
-                };
-                let runs = frame::simulate::simulate(&version, part, &motion, &how, progress)?;
-                let runs = runs.into_iter().map(|run| Simulation::Frame(Box::new(run)));
-                answer.simulations.extend(runs);
+            Simulation::Chain(run) if run.is_whole() && !run.falls() => {
+                all.push(AtRest::of_chain(&run.model, &run.history));
             }
-            (Structure::Stack(part), Some(motion)) => {
-                let how = stack_options(options);
-                match stack::simulate::simulate(&version, part, motion, &how, progress)? {
-                    Shaken::Simulated(run) => answer.simulations.push(Simulation::Stack(run)),
-                    Shaken::DoesNotStand(why) => answer.does_not_stand = Some(why),
-                }
-            }
-            (Structure::Building(part), Some(motion)) => {
-                let how = BuildingOptions {
-                    duration_s: options.duration_s,
-                    step_s: options.step_s.unwrap_or(options.output_step_s),
-                    compare: options.compare,
-                    keep: options.keep,
-                };
-                let run = building::simulate::simulate(&version, part, &motion, &how)?;
-                let run = run.ok_or(WorkError::BuildingFalls)?;
-                answer.simulations.push(Simulation::Building(Box::new(run)));
+            _ => return None,
+        }
+    }
+    all.into_iter().reduce(AtRest::worse)
+}
+
+/// The run of one motion, or of none.
+fn run_one(
+    version: &Version<'_>,
+    motion: Option<MotionAnswer>,
+    options: &SimulateOptions,
+    progress: &dyn Progress,
+) -> Result<SimulateAnswer, WorkError> {
+    let mut answer = SimulateAnswer {
+        file: version.file.to_owned(),
+        simulations: Vec::new(),
+        variant: version.variant.map(str::to_owned),
+        does_not_stand: None,
+        evidence: evidence(version.project, version.variant)?,
+        without_shaking: without_shaking(version.project)?,
+        after: None,
+    };
+    match (&version.project.structure, motion) {
+        (Structure::Survey, _) => return Err(WorkError::SurveySimulated),
+        (Structure::Chain(part), motion) => {
+            let how = ChainOptions {
+                push_rad: match &options.push {
+                    None => 0.0,
+                    Some(text) => parse_angle_rad(text).within(|| "--push".to_owned())?,
+                },
+                rotations: options.rotations,
+                duration_s: options.duration_s,
+                output_step_s: options.output_step_s,
+            };
+            let runs = chain::simulate::simulate(version, part, motion, &how, progress)?;
+            let runs = runs.into_iter().map(|run| Simulation::Chain(Box::new(run)));
+            answer.simulations.extend(runs);
+        }
+        (Structure::Building(part), None) if options.wind.is_some() => {
+            let asked = options.wind.unwrap_or(WindAsked {
+                seed: 1,
+                repeats: None,
+            });
+            let how = WindOptions {
+                duration_s: options.duration_s,
+                step_s: options.step_s,
+                seed: asked.seed,
+                repeats: asked.repeats,
+            };
+            let run = simulate_wind(version, part, &how)?;
+            let run = run.ok_or(WorkError::BuildingFalls)?;
+            answer.simulations.push(Simulation::Wind(Box::new(run)));
+        }
+        (Structure::Stack(part), None) => {
+            let how = stack_options(options);
+            match supports(version, part, &how, progress)? {
+                Supported::Moved(run) => answer.simulations.push(Simulation::Supports(run)),
+                Supported::DoesNotStand(why) => answer.does_not_stand = Some(why),
             }
         }
-        Ok(answer)
+        (_, None) => return Err(WorkError::NoMotionPrepared),
+        (Structure::Frame(part), Some(motion)) => {
+            let how = FrameOptions {
+                direction: options.direction.as_deref(),
+                duration_s: options.duration_s,
+                output_step_s: options.output_step_s,
+            };
+            let runs = frame::simulate::simulate(version, part, &motion, &how, progress)?;
+            let runs = runs.into_iter().map(|run| Simulation::Frame(Box::new(run)));
+            answer.simulations.extend(runs);
+        }
+        (Structure::Stack(part), Some(motion)) => {
+            let how = stack_options(options);
+            match stack::simulate::simulate(version, part, motion, &how, progress)? {
+                Shaken::Simulated(run) => answer.simulations.push(Simulation::Stack(run)),
+                Shaken::DoesNotStand(why) => answer.does_not_stand = Some(why),
+            }
+        }
+        (Structure::Building(part), Some(motion)) => {
+            let how = BuildingOptions {
+                duration_s: options.duration_s,
+                step_s: options.step_s.unwrap_or(options.output_step_s),
+                compare: options.compare,
+                keep: options.keep,
+            };
+            let run = building::simulate::simulate(version, part, &motion, &how)?;
+            let run = run.ok_or(WorkError::BuildingFalls)?;
+            answer.simulations.push(Simulation::Building(Box::new(run)));
+        }
     }
+    Ok(answer)
 }

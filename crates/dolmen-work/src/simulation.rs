@@ -1,5 +1,6 @@
 //! What `dolmen simulate` found, of any kind.
 
+pub use crate::at_rest::SPEED_AT_REST_M_S;
 use crate::building::{BuildingSimulation, WindSimulation};
 use crate::chain::ChainSimulation;
 use crate::frame::FrameSimulation;
@@ -37,6 +38,17 @@ impl Simulation {
             Simulation::Wind(of) => of.variant.as_deref(),
         }
     }
+
+    /// Whether the structure fell.
+    pub fn falls(&self) -> bool {
+        match self {
+            Simulation::Chain(of) => of.falls(),
+            Simulation::Frame(of) => of.falls(),
+            Simulation::Stack(of) => of.each().any(|run| run.falls()),
+            Simulation::Building(of) => of.falls(),
+            Simulation::Supports(_) | Simulation::Wind(_) => false,
+        }
+    }
 }
 
 /// What a structure is before it is shaken.
@@ -46,6 +58,47 @@ pub struct WithoutShaking {
     pub weight: Weight,
     /// What of wind and static loads decides it; `None` where its own weight does.
     pub governed_by: Option<Governing>,
+}
+
+/// What came before the second of two motions.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AfterFirst {
+    /// Name of the first motion.
+    pub first_motion: String,
+    /// Name of the second.
+    pub second_motion: String,
+    /// The first motion alone.
+    pub first: SimulateAnswer,
+    /// How the second came to act, or why it did not.
+    pub second: Second,
+}
+
+/// Whether the second of two motions acted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Second {
+    /// It did: the simulations are of both motions as one.
+    Acted {
+        /// How long the ground stood still between them, s.
+        still_s: f64,
+        /// Largest speed of any part shortly before it began, m/s.
+        speed_m_s: f64,
+        /// When it began, s.
+        from_s: f64,
+    },
+    /// The structure fell in the first: the simulations are of that one alone.
+    FellBefore,
+    /// The first has no verdict: the simulations are of that one alone.
+    NoVerdictBefore,
+}
+
+impl Second {
+    /// Whether the structure was at rest before it acted; `None` where it did not act.
+    pub fn began_at_rest(&self) -> Option<bool> {
+        match self {
+            Second::Acted { speed_m_s, .. } => Some(*speed_m_s <= SPEED_AT_REST_M_S),
+            Second::FellBefore | Second::NoVerdictBefore => None,
+        }
+    }
 }
 
 /// What came of `dolmen simulate`.
@@ -63,4 +116,6 @@ pub struct SimulateAnswer {
     pub evidence: Evidence,
     /// What a chain, frame or building is under its weight, the static loads and the wind of the file, where that is not "stable".
     pub without_shaking: Option<WithoutShaking>,
+    /// What came before, where the motion was the second of two.
+    pub after: Option<Box<AfterFirst>>,
 }

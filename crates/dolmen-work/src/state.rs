@@ -1,14 +1,14 @@
 //! Whether a version of a structure stands, and everything that speaks for or against it.
 
 use crate::building::BuildingAnswer;
-use crate::frame::StoreyColumns;
+use crate::frame::{DirectionLean, StoreyColumns};
 use crate::loads::LoadsAnswer;
 use crate::part_limit::Compared;
 use dolmen::assess::demand::{
     DriftLimit, LocalMechanismCapacity, LocalMechanismDemand, SiteDemand, StackDemandCheck,
 };
 use dolmen::assess::{ChainCheck, FrameCheck, Probability, StackCheck};
-use dolmen::blocks::{MatchedFrequency, StackMode};
+use dolmen::blocks::{BesideInSmallMotion, MatchedFrequency, StackMode};
 use dolmen::stability::stack::DemandVerdict;
 use dolmen::stability::{ChainStability, Verdict};
 use dolmen::structure::stack::Stack;
@@ -81,7 +81,7 @@ pub struct SpectralAt {
 /// not that of the structure measured: 10 %, a fifth in stiffness. Chosen here.
 pub const FREQUENCY_RATIO_MOST: f64 = 1.1;
 
-/// A measured tilt against overturning, which a load factor does not see: a linear joint does not open.
+/// A measured tilt against overturning, which a load factor does not see: a linear joint does not open, and a linear storey has no end.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TiltCheck {
     /// The survey.
@@ -90,7 +90,7 @@ pub struct TiltCheck {
     pub direction: String,
     /// Horizontal / vertical.
     pub tilt: f64,
-    /// Least tilt of all joints at which one reaches its uplift limit N b/2; `None` without bed widths or stiffness.
+    /// Least tilt of all joints at which one reaches its uplift limit N b/2, of a frame that at which a storey counts as fallen; `None` without bed widths or stiffness.
     pub uplift_tilt: Option<f64>,
     /// Least tilt of all joints at which a bed begins to open under a linear pressure.
     pub opens_tilt: Option<f64>,
@@ -196,8 +196,19 @@ pub struct StackAnswer {
     pub lean: Option<SurveyedLean>,
     /// Natural frequencies on the springs of its joints; `None` if it does not stand.
     pub frequencies: Option<StackFrequencies>,
+    /// The same without its side supports, which demands leave out; `None` where the frequencies count none.
+    pub frequencies_unheld: Option<StackFrequencies>,
+    /// How each side support takes part in the frequencies; none of a stack that does not stand.
+    pub beside: Vec<BesideInSmallMotion>,
     /// Local mechanisms as codes want them, a direction each; none if it does not stand. `None` where they were not asked for.
     pub local_mechanisms: Option<Vec<LocalMechanismRow>>,
+}
+
+impl StackAnswer {
+    /// The frequencies without its side supports, which every threshold leaves out.
+    pub fn frequencies_of_demand(&self) -> Option<&StackFrequencies> {
+        self.frequencies_unheld.as_ref().or(self.frequencies.as_ref())
+    }
 }
 
 /// The local mechanism of a stack one way.
@@ -279,6 +290,8 @@ pub struct DirectionCheck {
     pub check: FrameCheck,
     /// The same while every joint slips; `None` where slipping takes no stiffness away, or it is not known.
     pub slipping: Option<FrameCheck>,
+    /// How it leans as surveyed, at rest; `None` where it takes no tilt over, is not known, or falls.
+    pub lean: Option<DirectionLean>,
     /// What free-standing columns hold, of the storeys that have some.
     pub columns: Vec<StoreyColumns>,
 }

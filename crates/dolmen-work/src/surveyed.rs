@@ -45,6 +45,18 @@ pub enum WithoutStiffness {
         /// Share of them that no rigid floor has.
         unexplained: f64,
     },
+    /// Dampers stand on the floor: its modes are not those of the floor alone.
+    Dampers {
+        /// Their names.
+        dampers: Vec<String>,
+    },
+    /// A side support of a stack pushes in one half of each swing alone: its modes are not those of springs.
+    SideSupportOneWay {
+        /// Its place among the side supports, from 1.
+        number: usize,
+        /// The stone that it holds.
+        stone: String,
+    },
     /// The modes of a building are refused.
     Plan(PlanStiffnessError),
     /// A survey of a stack states no modes, and its records show none along x or y.
@@ -96,6 +108,17 @@ impl std::fmt::Display for WithoutStiffness {
                 "no stiffness is sought: {:.0} % of the mode shapes of the record is no motion of a rigid floor; check positions, directions, cables and units of \
                  the sensors",
                 100.0 * unexplained
+            ),
+            WithoutStiffness::Dampers { dampers } => write!(
+                f,
+                "no stiffness is sought: the file puts dampers on the floor ({}), and modes measured with them are not those of the floor alone; survey with \
+                 the dampers blocked, and write them into a [variant]",
+                dampers.join(", ")
+            ),
+            WithoutStiffness::SideSupportOneWay { number, stone } => write!(
+                f,
+                "no factors on the springs of the joints are sought: side support {number} of '{stone}' has no gap, is not pressed at rest, and none as stiff is \
+                 opposite it, so that it pushes in one half of each swing alone; give the gap that it has, or the support opposite it"
             ),
             WithoutStiffness::Plan(why) => write!(f, "no stiffness is sought: {why}"),
             WithoutStiffness::NoStackModes { has_record: false } => write!(

@@ -16,7 +16,7 @@ pub struct TiltLeftOut {
 const SLOPE_SAID: f64 = 0.01;
 
 impl TiltLeftOut {
-    /// A tilt that counts and that the model of a project does not have: storeys start plumb, stones that carry tilts or offsets of their own
+    /// A tilt that counts and that the model of a project does not have: storeys of buildings start plumb, stones that carry tilts or offsets of their own
     /// keep them, and of several surveys the last with a date decides, also where one without a date measured more, or an earlier one alone
     /// measured a direction and nothing was repaired since. What
     /// `as_surveyed` leaves out is left out on purpose.
@@ -26,7 +26,8 @@ impl TiltLeftOut {
                 .warnings
                 .iter()
                 .any(|warning| warning.kind == WarningKind::SurveyTilt),
-            Structure::Frame(_) | Structure::Building(_) => true,
+            Structure::Frame(part) => part.lean.is_none() && !part.takes_no_tilt,
+            Structure::Building(_) => true,
             // its beds are checked against its tilt
             Structure::Chain(_) => false,
             Structure::Survey => return None,
@@ -34,7 +35,8 @@ impl TiltLeftOut {
         let leans_as = match &project.structure {
             Structure::Stack(part) => part.lean.as_ref().map(|lean| &lean.survey),
             Structure::Chain(part) => part.lean.as_ref().map(|lean| &lean.survey),
-            _ => None,
+            Structure::Frame(part) => part.lean.as_ref().map(|lean| &lean.survey),
+            Structure::Building(_) | Structure::Survey => None,
         };
         let mut tilted = project.surveys.iter().filter(|survey| !survey.tilt.is_empty());
         if is_left_out {

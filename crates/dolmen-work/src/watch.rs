@@ -5,6 +5,7 @@ use crate::compare::surveyed;
 use crate::compared_readings::has_modes;
 use crate::days::{Days, days};
 use crate::error::WorkError;
+use crate::felt::{answers, is_usable, set_answered, works_by_day};
 use crate::judgement::tilt_beyond_limit;
 use crate::left_out::found_without;
 use crate::logs::Logs;
@@ -13,14 +14,14 @@ use crate::progress::Progress;
 use crate::sensor_alarms::{SensorFaults, sensor_alarms};
 use crate::survey_dates::{date, day_of};
 use crate::surveyed::{Earthquake, SurveyAnswer};
+use crate::told::told_both;
 use crate::watched::{WatchAnswer, WatchedEarthquake, WatchedSurvey};
 use dolmen::assess::Surveyed;
 use dolmen::modal::{ObservedMode, Pairing};
 use dolmen::monitoring::{
-    ANSWERED_DAYS, History, HistorySurvey, TiltReading, Tracking, WatchOptions, Watched, Work,
-    watch as watched,
+    History, HistorySurvey, TiltReading, Tracking, WatchOptions, Watched, Work, watch as watched,
 };
-use dolmen_project::{EarthquakePart, LogKind, Project, Survey, WorkKind, WorkPart};
+use dolmen_project::{EarthquakePart, LogKind, Project, Survey, WorkKind};
 use dolmen_records::Files;
 use std::collections::BTreeMap;
 
@@ -47,21 +48,39 @@ pub fn can_watch(project: &Project) -> bool {
 /// What the surveys of a project say of its structure over the years.
 ///
 /// # Errors
-/// Fewer than three surveys with a date and modes, and with tilts, and no log; records and logs that cannot be read. A sensor that failed is left out.
+/// Fewer than three surveys with a date and modes, and with tilts, and no log; records and logs that cannot be read. A sensor that failed is left out,
+/// and so is a record without modes.
 pub fn watch(opened: &Opened, files: &dyn Files, progress: &dyn Progress) -> Result<WatchAnswer, WorkError> {
-    let (mut answers, mut failed) = (Vec::new(), Vec::new());
+    let (mut answers, mut failed, mut without_modes) = (Vec::new(), Vec::new(), Vec::new());
     for survey in &opened.project.surveys {
         if survey.records.is_some() || !survey.setups.is_empty() {
-            let (answer, channels) = found_without(survey, files, progress)?;
-            if !channels.is_empty() {
-                failed.push((answer.name.clone(), channels));
+            match found_without(survey, files, progress) {
+                Ok((answer, channels)) => {
+                    if !channels.is_empty() {
+                        failed.push((answer.name.clone(), channels));
+                    }
+                    answers.push(answer);
+                }
+                // one record must not hide what the others say
+                Err(why) if gives_no_modes(&why) => {
+                    without_modes.push((survey.name.clone(), told_both(&why)));
+                }
+                Err(why) => return Err(why),
             }
-            answers.push(answer);
         }
     }
     let mut answer = watch_of(opened, &answers, files)?;
     answer.sensors_left_out = failed;
+    answer.without_modes = without_modes;
     Ok(answer)
+}
+
+/// Whether a record can be read and gives no modes: too short, or no vibration.
+fn gives_no_modes(why: &WorkError) -> bool {
+    match why {
+        WorkError::Within { cause, .. } => gives_no_modes(cause),
+        why => matches!(why, WorkError::Modal(_)),
+    }
 }
 
 /// The same; `answers` hold what records gave.
@@ -88,22 +107,28 @@ pub fn watch_of(
     })
 }
 
-/// The same; `observed` holds the modes of surveys with records and `faults` what was wrong with their channels, as a store keeps them.
+/// What the records of surveys gave, by the name of the survey, as a store keeps it.
+#[derive(Clone, Debug, Default)]
+pub struct Observed {
+    /// Modes.
+    pub modes: BTreeMap<String, Vec<ObservedMode>>,
+    /// What was wrong with channels.
+    pub faults: SensorFaults,
+    /// The earthquakes that the records hold.
+    pub earthquakes: BTreeMap<String, EarthquakePart>,
+}
+
+/// The same of what a store keeps.
 ///
 /// # Errors
 /// [`ChangeFault`].
-pub fn watch_observed(
-    opened: &Opened,
-    observed: &BTreeMap<String, Vec<ObservedMode>>,
-    faults: &SensorFaults,
-    logs: &Logs,
-) -> Result<WatchAnswer, WorkError> {
-    watch_surveys(opened, faults, logs, |survey| {
+pub fn watch_observed(opened: &Opened, observed: &Observed, logs: &Logs) -> Result<WatchAnswer, WorkError> {
+    watch_surveys(opened, &observed.faults, logs, |survey| {
         let mut of = surveyed(survey, None);
-        if let Some(modes) = observed.get(&survey.name) {
+        if let Some(modes) = observed.modes.get(&survey.name) {
             of.modes.clone_from(modes);
         }
-        (of, None)
+        (of, observed.earthquakes.get(&survey.name).copied())
     })
 }
 
@@ -119,8 +144,7 @@ fn watch_surveys(
     let mut temperatures_of_log = 0;
     let mut earthquakes: Vec<WatchedEarthquake> = Vec::new();
     for survey in &project.surveys {
-        let usable = has_modes(survey) || !survey.tilt.is_empty() || survey.earthquake.is_some();
-        let Some(when) = date(&survey.name).filter(|_| usable) else {
+        let Some(when) = date(&survey.name).filter(|_| is_usable(survey)) else {
             left_out.push(survey.name.clone());
             continue;
         };
@@ -133,7 +157,10 @@ fn watch_surveys(
                 part,
                 is_answered: false,
             });
-            // what an earthquake holds is no survey of the structure at rest
+            // what an earthquake holds is no survey of the structure at rest; frequencies that the file states beside it are
+            if survey.earthquake.is_some() && (survey.records.is_some() || !survey.setups.is_empty()) {
+                own.modes.clear();
+            }
             if own.modes.is_empty() && own.tilts.is_empty() {
                 continue;
             }
@@ -169,23 +196,9 @@ fn watch_surveys(
         }
         .into());
     }
-    let mut works: Vec<(f64, WorkPart)> = project
-        .watch
-        .works
-        .iter()
-        .filter_map(|work| Some((day_of(date(&work.date)?), work.clone())))
-        .collect();
-    works.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let works = works_by_day(project);
     let last_day = kept.last().map_or(f64::INFINITY, |last| last.day);
-    let answers = |work: &WorkPart| matches!(work.kind, WorkKind::Repair | WorkKind::Inspection);
-    for own in &mut earthquakes {
-        let newest = own.day.max(last_day) + ANSWERED_DAYS;
-        let mut later = works
-            .iter()
-            .filter(|(day, _)| (own.day.floor()..=newest).contains(day));
-        own.is_answered = later.any(|(_, work)| answers(work));
-    }
-    earthquakes.sort_by(|a, b| a.day.total_cmp(&b.day));
+    set_answered(&mut earthquakes, &works, last_day);
     let history = History {
         works: works
             .iter()
@@ -233,6 +246,7 @@ fn watch_surveys(
         earthquakes,
         sensor_alarms: sensor_alarms(project, faults),
         sensors_left_out: Vec::new(),
+        without_modes: Vec::new(),
         temperatures_of_log,
         logs,
         watched,

@@ -5,6 +5,7 @@ use crate::sensor_alarms::SensorAlarm;
 use crate::watched_log::WatchedLog;
 use dolmen::monitoring::{ANSWERED_DAYS, Track, Watched};
 use dolmen_project::{EarthquakePart, LogKind, Project, WorkPart};
+use dolmen_words::message::Both;
 use std::sync::Arc;
 
 /// What a history of surveys says.
@@ -28,6 +29,8 @@ pub struct WatchAnswer {
     pub sensor_alarms: Vec<SensorAlarm>,
     /// Surveys that were identified without sensors that failed, and these.
     pub sensors_left_out: Vec<(String, Vec<String>)>,
+    /// Surveys whose records give no modes, and why: too short, or no vibration.
+    pub without_modes: Vec<(String, Both)>,
     /// Surveys whose temperature is that of the project's log.
     pub temperatures_of_log: usize,
     /// What tilts and cracks that are logged say.
@@ -89,12 +92,6 @@ impl WatchAnswer {
         let both = track.modes.iter().zip(&self.surveys);
         both.filter(|(at, survey)| at.is_some_and(|at| survey.accepted.get(at) == Some(&true)))
             .count()
-    }
-
-    /// Confirmed alarms that no repair and no inspection answered; modes that vanished are one, and each earthquake is.
-    pub fn open_alarms(&self) -> usize {
-        let open = self.watched.alarms.iter().filter(|alarm| !alarm.is_answered);
-        open.count() + usize::from(self.watched.is_mode_lost()) + self.open_earthquakes().count()
     }
 
     /// Earthquakes after which nobody looked.

@@ -3,9 +3,9 @@
 //            is answered by an inspection; the ambient records around it are judged as if it had not come.
 // TOLERANCE  none: words, rows, exit statuses.
 
-use super::followed::{FOLLOW, STORE, gate, made_record, put};
+use super::followed::{FOLLOW, HEAD, RECORDS, STORE, gate, made_record, put};
 use super::stores::{good, json};
-use super::verbs::Scratch;
+use super::verbs::{Scratch, root};
 use std::fs;
 
 /// The record with a strong shaking of all channels, 0.35 m/s² and more, from 60 to 75 s.
@@ -108,4 +108,105 @@ fn holds_an_earthquake_is_an_alarm_of_its_own_and_no_survey() {
         "{}",
         told.stdout
     );
+}
+
+#[test]
+fn holds_an_earthquake_of_a_stored_project_is_what_every_verb_says() {
+    let scratch = Scratch::new("stored-earthquake");
+    let folder = |name: &str| scratch.path().join(name);
+    for name in ["p", "in"] {
+        fs::create_dir_all(folder(name)).unwrap();
+    }
+    fs::write(folder("p/1.csv"), made_record(2.0, 6000, 1)).unwrap();
+    fs::write(folder("p/14.csv"), shaken(&made_record(2.0, 20_000, 14))).unwrap();
+    let survey =
+        |day: &str, file: &str| format!("[survey.2026-01-{day}.records]\nfile = \"{file}\"\n{RECORDS}");
+    let text = format!("{HEAD}{}{}", survey("14", "14.csv"), survey("01", "1.csv"));
+    fs::write(folder("p/project.toml"), &text).unwrap();
+    let by_hand = json(&scratch, "watch p")["earthquakes"].clone();
+    assert_eq!(
+        (&by_hand[0]["survey"], by_hand[0]["answered"].as_bool()),
+        (&"2026-01-14".into(), Some(false))
+    );
+    let peak = by_hand[0]["peak_acceleration_m_s2"].as_f64().unwrap();
+    assert!((10.0..40.0).contains(&peak), "{peak}");
+    // adding it says so, each time
+    let said = good(scratch.briefly(&format!("survey add p {STORE}"))).stdout;
+    assert!(
+        said.contains("EARTHQUAKE: the record of survey 2026-01-14"),
+        "{said}"
+    );
+    let added = json(&scratch, &format!("survey add p {STORE}"));
+    assert_eq!(added["new_analyses"], 0);
+    assert_eq!(
+        (
+            &added["earthquakes"][0]["survey"],
+            added["earthquakes"][0]["peak_m_s2"].as_f64()
+        ),
+        (&"2026-01-14".into(), Some(peak))
+    );
+    // the same alarm from the store
+    let all = scratch.briefly(&format!("watch --all {STORE} --json --quiet"));
+    let structures: serde_json::Value = serde_json::from_str(&all.stdout).unwrap();
+    assert_eq!(
+        (all.status, &structures["structures"][0]["history"]["open_alarms"]),
+        (1, &1.into()),
+        "{structures}"
+    );
+    let list = good(scratch.briefly(&format!("survey list --surveys --csv {STORE}"))).stdout;
+    assert!(list.contains(",has_earthquake,earthquake_peak_m_s2"), "{list}");
+    assert!(
+        list.contains(&format!("true,{peak}")) && list.contains("false,\r\n"),
+        "{list}"
+    );
+    let shown = json(&scratch, &format!("survey show Gate {STORE}"));
+    assert_eq!(
+        shown["surveys"][0]["earthquake"]["peak_m_s2"].as_f64(),
+        Some(peak)
+    );
+    assert!(
+        shown["surveys"][1]["earthquake"].is_null()
+            && shown["surveys"][0]["analyses"][0]["modes"][0].is_object()
+    );
+    for words in ["survey list --surveys", "survey show Gate"] {
+        let said = good(scratch.briefly(&format!("{words} {STORE}"))).stdout;
+        assert!(said.contains("earthquake") && said.contains("m/s²"), "{said}");
+    }
+    put(&folder("in/2026-01-15.csv"), made_record(2.0, 6000, 15));
+    let followed = scratch.briefly(&format!("{FOLLOW} --metrics m.prom"));
+    assert_eq!(followed.status, 1, "{}", followed.stdout);
+    let metrics = fs::read_to_string(folder("m.prom")).unwrap();
+    assert!(metrics.contains("kind=\"earthquake\"} 1"), "{metrics}");
+    // out again, as a folder and as a store
+    good(scratch.briefly(&format!("survey export Gate -o out {STORE}")));
+    assert_eq!(json(&scratch, "watch out")["earthquakes"], by_hand);
+    good(scratch.briefly(&format!("survey export -o copy.db {STORE}")));
+    let copied = json(&scratch, "watch --all --store copy.db");
+    assert_eq!(copied["structures"][0]["history"]["open_alarms"], 1, "{copied}");
+    // an inspection answers it, wherever it is read
+    let works = "[watch]\nworks = [{ date = \"2026-01-15\", kind = \"inspection\", what = \"looked at\" }]\n";
+    fs::write(folder("p/project.toml"), text + works).unwrap();
+    let said = good(scratch.briefly(&format!("survey add p {STORE}"))).stdout;
+    assert!(!said.contains("EARTHQUAKE"), "{said}");
+    let all = json(&scratch, &format!("watch --all {STORE}"));
+    assert_eq!(all["structures"][0]["history"]["open_alarms"], 0, "{all}");
+}
+
+#[test]
+fn holds_a_check_says_that_nobody_looked_after_a_stated_earthquake() {
+    let scratch = Scratch::new("stated-earthquake");
+    let path = scratch.path().join("project.toml");
+    let pole = fs::read_to_string(root().join("examples/naju_flagpole/project.toml")).unwrap();
+    let felt = "\n[survey.2026-09-12]\nearthquake = { peak = \"0.06 g\" }\n";
+    let checked = |text: &str| {
+        fs::write(&path, text).unwrap();
+        scratch.briefly("check . --full").stdout
+    };
+    let said = checked(&format!("{pole}{felt}"));
+    assert!(
+        said.contains("Survey 2026-09-12 states an earthquake (peak acceleration 0.588 m/s²)"),
+        "{said}"
+    );
+    let work = "[watch]\nworks = [{ date = \"2026-09-13\", kind = \"inspection\", what = \"looked at\" }]\n";
+    assert!(!checked(&format!("{pole}{felt}{work}")).contains("states an earthquake"));
 }

@@ -155,3 +155,125 @@ fn holds_frames_are_mapped_released_and_scanned() {
     let share = |row: &BTreeMap<String, String>| of(row, "slipping_share");
     assert!(runs.iter().any(|row| share(row) == 0.0) && runs.iter().any(|row| share(row) > 0.05));
 }
+
+const TWO: &str = "simulate examples/heunginjimun_gate/two_directions.toml --motion el-centro";
+
+#[test]
+fn holds_two_components_meet_both_directions_together() {
+    let scratch = Scratch::with_examples("frame_two");
+    let answer = scratch.dolmen(&format!("--json {TWO}"));
+    let json: serde_json::Value = serde_json::from_str(&answer.stdout).unwrap();
+    let runs = json["simulations"].as_array().unwrap();
+    let of = |run: usize, key: &str| runs[run][key].as_str().unwrap().to_owned();
+    assert_eq!([of(0, "direction"), of(0, "component")], ["strong", "x"]);
+    assert_eq!([of(1, "direction"), of(1, "component")], ["weak", "y"]);
+    let together = &runs[1]["together"];
+    assert!(together["shared_friction"]["change_of_peaks"].as_f64().unwrap() <= 0.005);
+    let most = |storey: usize| together["storeys"][storey]["peak_drift_m"].as_f64().unwrap();
+    for storey in [0, 1] {
+        for run in runs {
+            let alone = run["storeys"][storey]["peak_drift_m"].as_f64().unwrap().abs();
+            assert!(most(storey) >= alone && most(storey) < 1.5 * alone + 0.05);
+        }
+    }
+    // the resultant is held against the limit, once
+    let parts = |run: usize| {
+        let all = runs[run]["limits"]["parts"].as_array().unwrap().clone();
+        all.iter()
+            .map(|part| part["direction"].as_str().unwrap().to_owned())
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(parts(0), ["strong"; 2]);
+    assert_eq!(parts(1), ["weak", "weak", "strong+weak", "strong+weak"]);
+    let words = scratch.dolmen(TWO).stdout;
+    for said in [
+        "Both directions together: ‘lower storey’ drifts by up to",
+        "share one slip force",
+    ] {
+        assert!(words.contains(said), "{said}: {words}");
+    }
+}
+
+#[test]
+fn holds_a_surveyed_tilt_of_a_frame_is_in_its_runs_and_takes_of_its_drift() {
+    let scratch = Scratch::with_examples("frame_leans");
+    let json = |variant: &str| -> serde_json::Value {
+        let answer = scratch.dolmen(&format!("--json {TWO} {variant}"));
+        serde_json::from_str(&answer.stdout).unwrap()
+    };
+    let (upright, leaning) = (json(""), json("--variant leaning"));
+    let part =
+        |of: &serde_json::Value, key: &str| of["simulations"][1]["limits"]["parts"][0][key].as_f64().unwrap();
+    assert_eq!((part(&upright, "taken"), part(&upright, "capacity")), (0.0, 0.02));
+    assert!((part(&leaning, "taken") - 1.0 / 120.0).abs() < 1e-12);
+    assert!((part(&leaning, "capacity") - (0.02 - 1.0 / 120.0)).abs() < 1e-12);
+    // before the shaking it rests where its springs hold it: τ N/(k − N/l)
+    let tilt = |of: &serde_json::Value| of["simulations"][1]["lean"]["tilt_in_direction"].as_f64();
+    assert_eq!((tilt(&upright), tilt(&leaning)), (None, Some(1.0 / 120.0)));
+    let answer = scratch.dolmen("--json check examples/heunginjimun_gate/two_directions.toml");
+    let check: serde_json::Value = serde_json::from_str(&answer.stdout).unwrap();
+    let state = &check["variants"][0]["state"];
+    let at_rest = state["check"]["frame"][1]["lean"]["at_rest"][0].as_f64().unwrap();
+    // of stuck and slipping joints the larger
+    let wanted = 16.3e6 / (16.3e6 - 5919e3 / 5.84) / 120.0;
+    assert!((at_rest / wanted - 1.0).abs() < 1e-9, "{at_rest} {wanted}");
+    let both = state["tilts"].as_array().unwrap().last().unwrap();
+    assert_eq!(both["direction"], "strong+weak");
+}
+
+#[test]
+fn holds_a_frame_that_leans_to_its_fall_is_unstable_and_near_it_marginal() {
+    let scratch = Scratch::new("frame_lean_words");
+    let said = |tilt: &str, more: &str| {
+        let text = format!(
+            "schema = 1\nkind = \"frame\"\nname = \"gate\"\nevidence = \"measured\"\n\
+             units = {{ length = \"m\", force = \"kN\", mass = \"t\", stiffness = \"kN/mm\" }}\n{more}\
+             storeys = [{{ mass = 60, height = 4.0 }}]\n[direction.x]\nstiffness = [2.0]\n[direction.y]\nstiffness = [2.0]\n\
+             [survey.2024-01-01]\ntilt = {tilt}\n"
+        );
+        fs::write(scratch.path().join("gate.toml"), text).unwrap();
+        let answer = scratch.dolmen("check gate.toml");
+        (answer.status, answer.stdout)
+    };
+    // k l/N = 13.6: at rest it leans by 1.08 of its tilt, and 10 % is a fall
+    for (tilt, status, word) in [
+        ("{ x = \"1/100\" }", 0, "Own weight: stable"),
+        ("{ x = \"1/12\" }", 0, "Own weight: marginal"),
+        ("{ x = \"1/10.5\" }", 1, "Own weight: unstable"),
+        // both together
+        ("{ x = \"1/15\", y = \"1/15\" }", 1, "Own weight: unstable"),
+        ("{ x = \"1/17\", y = \"1/17\" }", 0, "Own weight: marginal"),
+    ] {
+        let (code, words) = said(tilt, "");
+        assert!(code == status && words.contains(word), "{tilt}: {code} {words}");
+    }
+    let (code, words) = said("{ x = \"1/12\" }", "as_surveyed = \"none\"\n");
+    assert!(code == 0 && words.contains("Own weight: stable"), "{words}");
+    // what it may drift in an earthquake it leans already
+    let (code, words) = said("{ x = \"1/50\" }", "limits = { storey_drift = \"1/60\" }\n");
+    assert!(code == 1 && words.contains("Tilt: beyond its limit"), "{words}");
+}
+
+#[test]
+fn refuses_two_components_where_a_direction_is_missing_or_not_placed() {
+    let scratch = Scratch::with_examples("frame_two_refused");
+    let path = scratch
+        .path()
+        .join("examples/heunginjimun_gate/two_directions.toml");
+    let whole = fs::read_to_string(&path).unwrap();
+    let says = |text: &str, more: &str, words: &str| {
+        fs::write(&path, text).unwrap();
+        let answer = scratch.dolmen(&format!("{TWO} {more}"));
+        assert_eq!(answer.status, 2, "{words}: {}", answer.stdout);
+        assert!(answer.stderr.contains(words), "{words}: {}", answer.stderr);
+    };
+    says(&whole, "--direction weak", "--direction weak names one direction");
+    let unplaced = whole.replace("along = \"x\"\n", "");
+    says(&unplaced, "", "write along = \"x\" in [direction.NAME]");
+    let twice = whole.replace("along = \"x\"", "along = \"y\"");
+    says(&twice, "", "directions strong and weak both lie along y");
+    let start = whole.find("[direction.strong]").unwrap();
+    let end = whole.find("[direction.weak]").unwrap();
+    let alone = format!("{}{}", &whole[..start], &whole[end..]);
+    says(&alone, "", "the frame has one direction, weak");
+}

@@ -162,7 +162,7 @@ fn holds_an_alarm_runs_a_program_and_no_shell() {
     let called = fs::read_to_string(scratch.path().join("called")).unwrap();
     assert_eq!(
         called,
-        "a; touch shell $(touch shell) `touch shell`|2023-05-01|0|0.00566\n"
+        "a; touch shell $(touch shell) `touch shell`|2023-05-01|1|0.00566\n"
     );
     assert!(!scratch.path().join("shell").exists());
     let missing = scratch.briefly("watch beyond.toml --on-alarm ./none");

@@ -7,7 +7,7 @@ use serde_json::Value;
 use std::collections::BTreeSet;
 use std::fs;
 
-const COMMANDS: [&str; 52] = [
+const COMMANDS: [&str; 54] = [
     "check examples/naju_flagpole/two_directions.toml",
     "check examples/naju_flagpole/side_posts.toml",
     "simulate examples/naju_flagpole/side_posts.toml --motion el-centro --duration 3",
@@ -42,6 +42,8 @@ const COMMANDS: [&str; 52] = [
     "simulate examples/arch/spreading.toml --law rigid --step 0.005",
     "simulate examples/naju_flagpole --variant wedged --motion el-centro-1940-ns --keep-first 2",
     "simulate examples/heunginjimun_gate --variant soft_below --motion el-centro-1940-ns --keep-first 2",
+    "check examples/heunginjimun_gate/two_directions.toml",
+    "simulate examples/heunginjimun_gate/two_directions.toml --motion el-centro --keep-first 6 --variant leaning",
     "simulate examples/free_columns/rigid_stones.toml --motion el-centro-1940-ns --keep-first 2",
     "simulate examples/several_dampers --motion el-centro-1940-ns --keep-first 2",
     "tune examples/twisting_floor",

@@ -2,7 +2,9 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests: a panic is a failed test")]
 
 mod accepted_modes;
+mod aftershocks;
 mod answers;
+mod both_directions;
 mod brief;
 mod building_studies;
 mod buildings;
@@ -41,6 +43,7 @@ mod layout;
 mod limits;
 mod logs;
 mod looked_safe;
+mod measured_beside;
 mod mistaken_inputs;
 mod modes_lost;
 mod motion_suites;
@@ -74,6 +77,7 @@ mod store_processes;
 mod store_strangers;
 mod stores;
 mod studies;
+mod studies_fallen;
 mod supply;
 mod surfaces;
 mod surveyed_lean;
@@ -81,6 +85,7 @@ mod training;
 mod tunings;
 mod untrusted;
 mod verbs;
+mod watched_slips;
 mod what_counts;
 mod wind_histories;
 mod wind_on_buildings;

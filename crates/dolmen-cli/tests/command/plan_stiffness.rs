@@ -133,3 +133,87 @@ fn refuses_several_floors_in_plain_words() {
     let said = scratch.briefly("identify examples/twenty_storeys").words();
     assert!(said.contains("the building has 20 floors"), "{said}");
 }
+
+const HALL: &str = r#"schema = 1
+kind = "building"
+name = "Hall"
+units = { mass = "t", stiffness = "MN/m" }
+floors = [ { name = "hall", mass = 120, sides = [12, 7], height = 4.0, stiffness = { x = 60, y = 42, rotation = { value = 900, unit = "MN*m/rad" }, centre = ["1.2 m", "-0.8 m"] } } ]
+damping.ratio = 0.03
+[survey.2026-05-01]
+modes.x = [{ frequency = { value = 3.3530, sd = 0.005 }, twist = -0.5384, twist_sd = 0.01, sideways = -0.591 }]
+modes.y = [{ frequency = { value = 2.4559, sd = 0.005 }, twist = -0.6244, twist_sd = 0.01, sideways = 0.239 }]
+modes.torsion = [{ frequency = { value = 3.9985, sd = 0.005 } }]
+[limits]
+storey_drift = "1/200"
+"#;
+
+const MASS: &str = r#"kind = "tmd"
+floor = 1
+place = [-4, 0]
+direction = "y"
+mass_ratio = 0.03
+tuning = "den_hartog"
+"#;
+
+fn hall(name: &str, more: &str) -> Scratch {
+    let scratch = Scratch::with_examples(name);
+    fs::write(scratch.path().join("hall.toml"), format!("{HALL}{more}")).unwrap();
+    scratch
+}
+
+/// The survey is of the floor with its tuned mass, by numpy's complex modes: nothing is written to the floor alone, and the check compares the whole.
+#[test]
+fn holds_a_tuned_mass_is_counted_in_the_check_and_stiffness_is_not_sought_with_it() {
+    let scratch = hall("plan_damped", &format!("[damper.t]\n{MASS}"));
+    let answer = scratch.dolmen("identify hall.toml");
+    let said = answer.words();
+    assert!(said.contains("puts dampers on the floor (t)"), "{said}");
+    assert!(said.contains("Survey with the dampers blocked"), "{said}");
+    assert!(!said.contains("k_x"), "{said}");
+    assert!(
+        scratch
+            .dolmen("identify hall.toml --language ko")
+            .words()
+            .contains("제진장치(t)")
+    );
+    let said = scratch.dolmen("check hall.toml").words();
+    assert!(
+        said.contains("direction y 2.456 Hz (2.696 Hz without dampers)"),
+        "{said}"
+    );
+    assert!(
+        said.contains("direction y 2.456 ± 0.005 Hz, model 2.456 Hz"),
+        "{said}"
+    );
+    assert!(!said.contains("83.0 %"), "{said}");
+    // in a variant the dampers are not of the floor that was surveyed
+    let scratch = hall("plan_blocked", &format!("[variant.damped.damper.t]\n{MASS}"));
+    let said = scratch.dolmen("identify hall.toml").words();
+    assert!(said.contains("k_x"), "{said}");
+}
+
+#[test]
+fn holds_bounds_say_whether_they_hold_the_scatter_of_the_frequencies() {
+    let modes = |sd: &str| {
+        let mode = |hz: f64| format!("[{{ frequency = {{ value = {hz}{sd} }} }}]");
+        let [x, y, torsion] = [3.35296, 2.69593, 3.99298].map(mode);
+        let (head, _) = HALL.split_once("modes.x").unwrap();
+        let head = head.replace(r#", centre = ["1.2 m", "-0.8 m"]"#, r#", centre = [0, 0]"#);
+        format!("{head}modes.x = {x}\nmodes.y = {y}\nmodes.torsion = {torsion}\n")
+    };
+    let scratch = Scratch::with_examples("plan_bounds");
+    let said = |sd: &str| {
+        fs::write(scratch.path().join("hall.toml"), modes(sd)).unwrap();
+        scratch.dolmen("identify hall.toml").words()
+    };
+    let (with, without) = (said(", sd = 0.15"), said(""));
+    assert!(
+        with.contains("over frequencies within 1.96 standard deviations, k_x lies between"),
+        "{with}"
+    );
+    assert!(
+        without.contains("were the frequencies exact (their scatter is not given)"),
+        "{without}"
+    );
+}

@@ -162,3 +162,81 @@ fn holds_a_stack_that_falls_has_no_frequencies() {
         answer.stdout
     );
 }
+
+/// Joint of body on base 9.9 MN·m/rad and 10 MN/m at 0.7 m above it: what holds beside a stone is in its frequencies, and is not written to its joints.
+#[test]
+fn holds_tight_side_supports_are_in_the_frequencies_and_gaps_are_named() {
+    let of = |supports: &str| {
+        format!(
+            r#"schema = 1
+kind = "stack"
+name = "Three stones"
+density = 2600
+units = {{ length = "m", force = "kN" }}
+joint = {{ friction = 0.6 }}
+blocks = [
+  {{ name = "base", width = 1.2, depth = 1.0, height = 0.5 }},
+  {{ name = "body", width = 0.6, depth = 0.55, height = 1.3 }},
+  {{ name = "cap", width = 0.9, depth = 0.9, height = 0.3 }},
+]
+side_supports = [{supports}]
+[survey.2026-05-01]
+frequencies.x = [{{ value = 14.0, sd = 0.07 }}]
+"#
+        )
+    };
+    let support = |side: &str, gap: &str| {
+        format!(
+            r#"{{ block = "body", position = [{side}0.3, 0, 1.2], direction = [{side}1, 0, 0], gap = "{gap} mm", stiffness = 1e7 }}"#
+        )
+    };
+    let [tight, open] = ["0", "2"].map(|gap| format!("{}, {}", support("", gap), support("-", gap)));
+    let scratch = Scratch::with_examples("beside");
+    let run = |supports: &str, verb: &str| {
+        fs::write(scratch.path().join("s.toml"), of(supports)).unwrap();
+        scratch.dolmen(&format!("{verb} s.toml")).words()
+    };
+    let [said, loose, alone] = [&tight, &open, &support("", "0")].map(|supports| run(supports, "check"));
+    let hz = |supports: &str| -> f64 {
+        fs::write(scratch.path().join("s.toml"), of(supports)).unwrap();
+        let answer = scratch.dolmen("check s.toml --json");
+        let value: serde_json::Value = serde_json::from_str(&answer.stdout).unwrap();
+        value["state"]["check"]["stack"]["frequencies"]["sway_x_hz"]
+            .as_f64()
+            .unwrap()
+    };
+    let [held, free, one_way] = [&tight, &open, &support("", "0")].map(|supports| hz(supports));
+    assert!(
+        held > 1.1 * free && (free - one_way).abs() < 1e-9,
+        "{held} {free} {one_way}"
+    );
+    assert!(
+        said.contains("the natural frequencies count as springs, with the stiffness of the file: 2."),
+        "{said}"
+    );
+    assert!(
+        loose.contains("Side supports with a gap, which the natural frequencies leave out: 2."),
+        "{loose}"
+    );
+    assert!(alone.contains("push in one half of each swing alone"), "{alone}");
+    let [said, loose, alone] = [&tight, &open, &support("", "0")].map(|supports| run(supports, "identify"));
+    let factor = |said: &str| -> f64 {
+        let (_, after) = said.split_once("all springs of the file times ").unwrap();
+        after.split_once(' ').unwrap().0.parse().unwrap()
+    };
+    assert!(
+        factor(&said) < 0.9 * factor(&loose),
+        "{} {}",
+        factor(&said),
+        factor(&loose)
+    );
+    assert!(
+        loose.contains("where the gap has closed, measured frequencies are higher"),
+        "{loose}"
+    );
+    assert!(
+        alone.contains("No factors on the springs of the joints are sought: side support 1 of 'body'"),
+        "{alone}"
+    );
+    assert!(!alone.contains("times its stiffness"), "{alone}");
+}

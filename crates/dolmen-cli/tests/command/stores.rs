@@ -166,7 +166,7 @@ fn holds_adding_again_adds_nothing_and_a_changed_project_is_another_state() {
     // other settings: another state and another analysis, the old ones stay
     let file = scratch.path().join("p/project.toml");
     let old = fs::read_to_string(&file).unwrap();
-    fs::write(&file, format!("{old}\n[survey.2030-01-01]\ntemperature_c = 3\n")).unwrap();
+    fs::write(&file, format!("{old}\n[survey.2026-10-01]\ntemperature_c = 3\n")).unwrap();
     let changed = json(&scratch, &format!("survey add p {FILE} --who lee"));
     assert_eq!(
         (changed["is_new_state"].as_bool(), changed["new_surveys"].as_u64()),

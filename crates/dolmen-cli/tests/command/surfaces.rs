@@ -135,14 +135,23 @@ fn holds_a_tilt_beyond_its_limit_is_red_everywhere_and_one_left_out_is_in_the_he
     let offset = post
         .replace("height = 0.2 }", "height = 0.2, offset = [\"10 mm\", 0] }")
         .replace("1/50", "1/10");
+    // a limit as wide as this is asked about
+    let offset = format!("allow = [\"watch.tilt_limit\"]\n{offset}");
     let (status, words) = said("offset", &offset, CHECK);
     assert!(
         status == 0 && words.contains("not in it: tilt y 1/40 of survey 2025-06-01"),
         "{words}"
     );
     let gate = format!("{GATE}[survey.2025-06-01]\ntilt = {{ x = \"1/40\" }}\n");
+    let (_, words) = said("gate", &gate, CHECK);
+    assert!(
+        words.contains("leaning as surveyed (2025-06-01: x 1/40)"),
+        "{words}"
+    );
+    let gate = gate.replace("2025-06-01", "first");
     assert!(said("gate", &gate, CHECK).1.contains("not in it: tilt x 1/40"));
-    let repaired = post.replace("1/50", "1/5").replace(
+    let repaired = format!("allow = [\"watch.tilt_limit\"]\n{post}");
+    let repaired = repaired.replace("1/50", "1/5").replace(
         "[survey.2025-06-01]",
         "[survey.2023-06-01]\ntilt = { x = \"1/30\" }\n[survey.2025-06-01]",
     );

@@ -271,13 +271,23 @@ fn holds_a_tilt_beyond_its_drift_and_friction_of_no_weight_are_said() {
          [direction.x]\nstiffness = [2.0]\n[limits]\nstorey_drift = \"1/30\"\n\
          [survey.2024-01-01]\ntilt = {{ x = \"1/12\", y = \"1/20\" }}\n"
     );
-    let words = with("tilt-beyond-drift", &tilted)
-        .briefly("check project.toml --full")
-        .words();
+    let answer = with("tilt-beyond-drift", &tilted).briefly("check project.toml --full");
+    assert_eq!(answer.status, 1, "{}", answer.stdout);
+    let words = answer.words();
+    assert!(words.contains("Own weight: unstable"), "{words}");
     assert!(
         words.contains("is already beyond the storey drift of 1/30"),
         "{words}"
     );
+    assert!(
+        words.contains("a storey leans by as much as counts as fallen"),
+        "{words}"
+    );
+    // what is in no model is said as before
+    let undated = tilted.replace("2024-01-01", "first");
+    let words = with("tilt-undated", &undated)
+        .briefly("check project.toml --full")
+        .words();
     assert!(
         words.contains("at which its free-standing columns alone fall"),
         "{words}"

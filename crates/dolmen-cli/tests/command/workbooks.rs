@@ -78,11 +78,11 @@ fn holds_every_number_of_the_page_stands_in_the_workbook_and_the_same_twice() {
 #[test]
 fn holds_a_format_that_is_not_written_is_refused_before_any_work() {
     let scratch = Scratch::with_examples("workbook_formats");
-    for name in ["report.odt", "report.hwpx"] {
+    for name in ["report.odt", "report.hwp"] {
         let answer = scratch.dolmen(&format!("report examples/naju_flagpole -o page.html -o {name}"));
         assert_eq!(answer.status, 2);
         assert!(
-            [".html", ".docx", ".xlsx"]
+            [".html", ".docx", ".hwpx", ".xlsx"]
                 .iter()
                 .all(|known| answer.stderr.contains(known)),
             "{}",

@@ -169,10 +169,10 @@ fn refuses_to_write_what_no_survey_or_several_determine() {
         assert_eq!(fs::read_to_string(&file).unwrap(), text);
     };
     let again = POLE.to_owned()
-        + "[survey.2027-04-02]\nfrequencies = { x = [{ value = 2.1, sd = 0.01, source = \"measured\" }] }\n";
+        + "[survey.2026-10-02]\nfrequencies = { x = [{ value = 2.1, sd = 0.01, source = \"measured\" }] }\n";
     refused(
         &again,
-        "several surveys determine the stiffness (2026-04-02, 2027-04-02); name one with --survey",
+        "several surveys determine the stiffness (2026-04-02, 2026-10-02); name one with --survey",
     );
     refused(
         include_str!("../../../../examples/naju_flagpole/project.toml"),
@@ -196,13 +196,13 @@ fn refuses_to_write_what_no_survey_or_several_determine() {
     fs::write(&file, again).unwrap();
     assert_eq!(
         scratch
-            .dolmen("identify project.toml --survey 2027-04-02 --write")
+            .dolmen("identify project.toml --survey 2026-10-02 --write")
             .status,
         0
     );
     assert!(
         fs::read_to_string(&file)
             .unwrap()
-            .contains("survey = \"2027-04-02\", note")
+            .contains("survey = \"2026-10-02\", note")
     );
 }

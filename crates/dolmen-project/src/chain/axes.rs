@@ -118,7 +118,7 @@ impl ChainPart {
         let strength = joint.and_then(|joint| joint.strength.as_ref());
         Some(BedEdge {
             width_m,
-            depth_m: depth.map_or(width_m, &mut *pick),
+            depth_m: depth.map(&mut *pick),
             strength_pa: strength.map(&mut *pick),
         })
     }
@@ -209,7 +209,7 @@ impl LinkPart {
         };
         let side = sides.into_iter().flatten().next();
         let of_bed = bed.map(|bed| match axis {
-            ChainAxis::Along => bed.depth_m,
+            ChainAxis::Along => bed.depth_or_width_m(),
             ChainAxis::Across => bed.width_m,
         });
         side.map(pick).or(of_bed)

@@ -26,7 +26,7 @@ pub(super) fn beds_bear(reader: &mut Reader, part: &ChainPart) {
             }
             continue;
         };
-        let pressure_pa = normal_n / (bed.width_m * bed.depth_m);
+        let pressure_pa = normal_n / (bed.width_m * bed.depth_or_width_m());
         if bed
             .strength_pa
             .is_some_and(|strength_pa| pressure_pa >= strength_pa)

@@ -66,10 +66,22 @@ pub(crate) struct DirectionRaw {
     /// Lateral stiffness of each storey, lowest first, or "unknown".
     #[schemars(required)]
     pub(super) stiffness: Option<At<OrUnknown<QuantityRaw>>>,
+    /// The component of motions along it, "x" or "y"; that of its name without it.
+    pub(super) along: Option<At<AlongRaw>>,
     /// Viscous damping, as a ratio, in every mode: for `dolmen simulate`.
     pub(super) damping_ratio: Option<At<QuantityRaw>>,
     /// Dry friction of the storeys: for `dolmen simulate`.
     pub(super) friction: Option<At<FrictionRaw>>,
+}
+
+/// A component of a motion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub(crate) enum AlongRaw {
+    /// x.
+    X,
+    /// y.
+    Y,
 }
 
 /// Dry friction in a direction of a frame: a coefficient of the axial force, or a slip force for each storey.

@@ -4,14 +4,16 @@ mod columns;
 mod doubts;
 mod file;
 mod friction;
+mod lean;
 mod part;
 mod read;
 mod slips;
 
 pub(crate) use doubts::doubt_frame;
 pub(crate) use file::{AxialRaw, ConventionRaw, DirectionRaw, StoreyRaw};
+pub(crate) use lean::lean_frame;
 pub use part::{
-    Axial, ColumnsPart, DirectionPart, FootPart, FramePart, FrictionPart, SlipForces, StoreyPart,
+    Axial, ColumnsPart, DirectionPart, FootPart, FrameLean, FramePart, FrictionPart, SlipForces, StoreyPart,
 };
 pub(crate) use read::frame;
 pub(crate) use slips::judge_frame;

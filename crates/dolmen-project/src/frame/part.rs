@@ -5,6 +5,7 @@ use crate::quantity::{Pick, Quantity};
 use dolmen::dynamics::{
     DynamicsError, FrictionActsOn, FrictionFrame, StoreyFriction, ViscousDamping, slip_forces_n,
 };
+use dolmen::signal::Component;
 use dolmen::stability::{FootSection, FreeColumns, StabilityError};
 use dolmen::structure::{Convention, Frame, Storey, StructureError};
 
@@ -121,6 +122,8 @@ impl ColumnsPart {
 pub struct DirectionPart {
     /// "weak", "strong", "x".
     pub name: String,
+    /// The component of a motion, and of a tilt, along it; `None` if that is not known.
+    pub along: Option<Component>,
     /// Lateral stiffness of each storey, N/m, lowest first; `None` if unknown.
     pub stiffness: Option<Vec<Quantity>>,
     /// Viscous damping ratio of every mode, if given.
@@ -166,11 +169,40 @@ pub struct FramePart {
     /// Directions in the order of the file; those that only a survey names follow, with unknown stiffness.
     /// At least one.
     pub directions: Vec<DirectionPart>,
+    /// How a survey found it to lean, from which checks and runs start; `None` where none with a date did, or the file leaves it out.
+    pub lean: Option<FrameLean>,
+    /// Whether the file leaves every surveyed tilt out.
+    pub takes_no_tilt: bool,
     /// Acceleration of gravity, m/s².
     pub gravity_m_s2: f64,
 }
 
+/// The measured tilt that a frame takes over.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FrameLean {
+    /// The survey.
+    pub survey: String,
+    /// As written, by direction: "x 1/177, y 1/540".
+    pub written: String,
+    /// Horizontal over vertical in each direction of the frame; that of all together in each where a tilt has a direction that the frame has not.
+    pub tilts: Vec<f64>,
+    /// Of all directions together.
+    pub together: f64,
+}
+
 impl FramePart {
+    /// How it leans in a direction, horizontal over vertical; 0 where it takes no tilt over.
+    pub fn tilt(&self, direction: &str) -> f64 {
+        let place = self.directions.iter().position(|own| own.name == direction);
+        let tilt = place.and_then(|place| self.lean.as_ref()?.tilts.get(place).copied());
+        tilt.unwrap_or(0.0)
+    }
+
+    /// The direction along a component of a motion; `None` if that is not known.
+    pub fn along(&self, component: Component) -> Option<&DirectionPart> {
+        self.directions.iter().find(|own| own.along == Some(component))
+    }
+
     /// The frame, the same in each direction, each input with the value that `pick` chooses.
     ///
     /// # Errors

@@ -1,7 +1,7 @@
 //! Frames from what is written.
 
 use super::columns::{agree, columns};
-use super::file::{AxialRaw, ConventionRaw, DirectionRaw, StoreyRaw};
+use super::file::{AlongRaw, AxialRaw, ConventionRaw, DirectionRaw, StoreyRaw};
 use super::friction::friction;
 use super::part::{Axial, DirectionPart, FramePart, StoreyPart};
 use crate::content::WarningKind;
@@ -14,6 +14,7 @@ use crate::ratio::damping_ratio;
 use crate::reader::Reader;
 use crate::warned::Warned;
 use crate::wrong::WrongFrame;
+use dolmen::signal::Component;
 use dolmen::structure::Convention;
 use std::collections::BTreeMap;
 
@@ -87,6 +88,8 @@ pub(crate) fn frame(
         axial: axial?,
         convention,
         directions: directions?,
+        lean: None,
+        takes_no_tilt: false,
         gravity_m_s2,
     };
     if let Some(first) = frame.storeys.iter().position(|storey| storey.columns.is_some()) {
@@ -147,6 +150,45 @@ fn axial(reader: &mut Reader, raw: &FileRaw, storeys: &At<Vec<At<StoreyRaw>>>) -
     }
 }
 
+/// The component that a name is of.
+fn of_name(name: &str) -> Option<Component> {
+    match name {
+        "x" => Some(Component::X),
+        "y" => Some(Component::Y),
+        _ => None,
+    }
+}
+
+/// The component along a direction: as given, or that of its name; no two directions have the same.
+fn along(
+    reader: &mut Reader,
+    name: &str,
+    given: Option<&At<AlongRaw>>,
+    others: &[DirectionPart],
+) -> Option<Component> {
+    let own = match given.map(|given| given.value) {
+        Some(AlongRaw::X) => Some(Component::X),
+        Some(AlongRaw::Y) => Some(Component::Y),
+        None => of_name(name),
+    };
+    let other = others.iter().find(|other| own.is_some() && other.along == own);
+    if let (Some(own), Some(other)) = (own, other) {
+        let path = format!("direction.{name}.along");
+        let message = WrongFrame::BothAlong {
+            name: name.to_owned(),
+            other: other.name.clone(),
+            component: own.name().to_owned(),
+        };
+        let span = given.map_or_else(
+            || reader.place(&format!("direction.{name}.stiffness")),
+            |of| of.span.clone(),
+        );
+        let fault = Fault::new(span, &path, message);
+        reader.fault(fault.help(WrongFrame::OneAlongEach));
+    }
+    own
+}
+
 fn directions(
     reader: &mut Reader,
     raw: Option<&BTreeMap<String, At<DirectionRaw>>>,
@@ -181,6 +223,7 @@ fn directions(
         };
         let path = format!("direction.{name}");
         let before = reader.faults.len();
+        let along = along(reader, name, direction.value.along.as_ref(), &all);
         let damping_ratio = damping_ratio(
             reader,
             direction.value.damping_ratio.as_ref(),
@@ -197,6 +240,7 @@ fn directions(
         sound &= reader.faults.len() == before;
         all.push(DirectionPart {
             name: name.clone(),
+            along,
             stiffness,
             damping_ratio,
             friction,
@@ -206,6 +250,7 @@ fn directions(
         if !all.iter().any(|direction| &direction.name == name) {
             all.push(DirectionPart {
                 name: name.clone(),
+                along: of_name(name).filter(|own| all.iter().all(|other| other.along != Some(*own))),
                 stiffness: None,
                 damping_ratio: None,
                 friction: None,
@@ -215,6 +260,7 @@ fn directions(
     if all.is_empty() {
         all.push(DirectionPart {
             name: "x".to_owned(),
+            along: Some(Component::X),
             stiffness: None,
             damping_ratio: None,
             friction: None,

@@ -226,6 +226,10 @@ pub(crate) struct MotionRaw {
     /// The record that it is part of: motions of one record count as one motion where a study fits a curve. Motions that share a file are of
     /// one record anyway.
     pub(super) record: Option<At<String>>,
+    /// Magnitude of its earthquake, 0 to 10: a study tells whether capacities depend on it besides.
+    pub(super) magnitude: Option<At<f64>>,
+    /// Its distance from the place, km: a study tells whether capacities depend on it besides.
+    pub(super) distance_km: Option<At<f64>>,
     /// Where it comes from.
     pub(super) source: Option<String>,
 }

@@ -12,3 +12,4 @@ pub(crate) use motion::motions;
 pub use part::{HazardPart, HazardSource, MotionPart, MotionSize, MotionSource, Place, SitePart};
 pub(crate) use place::place;
 pub(crate) use read::site;
+pub(crate) use slips::judge_korean_place;

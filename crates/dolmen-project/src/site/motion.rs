@@ -15,6 +15,10 @@ use std::collections::BTreeMap;
 /// Shortest and longest time that a motion may name, s.
 const TIME_S: [f64; 2] = [1e-6, 1e5];
 
+/// Least and largest magnitude and distance, km, of an earthquake that a motion may name.
+const MAGNITUDE: [f64; 2] = [0.0, 10.0];
+const DISTANCE_KM: [f64; 2] = [0.1, 2e4];
+
 /// The motions in the order of the file.
 pub(crate) fn motions(reader: &mut Reader, raw: Option<&BTreeMap<String, At<MotionRaw>>>) -> Vec<MotionPart> {
     let mut listed: Vec<_> = raw.into_iter().flatten().collect();
@@ -57,6 +61,18 @@ fn motion(reader: &mut Reader, name: &str, raw: &At<MotionRaw>) -> Option<Motion
         Bound::Any,
     );
     let size = size(reader, given, &path);
+    let magnitude = reader.within(
+        given.magnitude.as_ref(),
+        &format!("{path}.magnitude"),
+        MAGNITUDE[0],
+        MAGNITUDE[1],
+    );
+    let distance_km = reader.within(
+        given.distance_km.as_ref(),
+        &format!("{path}.distance_km"),
+        DISTANCE_KM[0],
+        DISTANCE_KM[1],
+    );
     (reader.faults.len() == before).then_some(())?;
     Some(MotionPart {
         name: name.to_owned(),
@@ -79,6 +95,8 @@ fn motion(reader: &mut Reader, name: &str, raw: &At<MotionRaw>) -> Option<Motion
         turn_rad,
         size,
         record: given.record.as_ref().map(|record| record.value.clone()),
+        magnitude,
+        distance_km,
         source: given.source.clone(),
     })
 }

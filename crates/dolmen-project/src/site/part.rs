@@ -103,6 +103,10 @@ pub struct MotionPart {
     pub size: Option<MotionSize>,
     /// The record that it is part of, where the file says it.
     pub record: Option<String>,
+    /// Magnitude of its earthquake, where the file says it.
+    pub magnitude: Option<f64>,
+    /// Distance of its earthquake, km, where the file says it.
+    pub distance_km: Option<f64>,
     /// Where it comes from, in words.
     pub source: Option<String>,
 }

@@ -1,14 +1,15 @@
 //! The place on the earth from what is written.
 
-use super::file::SiteRaw;
+use super::file::{CodeRaw, SiteRaw};
 use super::part::Place;
+use super::slips::judge_korean_place;
 use crate::error::Fault;
 use crate::file_number::At;
 use crate::reader::Reader;
 use crate::wrong::WrongSite;
 
 /// The place, if the site has one: both of its numbers or none.
-pub(crate) fn place(reader: &mut Reader, raw: Option<&At<SiteRaw>>) -> Option<Place> {
+pub(crate) fn place(reader: &mut Reader, raw: Option<&At<SiteRaw>>, has_korean_name: bool) -> Option<Place> {
     let raw = &raw?.value;
     let (latitude, longitude) = (raw.latitude_deg.as_ref(), raw.longitude_deg.as_ref());
     if let (Some(one), None) | (None, Some(one)) = (latitude, longitude) {
@@ -30,6 +31,12 @@ pub(crate) fn place(reader: &mut Reader, raw: Option<&At<SiteRaw>>) -> Option<Pl
     }
     let latitude_deg = reader.within(latitude, "site.latitude_deg", -90.0, 90.0)?;
     let longitude_deg = reader.within(longitude, "site.longitude_deg", -180.0, 180.0)?;
+    let code = raw.code.as_ref().map(|code| code.value);
+    let is_by_code = matches!(code, Some(CodeRaw::Kds17 | CodeRaw::Kds41));
+    if is_by_code || has_korean_name {
+        let paths = ["site.latitude_deg", "site.longitude_deg"];
+        judge_korean_place(reader, paths, [latitude_deg, longitude_deg], is_by_code);
+    }
     Some(Place {
         latitude_deg,
         longitude_deg,

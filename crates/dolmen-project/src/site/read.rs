@@ -87,6 +87,11 @@ pub(crate) fn site(reader: &mut Reader, raw: Option<&At<SiteRaw>>) -> Option<Sit
         return None;
     };
     let code = code.value;
+    for key in ["periods_s", "file"] {
+        if let Some(span) = span_of(&raw.value, key) {
+            reader.mark(&format!("site.{key}"), &span);
+        }
+    }
     for (key, codes) in KEYS_OF_CODE {
         if let (Some(span), false) = (span_of(&raw.value, key), codes.contains(&code)) {
             let path = format!("site.{key}");

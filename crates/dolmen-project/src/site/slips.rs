@@ -3,6 +3,7 @@
 use super::part::SitePart;
 use crate::reader::Reader;
 use crate::units::STANDARD_GRAVITY_M_S2;
+use crate::usual::within;
 use crate::usual_numbers::ratio;
 use crate::wrong::WrongSite;
 use dolmen::assess::demand::Site;
@@ -13,6 +14,69 @@ const GROUND_G: (f64, f64) = (0.02, 1.0);
 const IMPORTANCE: (f64, f64) = (0.5, 2.0);
 /// Largest acceleration of a design spectrum, g: rare in a quiet country to maximum beside a fault.
 const PLATEAU_G: (f64, f64) = (0.05, 5.0);
+
+/// Longest period of a design spectrum, s: codes and hazard models go to 10, seldom to 20.
+const PERIOD_MOST_S: f64 = 100.0;
+/// Where a design spectrum is largest, s: codes have 0.05 to 1.5, soft basins up to 4.
+const LARGEST_FROM_S: f64 = 5.0;
+/// A period from which a spectrum lies below its start, the peak of the ground, s.
+const LONG_S: f64 = 5.0;
+
+/// Periods in ms, and frequencies in place of periods: both would give a stiff structure next to no shaking.
+fn judge_periods(reader: &mut Reader, points: &[[f64; 2]]) {
+    let (Some([_, first]), Some([longest, last])) = (points.first(), points.last()) else {
+        return;
+    };
+    let largest = points.iter().map(|[_, a]| *a).fold(0.0, f64::max);
+    let begins = points
+        .iter()
+        .find(|[_, a]| *a >= largest)
+        .map_or(0.0, |[t, _]| *t);
+    let begins_late = begins > LARGEST_FROM_S && largest > *first;
+    let (message, help) = if *longest > PERIOD_MOST_S || begins_late {
+        let message = WrongSite::PeriodsUnlikely {
+            longest: ratio(*longest),
+            largest: ratio(begins),
+        };
+        (message, WrongSite::PeriodsInSeconds)
+    } else if *longest >= LONG_S && last > first {
+        let message = WrongSite::SpectrumRises {
+            longest: ratio(*longest),
+            last_g: ratio(last / STANDARD_GRAVITY_M_S2),
+            first_g: ratio(first / STANDARD_GRAVITY_M_S2),
+        };
+        (message, WrongSite::FrequenciesForPeriods)
+    } else {
+        return;
+    };
+    let path = match reader.place("site.periods_s").is_empty() {
+        true => "site.file",
+        false => "site.periods_s",
+    };
+    reader.slip(path, message, help);
+}
+
+/// Latitude and longitude of Korea, degrees, islands and the north included.
+const KOREA_DEG: [(f64, f64); 2] = [(33.0, 43.1), (124.0, 132.0)];
+
+/// A place of a structure of Korea that lies elsewhere: two numbers exchanged, or a digit too few. `is_by_code`: the code of the site is Korean; a
+/// Korean name alone may be that of a structure abroad.
+pub(crate) fn judge_korean_place(reader: &mut Reader, paths: [&str; 2], degrees: [f64; 2], is_by_code: bool) {
+    let [latitude, longitude] = [0, 1].map(|of| within(degrees[of], KOREA_DEG[of]));
+    let tenth = [0, 1].map(|of| within(10.0 * degrees[of], KOREA_DEG[of]));
+    let exchanged = within(degrees[0], KOREA_DEG[1]) || within(10.0 * degrees[0], KOREA_DEG[1]);
+    let looks_slipped = (latitude && tenth[1]) || (tenth[0] && longitude) || exchanged;
+    if (latitude && longitude) || !(is_by_code || looks_slipped) {
+        return;
+    }
+    let at = usize::from(latitude);
+    let message = WrongSite::NotInKorea {
+        path: paths[at].to_owned(),
+        latitude: ratio(degrees[0]),
+        longitude: ratio(degrees[1]),
+    };
+    reader.slip(paths[at], message, WrongSite::PlaceOfKorea);
+}
 
 pub(super) fn judge_site(reader: &mut Reader, part: &SitePart) {
     let outside = |value: f64, (least, most): (f64, f64)| !(least..=most).contains(&value);
@@ -43,6 +107,7 @@ pub(super) fn judge_site(reader: &mut Reader, part: &SitePart) {
                 };
                 reader.slip("site.unit", message, WrongSite::UnitOfSpectrum);
             }
+            judge_periods(reader, points);
         }
         Site::Kds17 { .. } | Site::Kds41 { .. } => {} // the zone and the return period bound it
     }

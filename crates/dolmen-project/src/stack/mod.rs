@@ -14,6 +14,7 @@ mod part;
 mod read;
 mod shape;
 mod slips;
+mod slips_beside;
 mod slips_held;
 mod surveyed_lean;
 mod vectors;

@@ -1,6 +1,7 @@
 //! Probable slips in a stack.
 
 use super::part::{BedPart, BlockPart, MadePart, PagodaPart, PagodaSlendernessPart, ShapePart, StackPart};
+use super::slips_beside::judge_beside;
 use super::slips_held::judge_held;
 use crate::quantity::Quantity;
 use crate::reader::Reader;
@@ -55,6 +56,7 @@ pub(crate) fn judge_stack(reader: &mut Reader, stack: &StackPart) {
     judge_sizes(reader, stack);
     judge_extents(reader, stack);
     judge_order(reader, stack);
+    judge_beside(reader, stack);
     judge_tilts(reader, stack);
     judge_held(reader, stack);
     if let Some(made) = &stack.made {

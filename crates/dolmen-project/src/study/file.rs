@@ -38,6 +38,8 @@ pub(crate) struct StudyRaw {
     pub(super) scale: Option<At<SeriesRaw>>,
     /// Largest horizontal peaks that the motions are scaled to, with their unit, a list or { from, to, steps }; or scale.
     pub(super) peak: Option<At<SeriesRaw>>,
+    /// A motion that acts before each run, and after which the structure comes to rest: runs tell what is left of its capacity.
+    pub(super) after: Option<At<AfterRaw>>,
     /// How often the bracket of the first fall is halved; 3 if not given.
     pub(super) refine: Option<At<i64>>,
     /// kind = "stack": contact law; "springs" if not given.
@@ -60,6 +62,20 @@ pub(crate) struct StudyRaw {
     pub(super) harmonic: Option<At<HarmonicRaw>>,
     /// kind = "frame": displacement of the top from which the frame is let go, for apparent frequency and damping.
     pub(super) release: Option<At<NumberRaw>>,
+}
+
+/// A motion that acts before each run.
+#[derive(Debug, serde::Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct AfterRaw {
+    /// A motion of the file, or carried by Dolmen, by name.
+    #[schemars(required)]
+    pub(super) motion: Option<At<String>>,
+    /// Factors on it, a list or { from, to, steps }, each varied with every other input, 0 for the structure that was not shaken before; or peak. Without
+    /// either the motion is as the file has it.
+    pub(super) scale: Option<At<SeriesRaw>>,
+    /// Largest horizontal peaks that it is scaled to, with their unit, a list or { from, to, steps }; or scale.
+    pub(super) peak: Option<At<SeriesRaw>>,
 }
 
 /// Where damage states of a stack begin.

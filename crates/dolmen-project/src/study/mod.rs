@@ -1,5 +1,6 @@
 //! Studies: what is varied, and what is expected.
 
+mod after;
 mod file;
 mod part;
 mod read;
@@ -7,6 +8,7 @@ mod values;
 
 pub(crate) use file::StudyRaw;
 pub use part::{
-    ArtificialPart, Axis, DRIFT_LIMITS, ExpectedTrend, HarmonicPart, LawPart, Override, Scan, StudyPart,
+    AfterPart, ArtificialPart, Axis, DRIFT_LIMITS, ExpectedTrend, HarmonicPart, LawPart, Override, Scan,
+    StudyPart,
 };
 pub(crate) use read::studies;

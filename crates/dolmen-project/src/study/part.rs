@@ -1,6 +1,7 @@
 //! A study of a project file: `[study.NAME]`.
 
 use crate::names::Names;
+use crate::site::MotionSize;
 use dolmen::assess::{DamageThresholds, Direction};
 use std::ops::Range;
 
@@ -39,6 +40,17 @@ impl Scan {
             Scan::Scales(values) | Scan::Peaks(values) => values.len(),
         }
     }
+}
+
+/// A motion that acts before each run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AfterPart {
+    /// Its name: of the file, or carried by the program.
+    pub motion: String,
+    /// Its sizes, rising, 0 for the structure that was not shaken before; `None`: as the file has it.
+    pub sizes: Option<Scan>,
+    /// Which of the varied inputs its size is, where there is more than one.
+    pub axis: Option<usize>,
 }
 
 /// Motions made for a study: seeded noise of firm ground.
@@ -118,6 +130,8 @@ pub struct StudyPart {
     pub direction: Option<String>,
     /// How the shaking grows; `None` only for a frame or chain that is mapped or released.
     pub scan: Option<Scan>,
+    /// What acts before each run.
+    pub after: Option<AfterPart>,
     /// How often the bracket of the first fall is halved.
     pub refine: u32,
     /// Contact law of a stack.
@@ -160,5 +174,31 @@ impl StudyPart {
         values.reverse();
         let variant = self.variants.get(rest).map(String::as_str);
         (variant, values)
+    }
+
+    /// Which value of an axis a combination has.
+    fn value_of(&self, axis: usize, combination: usize) -> usize {
+        let faster = self.vary.iter().skip(axis + 1);
+        let faster: usize = faster.map(|axis| axis.values.len()).product();
+        combination / faster.max(1) % self.vary.get(axis).map_or(1, |axis| axis.values.len())
+    }
+
+    /// The size of the motion that acts before the runs of a combination; `None`: as the file has it, or there is none.
+    pub fn size_before(&self, combination: usize) -> Option<MotionSize> {
+        let after = self.after.as_ref()?;
+        let at = after.axis.map_or(0, |axis| self.value_of(axis, combination));
+        match after.sizes.as_ref()? {
+            Scan::Scales(values) => values.get(at).copied().map(MotionSize::Scale),
+            Scan::Peaks(values) => values.get(at).copied().map(MotionSize::Peak),
+        }
+    }
+
+    /// The values of a combination that are laid over the file: all but the size of the motion that acts before.
+    pub fn laid_over(&self, combination: usize) -> Vec<&Override> {
+        let (_, values) = self.combination(combination);
+        let before = self.after.as_ref().and_then(|after| after.axis);
+        let each = values.into_iter().enumerate();
+        let each = each.filter(|(axis, _)| Some(*axis) != before);
+        self.set.iter().chain(each.map(|(_, value)| value)).collect()
     }
 }

@@ -1,10 +1,11 @@
 //! Studies from what is written. Values of inputs are kept as text: each run lays them over the file and reads it again.
 
+use super::after::after_motion;
 use super::file::{DamageRaw, ExpectedRaw, LawRaw, SeriesRaw, StudyRaw, TrendRaw};
 use super::part::{
-    ArtificialPart, Axis, DRIFT_LIMITS, ExpectedTrend, HarmonicPart, LawPart, Override, Scan, StudyPart,
+    ArtificialPart, Axis, DRIFT_LIMITS, ExpectedTrend, HarmonicPart, LawPart, Override, StudyPart,
 };
-use super::values::{axis, leaves, series};
+use super::values::{axis, leaves, scan, series};
 use crate::error::Fault;
 use crate::file_number::{At, NumberRaw};
 use crate::measure::{Bound, Measure};
@@ -12,7 +13,6 @@ use crate::names::names;
 use crate::reader::Reader;
 use crate::wrong::{Common, WrongStudy};
 use dolmen::assess::{DamageThresholds, Direction};
-use dolmen::known::STANDARD_GRAVITY_M_S2;
 use dolmen_words::message::Both;
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -23,8 +23,6 @@ const MADE_MOST: usize = 1000;
 const HALVINGS_MOST: usize = 20;
 /// Halvings of the bracket of the first fall if nothing else is said. Chosen here: an eighth of a step of the scan.
 const HALVINGS: u32 = 3;
-/// Largest peak of the ground that is scanned, m/s²: four times the largest recorded. Chosen here.
-const PEAK_MOST_M_S2: f64 = 10.0 * STANDARD_GRAVITY_M_S2;
 /// Least ratio at which a damage state may begin: below it every stack is damaged. Chosen here.
 const RATIO_LEAST: f64 = 1e-4;
 /// Largest drift over the height of the storey that may be a limit: beyond, nothing is linear. Chosen here.
@@ -64,7 +62,7 @@ fn study(reader: &mut Reader, text: &str, name: &str, raw: &At<StudyRaw>) -> Opt
     let set = leaves(reader, given.set.as_ref(), &below("set"));
     let vary = leaves(reader, given.vary.as_ref(), &below("vary"));
     let set: Vec<Override> = set.iter().map(|leaf| leaf.value(text)).collect();
-    let vary: Vec<Axis> = vary
+    let mut vary: Vec<Axis> = vary
         .iter()
         .filter_map(|leaf| axis(reader, text, &below("vary"), leaf))
         .collect();
@@ -137,11 +135,15 @@ fn study(reader: &mut Reader, text: &str, name: &str, raw: &At<StudyRaw>) -> Opt
     if turns_rad.is_empty() {
         turns_rad.push(0.0);
     }
-    let scan = scan(reader, given, &path);
+    let sizes = (given.scale.as_ref(), given.peak.as_ref());
+    let scan = scan(reader, sizes, Bound::Positive, &path);
+    let after = given.after.as_ref();
+    let after = after.and_then(|raw| after_motion(reader, (raw, text), &mut vary, &path));
     let harmonic = given.harmonic.as_ref().and_then(|raw| {
         let path = below("harmonic");
         let mut of = |series: &Option<At<SeriesRaw>>, key: &str, measure| {
-            self::series(reader, series.as_ref(), &format!("{path}.{key}"), measure)
+            let path = format!("{path}.{key}");
+            self::series(reader, series.as_ref(), &path, (measure, Bound::Positive))
         };
         let frequencies_hz = of(&raw.value.frequency, "frequency", Measure::Frequency);
         let accelerations_m_s2 = of(
@@ -194,6 +196,7 @@ fn study(reader: &mut Reader, text: &str, name: &str, raw: &At<StudyRaw>) -> Opt
         turns_rad,
         direction: given.direction.as_ref().map(|name| name.value.clone()),
         scan,
+        after,
         refine: refine.and_then(|n| u32::try_from(n).ok()).unwrap_or(HALVINGS),
         law: match given.law.as_ref().map(|law| law.value) {
             Some(LawRaw::Rigid) => LawPart::Rigid,
@@ -329,45 +332,6 @@ fn once<'v>(reader: &mut Reader, list: Both, items: impl Iterator<Item = (&'v st
         }
         seen.push(item);
     }
-}
-
-fn scan(reader: &mut Reader, given: &StudyRaw, path: &str) -> Option<Scan> {
-    if let (Some(_), Some(peak)) = (&given.scale, &given.peak) {
-        let fault = Fault::new(
-            peak.span.clone(),
-            path,
-            Common::HasBothScaleAnd {
-                path: path.to_string(),
-            },
-        );
-        reader.fault(fault.help(Common::KeepOneOfThem));
-        return None;
-    }
-    let scales = series(
-        reader,
-        given.scale.as_ref(),
-        &format!("{path}.scale"),
-        Measure::Ratio,
-    );
-    let peaks = series(
-        reader,
-        given.peak.as_ref(),
-        &format!("{path}.peak"),
-        Measure::GroundAcceleration,
-    );
-    if let (Some(most), Some(raw)) = (peaks.as_ref().and_then(|peaks| peaks.last()), &given.peak)
-        && *most > PEAK_MOST_M_S2
-    {
-        let path = format!("{path}.peak");
-        let message = WrongStudy::GoesUpToG {
-            path: path.to_string(),
-            peak_g: format!("{:.4}", most / STANDARD_GRAVITY_M_S2),
-        };
-        let fault = Fault::new(raw.span.clone(), &path, message).allowed(WrongStudy::MustBeGOr);
-        reader.fault(fault.help(WrongStudy::NoGroundMovesLike));
-        return None;
-    }
-    scales.map(Scan::Scales).or(peaks.map(Scan::Peaks))
 }
 
 fn seed(reader: &mut Reader, raw: Option<&At<i64>>, path: &str) -> u64 {

@@ -1,7 +1,7 @@
 //! Values of a study from what is written: lists and ranges of inputs, kept as text, and of numbers in SI.
 
 use super::file::{RangeRaw, SeriesRaw, SpacingRaw, TreeRaw};
-use super::part::{Axis, Override};
+use super::part::{Axis, Override, Scan};
 use crate::error::Fault;
 use crate::file_number::{At, NumberRaw};
 use crate::measure::{Bound, Measure};
@@ -9,13 +9,17 @@ use crate::paths::keys;
 use crate::reader::Reader;
 use crate::units::split_number;
 use crate::written::short;
-use crate::wrong::WrongStudy;
+use crate::wrong::{Common, WrongStudy};
+use dolmen::known::STANDARD_GRAVITY_M_S2;
 use std::collections::BTreeMap;
 use std::ops::Range;
 use toml::de::DeValue;
 
 /// Most values of one list or range.
 pub(super) const VALUES_MOST: usize = 10_000;
+
+/// Largest peak of the ground that is scanned, m/s²: four times the largest recorded. Chosen here.
+const PEAK_MOST_M_S2: f64 = 10.0 * STANDARD_GRAVITY_M_S2;
 
 /// A value, list or range at the end of a path.
 pub(super) struct Leaf<'r> {
@@ -243,7 +247,7 @@ fn spaced(from: f64, to: f64, steps: usize, spacing: SpacingRaw) -> Option<Vec<f
 }
 
 /// The number of 12 digits nearest to it: 0.3 and not 0.30000000000000004, whatever the mathematics library makes of a power.
-fn as_written(value: f64) -> f64 {
+pub(super) fn as_written(value: f64) -> f64 {
     format!("{value:.11e}").parse().unwrap_or(value)
 }
 
@@ -252,12 +256,11 @@ pub(super) fn series(
     reader: &mut Reader,
     raw: Option<&At<SeriesRaw>>,
     path: &str,
-    measure: Measure,
+    (measure, bound): (Measure, Bound),
 ) -> Option<Vec<f64>> {
     let raw = raw?;
     let before = reader.faults.len();
-    let mut of =
-        |number: &At<NumberRaw>, path: &str| reader.plain(Some(number), path, measure, Bound::Positive);
+    let mut of = |number: &At<NumberRaw>, path: &str| reader.plain(Some(number), path, measure, bound);
     let values: Option<Vec<f64>> = match &raw.value {
         SeriesRaw::List(list) => {
             let each = list.iter().enumerate();
@@ -287,6 +290,57 @@ pub(super) fn series(
         return None;
     }
     values
+}
+
+/// Largest peak of a study that is asked about, m/s²: 0.005 g is hardly felt, and gal in place of g are a thousandth.
+const PEAK_USUAL_LEAST_M_S2: f64 = 0.005 * STANDARD_GRAVITY_M_S2;
+
+/// Factors or peaks, whichever are given; `None` if there are none or one is wrong, which has then been reported.
+pub(super) fn scan(
+    reader: &mut Reader,
+    (scale, peak): (Option<&At<SeriesRaw>>, Option<&At<SeriesRaw>>),
+    bound: Bound,
+    path: &str,
+) -> Option<Scan> {
+    if let (Some(_), Some(peak)) = (scale, peak) {
+        let fault = Fault::new(
+            peak.span.clone(),
+            path,
+            Common::HasBothScaleAnd {
+                path: path.to_string(),
+            },
+        );
+        reader.fault(fault.help(Common::KeepOneOfThem));
+        return None;
+    }
+    let scales = series(reader, scale, &format!("{path}.scale"), (Measure::Ratio, bound));
+    let measure = Measure::GroundAcceleration;
+    let peaks = series(reader, peak, &format!("{path}.peak"), (measure, bound));
+    if let (Some(most), Some(raw)) = (peaks.as_ref().and_then(|peaks| peaks.last()), peak)
+        && *most > PEAK_MOST_M_S2
+    {
+        let path = format!("{path}.peak");
+        let message = WrongStudy::GoesUpToG {
+            path: path.to_string(),
+            peak_g: format!("{:.4}", most / STANDARD_GRAVITY_M_S2),
+        };
+        let fault = Fault::new(raw.span.clone(), &path, message).allowed(WrongStudy::MustBeGOr);
+        reader.fault(fault.help(WrongStudy::NoGroundMovesLike));
+        return None;
+    }
+    if let (Some(most), Some(raw)) = (peaks.as_ref().and_then(|peaks| peaks.last()), peak)
+        && *most > 0.0
+        && *most < PEAK_USUAL_LEAST_M_S2
+    {
+        let path = format!("{path}.peak");
+        reader.mark(&path, &raw.span);
+        let message = WrongStudy::GoesUpToOnly {
+            path: path.clone(),
+            peak_g: format!("{:.5}", most / STANDARD_GRAVITY_M_S2),
+        };
+        reader.slip(&path, message, WrongStudy::AreTheseG);
+    }
+    scales.map(Scan::Scales).or(peaks.map(Scan::Peaks))
 }
 
 fn of_range(range: &RangeRaw, (from, to): (f64, f64)) -> Option<Vec<f64>> {

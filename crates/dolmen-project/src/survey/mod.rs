@@ -4,6 +4,7 @@ mod as_surveyed;
 mod doubts;
 mod file;
 mod inspection;
+mod limit_slips;
 mod part;
 mod read;
 mod read_conditioning;

@@ -56,6 +56,7 @@ pub(crate) fn add_inspections(
 
 fn survey(reader: &mut Reader, name: &str, raw: &At<SurveyRaw>) -> Survey {
     let path = format!("survey.{name}");
+    reader.mark(&path, &raw.span);
     let raw = &raw.value;
     let mut modes: BTreeMap<String, Vec<SurveyMode>> = BTreeMap::new();
     for (direction, frequencies) in raw.frequencies.iter().flatten() {

@@ -1,5 +1,6 @@
 //! Reads `[watch.log.NAME]`.
 
+use super::limit_slips::judge_limit;
 use super::watch::{LogKind, LogPart};
 use super::watch_file::{LogKindRaw, LogRaw};
 use crate::error::Fault;
@@ -101,9 +102,14 @@ fn log(reader: &mut Reader, name: &str, given: &At<LogRaw>) -> Option<LogPart> {
         reader.fault(Fault::new(at.span.clone(), &path, wrong).allowed(allowed));
         None
     };
+    let limit = size("limit", raw.limit.as_ref(), Bound::Positive, LIMIT_LEAST);
+    let zero = size("zero", raw.zero.as_ref(), Bound::Any, -most);
+    if let (Some(limit), Some(Measure::Tilt)) = (limit, measure) {
+        judge_limit(reader, &format!("{path}.limit"), limit);
+    }
     Some(LogPart {
-        zero: size("zero", raw.zero.as_ref(), Bound::Any, -most),
-        limit: size("limit", raw.limit.as_ref(), Bound::Positive, LIMIT_LEAST),
+        zero,
+        limit,
         name: name.to_owned(),
         label: raw.label.clone().map(names),
         file: file.value.clone(),

@@ -1,5 +1,6 @@
 //! Reads `[watch]`.
 
+use super::limit_slips::judge_limit;
 use super::read_logs::logs;
 use super::watch::{WatchPart, WorkKind, WorkPart};
 use super::watch_file::{WatchRaw, WorkKindRaw, WorkRaw};
@@ -46,6 +47,8 @@ fn tilt_limit(reader: &mut Reader, given: &At<NumberRaw>) -> Option<f64> {
         NumberRaw::Text(text) => tilt_ratio(text),
     };
     if let Some(ratio) = ratio.filter(|ratio| (TILT.0..=TILT.1).contains(ratio)) {
+        reader.mark(PATH, &given.span);
+        judge_limit(reader, PATH, ratio);
         return Some(ratio);
     }
     let fault = Fault::new(

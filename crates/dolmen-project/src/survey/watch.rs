@@ -118,6 +118,18 @@ pub enum WorkKind {
     Event,
 }
 
+impl WorkKind {
+    /// As project files write it.
+    pub fn word(self) -> &'static str {
+        match self {
+            WorkKind::Repair => "repair",
+            WorkKind::Inspection => "inspection",
+            WorkKind::Sensors => "sensors",
+            WorkKind::Event => "event",
+        }
+    }
+}
+
 /// The year, month and day that a text begins with, what is missing 0: "2019", "2019-04", "2019-04-02", "2019.04.02", "2019. 4. 2.",
 /// "2019/4/2", "20190402", "2019년 4월 2일".
 pub fn date_of(text: &str) -> Option<[u32; 3]> {

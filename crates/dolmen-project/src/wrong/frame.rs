@@ -94,6 +94,14 @@ messages! {
             en: "write axial = \"storey\" if it is the force in the storey's columns (its own level and all above), axial = \"level\" if it is the load added at its top",
             ko: "그 층 기둥의 축력(그 층과 위층 전체)이면 axial = \"storey\", 그 층 상단에 더해지는 하중이면 axial = \"level\"로 쓴다",
         },
+        BothAlong { name: String, other: String, component: String } => {
+            en: "directions {other} and {name} both lie along {component}",
+            ko: "{other} 방향과 {name} 방향이 모두 {component}를 따른다",
+        },
+        OneAlongEach => {
+            en: "write along = \"x\" in one direction and along = \"y\" in the other",
+            ko: "한 방향에는 along = \"x\", 다른 방향에는 along = \"y\"를 쓴다",
+        },
         ButStoreysHaveT { path: String, written: String } => {
             en: "{path} = {written}, but storeys have 1 t to 20 000 t",
             ko: "{path} = {written}인데, 층의 질량은 1~20 000 t이다",

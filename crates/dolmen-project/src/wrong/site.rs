@@ -69,6 +69,30 @@ messages! {
             en: "design spectra have 0.1 to 3 g: is the unit g, m/s2 or gal?",
             ko: "설계 스펙트럼의 최댓값은 0.1~3 g이다. 단위가 g, m/s2, gal 중 무엇인가?",
         },
+        PeriodsUnlikely { longest: Quantity, largest: Quantity } => {
+            en: "the periods of the site's spectrum go up to {longest} s, and it is largest from {largest} s on: earthquakes have no such periods",
+            ko: "부지 스펙트럼의 주기가 {longest} s까지이고 최댓값이 {largest} s에서 시작한다. 이런 주기의 지진동은 없다",
+        },
+        PeriodsInSeconds => {
+            en: "periods are in seconds, design spectra are largest at 0.05 to 1.5 s: are these ms?",
+            ko: "주기의 단위는 초이며 설계 스펙트럼은 0.05~1.5 s에서 가장 크다. ms 단위의 값인가?",
+        },
+        SpectrumRises { longest: Quantity, last_g: Quantity, first_g: Quantity } => {
+            en: "the spectrum of the site has {last_g} g at its longest period, {longest} s, more than {first_g} g at its shortest: spectra fall towards long periods",
+            ko: "부지 스펙트럼이 가장 긴 주기 {longest} s에서 {last_g} g로, 가장 짧은 주기의 {first_g} g보다 크다. 스펙트럼은 주기가 길어지면 작아진다",
+        },
+        FrequenciesForPeriods => {
+            en: "are these frequencies in Hz, in place of periods in seconds?",
+            ko: "주기(초)가 아니라 진동수(Hz)를 쓴 것인가?",
+        },
+        NotInKorea { path: String, latitude: Quantity, longitude: Quantity } => {
+            en: "{path}: latitude {latitude}°, longitude {longitude}° is not in Korea",
+            ko: "{path}: 위도 {latitude}°, 경도 {longitude}°는 한국이 아니다",
+        },
+        PlaceOfKorea => {
+            en: "Korea has latitudes of 33 to 43° and longitudes of 124 to 132°: are the two exchanged, or is a digit missing?",
+            ko: "한국은 위도 33~43°, 경도 124~132°이다. 둘을 바꾸어 쓰거나 숫자 하나를 빠뜨린 것인가?",
+        },
         NeedsXYOr => { en: "needs x, y or z", ko: "x, y 또는 z가 필요하다" },
         WriteXRecordAt2 => { en: "write {{ x = \"record.at2\" }}", ko: "{{ x = \"record.at2\" }}와 같이 쓴다" },
         IsNoUnitOf { path: String, unit: String } => {

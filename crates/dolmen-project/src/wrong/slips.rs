@@ -6,6 +6,22 @@ use dolmen_words::messages;
 messages! {
     /// What looks like a slip, whatever the kind.
     pub(crate) enum Slip in "project.error.slips" {
+        NotYetCome { path: String, today: String } => {
+            en: "{path} is of a day that has not come yet: it is {today} at the latest",
+            ko: "{path}은(는) 아직 오지 않은 날짜이다. 오늘은 늦어도 {today}이다",
+        },
+        IsTheYearRight => {
+            en: "the latest survey is what the model and the verdict rest on: is the year right?",
+            ko: "모델과 판정은 가장 최근 조사에 근거한다. 연도가 맞는가?",
+        },
+        DeviationLarge { path: String, sd: String, written: String, percent: String } => {
+            en: "{path} = {written} has a standard deviation of {sd}, {percent} % of it, and would contradict no model",
+            ko: "{path} = {written}의 표준편차 {sd}은(는) 값의 {percent} %이므로 어떤 모델과도 일치하게 된다",
+        },
+        FrequenciesAreKnown => {
+            en: "frequencies are measured to 0.1 to 5 %: is it in per cent, or a decimal place off?",
+            ko: "고유진동수의 측정 오차는 0.1~5 %이다. % 단위로 썼거나 소수점 위치가 잘못되었는가?",
+        },
         GravityIsNotThat { written: String } => {
             en: "gravity = {written} is not that of the Earth, 9.78 to 9.83 m/s2",
             ko: "gravity = {written}은(는) 지구의 중력가속도(9.78~9.83 m/s2)가 아니다",

@@ -82,6 +82,18 @@ messages! {
             ko: "{path} = {written}인데, 석재 사이의 마찰계수는 0.4~0.8이다",
         },
         DidYouMean { percent: String } => { en: "did you mean \"{percent} %\"?", ko: "\"{percent} %\"인가?" },
+        NarrowBetween { path: String, written: String, name: String, below: String, above: String, beside_m: String } => {
+            en: "{path} = {written} makes ‘{name}’ less than a fifth as wide as what it lies between, ‘{below}’ and ‘{above}’, {beside_m} m and more",
+            ko: "{path} = {written}이면 ‘{name}’의 폭이 위아래 부재 ‘{below}’, ‘{above}’({beside_m} m 이상)의 5분의 1에 못 미친다",
+        },
+        IsDigitMissing => {
+            en: "stones of a tower are about as wide as their neighbours: is a digit missing?",
+            ko: "쌓은 부재의 폭은 위아래 부재와 비슷하다. 숫자 하나를 빠뜨렸는가?",
+        },
+        HighBesideOthers { path: String, written: String, name: String, times: String } => {
+            en: "{path} = {written} makes ‘{name}’ {times} × as high as the others usually are, and a needle",
+            ko: "{path} = {written}이면 ‘{name}’의 높이가 다른 부재의 {times}배이고 폭에 비해 지나치게 높다",
+        },
         IsItAngle { degrees: String, tangent: String } => {
             en: "is it an angle of friction of {degrees}°? Its tangent is the coefficient: write {tangent}",
             ko: "마찰각 {degrees}°인가? 마찰계수는 그 탄젠트이므로 {tangent}(으)로 쓴다",

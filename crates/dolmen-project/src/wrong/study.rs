@@ -41,6 +41,14 @@ messages! {
             en: "leave one of them out: runs of the same count as more scans than there are",
             ko: "하나를 삭제한다. 같은 해석을 두 번 세면 해석 수가 실제보다 많아진다",
         },
+        GoesUpToOnly { path: String, peak_g: String } => {
+            en: "{path} goes up to {peak_g} g only: nothing falls by shaking that is hardly felt",
+            ko: "{path}의 최댓값이 {peak_g} g에 불과하다. 거의 느껴지지 않는 지진동에는 아무것도 쓰러지지 않는다",
+        },
+        AreTheseG => {
+            en: "earthquakes have 0.05 to 2 g, 50 to 2000 gal: are these g, not gal?",
+            ko: "지진은 0.05~2 g(50~2000 gal)이다. gal이 아니라 g 단위의 값인가?",
+        },
         GoesUpToG { path: String, peak_g: String } => {
             en: "{path} goes up to {peak_g} g",
             ko: "{path}이(가) {peak_g} g까지 올라간다",

@@ -116,6 +116,14 @@ messages! {
             ko: "{path}에 길이가 {count}개 있다",
         },
         MustBeThreeX => { en: "must be three: x right, y away, z up", ko: "3개이어야 한다. x 오른쪽, y 안쪽, z 위쪽" },
+        LimitIsLarge { path: String, inverse: String } => {
+            en: "{path} is 1/{inverse}, more than limits of a tilt are: no alarm would come before that",
+            ko: "{path}이(가) 1/{inverse}로 기울기 한계로는 너무 크다. 그 전에는 경보가 나오지 않는다",
+        },
+        LimitsAre => {
+            en: "limits of a tilt are 1/600 to 1/100: is a digit missing, 1/150 for 1/15?",
+            ko: "기울기 한계는 1/600~1/100이다. 1/150을 1/15로 쓴 것처럼 숫자 하나를 빠뜨렸는가?",
+        },
         IsNotTiltThat { path: String } => {
             en: "{path} is not a tilt that can be a limit",
             ko: "{path}은(는) 한계로 쓸 수 있는 기울기가 아니다",

@@ -1,5 +1,6 @@
 //! What a comparison of two surveys says in plain words.
 
+use super::between::{between, fitted_through};
 use super::doubts::doubts;
 use super::quantities::{bare_percent, hertz, percent, plus};
 use super::readings;
@@ -101,6 +102,8 @@ pub(crate) fn findings(answer: &CompareAnswer) -> Vec<Finding> {
     all.splice(0..0, doubts(change));
     all.extend(damping(change));
     all.push(frequencies(change));
+    all.extend(between(answer));
+    all.extend(fitted_through(change));
     if change.temperature.leaves_doubt() {
         all.push(Finding::key(Tone::Unknown, known(change)));
     }

@@ -1,5 +1,6 @@
 //! What changed between two surveys: findings, and the sections of the comparison.
 
+mod between;
 mod dampings;
 mod doubts;
 mod findings;
@@ -40,8 +41,9 @@ messages! {
 }
 
 /// The sentences on two surveys as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 9] = [
+pub(crate) const TEMPLATES: [&[Template]; 10] = [
     findings::Found::TEMPLATES,
+    between::Befell::TEMPLATES,
     doubts::Doubted::TEMPLATES,
     Compared::TEMPLATES,
     temperature::Weather::TEMPLATES,
@@ -76,7 +78,11 @@ pub(crate) fn sections(answer: &CompareAnswer) -> Document<'_> {
     for remark in remarks::remarks(change) {
         document.note(remark);
     }
-    for note in change.notes.iter().filter(|of| !doubts::is_of_sensors(of)) {
+    for note in change
+        .notes
+        .iter()
+        .filter(|of| !doubts::is_of_sensors(of) && !between::is_of_line(of))
+    {
         document.note(notes::note(note));
     }
     document.paragraph(Compared::NoProof);

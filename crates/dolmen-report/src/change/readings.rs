@@ -26,6 +26,10 @@ messages! {
             en: "{direction} {before} to {after} ({sign}{change})",
             ko: "{direction} {before} → {after}({sign}{change})",
         },
+        TiltsTurned { from: String, to: String, each: Vec<Sentence> } => {
+            en: "From survey {from} to {to} the sign of a tilt turned at about its size: {each}. A structure does not lean over to the other side so: is it the same side that counts as positive in both?",
+            ko: "{from} 조사에서 {to} 조사까지 기울기의 크기는 비슷한데 부호가 바뀌었다: {each}. 구조물이 이렇게 반대쪽으로 기울지는 않는다. 두 조사의 양(+)의 방향이 같은가?",
+        },
         OtherDatum { from: String, to: String } => {
             en: "Surveys {from} and {to} refer to different marks (datum): their tilts are not compared.",
             ko: "{from} 조사와 {to} 조사의 측정 기준점(datum)이 달라 기울기를 비교하지 않았다.",
@@ -112,18 +116,37 @@ fn tilts(answer: &CompareAnswer) -> Vec<Finding> {
     if !readings.tilts.is_empty() && readings.other_datum {
         all.push(Finding::key(Tone::Unknown, Readings::OtherDatum { from, to }));
     } else if !readings.tilts.is_empty() {
-        let each = readings.tilts.iter().map(tilt).collect();
-        let has_grown = readings.tilts.iter().any(ComparedTilt::has_grown);
-        all.push(match has_grown {
-            true => Finding::key(Tone::Warn, Readings::TiltsGrew { from, to, each }),
-            false => Finding::key(Tone::Plain, Readings::Tilts { from, to, each }),
-        });
+        let (turned, straight): (Vec<_>, Vec<_>) = readings.tilts.iter().partition(|tilt| has_turned(tilt));
+        if !turned.is_empty() {
+            let said = Readings::TiltsTurned {
+                from: from.clone(),
+                to: to.clone(),
+                each: turned.into_iter().map(tilt).collect(),
+            };
+            all.push(Finding::key(Tone::Warn, said));
+        }
+        let has_grown = straight.iter().any(|tilt| tilt.has_grown());
+        let each: Vec<Sentence> = straight.into_iter().map(tilt).collect();
+        match (each.is_empty(), has_grown) {
+            (true, _) => {}
+            (false, true) => all.push(Finding::key(Tone::Warn, Readings::TiltsGrew { from, to, each })),
+            (false, false) => all.push(Finding::key(Tone::Plain, Readings::Tilts { from, to, each })),
+        }
     }
     if !readings.tilts_of_one.is_empty() {
         let directions = readings.tilts_of_one.clone();
         all.push(Finding::key(Tone::Unknown, Readings::TiltsOfOne { directions }));
     }
     all
+}
+
+/// Sizes of two tilts of opposite signs that are one with a sign turned, larger over smaller. Chosen here.
+const ONE_SIZE: f64 = 1.5;
+
+/// Whether a tilt has another sign at about the same size.
+fn has_turned(tilt: &ComparedTilt) -> bool {
+    let ratio = -tilt.to.ratio / tilt.from.ratio;
+    (1.0 / ONE_SIZE..=ONE_SIZE).contains(&ratio)
 }
 
 fn tilt(tilt: &ComparedTilt) -> Sentence {

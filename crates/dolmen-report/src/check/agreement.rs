@@ -1,10 +1,11 @@
 //! Measured frequencies that are near those of the model: how near, and where scatter alone does not explain the difference.
 
 use crate::document::{Finding, Tone};
+use crate::stack::beside;
 use dolmen_project::Project;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
-use dolmen_work::judgement::{MeasuredFrequency, latest_frequencies};
-use dolmen_work::state::State;
+use dolmen_work::judgement::{MeasuredFrequency, first_sway, latest_frequencies};
+use dolmen_work::state::{Check, State};
 
 /// Standard deviations beyond which scatter does not explain a difference. As for evidence.
 const DEVIATIONS_MOST: f64 = 3.0;
@@ -21,6 +22,14 @@ messages! {
         Agree { each: Vec<Sentence> } => {
             en: "Measured frequencies agree with this model: {each}.",
             ko: "실측 고유진동수가 해석 모델과 일치한다: {each}.",
+        },
+        WithDampers { each: Vec<Sentence> } => {
+            en: "Measured frequencies are held against those of the whole, with its dampers: {each}.",
+            ko: "실측 고유진동수는 제진장치를 포함한 전체의 값과 비교한다: {each}.",
+        },
+        Whole { direction: String, whole: Quantity, without: Quantity } => {
+            en: "direction {direction} {whole} ({without} without dampers)",
+            ko: "{direction} 방향 {whole}(제진장치가 없으면 {without})",
         },
         One { survey: String, direction: String, measured: Quantity, computed: Quantity } => {
             en: "direction {direction} {measured}, model {computed} (survey {survey})",
@@ -41,7 +50,36 @@ pub(super) fn agreement(project: &Project, state: &State) -> Vec<Finding> {
     if !each.is_empty() {
         all.push(Finding::key(Tone::Good, Agreement::Agree { each }));
     }
+    all.extend(held_against(project, state));
     all
+}
+
+/// What the frequencies of the model count beside its own stiffness, where a survey is held against them.
+fn held_against(project: &Project, state: &State) -> Vec<Finding> {
+    let compared = latest_frequencies(project, &state.check);
+    if compared.is_empty() {
+        return Vec::new();
+    }
+    match &state.check {
+        Check::Building(answer) if answer.stands.as_ref().is_some_and(|of| !of.dampers.is_empty()) => {
+            let each = compared.iter().filter_map(|of| {
+                let (without, _) = first_sway(answer, &of.direction)?;
+                let said = Agreement::Whole {
+                    direction: of.direction.clone(),
+                    whole: hertz(of.computed_hz),
+                    without: hertz(without),
+                };
+                Some(said.into())
+            });
+            let each = each.collect();
+            vec![Finding::key(Tone::Plain, Agreement::WithDampers { each })]
+        }
+        Check::Stack(answer) => {
+            let each = beside(&answer.beside).into_iter();
+            each.map(|said| Finding::key(Tone::Warn, said)).collect()
+        }
+        Check::Building(_) | Check::Chain(_) | Check::Frame(_) => Vec::new(),
+    }
 }
 
 /// By how many standard deviations it is off, where that is worth a word.

@@ -5,10 +5,12 @@ use super::{assumed, measured, sampled, variants};
 use crate::document::{Finding, Tone};
 use crate::{building, chain, demand, frame, loads, stack};
 use dolmen_project::Project;
+use dolmen_words::message::Both;
 use dolmen_words::{Quantity, messages};
 use dolmen_work::answer::CheckAnswer;
-use dolmen_work::judgement::Evidence;
+use dolmen_work::judgement::{Colour, Evidence};
 use dolmen_work::state::{Check, State};
+use dolmen_work::survey_date;
 
 /// Load factors above this are asked about. Chosen here: measured timber frames and stone poles have 5 to 100.
 const LOAD_FACTOR_USUAL_MOST: f64 = 500.0;
@@ -27,6 +29,14 @@ messages! {
         RecordsUnread { survey: String } => {
             en: "The records of survey {survey} are not compared with this model here: `dolmen identify` finds their modes, and `dolmen report` holds them against it.",
             ko: "{survey} 조사의 진동 기록은 이 검토에서 모델과 비교하지 않았다. `dolmen identify`가 모드를 구하고, `dolmen report`가 모델과 비교한다.",
+        },
+        NewerUnread { survey: String, compared: String } => {
+            en: "The newest survey, {survey}, has records of vibration that a check does not read; what is said of measured frequencies is of survey {compared}. `dolmen identify` reads them, and finds an earthquake in them if there is one; `dolmen report` holds them against the model.",
+            ko: "최근 조사 {survey}에는 이 검토에서 읽지 않는 진동 기록이 있으며, 계측 고유진동수와의 비교는 {compared} 조사의 것이다. `dolmen identify`가 기록을 읽고 지진이 들어 있는지도 찾는다. `dolmen report`가 모델과 비교한다.",
+        },
+        MarkedAssumed { survey: String, evidence: Both } => {
+            en: "{evidence}. If survey {survey} did measure them, mark them: frequencies.x = [{{ value = …, source = \"measured\" }}], or set evidence = \"measured\" at the head of the file and mark what is assumed.",
+            ko: "{evidence}. {survey} 조사에서 실제로 계측한 값이면 frequencies.x = [{{ value = …, source = \"measured\" }}]로 표시하거나, 파일 머리에 evidence = \"measured\"를 쓰고 가정한 값을 따로 표시한다.",
         },
         LoadFactor { factor: Quantity, most: Quantity } => {
             en: "A load factor of {factor} is far above what timber frames and stone poles have ({most} at most): are masses and stiffness in the units of the file?",
@@ -58,6 +68,7 @@ pub(super) fn of_state(project: &Project, state: &State) -> Vec<Finding> {
     all.extend(loads::findings(project, state));
     all.extend(demand::findings(state.demand.as_ref()));
     all.extend(unusual(state));
+    all.extend(marked_assumed(project, state));
     all.extend(next(project, state));
     all.extend(after);
     all.extend(agreement(project, state));
@@ -82,6 +93,30 @@ fn unusual(state: &State) -> Option<Finding> {
     (factor > LOAD_FACTOR_USUAL_MOST).then(|| Finding::key(Tone::Warn, said).with_code("unit-slip"))
 }
 
+/// Frequencies of surveys that the file marks as assumed, beside the model.
+fn marked_assumed(project: &Project, state: &State) -> Option<Finding> {
+    let evidence = Evidence::of(project, &state.check);
+    let Evidence::MarkedAssumed { survey, .. } = &evidence else {
+        return None;
+    };
+    let said = Unusual::MarkedAssumed {
+        survey: survey.clone(),
+        evidence: Both::of(|language| first_large(evidence.words(language))),
+    };
+    let is_apart = evidence.colour() != Colour::Green;
+    Some(match is_apart {
+        true => Finding::key(Tone::Warn, said),
+        false => Finding::new(Tone::Unknown, said),
+    })
+}
+
+/// A sentence begins with a large letter.
+fn first_large(words: String) -> String {
+    let mut signs = words.chars();
+    let first = signs.next().map(|sign| sign.to_uppercase().to_string());
+    first.unwrap_or_default() + signs.as_str()
+}
+
 /// What makes an unknown verdict known.
 fn next(project: &Project, state: &State) -> Option<Finding> {
     let unknown = match &state.check {
@@ -103,10 +138,25 @@ fn next(project: &Project, state: &State) -> Option<Finding> {
 /// That a survey has records that a check does not read; `None` where none has, or the file writes their modes.
 pub(super) fn unread(answer: &CheckAnswer) -> Option<Finding> {
     let state = answer.state.as_ref()?;
-    match Evidence::of(&answer.project, &state.check) {
-        Evidence::Unread { survey } => Some(Finding::key(Tone::Unknown, Unusual::RecordsUnread { survey })),
-        _ => None,
-    }
+    let compared = match Evidence::of(&answer.project, &state.check) {
+        Evidence::Unread { survey } => {
+            return Some(Finding::key(Tone::Unknown, Unusual::RecordsUnread { survey }));
+        }
+        Evidence::Agrees { survey } => survey,
+        Evidence::Contradicted(of) | Evidence::TooRough(of) => of.survey,
+        Evidence::MarkedAssumed { .. } | Evidence::NotCompared { .. } | Evidence::NotMeasured { .. } => {
+            return None;
+        }
+    };
+    let unread =
+        answer.project.surveys.iter().filter(|survey| {
+            survey.modes.is_empty() && (survey.records.is_some() || !survey.setups.is_empty())
+        });
+    let newest = unread.max_by_key(|survey| survey_date(&survey.name))?;
+    (survey_date(&newest.name) > survey_date(&compared)).then(|| {
+        let survey = newest.name.clone();
+        Finding::key(Tone::Warn, Unusual::NewerUnread { survey, compared })
+    })
 }
 
 /// All of a check, what is worst first.
@@ -120,6 +170,7 @@ pub(crate) fn findings(answer: &CheckAnswer) -> Vec<Finding> {
     all.extend(measured::against_its_limit(&answer.project));
     all.extend(measured::undated(&answer.project));
     all.extend(measured::against_drift(&answer.project));
+    all.extend(measured::felt_since(&answer.project));
     all.extend(measured::severe_damage(&answer.project));
     all.extend(measured::over_the_years(&answer.project));
     all.extend(variants::findings(answer));

@@ -7,6 +7,7 @@ use dolmen::stability::Verdict;
 use dolmen_project::{LogKind, Project, Severity, Structure, Survey, date_of};
 use dolmen_words::message::Both;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
+use dolmen_work::felt::felt;
 use dolmen_work::judgement::{last_tilt, lowest_measured, tilt_against_limit};
 use dolmen_work::state::{Check, FrequencyContradiction, State, TiltCheck};
 use dolmen_work::watch::can_watch;
@@ -19,6 +20,12 @@ const ROUNDING: f64 = 1e-9;
 messages! {
     /// Surveys against the model.
     pub(crate) enum Measured in "check.measured" {
+        Felt { survey: String, peak: Sentence } => {
+            en: "Survey {survey} states an earthquake{peak}, and no repair or inspection followed: this check is of the structure as the file has it. Look at it; then enter it into works of [watch].",
+            ko: "{survey} 조사에 지진이 기재되어 있으나{peak} 이후 보수나 점검이 없다. 이 검토는 파일에 적힌 상태의 구조물에 대한 것이다. 구조물을 점검하고 [watch]의 works에 기록한다.",
+        },
+        FeltPeak { peak: Quantity } => { en: " (peak acceleration {peak})", ko: "(최대가속도 {peak})" },
+        FeltOnly => { en: "", ko: "" },
         OneIn { inverse: Quantity } => { en: "1/{inverse}", ko: "1/{inverse}" },
         TiltUnchecked { tilt: Sentence, direction: String, survey: String } => {
             en: "The tilt of {tilt} measured in direction {direction} (survey {survey}) is not checked against overturning: that needs the joints' stiffness and bed widths.",
@@ -35,6 +42,18 @@ messages! {
         TiltNotTaken { tilt: Sentence, direction: String, survey: String, limit: Sentence } => {
             en: "The measured tilt of {tilt} in direction {direction} (survey {survey}) is not in this model: margins and limits are those without it. At {limit} a bed stands on its edge.",
             ko: "{direction} 방향 실측 기울기 {tilt}({survey} 조사)는 이 모델에 반영되지 않았다. 여유도와 한계는 기울기가 없는 상태의 값이다. 접합면이 모서리로만 지지되는 한계는 {limit}이다.",
+        },
+        FrameHolds { tilt: Sentence, direction: String, survey: String, limit: Sentence } => {
+            en: "The frame is checked leaning by the tilt of {tilt} measured in direction {direction} (survey {survey}); its weight pushes on that, and it counts as fallen from {limit}.",
+            ko: "{direction} 방향 실측 기울기 {tilt}({survey} 조사)를 반영하여 골조를 검토하였다. 자중이 그쪽으로 밀며, 기울기 {limit}부터 붕괴로 본다.",
+        },
+        FrameFalls { tilt: Sentence, direction: String, survey: String, limit: Sentence } => {
+            en: "The tilt of {tilt} measured in direction {direction} (survey {survey}) is beyond {limit}, at which with what its weight adds a storey leans by as much as counts as fallen.",
+            ko: "{direction} 방향 실측 기울기 {tilt}({survey} 조사)가 {limit}을(를) 넘는다. 자중에 의한 변위를 더하면 층의 기울기가 붕괴로 보는 값에 이른다.",
+        },
+        BeyondDriftAtRest { survey: String, tilt: Sentence, limit: Sentence } => {
+            en: "The tilt that survey {survey} measured, {tilt} by all directions together, is already beyond the storey drift of {limit} that is allowed, before any earthquake.",
+            ko: "{survey} 조사의 실측 기울기는 모든 방향을 합하여 {tilt}(으)로, 지진 전에 이미 허용 층간변위비 {limit} 이상이다.",
         },
         TiltOverturns { tilt: Sentence, direction: String, survey: String, limit: Sentence } => {
             en: "The measured tilt of {tilt} in direction {direction} (survey {survey}) is beyond {limit}, at which a bed stands on its edge: it overturns, whatever the load factor.",
@@ -154,9 +173,11 @@ pub(super) fn undated(project: &Project) -> Option<Finding> {
     is_beside.then(|| Finding::key(Tone::Warn, Measured::Undated { surveys }))
 }
 
-/// A measured tilt beyond the drift at which storeys are judged, or free-standing columns fall, in a model that starts plumb.
+/// A measured tilt beyond the drift at which storeys are judged, or at which free-standing columns fall in a model that starts plumb.
 pub(super) fn against_drift(project: &Project) -> Vec<Finding> {
     let columns = match &project.structure {
+        // what it leans by is in its check
+        Structure::Frame(part) if part.lean.is_some() => None,
         Structure::Frame(part) => {
             let storeys = part.storeys.iter();
             let each = storeys.filter_map(|storey| {
@@ -173,9 +194,13 @@ pub(super) fn against_drift(project: &Project) -> Vec<Finding> {
     };
     let (survey, said_tilt) = (survey.name.clone(), || one_in(tilt));
     let limit = project.drift_limit.as_ref().map(DriftLimit::ratio);
-    let drift = limit.filter(|limit| tilt > *limit).map(|limit| {
+    let leans = matches!(&project.structure, Structure::Frame(part) if part.lean.is_some());
+    let drift = limit.filter(|limit| tilt >= *limit).map(|limit| {
         let (survey, tilt, limit) = (survey.clone(), said_tilt(), one_in(limit));
-        Measured::BeyondDrift { survey, tilt, limit }
+        match leans {
+            true => Measured::BeyondDriftAtRest { survey, tilt, limit },
+            false => Measured::BeyondDrift { survey, tilt, limit },
+        }
     });
     let columns = columns.filter(|limit| tilt > *limit).map(|limit| {
         let (survey, tilt, limit) = (survey.clone(), said_tilt(), one_in(limit));
@@ -211,7 +236,7 @@ pub(super) fn severe_damage(project: &Project) -> Vec<Finding> {
 }
 
 /// What the years say that this answer does not.
-pub(super) fn over_the_years(project: &Project) -> Vec<Finding> {
+pub(crate) fn over_the_years(project: &Project) -> Vec<Finding> {
     let logs = project.watch.logs.iter();
     let logs = logs.filter(|log| log.kind != LogKind::Temperature);
     let logs: Vec<Both> = logs.map(|log| log.name.as_str().into()).collect();
@@ -227,6 +252,22 @@ pub(super) fn over_the_years(project: &Project) -> Vec<Finding> {
         all.push(Finding::key(Tone::Plain, Measured::YearsNotAsked { surveys }));
     }
     all
+}
+
+/// Earthquakes that surveys state and after which nobody looked; those in records are found by the verbs that read them.
+pub(super) fn felt_since(project: &Project) -> Vec<Finding> {
+    let open = felt(project, |_| None).into_iter().filter(|of| !of.is_answered);
+    let said = open.map(|of| {
+        let peak = of
+            .part
+            .peak_m_s2
+            .map_or(Measured::FeltOnly, |peak| Measured::FeltPeak {
+                peak: Quantity::new(peak, Unit::si("m/s²"), Digits::Significant(DIGITS)),
+            });
+        let (survey, peak) = (of.survey, peak.into());
+        Finding::key(Tone::Warn, Measured::Felt { survey, peak }).with_code("earthquake")
+    });
+    said.collect()
 }
 
 /// Measured frequencies in directions that the model does not have.
@@ -287,6 +328,28 @@ fn tilt(of: &TiltCheck, check: &Check) -> Finding {
         };
     };
     let limit = one_in(uplift);
+    if let Check::Frame(_) = check {
+        let verdict = of.verdict();
+        let said = match verdict {
+            Verdict::Unstable => Measured::FrameFalls {
+                tilt,
+                direction,
+                survey,
+                limit,
+            },
+            _ => Measured::FrameHolds {
+                tilt,
+                direction,
+                survey,
+                limit,
+            },
+        };
+        let tone = match verdict {
+            Verdict::Stable => Tone::Plain,
+            verdict => Tone::of(verdict),
+        };
+        return Finding::key(tone, said);
+    }
     let opens = of.opens_tilt.unwrap_or(TiltCheck::OPENS * uplift);
     match of.verdict() {
         Verdict::Unstable => Finding::key(
@@ -421,8 +484,8 @@ mod tests {
             "{said}"
         );
         assert_eq!(of(0.2, None).tone, Tone::Warn);
-        assert_eq!(of(-0.001, Some(0.1)).tone, Tone::Good);
-        let opens = of(0.05, Some(0.1)).sentence.text(Language::English);
-        assert!(opens.contains("have begun to open"), "{opens}");
+        assert_eq!(of(-0.001, Some(0.1)).tone, Tone::Plain);
+        let holds = of(0.05, Some(0.1)).sentence.text(Language::English);
+        assert!(holds.contains("counts as fallen from 1/10"), "{holds}");
     }
 }

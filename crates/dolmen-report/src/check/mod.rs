@@ -11,6 +11,7 @@ mod text;
 mod variants;
 
 pub(crate) use findings::findings;
+pub(crate) use measured::over_the_years;
 pub use project::against_text;
 pub(crate) use project::{doubtful, project_text};
 pub(crate) use sampled::sections as scatter_sections;

@@ -1,18 +1,9 @@
 //! The contents: a field with its entries as they are now.
 
-use super::inline::{Ink, instruct, paragraph, said, tab, words};
-use super::xml::Xml;
+use super::inline::{instruct, paragraph, said, tab, words};
+use crate::paper::xml::Xml;
+use crate::paper::{Heading, Ink, Paper};
 use dolmen_words::Language;
-
-/// A head that the contents name.
-pub(super) struct Entry {
-    /// 1 or 2.
-    pub(super) level: usize,
-    pub(super) number: String,
-    pub(super) head: String,
-    /// The mark at the head.
-    pub(super) mark: String,
-}
 
 /// The mark of the head with this number in the document.
 pub(super) fn mark(number: usize) -> String {
@@ -20,7 +11,8 @@ pub(super) fn mark(number: usize) -> String {
 }
 
 /// Contents of two levels. Page numbers are fields without a value: they are known when the document is laid out.
-pub(super) fn contents(xml: &mut Xml, entries: &[Entry], language: Language) {
+pub(super) fn contents(xml: &mut Xml, paper: &Paper, language: Language) {
+    let entries: Vec<&Heading> = paper.entries().collect();
     xml.element("w:sdt", &[], |xml| {
         xml.element("w:sdtPr", &[], |xml| {
             xml.element("w:docPartObj", &[], |xml| {
@@ -53,15 +45,16 @@ pub(super) fn contents(xml: &mut Xml, entries: &[Entry], language: Language) {
     });
 }
 
-fn line(xml: &mut Xml, entry: &Entry) {
-    let link = [("w:anchor", entry.mark.as_str()), ("w:history", "1")];
+fn line(xml: &mut Xml, entry: &Heading) {
+    let mark = mark(entry.place);
+    let link = [("w:anchor", mark.as_str()), ("w:history", "1")];
     xml.element("w:hyperlink", &link, |xml| {
         words(xml, &entry.number, Ink::PLAIN);
         tab(xml);
         words(xml, &entry.head, Ink::PLAIN);
         tab(xml);
         mark_of_field(xml, "begin");
-        instruct(xml, &format!("PAGEREF {} \\h", entry.mark));
+        instruct(xml, &format!("PAGEREF {mark} \\h"));
         mark_of_field(xml, "separate");
         mark_of_field(xml, "end");
     });

@@ -1,7 +1,7 @@
 //! How a document looks: its styles and colours. Sizes are half-points, lengths twentieths of a point.
 
-use super::xml::Xml;
-use crate::document::Tone;
+use crate::paper::xml::Xml;
+use crate::paper::{HAIR, INK, QUIET, TEXT_WIDTH};
 use dolmen_words::Language;
 
 /// The name space of words.
@@ -11,27 +11,6 @@ pub(super) const W: &str = "http://schemas.openxmlformats.org/wordprocessingml/2
 pub(super) const PAGE: [&str; 2] = ["11906", "16838"];
 pub(super) const MARGIN_SIDE: &str = "1304"; // 23 mm
 pub(super) const MARGIN_TOP: &str = "1474"; // 26 mm
-/// Width of the text.
-pub(super) const TEXT_WIDTH: usize = 9298; // 11906 − 2 · 1304
-
-pub(super) const INK: &str = "1D2733";
-pub(super) const QUIET: &str = "5B6876";
-pub(super) const HAIR: &str = "D5DBE1";
-pub(super) const BAD: &str = "B3261E";
-pub(super) const BAD_WASH: &str = "FCEEED";
-
-/// The colour of a tone, its wash, and its sign.
-pub(super) fn tone(tone: Tone) -> [&'static str; 3] {
-    match tone {
-        Tone::Good => ["0B6E4F", "EAF5F0", "●"],
-        Tone::Warn => ["A15C00", "FDF3E3", "◆"],
-        // Korean fonts have no cross that is a mark
-        Tone::Bad => [BAD, BAD_WASH, "×"],
-        Tone::Plain => ["8A96A3", "F4F6F8", "–"],
-        Tone::Unknown => [QUIET, "F4F6F8", "○"],
-    }
-}
-
 /// A paragraph style.
 struct Style {
     id: &'static str,

@@ -1,7 +1,7 @@
 //! The numbers of heads, bullets, and settings.
 
 use super::look::W;
-use super::xml::Xml;
+use crate::paper::xml::Xml;
 
 /// Heads numbered 1, 1.1, 1.1.1, and bullets.
 pub(super) fn numbering() -> String {

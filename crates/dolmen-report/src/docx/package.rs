@@ -1,14 +1,12 @@
 //! The parts of a DOCX file, packed: an Open Packaging archive of XML and pictures.
 
-use super::fault::DocxFault;
 use super::look::{W, styles};
 use super::numbering::{numbering, settings};
 use super::picture::relation;
-use super::xml::Xml;
+use crate::paper::xml::Xml;
+use crate::paper::{Paper, PaperFault, Part, pack};
 use dolmen_words::Language;
-use std::io::{Cursor, Write as _};
-use zip::write::SimpleFileOptions;
-use zip::{CompressionMethod, DateTime, ZipWriter};
+use std::borrow::Cow;
 
 const RELATIONS: &str = "http://schemas.openxmlformats.org/package/2006/relationships";
 const OFFICE: &str = "http://schemas.openxmlformats.org/officeDocument/2006/relationships";
@@ -16,20 +14,15 @@ const WORDS: &str = "application/vnd.openxmlformats-officedocument.wordprocessin
 
 /// What a document is made of.
 pub(super) struct Package {
-    pub(super) title: String,
-    pub(super) program: String,
-    /// "2026-05-12", if it is a day.
-    pub(super) date: Option<String>,
+    pub(super) paper: Paper,
     pub(super) body: Xml,
     pub(super) header: Xml,
     pub(super) footer: Xml,
-    pub(super) media: Vec<(String, Vec<u8>)>,
-    pub(super) with_contents: bool,
 }
 
 impl Package {
     /// The bytes of the file.
-    pub(super) fn pack(self, language: Language) -> Result<Vec<u8>, DocxFault> {
+    pub(super) fn pack(self, language: Language) -> Result<Vec<u8>, PaperFault> {
         let mut texts = vec![
             ("[Content_Types].xml", content_types()),
             (
@@ -46,41 +39,22 @@ impl Package {
             ("docProps/core.xml", self.core(language)),
             ("word/styles.xml", styles(language)),
             ("word/numbering.xml", numbering()),
-            ("word/settings.xml", settings(self.with_contents)),
+            ("word/settings.xml", settings(self.paper.with_contents)),
             ("word/_rels/document.xml.rels", self.document_relations()),
         ];
         texts.push(("word/document.xml", self.body.finish()));
         texts.push(("word/header1.xml", self.header.finish()));
         texts.push(("word/footer1.xml", self.footer.finish()));
-        let media = self
-            .media
-            .iter()
-            .map(|(name, bytes)| (format!("word/media/{name}"), bytes.as_slice()));
         let texts = texts
+            .into_iter()
+            .map(|(name, text)| (name.to_owned(), Cow::Owned(text.into_bytes())));
+        let media = self
+            .paper
+            .files
             .iter()
-            .map(|(name, text)| ((*name).to_owned(), text.as_bytes()));
-        // the archive's own date is 1980 throughout, so that the same input gives the same bytes
-        let packed = SimpleFileOptions::default()
-            .compression_method(CompressionMethod::Deflated)
-            .last_modified_time(DateTime::default());
-        let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
-        for (name, bytes) in texts.chain(media) {
-            // pictures are packed already
-            let options = match name.ends_with(".png") || name.ends_with(".jpg") {
-                true => packed.compression_method(CompressionMethod::Stored),
-                false => packed,
-            };
-            archive
-                .start_file(name, options)
-                .map_err(|fault| DocxFault::Archive(fault.to_string()))?;
-            archive
-                .write_all(bytes)
-                .map_err(|fault| DocxFault::Archive(fault.to_string()))?;
-        }
-        let done = archive
-            .finish()
-            .map_err(|fault| DocxFault::Archive(fault.to_string()))?;
-        Ok(done.into_inner())
+            .map(|(name, bytes)| (format!("word/media/{name}"), Cow::Borrowed(bytes.as_slice())));
+        let parts: Vec<Part<'_>> = texts.chain(media).collect();
+        pack(&parts)
     }
 
     fn core(&self, language: Language) -> String {
@@ -95,10 +69,10 @@ impl Package {
             ("xmlns:xsi", "http://www.w3.org/2001/XMLSchema-instance"),
         ];
         xml.element("cp:coreProperties", &spaces, |xml| {
-            xml.words("dc:title", &[], &self.title);
-            xml.words("dc:creator", &[], &self.program);
+            xml.words("dc:title", &[], &self.paper.title);
+            xml.words("dc:creator", &[], &self.paper.program);
             xml.words("dc:language", &[], language.code());
-            if let Some(date) = &self.date {
+            if let Some(date) = &self.paper.date {
                 let moment = format!("{date}T00:00:00Z");
                 for what in ["dcterms:created", "dcterms:modified"] {
                     xml.words(what, &[("xsi:type", "dcterms:W3CDTF")], &moment);
@@ -120,7 +94,7 @@ impl Package {
                 format!("{what}1.xml"),
             ));
         }
-        for (name, _) in &self.media {
+        for (name, _) in &self.paper.files {
             all.push((relation(name), format!("{OFFICE}/image"), format!("media/{name}")));
         }
         let each: Vec<(&str, &str, &str)> = all
@@ -177,8 +151,9 @@ fn content_types() -> String {
 
 /// The line over each page, or below it: words left, `right` at the right.
 pub(super) fn running(tag: &str, style: &str, left: &str, right: impl FnOnce(&mut Xml)) -> Xml {
-    use super::inline::{Ink, paragraph, tab, words};
-    use super::look::{HAIR, TEXT_WIDTH, border};
+    use super::inline::{paragraph, tab, words};
+    use super::look::border;
+    use crate::paper::{HAIR, Ink, TEXT_WIDTH};
     let mut xml = Xml::document();
     xml.element(tag, &[("xmlns:w", W)], |xml| {
         let properties = |xml: &mut Xml| {

@@ -83,6 +83,7 @@ fn answers(answer: &ProjectReport) -> Option<Block<'static>> {
         | Evidence::Unread { .. }
         | Evidence::NotCompared { .. }
         | Evidence::NotMeasured { .. } => Tone::Unknown,
+        Evidence::MarkedAssumed { .. } => Tone::Warn,
         measured => tone(measured.colour()),
     };
     let wind = headline.wind_word();

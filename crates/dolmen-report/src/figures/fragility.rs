@@ -57,10 +57,12 @@ fn curves(answer: &StudyAnswer, one: &CombinationFragility, language: Language) 
                     .as_ref()
                     .and_then(|band| band.probability(middle * g, 0.9).ok()?);
                 if let Some(interval) = interval {
-                    plot.block([at(i), interval.lower], [at(i + 1), interval.upper], colour, 0.14);
+                    let [lower, upper] = [interval.lower, interval.upper].map(|p| state.with_those_alone(p));
+                    plot.block([at(i), lower], [at(i + 1), upper], colour, 0.14);
                 }
             }
-            let points = (0..=POINTS).map(|i| [at(i), fit.curve.probability(at(i) * g)]);
+            let points =
+                (0..=POINTS).map(|i| [at(i), state.with_those_alone(fit.curve.probability(at(i) * g))]);
             plot.line(points.collect(), Line::new(colour, 1.8));
         }
         for [intensity, share] in seen(state) {
@@ -76,6 +78,9 @@ fn curves(answer: &StudyAnswer, one: &CombinationFragility, language: Language) 
     let words = answer.combination_words(one.job);
     if !words.is_empty() {
         plot.note(&words);
+    }
+    if let Some(after) = answer.after_words(language) {
+        plot.note(&after);
     }
     plot.note(say(Studied::CurvesBandsDots, language));
     if has_no_band {
@@ -101,9 +106,15 @@ fn seen(state: &StateFragility) -> Vec<[f64; 2]> {
     let reached = reached.filter(|seen| !matches!(seen, Observation::Above(_)));
     let mut places: Vec<f64> = reached.map(|seen| ends(*seen)[1]).collect();
     places.sort_by(f64::total_cmp);
-    let all = state.observations.len() as f64;
-    let by_then = |place: f64| places.partition_point(|other| *other <= place) as f64 / all;
+    let all = state.scans() as f64;
+    let by_then = |place: f64| {
+        let seen = places.partition_point(|other| *other <= place);
+        (state.fell_alone + seen) as f64 / all
+    };
     let mut found: Vec<[f64; 2]> = places.iter().map(|place| [*place, by_then(*place)]).collect();
+    if state.fell_alone > 0 {
+        found.insert(0, [0.0, state.share_alone()]);
+    }
     found.dedup();
     found
 }

@@ -11,10 +11,15 @@ use dolmen::dynamics::FrameEnergy;
 use dolmen::known::STANDARD_GRAVITY_M_S2;
 use dolmen::signal::{Component, GroundMotion};
 use dolmen_words::Language;
-use dolmen_work::frame::{ColumnsInMotion, FrameSimulation};
+use dolmen_work::frame::{ColumnsInMotion, FrameSimulation, FrameTogether};
+use std::f64::consts::TAU;
 
 /// Width and height of a loop, px: nearly square.
 const LOOP_PX: [f64; 2] = [420.0, 340.0];
+/// Width and height of a drift in plan, px: a circle is round.
+const PLAN_PX: [f64; 2] = [420.0, 400.0];
+/// Corners of a circle.
+const CIRCLE: usize = 120;
 /// Width of the bands, px, and height of one.
 const BANDS_PX: f64 = 760.0;
 const BAND_PX: f64 = 34.0;
@@ -37,8 +42,12 @@ pub(crate) enum FramePlot {
     Levels,
     /// Force against drift of a storey, 0 the lowest.
     Loop(usize),
+    /// Drift of the worst storey in plan, both directions together.
+    Path,
     Slips,
     Energy,
+    /// Measured and simulated acceleration of a sensor, 0 the lowest.
+    Measured(usize),
     /// Rotation of the columns, the frame on them alone.
     Columns,
 }
@@ -48,8 +57,11 @@ impl FramePlot {
     pub(crate) fn all(simulation: &FrameSimulation) -> Vec<Self> {
         let mut all = vec![Self::Ground, Self::Levels];
         all.extend((0..simulation.storeys.len()).map(Self::Loop));
+        all.extend(simulation.together_once().is_some().then_some(Self::Path));
         all.extend((!simulation.history.slips.is_empty()).then_some(Self::Slips));
         all.push(Self::Energy);
+        let sensors = simulation.beside.as_ref().map_or(0, |of| of.sensors.len());
+        all.extend((0..sensors).rev().map(Self::Measured));
         all.extend(matches!(simulation.columns, ColumnsInMotion::Alone(_)).then_some(Self::Columns));
         all
     }
@@ -59,19 +71,22 @@ impl FramePlot {
             Self::Ground => "ground".to_owned(),
             Self::Levels => "levels".to_owned(),
             Self::Loop(storey) => format!("loop-{}", storey + 1),
+            Self::Path => "plan".to_owned(),
             Self::Slips => "slips".to_owned(),
             Self::Energy => "energy".to_owned(),
             Self::Columns => "columns".to_owned(),
+            Self::Measured(sensor) => format!("measured-{}", sensor + 1),
         }
     }
 
     /// Its SVG; `None` without a sample.
     pub(crate) fn draw(self, simulation: &FrameSimulation, language: Language) -> Option<String> {
         match self {
-            Self::Ground | Self::Levels | Self::Energy | Self::Columns => {
+            Self::Ground | Self::Levels | Self::Energy | Self::Columns | Self::Measured(_) => {
                 self.lines(simulation, language)?.draw(language)
             }
             Self::Loop(storey) => Some(hysteresis(simulation, storey, language)),
+            Self::Path => path(simulation, language),
             Self::Slips => Some(bands(simulation, language)),
         }
     }
@@ -79,10 +94,14 @@ impl FramePlot {
     /// Its numbers.
     pub(crate) fn series(self, simulation: &FrameSimulation) -> Vec<crate::document::Series> {
         match self {
-            Self::Ground | Self::Levels | Self::Energy | Self::Columns => {
+            Self::Ground | Self::Levels | Self::Energy | Self::Columns | Self::Measured(_) => {
                 history_series(|language| self.lines(simulation, language))
             }
             Self::Loop(storey) => loop_series(LOOP, drift_and_force(simulation, storey)),
+            Self::Path => match simulation.together_once() {
+                Some(together) => loop_series(plan_axes(together), path_mm(together)),
+                None => Vec::new(),
+            },
             Self::Slips => band_series(&simulation.storeys, &slipped(simulation)),
         }
     }
@@ -98,7 +117,8 @@ impl FramePlot {
             Self::Levels => Some(levels(simulation)),
             Self::Energy => Some(energy(simulation, language)),
             Self::Columns => rotations(simulation),
-            Self::Loop(_) | Self::Slips => None,
+            Self::Measured(sensor) => measured(simulation, sensor, language),
+            Self::Loop(_) | Self::Path | Self::Slips => None,
         }
     }
 }
@@ -133,6 +153,28 @@ fn levels(simulation: &FrameSimulation) -> Lines {
         title: Titles::DisplacementAtTheTopOfEachStorey,
         lines: levels,
     }
+}
+
+/// Measured and simulated acceleration of a sensor, g.
+fn measured(simulation: &FrameSimulation, sensor: usize, language: Language) -> Option<Lines> {
+    let all = simulation.beside.as_ref()?;
+    let of = all.sensors.get(sensor)?;
+    let line = |name: Signs, samples: &[f64]| Series {
+        name: say(name, language),
+        points: samples
+            .iter()
+            .enumerate()
+            .map(|(i, a)| [i as f64 * all.step_s, a / STANDARD_GRAVITY_M_S2])
+            .collect(),
+    };
+    Some(Lines {
+        axis: Axes::Acceleration,
+        title: Titles::MeasuredAndSimulated,
+        lines: vec![
+            line(Signs::AsMeasured, &of.measured_m_s2),
+            line(Signs::AsSimulated, &of.simulated_m_s2),
+        ],
+    })
 }
 
 fn rotations(simulation: &FrameSimulation) -> Option<Lines> {
@@ -227,6 +269,50 @@ pub(super) fn loops(
     );
     plot.key(Key::Line(Line { width: 2.2, ..line }), name);
     plot.svg(say(title, language))
+}
+
+/// The axes of a drift in plan.
+fn plan_axes(together: &FrameTogether) -> [Axes; 2] {
+    together
+        .directions
+        .clone()
+        .map(|direction| Axes::DriftAlong { direction })
+}
+
+/// Drift of the worst storey in both directions, mm.
+fn path_mm(together: &FrameTogether) -> [Vec<f64>; 2] {
+    together
+        .path_m
+        .each_ref()
+        .map(|drift| drift.iter().map(|d| 1e3 * d).collect())
+}
+
+/// The path of the worst storey's drift in plan, and the circle of its largest resultant.
+fn path(simulation: &FrameSimulation, language: Language) -> Option<String> {
+    let together = simulation.together_once()?;
+    let [x, y] = path_mm(together);
+    let radius = 1e3 * together.storeys[together.worst].drift_m;
+    let round =
+        |part: fn(f64) -> f64| (0..=CIRCLE).map(move |i| radius * part(TAU * i as f64 / CIRCLE as f64));
+    let circle: Vec<[f64; 2]> = round(f64::cos)
+        .zip(round(f64::sin))
+        .map(|(x, y)| [x, y])
+        .collect();
+    let [x_name, y_name] = plan_axes(together).map(|axis| say(axis, language));
+    let ends = [-radius, radius];
+    let mut plot = Plot::new(
+        PLAN_PX,
+        Axis::around(x_name.as_str(), &ends, 5),
+        Axis::around(y_name.as_str(), &ends, 5),
+    );
+    plot.line(circle, Line::new(GREY, 0.8));
+    let line = Line::new(SERIES[together.worst % SERIES.len()], 1.0);
+    plot.line(x.into_iter().zip(y).map(|(x, y)| [x, y]).collect(), line);
+    plot.key(
+        Key::Line(Line { width: 2.2, ..line }),
+        &simulation.storeys[together.worst],
+    );
+    Some(plot.svg(say(Titles::DriftInPlan, language)))
 }
 
 /// When each storey slipped, s.

@@ -73,7 +73,9 @@ fn model(
 ) -> Option<String> {
     let found = answer.fragilities();
     let states = common_states(found, measure);
-    if states.is_empty() {
+    // the curves of OpenQuake begin at 0, those of what may fall by itself above it
+    let mut own = found.iter().flat_map(|one| &one.states);
+    if states.is_empty() || own.any(|own| own.fell_alone > 0) {
         return None;
     }
     let names = answer.kind.states().map(|name| name.replace(' ', "_"));
@@ -85,8 +87,15 @@ fn model(
          <description>{}</description>\n<limitStates>{}</limitStates>\n",
         escaped(study),
         escaped(&format!(
-            "{}, study {study}, Dolmen {}: lognormal curves fitted to simulations",
+            "{}, study {study}{}, Dolmen {}: lognormal curves fitted to simulations",
             answer.name.english(),
+            match &answer.study.after {
+                Some(after) => format!(
+                    ", AFTER {}: of the structure as that motion leaves it",
+                    after.motion
+                ),
+                None => String::new(),
+            },
             answer.version
         )),
         named.join(" "),

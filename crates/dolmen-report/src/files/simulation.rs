@@ -2,6 +2,7 @@
 
 use super::named::NamedFile;
 use super::paraview::paraview;
+use crate::after_first::after_first_json;
 use crate::figures::{self, building_histories, chain_histories, frame_histories, wind_histories};
 use crate::film::{stack_film, supports_film};
 use crate::json::{
@@ -31,7 +32,8 @@ pub fn simulate_answer_value(answer: &SimulateAnswer) -> Value {
         [Simulation::Frame(_), ..] | [Simulation::Chain(_), Simulation::Chain(_), ..] => {
             let each = answer.simulations.iter();
             let all: Vec<Value> = each.map(|run| simulation_value(run, answer)).collect();
-            json!({ "judgement": judgement(&judge_simulation(answer)), "simulations": all })
+            let after = after_first_json(answer);
+            json!({ "judgement": judgement(&judge_simulation(answer)), "after": after, "simulations": all })
         }
         [one, ..] => simulation_value(one, answer),
     }
@@ -48,6 +50,7 @@ pub(crate) fn simulation_value(simulation: &Simulation, of: &SimulateAnswer) -> 
         Simulation::Wind(run) => wind_simulation_json(run),
     };
     value["judgement"] = judgement(&judge_run(simulation, of));
+    value["after"] = after_first_json(of);
     value
 }
 

@@ -1,5 +1,6 @@
 //! How simulated frames ended.
 
+use super::beside;
 use crate::document::{Finding, Tone};
 use crate::limits;
 use crate::simulated::{
@@ -44,6 +45,24 @@ messages! {
             en: "The frame on its columns alone is moved only on rigid stones, without bed_stiffness: on beds that give way it falls sooner.",
             ko: "기둥만으로 거동하는 해석은 bed_stiffness가 없는 강체 초석에 한한다. 지압면이 변형하면 더 일찍 전도된다.",
         },
+        ColumnsNeedOneComponent => {
+            en: "The frame on its columns alone is moved only under one component of a motion: under x and y together a foot rolls around its edge or on a corner, which is not followed.",
+            ko: "기둥만으로 거동하는 해석은 지반운동이 한 성분일 때에 한한다. x와 y가 함께 작용하면 주각이 가장자리를 따라 또는 모서리로 구르며, 이 거동은 추적하지 않는다.",
+        },
+        Together { name: String, drift: Quantity, share: Quantity, at: Quantity, top: Quantity } => {
+            en: "Both directions together: ‘{name}’ drifts by up to {drift}, {share} of its height, at {at}; the top moves {top}.",
+            ko: "두 방향을 합하면 최대 층간변위는 ‘{name}’의 {drift}(층고의 {share}, {at})이고, 최상층 변위는 {top}이다.",
+        },
+        Shared { names: Vec<String>, step: Quantity, change: Quantity } => {
+            en: "Joints that rub in both directions share one slip force, however it points ({names}); steps of {step}, and at twice that the largest drifts differ by {change}.",
+            ko: "두 방향에 함께 마찰하는 층({names})은 미끄러짐 힘 하나를 방향과 관계없이 나누어 쓴다. 시간 간격은 {step}이며, 두 배로 하면 최대 층간변위가 {change} 달라진다.",
+        },
+        Leans { survey: String, tilt: String, direction: String, lean: Sentence } => {
+            en: "It leans as survey {survey} found it, tilt {tilt}: {lean} in direction {direction}, which its weight pushes on and which counts against the allowable drift; as_surveyed = \"none\" leaves that out.",
+            ko: "{survey} 조사의 실측 기울기 {tilt}을(를) 반영하였다. {direction} 방향 {lean}이며, 자중이 그쪽으로 밀고 허용 층간변위에서 그만큼을 뺀다. 제외하려면 as_surveyed = \"none\"으로 한다.",
+        },
+        OneIn { inverse: Quantity } => { en: "1/{inverse}", ko: "1/{inverse}" },
+        Plumb => { en: "none", ko: "없음" },
         AloneStood { of: Sentence, count: usize, peak: Quantity, uplift: Quantity } => {
             en: "{of}, on its {count} columns alone, without joints and walls: no foot lifts off; the ground peaks at {peak}, they lift off at {uplift}.",
             ko: "{of}, 접합부와 벽체 없이 기둥 {count}개만으로는 주각이 들리지 않는다. 지반가속도 최댓값은 {peak}, 들림 가속도는 {uplift}이다.",
@@ -79,9 +98,12 @@ pub(crate) fn findings(simulations: &[&FrameSimulation]) -> Vec<Finding> {
 /// How one ended, and its storeys against their limit.
 pub(super) fn own(simulation: &FrameSimulation) -> Vec<Finding> {
     let mut all = vec![finding(simulation)];
+    all.extend(beside::finding(simulation, title(simulation)));
     all.extend(undamped(simulation.undamped.as_ref()));
     all.extend(columns(simulation));
+    all.extend(leans(simulation));
     all.extend(tilt_left_out(simulation));
+    all.extend(together(simulation));
     // what fell has said so
     if !simulation.falls() {
         all.extend(limits(simulation));
@@ -95,6 +117,7 @@ pub(super) fn columns(simulation: &FrameSimulation) -> Vec<Finding> {
         ColumnsInMotion::Absent => return Vec::new(),
         ColumnsInMotion::SeveralStoreys => Finding::new(Tone::Plain, Ending::ColumnsNeedOneStorey),
         ColumnsInMotion::OnBeds => Finding::new(Tone::Plain, Ending::ColumnsNeedRigidBeds),
+        ColumnsInMotion::BothComponents => Finding::new(Tone::Plain, Ending::ColumnsNeedOneComponent),
         ColumnsInMotion::Alone(alone) => columns_alone(simulation, alone),
     };
     vec![of_columns, Finding::key(Tone::Warn, Ending::ColumnsLeftOut)]
@@ -152,6 +175,52 @@ fn columns_alone(simulation: &FrameSimulation, alone: &ColumnsAlone) -> Finding 
             )
         }
     }
+}
+
+/// What both directions do together, and what couples them; nothing of one component.
+pub(super) fn together(simulation: &FrameSimulation) -> Vec<Finding> {
+    let Some(together) = simulation.together_once() else {
+        return Vec::new();
+    };
+    let name = |storey: usize| simulation.storeys.get(storey).cloned().unwrap_or_default();
+    let worst = together.storeys[together.worst];
+    let height_m = simulation.frame.frame().storeys()[together.worst].height_m;
+    let said = Ending::Together {
+        name: name(together.worst),
+        drift: millimetres(worst.drift_m),
+        share: Quantity::percent(worst.drift_m / height_m, 3),
+        at: seconds(worst.at_s),
+        top: millimetres(together.top_m),
+    };
+    let shared = together.shared.map(|shared| Ending::Shared {
+        names: together.rubbing.iter().map(|storey| name(*storey)).collect(),
+        step: Quantity::new(shared.step_s, milli("s"), Digits::Significant(3)),
+        change: Quantity::percent(shared.change, 2),
+    });
+    let shared = shared.map(|said| Finding::key(Tone::Plain, said));
+    [Finding::key(Tone::Plain, said)]
+        .into_iter()
+        .chain(shared)
+        .collect()
+}
+
+/// That it leans, and by whose measurement.
+pub(super) fn leans(simulation: &FrameSimulation) -> Option<Finding> {
+    let lean = simulation.lean.as_ref()?;
+    let tilt = simulation.tilt;
+    let said = Ending::Leans {
+        survey: lean.survey.clone(),
+        tilt: lean.written.clone(),
+        direction: simulation.direction.clone(),
+        lean: match tilt == 0.0 {
+            true => Ending::Plumb.into(),
+            false => Ending::OneIn {
+                inverse: Quantity::ratio(1.0 / tilt.abs(), 3),
+            }
+            .into(),
+        },
+    };
+    Some(Finding::key(Tone::Plain, said))
 }
 
 /// That a surveyed tilt is not in the motion; nothing where none was surveyed.

@@ -1,5 +1,6 @@
 //! Simulated motions of a frame: how they ended, storey by storey, in time.
 
+mod beside;
 mod ending;
 mod friction;
 mod run;
@@ -28,6 +29,11 @@ messages! {
             en: "Rigid columns that rock on rigid stones, without joints and walls; it falls beyond atan(b/h).",
             ko: "접합부와 벽체 없이 강체 초석 위에서 흔들리는 강체 기둥이며, atan(b/h)를 넘으면 전도된다.",
         },
+        Path { name: String } => { en: "Drift of ‘{name}’ in plan.", ko: "‘{name}’의 평면상 층간변위." },
+        PathMeaning => {
+            en: "Both directions together, at the samples; the circle is the largest resultant.",
+            ko: "두 방향을 합한 표본별 값이며 원은 최대 합성값이다.",
+        },
         Slips => { en: "When the joints of each storey slipped.", ko: "층별 미끄러짐 시각." },
         SlipsMeaning => { en: "Between the bands they stick.", ko: "띠 사이에서는 고착 상태이다." },
         Loop { name: String } => {
@@ -42,7 +48,8 @@ messages! {
 }
 
 /// The sentences on simulated frames as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 5] = [
+pub(crate) const TEMPLATES: [&[Template]; 6] = [
+    beside::Beside::TEMPLATES,
     ending::Ending::TEMPLATES,
     Shown::TEMPLATES,
     storeys::Storeys::TEMPLATES,
@@ -86,7 +93,9 @@ fn ended(document: &mut Document<'_>, simulation: &FrameSimulation) {
     let without = without
         .into_iter()
         .chain(ending::columns(simulation))
-        .chain(ending::tilt_left_out(simulation));
+        .chain(ending::leans(simulation))
+        .chain(ending::tilt_left_out(simulation))
+        .chain(ending::together(simulation));
     document
         .blocks
         .extend(without.map(|found| Block::Note(found.sentence)));
@@ -99,6 +108,12 @@ fn details<'a>(document: &mut Document<'a>, simulation: &'a FrameSimulation) {
     document.put(Block::Table(storeys::model(simulation)));
     friction::notes(document, &simulation.frame);
     document.put(Block::Table(storeys::response(simulation)));
+    if let Some(of) = simulation.beside.as_ref().filter(|of| !of.sensors.is_empty()) {
+        document.put(Block::Table(beside::table(of)));
+    }
+    document
+        .blocks
+        .extend(storeys::together(simulation).map(Block::Table));
     limits::section(document, &simulation.parts(), simulation.drift_limit.as_ref());
     for plot in FramePlot::all(simulation) {
         let drawn = Figure::new(caption(plot, simulation), move |language| {
@@ -107,6 +122,13 @@ fn details<'a>(document: &mut Document<'a>, simulation: &'a FrameSimulation) {
         document.charted(drawn.with_series(move || plot.series(simulation)));
     }
     run::run(document, simulation);
+}
+
+/// The storey whose resultant drift is the largest of its height.
+fn worst(simulation: &FrameSimulation) -> String {
+    let together = simulation.together_once();
+    let storey = together.and_then(|of| simulation.storeys.get(of.worst));
+    storey.cloned().unwrap_or_default()
 }
 
 fn caption(plot: FramePlot, simulation: &FrameSimulation) -> Vec<Sentence> {
@@ -118,6 +140,14 @@ fn caption(plot: FramePlot, simulation: &FrameSimulation) -> Vec<Sentence> {
             let name = simulation.storeys.get(storey).cloned().unwrap_or_default();
             vec![Shown::Loop { name }.into(), Shown::LoopMeaning.into()]
         }
+        FramePlot::Measured(sensor) => beside::caption(simulation, sensor),
+        FramePlot::Path => vec![
+            Shown::Path {
+                name: worst(simulation),
+            }
+            .into(),
+            Shown::PathMeaning.into(),
+        ],
         FramePlot::Slips => vec![Shown::Slips.into(), Shown::SlipsMeaning.into()],
         FramePlot::Energy => vec![Simulated::Energy.into(), Simulated::EnergyMeaning.into()],
     }

@@ -26,6 +26,10 @@ messages! {
             en: "Exact, without a change from sticking to slipping or back: {duration} in {series} Taylor series.",
             ko: "고착·미끄러짐의 변화가 없으므로 전 구간을 엄밀해로 계산하였다({duration}, 테일러 급수 {series}개).",
         },
+        Stepped { steps: usize, duration: Quantity, events: usize } => {
+            en: "Both directions in equal steps, since they share friction: {duration} in {steps} steps, springs, dashpots and inertia by the trapezoidal rule, friction at the end of each step; changes between sticking and slipping: {events}.",
+            ko: "두 방향이 마찰을 나누어 쓰므로 같은 시간 간격으로 함께 적분하였다({duration}, {steps}단계). 스프링·감쇠·관성은 사다리꼴 법칙, 마찰은 각 단계의 끝에서 계산하였다. 고착·미끄러짐이 바뀐 횟수: {events}.",
+        },
         VerticalLeftOut => {
             en: "z does not act: a frame knows no vertical shaking.",
             ko: "연직 성분 z는 작용하지 않는다. 골조 모델은 연직 진동을 고려하지 않는다.",
@@ -42,7 +46,13 @@ pub(super) fn run(document: &mut Document<'_>, simulation: &FrameSimulation) {
     let history = &simulation.history;
     document.put(Block::Table(energy(simulation)));
     let duration = seconds(history.time_s.last().copied().unwrap_or_default());
+    let shared = simulation.together.as_ref().and_then(|together| together.shared);
     document.note(match (history.events, history.steps) {
+        (events, steps) if shared.is_some() => Run::Stepped {
+            steps,
+            duration,
+            events,
+        },
         (0, series) => Run::NoEvents { series, duration },
         (events, series) => Run::Exact {
             events,

@@ -3,7 +3,8 @@
 use super::friction::{friction, kilonewtons_a_millimetre};
 use crate::document::{Cell, Column, Table};
 use crate::simulated::{left, milli, millimetres, seconds};
-use dolmen::dynamics::StoreyFriction;
+use dolmen::dynamics::{FrameResultant, StoreyFriction};
+use dolmen::structure::Storey;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::frame::FrameSimulation;
 
@@ -30,6 +31,13 @@ messages! {
         Level => { en: "displacement", ko: "변위" },
         Slipped => { en: "slipped", ko: "누적 미끄러짐" },
         OfTheTime => { en: "of the time", ko: "미끄러진 시간" },
+        Together => { en: "Both directions together.", ko: "두 방향의 합성." },
+        TogetherMeaning => {
+            en: "The largest resultant drift of each storey, and its parts at that moment.",
+            ko: "층별 최대 합성 층간변위와 그때의 방향별 값.",
+        },
+        Along { direction: String } => { en: "along {direction}", ko: "{direction} 방향" },
+        Resultant => { en: "resultant", ko: "합성" },
         DriftLeft => { en: "drift left", ko: "잔류 층간변위" },
     }
 }
@@ -65,6 +73,39 @@ pub(super) fn model(simulation: &FrameSimulation) -> Table {
         ],
         rows: each.zip(frame.stiffness_n_m()).map(row).collect(),
     }
+}
+
+/// The largest resultant drifts, a row each storey; nothing of one component.
+pub(super) fn together(simulation: &FrameSimulation) -> Option<Table> {
+    let together = simulation.together_once()?;
+    let heights = simulation.frame.frame().storeys().iter();
+    let each = simulation.storeys.iter().zip(&together.storeys).zip(heights);
+    let row = |((storey, of), height): ((&String, &FrameResultant), &Storey)| {
+        vec![
+            name(storey),
+            Cell::number(millimetres(of.parts_m[0])),
+            Cell::number(millimetres(of.parts_m[1])),
+            Cell::number(millimetres(of.drift_m)),
+            Cell::number(Quantity::percent(of.drift_m / height.height_m, 3)),
+            Cell::number(seconds(of.at_s)),
+        ]
+    };
+    let along = |place: usize| {
+        let direction = together.directions[place].clone();
+        Column::numbers(Storeys::Along { direction }, milli("m"))
+    };
+    Some(Table {
+        caption: vec![Storeys::Together.into(), Storeys::TogetherMeaning.into()],
+        columns: vec![
+            Column::words(Storeys::Storey),
+            along(0),
+            along(1),
+            Column::numbers(Storeys::Resultant, milli("m")),
+            Column::numbers(Storeys::OfHeight, Unit::percent()),
+            Column::numbers(Storeys::At, Unit::si("s")),
+        ],
+        rows: each.map(row).collect(),
+    })
 }
 
 /// Peaks, and what is left, a row each storey.

@@ -86,6 +86,7 @@ pub(crate) fn gate() -> ProjectReport {
         beside_file: None,
     };
     let checks = part.directions.iter().map(|d| DirectionCheck {
+        lean: None,
         direction: d.name.clone(),
         check: check_frame(&frame, None).unwrap(),
         slipping: None,

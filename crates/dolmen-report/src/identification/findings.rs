@@ -12,7 +12,7 @@ use super::words::{Words, counted};
 use crate::document::{Finding, Tone};
 use crate::simulated::kilo;
 use dolmen::structure::{Choice, StiffnessNote};
-use dolmen_project::{Project, Quantity as Input, Structure};
+use dolmen_project::{Project, Quantity as Input, Structure, date_of};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, Values, messages};
 use dolmen_work::surveyed::{StiffnessAnswer, SurveyAnswer, WithoutStiffness};
 
@@ -75,6 +75,10 @@ messages! {
             en: "no real stiffness explains the measured modes ({modes}).",
             ko: "계측 모드 {modes}개를 설명하는 실수 강성이 없다.",
         },
+        Earlier { earlier: usize, latest: String } => {
+            en: "Stiffness from vibration is summed up for survey {latest}; that of {earlier} other surveys stands in their sections.",
+            ko: "진동으로 추정한 강성은 {latest} 조사의 것만 요약하였다. 다른 조사 {earlier}건의 값은 각 절에 있다.",
+        },
         OfSurveys { surveys: Vec<String>, said: Sentence } => {
             en: "Survey {surveys}: {said}",
             ko: "{surveys} 조사: {said}",
@@ -87,12 +91,33 @@ messages! {
 ///
 /// Springs that act on what those of the file do not are compared behind, and alarm nobody.
 pub(crate) fn findings(project: &Project, all: &[SurveyAnswer]) -> Vec<Finding> {
+    let every: Vec<&SurveyAnswer> = all.iter().collect();
+    found(project, all, &every)
+}
+
+/// The same for the summary of a report: of the stiffness that vibration gives, that of the latest survey that gives one.
+pub(crate) fn findings_of_latest(project: &Project, all: &[SurveyAnswer]) -> Vec<Finding> {
+    let gives = |of: &&SurveyAnswer| !of.stiffness.is_empty() || of.plan.is_some() || of.factors.is_some();
+    let giving: Vec<&SurveyAnswer> = all.iter().filter(gives).collect();
+    let latest = giving.iter().copied().max_by_key(|of| date_of(&of.name));
+    let mut found = found(project, all, latest.as_slice());
+    if let Some(latest) = latest.filter(|_| giving.len() > 1) {
+        let said = Found::Earlier {
+            earlier: giving.len() - 1,
+            latest: latest.name.clone(),
+        };
+        found.push(Finding::new(Tone::Plain, said));
+    }
+    found
+}
+
+fn found(project: &Project, all: &[SurveyAnswer], shown: &[&SurveyAnswer]) -> Vec<Finding> {
     let asked = match &project.structure {
         Structure::Frame(part) => Some(part.convention),
         Structure::Chain(_) | Structure::Stack(_) | Structure::Building(_) | Structure::Survey => None,
     };
     let each = || {
-        let each = all.iter();
+        let each = shown.iter().copied();
         each.flat_map(|survey| survey.stiffness.iter().map(move |answer| (survey, answer)))
     };
     let is_asked = |answer: &StiffnessAnswer| answer.convention.is_none() || answer.convention == asked;
@@ -120,11 +145,11 @@ pub(crate) fn findings(project: &Project, all: &[SurveyAnswer]) -> Vec<Finding> 
         is_key: false,
         ..choice(&survey.name, answer)
     });
-    let in_plan = all
+    let in_plan = shown
         .iter()
         .filter_map(|survey| Some((survey, survey.plan.as_ref()?)));
     let in_plan = in_plan.flat_map(|(survey, answer)| plan::findings(&survey.name, answer));
-    let joint_by_joint = all
+    let joint_by_joint = shown
         .iter()
         .filter_map(|survey| Some((survey, survey.factors.as_ref()?)));
     let joint_by_joint = joint_by_joint.flat_map(|(survey, answer)| joints::findings(&survey.name, answer));
@@ -138,7 +163,7 @@ pub(crate) fn findings(project: &Project, all: &[SurveyAnswer]) -> Vec<Finding> 
     });
     // what is wrong with the sensors comes before what they lead to
     let sensors = all.iter().filter_map(doubted::finding);
-    let beside = all.iter().flat_map(beside::findings);
+    let beside = shown.iter().flat_map(|survey| beside::findings(survey));
     sensors
         .chain(own)
         .chain(hangs)
@@ -189,6 +214,15 @@ fn without(why: &WithoutStiffness) -> Finding {
         }
         .into(),
         WithoutStiffness::Floors { floors } => plan::Plan::WhatFloors { floors: *floors }.into(),
+        WithoutStiffness::Dampers { dampers } => plan::Plan::WhatDampers {
+            dampers: dampers.clone(),
+        }
+        .into(),
+        WithoutStiffness::SideSupportOneWay { number, stone } => joints::Joints::WhatOneWay {
+            number: *number,
+            stone: stone.clone(),
+        }
+        .into(),
         WithoutStiffness::WallsTurned => plan::Plan::WhatTurned.into(),
         WithoutStiffness::OnlyRecord => Centre::Record.into(),
         WithoutStiffness::FloorNotRigid { unexplained } => {

@@ -5,6 +5,7 @@ use super::joint_tables;
 use super::left_out::left_out;
 use crate::document::{Block, Document, Finding, Tone};
 use crate::figures::joint_factors;
+use crate::stack::beside;
 use dolmen::blocks::{JointFactor, JointFactorsError};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::stack::FactorsAnswer;
@@ -99,6 +100,10 @@ messages! {
             en: "Modes in direction {directions} are not used: a stack sways along x and y and twists (torsion).",
             ko: "{directions} 방향의 모드는 쓰지 않았다. 적층 구조의 모드는 x, y, torsion 방향으로 적어야 한다.",
         },
+        WhatOneWay { number: usize, stone: String } => {
+            en: "No factors on the springs of the joints are sought: side support {number} of '{stone}' has no gap, is not pressed at rest, and none as stiff is opposite it. It pushes in one half of each swing alone, so what was measured is no mode of springs. Give the gap that it has, or the support opposite it; or survey without it.",
+            ko: "'{stone}'의 측면 지지 {number}은(는) 간격이 없고 정지 상태에서 눌리지 않으며 맞은편에 같은 강성의 지지가 없어, 진동의 한쪽 반주기에만 닿는다. 계측한 것이 스프링 모델의 모드가 아니므로 접합부 강성을 추정하지 않았다. 실제 간격을 적거나 맞은편 지지를 적거나, 지지를 떼고 계측해야 한다.",
+        },
         WhatPaired => {
             en: "No factors on the springs of the joints are found: no measured mode can be told to be one of those computed. Measure shapes, or state the lowest mode of each direction.",
             ko: "어느 계측 모드도 계산 모드와 짝을 지을 수 없어 접합부 강성을 추정하지 않았다. 모드형상을 계측하거나 방향마다 최저 모드를 적어야 한다.",
@@ -181,6 +186,8 @@ pub(super) fn findings(survey: &str, answer: &FactorsAnswer) -> Vec<Finding> {
             ..Finding::key(tone, of(each.into()))
         },
     ];
+    let held = beside(&answer.beside).into_iter();
+    all.extend(held.map(|said| Finding::key(Tone::Warn, of(said.into()))));
     let highest = found
         .factors
         .iter()

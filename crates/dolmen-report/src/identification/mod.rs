@@ -17,7 +17,7 @@ mod solutions;
 mod words;
 mod written;
 
-pub(crate) use findings::findings;
+pub(crate) use findings::{findings, findings_of_latest};
 pub(crate) use written::Written;
 pub use written::written_back_text;
 

@@ -116,6 +116,10 @@ messages! {
             en: "No stiffness is sought from vibration: the building has {floors} floors, and it is found for one floor on one storey only. The check compares the measured frequencies with those of the model.",
             ko: "건물의 층이 {floors}개여서 진동으로 강성을 추정하지 않았다. 추정은 바닥 하나와 그 아래 층 하나인 건물에만 한다. 검토에서 계측 고유진동수와 모델의 값을 비교한다.",
         },
+        WhatDampers { dampers: Vec<String> } => {
+            en: "No stiffness is sought from vibration: the file puts dampers on the floor ({dampers}), and modes measured with them are not those of the floor alone. Survey with the dampers blocked, and move them into a [variant]; the check compares what was measured with the modes of the whole, dampers included.",
+            ko: "파일에 제진장치({dampers})가 있어, 그대로 계측한 모드는 바닥만의 모드가 아니므로 진동으로 강성을 추정하지 않았다. 제진장치를 고정하고 계측한 뒤 제진장치를 [variant]로 옮겨야 한다. 검토에서는 계측값을 제진장치를 포함한 전체의 모드와 비교한다.",
+        },
         WhatTurned => {
             en: "No stiffness is sought from vibration: the walls of the storey are turned from x and y, which makes more unknowns than k_x, k_y and k_θ. Turn the axes of the plan with the walls.",
             ko: "층의 벽이 x, y축에서 돌아가 있어 미지수가 k_x, k_y, k_θ보다 많으므로 진동으로 강성을 추정하지 않았다. 평면의 축을 벽에 맞추어 돌려야 한다.",
@@ -227,6 +231,7 @@ fn chosen(answer: &PlanAnswer) -> (Tone, Sentence, Option<&'static str>) {
         solutions => {
             let all_move = answer.modes.iter().all(|mode| mode.motion.is_some());
             let said: Sentence = match (is_stated, all_move) {
+                (false, _) if has_shapes(answer) => plan_centre::Centre::SeveralShapes { solutions }.into(),
                 (false, _) => plan_centre::Centre::SeveralTwists { solutions }.into(),
                 (true, true) => Plan::SeveralMove { solutions }.into(),
                 (true, false) => Plan::Several { solutions }.into(),
@@ -234,6 +239,12 @@ fn chosen(answer: &PlanAnswer) -> (Tone, Sentence, Option<&'static str>) {
             (Tone::Warn, said, Some("indistinguishable"))
         }
     }
+}
+
+/// Whether the shapes of both modes along x and y were measured.
+fn has_shapes(answer: &PlanAnswer) -> bool {
+    let sways = |mode: &&PlanMode| matches!(mode.motion, Some(PlanMotion::X | PlanMotion::Y));
+    answer.modes.iter().filter(sways).all(|mode| mode.shape.is_some())
 }
 
 fn free(answer: &PlanAnswer) -> Plan {

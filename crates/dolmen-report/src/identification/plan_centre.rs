@@ -14,8 +14,12 @@ messages! {
             ko: "정해지지 않는다. 고유진동수 3개로는 강성 중심의 위치를 알 수 없다. 강성 중심이 파일의 위치(질량 중심에서 x {e_x}, y {e_y})에 있다면 k_x {k_x}, k_y {k_y}, k_θ {k_theta}이다.",
         },
         Between { stated: Sentence, x: Sentence, y: Sentence, theta: Sentence } => {
-            en: "{stated} Over all centres on the floor k_x lies between {x}, k_y between {y}, k_θ between {theta}.",
-            ko: "{stated} 바닥 안의 모든 강성 중심에 대하여 k_x는 {x}, k_y는 {y}, k_θ는 {theta} 사이에 있다.",
+            en: "{stated} Over all centres on the floor, and over frequencies within 1.96 standard deviations, k_x lies between {x}, k_y between {y}, k_θ between {theta}.",
+            ko: "{stated} 바닥 안의 모든 강성 중심과 표준편차 1.96배 이내의 고유진동수에 대하여 k_x는 {x}, k_y는 {y}, k_θ는 {theta} 사이에 있다.",
+        },
+        BetweenExact { stated: Sentence, x: Sentence, y: Sentence, theta: Sentence } => {
+            en: "{stated} Over all centres on the floor, were the frequencies exact (their scatter is not given), k_x lies between {x}, k_y between {y}, k_θ between {theta}.",
+            ko: "{stated} 바닥 안의 모든 강성 중심에 대하여, 고유진동수가 정확하다면(산포가 주어지지 않음) k_x는 {x}, k_y는 {y}, k_θ는 {theta} 사이에 있다.",
         },
         Range { least: Quantity, most: Quantity } => { en: "{least} and {most}", ko: "{least}에서 {most}" },
         Needed => {
@@ -26,6 +30,18 @@ messages! {
         SeveralTwists { solutions: usize } => {
             en: "{solutions} different solutions explain the 3 frequencies and the twists equally well; none is preferred here. How far the floor moves across the direction of each mode, over how far along it (sideways), tells them apart.",
             ko: "서로 다른 해 {solutions}개가 고유진동수 3개와 비틀림비를 똑같이 잘 설명하므로 어느 것도 택하지 않는다. 각 모드에서 그 방향 변위에 대한 직각 방향 변위의 비(sideways)를 계측하면 구별할 수 있다.",
+        },
+        SeveralShapes { solutions: usize } => {
+            en: "{solutions} different solutions explain the 3 frequencies and the shapes (twist and sideways) equally well; none is preferred here. Measure the shapes more closely: longer records, and more sensors near the corners of the floor.",
+            ko: "서로 다른 해 {solutions}개가 고유진동수 3개와 모드형상(twist, sideways)을 똑같이 잘 설명하므로 어느 것도 택하지 않는다. 더 긴 기록과 바닥 모서리 쪽의 더 많은 센서로 모드형상을 더 정밀하게 계측해야 한다.",
+        },
+        Meet { survey: String } => {
+            en: "Survey {survey}: two solutions meet within the scatter of these frequencies and twists. The standard deviations given span both; a smaller scatter of twists and frequencies narrows them.",
+            ko: "{survey} 조사: 이 고유진동수와 비틀림비의 산포 안에서 두 해가 만난다. 제시한 표준편차는 두 해를 모두 포함한다. 비틀림비와 고유진동수의 산포를 줄이면 좁혀진다.",
+        },
+        OffFloor { survey: String, sensors: Vec<String>, x: Sentence, y: Sentence } => {
+            en: "Survey {survey}: sensors stand outside the floor: {sensors}. Its sides lie between {x} along x and between {y} along y. Positions are in the axes of the file, not from a corner of the plan: check them before all else.",
+            ko: "{survey} 조사: 바닥 밖에 놓인 센서가 있다: {sensors}. 바닥의 변은 x {x}, y {y} 사이에 있다. 위치는 평면의 모서리가 아니라 파일의 좌표축에서 잰 값이므로 무엇보다 먼저 위치를 확인해야 한다.",
         },
         FromRecord { survey: String, sensors: usize, unexplained: Quantity } => {
             en: "Survey {survey}: the twists and sideways motions are from its record. Sensors on the floor: {sensors}; share of their shapes that no rigid floor has: {unexplained}.",
@@ -71,7 +87,10 @@ pub(super) fn stated(answer: &PlanAnswer, one: &PlanSolution) -> Sentence {
         Some(bounds) => {
             let [x, y, theta] = [0, 1, 2].map(|at| range(bounds, &units, at));
             let stated = stated.into();
-            Centre::Between { stated, x, y, theta }.into()
+            match bounds.with_scatter {
+                true => Centre::Between { stated, x, y, theta }.into(),
+                false => Centre::BetweenExact { stated, x, y, theta }.into(),
+            }
         }
     };
     let needed = Centre::Needed.into();
@@ -86,11 +105,33 @@ fn range(bounds: &PlanBounds, units: &Units, at: usize) -> Sentence {
 
 /// Where twists are from, and what is to be known of it.
 pub(super) fn findings(survey: &str, answer: &PlanAnswer) -> Vec<Finding> {
-    let Some(from) = answer.from_record else {
-        return Vec::new();
-    };
     let survey = survey.to_owned();
     let mut all = Vec::new();
+    if let Some([x, y]) = answer.sides_m()
+        && !answer.off_floor.is_empty()
+    {
+        let (survey, sensors) = (survey.clone(), answer.off_floor.clone());
+        let [x, y] = [x, y].map(|[least, most]| {
+            let [least, most] = [least, most].map(|m| Quantity::new(m, Unit::si("m"), Digits::Fixed(2)));
+            Centre::Range { least, most }.into()
+        });
+        all.push(Finding::key(
+            Tone::Warn,
+            Centre::OffFloor {
+                survey,
+                sensors,
+                x,
+                y,
+            },
+        ));
+    }
+    if answer.found.accepted().any(|one| one.roots_meet) {
+        let survey = survey.clone();
+        all.push(Finding::key(Tone::Warn, Centre::Meet { survey }));
+    }
+    let Some(from) = answer.from_record else {
+        return all;
+    };
     if from.modes_found > 3 {
         let (survey, modes) = (survey.clone(), from.modes_found);
         all.push(Finding::key(Tone::Warn, Centre::MoreModes { survey, modes }));

@@ -43,6 +43,9 @@ fn standing(standing: &StandingBuilding) -> Value {
     json!({
         "modes": modes.collect::<Vec<_>>(),
         "total_mass": standing.modes.total_mass,
+        "modes_with_dampers": standing.damped_modes.iter().map(|mode| json!({
+            "frequency_hz": mode.frequency_hz, "damping_ratio": mode.damping_ratio, "share_of_own_modes": mode.share,
+        })).collect::<Vec<_>>(),
         "dampers": standing.dampers.iter().map(damper).collect::<Vec<_>>(),
         "spectral": standing.spectral.as_ref().map(spectral),
         "spectral_refused": standing.spectral_refused,

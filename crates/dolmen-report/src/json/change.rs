@@ -7,6 +7,7 @@ use dolmen::assess::{ModeChange, SurveyChange, TemperatureKnowledge};
 use dolmen_words::Language;
 use dolmen_words::advice::Advice;
 use dolmen_work::answer::CompareAnswer;
+use dolmen_work::between::Between;
 use dolmen_work::compared_readings::{ComparedItem, ComparedReadings, ItemCourse};
 use serde_json::{Value, json};
 
@@ -17,6 +18,10 @@ pub fn change_json(answer: &CompareAnswer) -> Value {
         "from": answer.from,
         "to": answer.to,
         "earthquakes": answer.shaken.iter().map(|(survey, of)| json!({ "survey": survey, "modes_of": modes_of(*of) })).collect::<Vec<_>>(),
+        "between": answer.between().iter().map(|of| match of {
+            Between::Work(work) => json!({ "date": work.date, "kind": work.kind.word(), "what": work.what }),
+            Between::Earthquake(survey) => json!({ "date": survey, "kind": "earthquake", "what": Value::Null }),
+        }).collect::<Vec<_>>(),
         "tilts": tilts(&answer.readings),
         "inspections": answer.readings.items.iter().map(item).collect::<Vec<_>>(),
         "without_modes": answer.readings.without_modes,

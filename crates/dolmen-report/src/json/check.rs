@@ -88,6 +88,9 @@ fn direction(direction: &DirectionCheck) -> Value {
         "check": frame(&direction.check),
         "slipping": direction.slipping.as_ref().map(frame),
         "columns": direction.columns.iter().map(columns).collect::<Vec<_>>(),
+        "lean": direction.lean.as_ref().map(|lean| json!({
+            "tilt": lean.tilt, "at_rest": lean.at_rest, "falls_from": lean.most,
+        })),
     })
 }
 

@@ -1,7 +1,7 @@
 //! Fragility and risk of a study, as JSON.
 
 use dolmen::assess::{AssessError, FragilityFit};
-use dolmen_work::study::{StateFragility, StudyAnswer, YEARS};
+use dolmen_work::study::{StateFragility, StudyAnswer};
 use serde_json::{Map, Value, json};
 
 /// Confidence of intervals.
@@ -16,6 +16,10 @@ pub(super) fn fragilities_json(answer: &StudyAnswer) -> Result<Vec<Value>, Asses
         let states = one.states.iter().map(|state| {
             Ok(json!({
                 "state": answer.kind.states()[state.state],
+                "scans": state.scans(),
+                "scans_reached": state.reached(),
+                "scans_fell_by_themselves": state.fell_alone,
+                "probability_without_shaking": state.share_alone(),
                 "by_peak_acceleration_m_s2": fit_json(&state.by_acceleration)?,
                 "by_measure": by_measure(state)?,
                 "beta_of_motions": state.scatter.map(|split| split.of_motions),
@@ -26,9 +30,10 @@ pub(super) fn fragilities_json(answer: &StudyAnswer) -> Result<Vec<Value>, Asses
                 },
                 "samples_without_curve": state.scatter.map(|split| split.without_curve),
                 "motions_enough": state.motions_enough(),
-                "annual_rate": state.risk.map(|risk| risk.annual_rate),
+                "annual_rate": state.annual_rate(),
+                "annual_rate_of_standing": state.risk.map(|risk| risk.annual_rate),
                 "annual_rate_at_ends_95": state.rate_interval,
-                "probability_in_50_years": state.risk.map(|risk| risk.probability_in(YEARS)),
+                "probability_in_50_years": state.probability_in_years(),
                 "rate_share_below_hazard": state.risk.map(|risk| risk.share_below_points),
                 "rate_share_above_hazard": state.risk.map(|risk| risk.share_above_points),
             }))
@@ -74,6 +79,30 @@ pub(super) fn measures_json(answer: &StudyAnswer) -> Vec<Value> {
             "state": answer.kind.states()[row.state],
             "combinations": row.combinations,
             "measures": measures.collect::<Map<_, _>>(),
+        })
+    });
+    each.collect()
+}
+
+/// Whether capacities by each measure depend on the earthquake besides.
+pub(super) fn sufficiency_json(answer: &StudyAnswer) -> Vec<Value> {
+    let mut names = vec!["peak_acceleration_m_s2".to_owned()];
+    names.extend(answer.measures().iter().map(|measure| measure.column()));
+    let each = answer.sufficiencies().into_iter().map(|own| {
+        let by_measure = own.by_measure.as_ref().map(|all| {
+            let each = names.iter().zip(all).map(|(name, of)| {
+                let of = json!({
+                    "slope": of.slope, "slope_error": of.slope_error, "p_value": of.p_value, "motions": of.motions,
+                });
+                (name.clone(), of)
+            });
+            each.collect::<Map<_, _>>()
+        });
+        json!({
+            "state": answer.kind.states()[own.state],
+            "against": own.predictor.key(),
+            "measures": by_measure.as_ref().ok(),
+            "why_not": by_measure.err().map(|why| why.to_string()),
         })
     });
     each.collect()

@@ -3,7 +3,7 @@
 use super::simulation::motion_json;
 use crate::limits::parts_json;
 use dolmen::dynamics::{FrameOutcome, FrictionActsOn, RockingOutcome, StoreyFriction};
-use dolmen_work::frame::{ColumnsInMotion, FrameSimulation};
+use dolmen_work::frame::{ColumnsInMotion, FrameBeside, FrameSimulation, FrameTogether, SensorBeside};
 use serde_json::{Value, json};
 
 /// Everything of a simulation but its histories.
@@ -40,8 +40,13 @@ pub fn frame_simulation_json(simulation: &FrameSimulation) -> Value {
         },
         "output_step_s": options.output_step_s,
         "undamped": simulation.undamped.is_some(),
+        "measured": simulation.beside.as_ref().map(beside),
         "leaves_columns_out": simulation.columns != ColumnsInMotion::Absent,
         "columns_alone": columns_alone(&simulation.columns),
+        "together": simulation.together.as_ref().map(together),
+        "lean": simulation.lean.as_ref().map(|lean| json!({
+            "survey": lean.survey, "tilt": lean.written, "tilt_in_direction": simulation.tilt,
+        })),
         "duration_s": history.time_s.last(),
         "outcome": outcome(simulation),
         "limits": parts_json(&simulation.parts(), simulation.drift_limit.as_ref()),
@@ -53,6 +58,44 @@ pub fn frame_simulation_json(simulation: &FrameSimulation) -> Value {
             "input_j": end.input_j, "kinetic_j": end.kinetic_j, "stored_j": end.stored_j, "friction_j": end.friction_j,
             "damping_j": end.damping_j, "left_over_ratio": history.energy_left_over_ratio(),
         },
+    })
+}
+
+/// The run beside what a survey measured.
+fn beside(of: &FrameBeside) -> Value {
+    let sensor = |sensor: &SensorBeside| {
+        let beside = &sensor.beside;
+        json!({
+            "channel": sensor.channel,
+            "height_m": sensor.height_m,
+            "follows": sensor.follows(),
+            "peak_measured_m_s2": beside.peak_measured,
+            "peak_simulated_m_s2": beside.peak_simulated,
+            "rms_measured_m_s2": beside.rms_measured,
+            "rms_simulated_m_s2": beside.rms_simulated,
+            "correlation": beside.correlation,
+            "residual_ratio": Some(beside.residual_ratio).filter(|ratio| ratio.is_finite()),
+            "frequency_measured_hz": beside.frequency_measured_hz,
+            "frequency_simulated_hz": beside.frequency_simulated_hz,
+        })
+    };
+    json!({
+        "survey": of.survey,
+        "follows": of.follows(),
+        "left_out": of.left_out,
+        "sensors": of.sensors.iter().map(sensor).collect::<Vec<_>>(),
+    })
+}
+
+fn together(of: &FrameTogether) -> Value {
+    let storeys = of.storeys.iter().map(|storey| {
+        json!({ "peak_drift_m": storey.drift_m, "at_s": storey.at_s, "drift_x_m": storey.parts_m[0], "drift_y_m": storey.parts_m[1] })
+    });
+    json!({
+        "directions": of.directions,
+        "storeys": storeys.collect::<Vec<_>>(),
+        "peak_top_displacement_m": of.top_m,
+        "shared_friction": of.shared.map(|shared| json!({ "step_s": shared.step_s, "change_of_peaks": shared.change })),
     })
 }
 

@@ -378,6 +378,7 @@ fn plan(answer: &PlanAnswer) -> Value {
         "free": found.free,
         "is_determined": answer.determined().is_some(),
         "bounds": answer.bounds,
+        "sensors_off_the_floor": answer.off_floor,
         "beside_file": answer.beside_file,
         "from_record": answer.from_record.map(|of| json!({
             "sensors": of.sensors,
@@ -416,6 +417,7 @@ fn joint_factors(answer: &FactorsAnswer) -> Value {
         "resettled_change": found.resettled.as_ref().ok(),
         "resettled_error": found.resettled.as_ref().err().map(Advice::advised),
         "other_directions": answer.other_directions,
+        "side_supports": answer.beside,
     })
 }
 

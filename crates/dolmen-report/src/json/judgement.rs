@@ -51,6 +51,7 @@ fn version(version: &VersionJudgement) -> Value {
         "tilt_left_out": version.tilt_left_out.as_ref().map(|of| json!({ "survey": of.survey, "tilt": of.written })),
         "tilt_beyond_limit": version.tilt_beyond_limit,
         "leans": version.leans.as_ref().map(|of| json!({ "survey": of.survey, "tilt": of.tilt })),
+        "after": version.after.as_ref().map(|of| json!({ "first": of.first, "second": of.second })),
         "assumed_inputs": version.inputs.assumed,
         "inputs": version.inputs.all,
     })
@@ -98,10 +99,12 @@ fn evidence(evidence: &Evidence) -> Value {
             (Some(survey), None)
         }
         Evidence::Contradicted(of) | Evidence::TooRough(of) => (Some(&of.survey), None),
+        Evidence::MarkedAssumed { survey, .. } => (Some(survey), None),
         Evidence::NotMeasured { calibrated_to } => (None, calibrated_to.as_ref()),
     };
     let contradicted = match evidence {
         Evidence::Contradicted(of) | Evidence::TooRough(of) => Some(of),
+        Evidence::MarkedAssumed { farthest, .. } => farthest.as_ref(),
         _ => None,
     };
     json!({

@@ -19,13 +19,18 @@ pub fn rank_json(answer: &PortfolioAnswer) -> Value {
                     json!({
                         "theta_m_s2": known.fragility.theta(), "beta": known.fragility.beta(),
                         "ln_theta_sd": known.ln_theta_sd, "known": known_word(known.known),
+                        "falls_by_itself": known.falls_alone,
                     })
                 });
                 (name.to_owned(), value.unwrap_or(Value::Null))
             })
             .collect();
         let basis = match &entry.basis {
-            Basis::Study { name, scans } => json!({ "kind": "study", "study": name, "scans": scans }),
+            Basis::Study {
+                name,
+                scans,
+                fell_alone,
+            } => json!({ "kind": "study", "study": name, "scans": scans, "scans_fell_by_themselves": fell_alone }),
             Basis::Score {
                 reasons,
                 outside,

@@ -31,6 +31,7 @@ pub(super) fn stack(answer: &StackAnswer) -> Value {
         "supports": check.supports.as_ref().map(|supports| self::supports(stack, supports)),
         "capacity": check.capacity,
         "frequencies": answer.frequencies.as_ref().map(frequencies),
+        "side_supports_in_frequencies": answer.beside,
         "local_mechanisms": local_mechanisms(answer),
         "period_of_thumb_s": check.period_of_thumb.period_s,
         "notes": check.notes.iter().map(ToString::to_string).collect::<Vec<_>>(),

@@ -1,8 +1,9 @@
 //! A study, as JSON.
 
-use super::fragility::{fragilities_json, joints_json, measures_json};
+use super::fragility::{fragilities_json, joints_json, measures_json, sufficiency_json};
 use dolmen::assess::{AssessError, Direction, Reached};
-use dolmen_work::study::StudyAnswer;
+use dolmen_work::simulation::SPEED_AT_REST_M_S;
+use dolmen_work::study::{RunMeasures, StudyAnswer};
 use serde_json::{Map, Value, json};
 
 /// Everything of a study but its single runs.
@@ -40,6 +41,7 @@ pub fn study_json(answer: &StudyAnswer) -> Result<Value, AssessError> {
         "noise_seed": study.artificial.map(|made| made.seed),
         "notes": answer.notes.iter().map(|note| &note.english).collect::<Vec<_>>(),
         "left_out_of_runs": answer.left_out_of_runs.iter().map(|said| &said.english).collect::<Vec<_>>(),
+        "after": after(answer),
         "copies": answer.copies.iter().map(|copy| json!({ "motion": copy.motion, "of": copy.of })).collect::<Vec<_>>(),
         "inputs": inputs.collect::<Vec<_>>(),
         "cases": answer.cases.len(),
@@ -62,9 +64,39 @@ pub fn study_json(answer: &StudyAnswer) -> Result<Value, AssessError> {
         "spectral_damping_ratio": study.spectral_damping_ratio,
         "fragility": fragilities_json(answer)?,
         "measures": measures_json(answer),
+        "sufficiency": sufficiency_json(answer),
         "joints": joints_json(answer)?,
         "hazard": answer.hazard.as_ref().map(|hazard| hazard.curve.points().iter().map(|[peak, rate]| json!({ "peak_acceleration_m_s2": peak, "annual_rate": rate })).collect::<Vec<_>>()),
     }))
+}
+
+/// The motion before the runs, and the state in which it leaves each case; `null` without one.
+fn after(answer: &StudyAnswer) -> Value {
+    let Some(after) = &answer.study.after else {
+        return Value::Null;
+    };
+    let number = |value: f64| value.is_finite().then_some(value);
+    let each = answer.before.iter().map(|of| {
+        json!({
+            "case": of.case + 1,
+            "peak_ground_acceleration_m_s2": number(of.peak_m_s2),
+            "outcome": of.outcome.word(),
+            "damage_state": of.damage_state,
+            "joint_states": of.joint_states,
+            "at_s": number(of.at_s),
+            "part": of.part,
+            "still_s": number(of.still_s),
+            "speed_at_rest_m_s": number(of.speed_m_s),
+            "why": of.why,
+            "measures": RunMeasures::names(answer.kind).iter()
+                .map(|name| ((*name).to_owned(), json!(of.measures.named(name).and_then(number)))).collect::<Map<String, Value>>(),
+        })
+    });
+    json!({
+        "motion": after.motion,
+        "speed_at_rest_most_m_s": SPEED_AT_REST_M_S,
+        "states": each.collect::<Vec<_>>(),
+    })
 }
 
 /// Scans that are in no quantile and no trend.
@@ -91,6 +123,7 @@ fn levels(answer: &StudyAnswer) -> Vec<Value> {
             "scans": row.scans.len(),
             "scans_usable": row.usable(),
             "fell": row.fell(),
+            "fell_by_themselves": row.fell_alone(),
             "not_fallen": row.usable() - row.fell(),
             "first_fall_least_m_s2": row.least_m_s2().filter(|least| least.is_reached()).map(Reached::value),
             "survived_above": row.survived_above(),

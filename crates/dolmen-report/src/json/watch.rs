@@ -2,7 +2,7 @@
 
 use super::check::project;
 use dolmen::monitoring::{AlarmKind, ChangeForm, NoSlope, NotJudged, TiltTrend, WatchedMode, WeatherKnown};
-use dolmen_project::{LogKind, WorkKind};
+use dolmen_project::LogKind;
 use dolmen_work::date_text;
 use dolmen_work::watched::WatchAnswer;
 use dolmen_work::watched_log::WatchedLog;
@@ -19,10 +19,7 @@ pub fn watch_json(answer: &WatchAnswer) -> Value {
             changes.push(json!({
                 "mode": number + 1,
                 "frequency_hz": mode.track.frequency_hz,
-                "form": match change.form {
-                    ChangeForm::Step => "step",
-                    ChangeForm::Slope => "slope",
-                },
+                "form": form(change.form),
                 "date": name(change.from),
                 "date_earliest": name(change.after),
                 "date_latest": name(change.before),
@@ -114,17 +111,14 @@ pub fn watch_json(answer: &WatchAnswer) -> Value {
         })).collect::<Vec<_>>(),
         "left_out": answer.left_out,
         "sensors_left_out": answer.sensors_left_out.iter().map(|(survey, channels)| json!({ "survey": survey, "channels": channels })).collect::<Vec<_>>(),
+        "without_modes": answer.without_modes.iter().map(|(survey, why)| json!({ "survey": survey, "why": why.english })).collect::<Vec<_>>(),
         "several_of_one_day": answer.several.iter().map(|(day, surveys)| json!({ "day": day, "surveys": surveys })).collect::<Vec<_>>(),
         "works": answer.works.iter().map(|(_, work)| json!({
             "date": work.date,
             "what": work.what,
-            "kind": match work.kind {
-                WorkKind::Repair => "repair",
-                WorkKind::Inspection => "inspection",
-                WorkKind::Sensors => "sensors",
-                WorkKind::Event => "event",
-            },
+            "kind": work.kind.word(),
         })).collect::<Vec<_>>(),
+        "last_far_off": answer.last_far_off(),
         "earthquakes": answer.earthquakes.iter().map(|of| json!({
             "survey": of.survey,
             "peak_acceleration_m_s2": of.part.peak_m_s2,
@@ -146,7 +140,7 @@ pub fn watch_json(answer: &WatchAnswer) -> Value {
         })).collect::<Vec<_>>(),
         "temperatures_of_log": answer.temperatures_of_log,
         "logs": answer.logs.iter().map(|found| log(found, answer)).collect::<Vec<_>>(),
-        "tilts": watched.tilts.iter().map(tilt).collect::<Vec<_>>(),
+        "tilts": watched.tilts.iter().map(|trend| tilt(trend, answer)).collect::<Vec<_>>(),
         "sensors": watched.tracked.sensors.iter().map(|change| json!({
             "date": name(change.survey),
             "channel": change.channel,
@@ -210,7 +204,18 @@ fn mode(mode: &WatchedMode, answer: &WatchAnswer) -> Value {
     })
 }
 
-fn tilt(trend: &TiltTrend) -> Value {
+fn form(of: ChangeForm) -> &'static str {
+    match of {
+        ChangeForm::Step => "step",
+        ChangeForm::Slope => "slope",
+    }
+}
+
+fn tilt(trend: &TiltTrend, answer: &WatchAnswer) -> Value {
+    let date = |reading: usize| {
+        let survey = answer.surveys.get(*trend.series.surveys.get(reading)?)?;
+        Some(survey.name.clone())
+    };
     let slope = trend.slope.as_ref();
     let reach = slope.and_then(|slope| slope.reach);
     json!({
@@ -221,7 +226,14 @@ fn tilt(trend: &TiltTrend) -> Value {
         "sd_per_year": slope.map(|slope| slope.sd_per_year),
         "p_value": slope.map(|slope| slope.p_value),
         "beyond_chance": trend.is_beyond_chance(),
-        "jump": trend.jump.map(|jump| json!({ "from": trend.series.surveys.get(jump.from), "size": jump.size, "sd": jump.sd })),
+        "changes": trend.changes.iter().map(|of| json!({
+            "form": form(of.form), "date": date(of.from), "date_earliest": date(of.after), "date_latest": date(of.before),
+            "size": of.size, "sd": of.sd,
+        })).collect::<Vec<_>>(),
+        "outliers": trend.outliers.iter().map(|of| json!({
+            "date": date(of.at), "tilt": trend.series.ratios.get(of.at), "expected": of.expected,
+        })).collect::<Vec<_>>(),
+        "works": trend.works.iter().map(|of| json!({ "work": of.work + 1, "change": of.size, "sd": of.sd })).collect::<Vec<_>>(),
         "seen_from_per_year": slope.map(|slope| slope.seen_from_per_year),
         "now": slope.map(|slope| slope.now),
         "limit": reach.map(|reach| reach.limit),
@@ -281,6 +293,10 @@ fn log(log: &WatchedLog, answer: &WatchAnswer) -> Value {
             "shift": level.shift,
             "sd": level.sd,
             "p_value": level.p_value,
+        })).collect::<Vec<_>>(),
+        "changes": trend.changes.iter().map(|of| json!({
+            "form": form(of.form), "date": date_text(of.day), "date_earliest": date_text(of.after), "date_latest": date_text(of.before),
+            "size": of.size, "sd": of.sd,
         })).collect::<Vec<_>>(),
         "stuck_since": trend.stuck_since.map(date_text),
         "silent_since": log.silent_since(answer.newest_day()).map(date_text),

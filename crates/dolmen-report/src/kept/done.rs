@@ -1,9 +1,10 @@
 //! What was done to a store, once it is on disk.
 
 use crate::document::{Block, Document, TextStyle, document_text};
+use dolmen::modal::LastingChange;
 use dolmen_words::message::Both;
-use dolmen_words::{Quantity, Sentence, messages};
-use dolmen_work::kept::{Added, Fault, Imported, Verified};
+use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
+use dolmen_work::kept::{Added, AddedEarthquake, Fault, Imported, Verified};
 
 messages! {
     /// What was done to a store.
@@ -16,6 +17,14 @@ messages! {
             en: "{structure} is stored already as it is: {surveys} surveys, nothing new.",
             ko: "{structure}은(는) 같은 내용으로 이미 저장되어 있다: 계측 조사 {surveys}건, 신규 없음.",
         },
+        ChangedSurveys { structure: String, count: usize, names: String } => {
+            en: "{count} surveys that {structure} had already have other content now under the same name: {names}. Is it the same structure, and are these corrections? What was there stays in the store; list, show and watch take the new.",
+            ko: "{structure}에 이미 있던 계측 조사 {count}건의 내용이 같은 이름으로 바뀌었다: {names}. 같은 구조물이며 바로잡은 것인가? 이전 내용은 저장소에 남으나 list, show, watch는 새 내용을 쓴다.",
+        },
+        GoneSurveys { structure: String, count: usize, names: String } => {
+            en: "{count} surveys that {structure} had are not in this file, and are watched no more: {names}. Is it the same structure? What was there stays in the store; to take it back, add the file that has them.",
+            ko: "{structure}에 있던 계측 조사 {count}건이 이 파일에 없어 더 이상 검토되지 않는다: {names}. 같은 구조물인가? 이전 내용은 저장소에 남으며, 해당 조사가 있는 파일을 다시 저장하면 되돌아온다.",
+        },
         Analyses { count: usize } => {
             en: "Modes were identified from the records: {count} new analyses.",
             ko: "기록에서 모드를 식별하였다: 신규 식별 {count}건.",
@@ -24,6 +33,17 @@ messages! {
             en: "Survey {survey} is stored, but its records give no modes: {why}.",
             ko: "계측 조사 {survey}은(는) 저장하였으나 기록에서 모드를 찾지 못하였다: {why}.",
         },
+        Shaken { survey: String, peak: Sentence, changed: Sentence } => {
+            en: "EARTHQUAKE: the record of survey {survey} holds one, or the file states it{peak}{changed}, and no repair or inspection followed. It is an open alarm. Look at the structure; then enter it into works of [watch].",
+            ko: "지진: 계측 조사 {survey}의 기록 또는 기재 내용에 지진이 있다{peak}{changed}. 이후 보수나 점검이 없어 조치되지 않은 경보로 남는다. 구조물을 점검하고 [watch]의 works에 기록한다.",
+        },
+        PeakOf { peak: Quantity } => { en: ", peak acceleration {peak}", ko: ", 최대가속도 {peak}" },
+        Lasting { by: Quantity } => { en: ", LASTING CHANGE of a frequency by {by}", ko: ", 고유진동수 잔류 변화 {by}" },
+        NotBeyond { by: Quantity } => {
+            en: ", no lasting change beyond chance ({by})",
+            ko: ", 유의한 잔류 변화 없음({by})",
+        },
+        Unsaid => { en: "", ko: "" },
         Exported { structure: String, folder: String, files: usize } => {
             en: "{structure} is in {folder}: project.toml and {files} files, as they were stored.",
             ko: "{structure}을(를) {folder}에 내보냈다: project.toml과 파일 {files}개, 저장 당시 그대로이다.",
@@ -97,6 +117,22 @@ pub fn added_text(added: &Added, style: TextStyle) -> String {
             count: added.new_analyses,
         });
     }
+    if !added.changed_surveys.is_empty() {
+        let said = Done::ChangedSurveys {
+            structure: added.structure.clone(),
+            count: added.changed_surveys.len(),
+            names: some(&added.changed_surveys),
+        };
+        document.put(Block::Warning(said.into()));
+    }
+    if !added.gone_surveys.is_empty() {
+        let said = Done::GoneSurveys {
+            structure: added.structure.clone(),
+            count: added.gone_surveys.len(),
+            names: some(&added.gone_surveys),
+        };
+        document.put(Block::Warning(said.into()));
+    }
     for one in &added.unidentified {
         document.put(Block::Warning(
             Done::Unidentified {
@@ -106,7 +142,36 @@ pub fn added_text(added: &Added, style: TextStyle) -> String {
             .into(),
         ));
     }
+    for one in added.earthquakes.iter().filter(|one| !one.is_answered) {
+        document.put(Block::Warning(shaken(one).into()));
+    }
     document_text(&document, style)
+}
+
+/// An earthquake after which nobody looked.
+fn shaken(one: &AddedEarthquake) -> Done {
+    let of = &one.of;
+    let percent = |by: f64| Quantity::new(by, Unit::percent(), Digits::Significant(2));
+    let peak = of.peak_m_s2.map_or(Done::Unsaid, |peak| Done::PeakOf {
+        peak: Quantity::new(peak, Unit::si("m/s²"), Digits::Significant(3)),
+    });
+    let changed = match (of.changed, of.changed_sd) {
+        (Some(by), Some(sd)) if by.abs() > LastingChange::BEYOND * sd => Done::Lasting { by: percent(by) },
+        (Some(by), Some(_)) => Done::NotBeyond { by: percent(by) },
+        _ => Done::Unsaid,
+    };
+    Done::Shaken {
+        survey: one.survey.clone(),
+        peak: peak.into(),
+        changed: changed.into(),
+    }
+}
+
+/// Names that stand in a sentence; of more the first ones.
+fn some(names: &[String]) -> String {
+    const MOST: usize = 6;
+    let more = if names.len() > MOST { " …" } else { "" };
+    names[..names.len().min(MOST)].join(", ") + more
 }
 
 /// What `export` of one structure wrote.

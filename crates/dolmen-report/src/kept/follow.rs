@@ -340,7 +340,7 @@ pub fn metrics_text(
     );
     family("dolmen_frequency_sd_hertz", "Its standard deviation.", sds);
     let count = |word: &str| alarms.iter().filter(|alarm| alarm.sort.word() == word).count() as f64;
-    let kinds = ["structure", "earthquake", "tilt", "sensor"]
+    let kinds = ["structure", "earthquake", "tilt", "crack", "sensor"]
         .map(|word| (format!("{of},kind=\"{word}\""), count(word)));
     family(
         "dolmen_open_alarms",

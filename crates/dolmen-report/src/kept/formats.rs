@@ -25,7 +25,8 @@ pub enum Listing {
 }
 
 const STRUCTURE_COLUMNS: &str = "name,kind,english,korean,latitude_deg,longitude_deg,surveys,first_survey,last_survey,stored,who,is_removed";
-const SURVEY_COLUMNS: &str = "structure,survey,date,temperature_c,records,lowest_frequency_hz";
+const SURVEY_COLUMNS: &str =
+    "structure,survey,date,temperature_c,records,lowest_frequency_hz,has_earthquake,earthquake_peak_m_s2";
 
 impl ListFormat {
     /// What stands before the first row.
@@ -88,6 +89,8 @@ impl ListFormat {
                 number(row.temperature_c),
                 row.records.to_string(),
                 number(row.lowest_frequency_hz),
+                row.has_earthquake.to_string(),
+                number(row.earthquake_peak_m_s2),
             ])),
             ListFormat::GeoJson => None,
         }

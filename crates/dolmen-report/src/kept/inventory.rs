@@ -13,14 +13,15 @@ const ROWS_MOST: usize = 12;
 messages! {
     /// The list of structures that are watched.
     pub(crate) enum Watched in "store.watched" {
-        Caption { alarming: usize, structures: usize } => {
-            en: "Structures with an open alarm or a tilt or crack beyond its limit: {alarming} of {structures}, the worst first. A change is the strongest lasting one of any mode.",
-            ko: "조치되지 않은 경보가 있거나 기울기 또는 균열 폭이 한계를 넘은 구조물: {structures}기 중 {alarming}기, 나쁜 것부터. 변화는 모든 모드 중 가장 뚜렷한 지속적 변화이다.",
+        Caption { alarming: usize, structures: usize, to_watch: usize } => {
+            en: "Structures with an open alarm or a tilt or crack beyond its limit: {alarming} of {structures}, the worst first. Without an alarm, but changed or off in the last survey, and nobody looked since: {to_watch}; measure these again soon. A change is the strongest lasting one of any mode; off is how far the last survey lies from what those before it predict.",
+            ko: "조치되지 않은 경보가 있거나 기울기 또는 균열 폭이 한계를 넘은 구조물: {structures}기 중 {alarming}기, 나쁜 것부터. 경보는 아니나 변화하였거나 마지막 조사가 예측을 벗어났고 이후 보수나 점검이 없는 구조물: {to_watch}기, 곧 다시 계측한다. 변화는 모든 모드 중 가장 뚜렷한 지속적 변화이고, 이탈은 마지막 조사가 이전 조사의 예측에서 벗어난 정도이다.",
         },
         Structure => { en: "structure", ko: "구조물" },
         Text { text: String } => { en: "{text}", ko: "{text}" },
         Alarms => { en: "alarms", ko: "경보" },
         Change => { en: "change", ko: "변화" },
+        Off => { en: "off", ko: "이탈" },
         After => { en: "changed after", ko: "변화 시점(이후)" },
         Tilt => { en: "tilt", ko: "기울기" },
         Years => { en: "tilt limit in", ko: "기울기 한계까지" },
@@ -59,6 +60,13 @@ fn row(structure: &str, history: &History, is_full: bool) -> Vec<Cell> {
             false => Cell::number(count),
         },
         Cell::Number(change.map(|change| ratio(change.ratio, Unit::percent(), Digits::Fixed(2)))),
+        match history
+            .last_off
+            .map(|off| ratio(off.ratio, Unit::percent(), Digits::Fixed(2)))
+        {
+            Some(off) => Cell::Bad(off),
+            None => Cell::Number(None),
+        },
         match (tilt, history.is_tilt_beyond) {
             (Some(tilt), true) => Cell::Bad(ratio(1000.0 * tilt.now, Unit::si("mm/m"), Digits::Fixed(1))),
             _ => Cell::Number(tilt.map(|tilt| ratio(1000.0 * tilt.now, Unit::si("mm/m"), Digits::Fixed(1)))),
@@ -82,6 +90,7 @@ fn columns(is_full: bool) -> Vec<Column> {
         Column::words(Watched::Structure),
         Column::numbers(Watched::Alarms, Unit::ratio()),
         Column::numbers(Watched::Change, Unit::percent()),
+        Column::numbers(Watched::Off, Unit::percent()),
         Column::numbers(Watched::Tilt, Unit::si("mm/m")),
         Column::words(Watched::Last),
     ];
@@ -111,6 +120,7 @@ pub fn inventory_text(lines: &[InventoryLine], style: TextStyle) -> String {
             Watched::Caption {
                 alarming: lines.iter().filter(|line| line.is_alarming()).count(),
                 structures: lines.len(),
+                to_watch: lines.iter().filter(|line| line.is_to_watch()).count(),
             }
             .into(),
         ],
@@ -148,13 +158,14 @@ pub fn inventory_text(lines: &[InventoryLine], style: TextStyle) -> String {
 /// The structures as JSON.
 pub fn inventory_json(lines: &[InventoryLine]) -> Value {
     let alarming = lines.iter().filter(|line| line.is_alarming()).count();
-    json!({ "structures": lines, "alarming": alarming })
+    let to_watch = lines.iter().filter(|line| line.is_to_watch()).count();
+    json!({ "structures": lines, "alarming": alarming, "to_watch": to_watch })
 }
 
 /// The structures as a table (CSV), with the mark by which Excel knows UTF-8.
 pub fn inventory_csv(lines: &[InventoryLine]) -> String {
     let head = "\u{feff}structure,open_alarms,is_tilt_beyond,change_ratio,change_sd,frequency_hz,change_after,change_before,\
-                tilt_direction,tilt,tilt_limit,years_to_limit,surveys,last_survey,not_watched,open_sensor_alarms,cracks_beyond\r\n";
+                tilt_direction,tilt,tilt_limit,years_to_limit,surveys,last_survey,not_watched,open_sensor_alarms,cracks_beyond,is_change_open,last_off_ratio,last_off_score\r\n";
     let each = lines.iter().map(|of| {
         let history = of.history.as_ref();
         let change = history.and_then(|history| history.change.as_ref());
@@ -178,6 +189,9 @@ pub fn inventory_csv(lines: &[InventoryLine]) -> String {
             text_cell(of.not_watched.as_ref().map(|why| why.english.as_str())),
             whole(history.map(|history| history.open_sensor_alarms)),
             whole(history.map(|history| history.cracks_beyond)),
+            history.map_or_else(String::new, |history| history.is_change_open.to_string()),
+            number(history.and_then(|history| Some(history.last_off?.ratio))),
+            number(history.and_then(|history| Some(history.last_off?.score))),
         ])
     });
     head.to_owned() + &each.collect::<String>()

@@ -24,6 +24,9 @@ messages! {
         Survey => { en: "survey", ko: "계측 조사" },
         Records => { en: "records", ko: "기록" },
         Temperature => { en: "air", ko: "기온" },
+        Earthquake => { en: "earthquake", ko: "지진" },
+        PeakOf { peak: Quantity } => { en: "{peak}", ko: "{peak}" },
+        OfUnknownPeak => { en: "yes", ko: "있음" },
         Lowest => { en: "lowest frequency", ko: "최저 고유진동수" },
         More { count: usize } => {
             en: "{count} more: --csv and --json give all.",
@@ -44,6 +47,17 @@ fn date(text: Option<&str>) -> Cell {
 
 fn count(value: i64) -> Cell {
     Cell::number(Quantity::new(value as f64, Unit::ratio(), Digits::Fixed(0)))
+}
+
+/// What is known of an earthquake.
+pub(super) fn earthquake(is_there: bool, peak_m_s2: Option<f64>) -> Cell {
+    match (is_there, peak_m_s2) {
+        (false, _) => text("–"),
+        (true, None) => Cell::words(Listed::OfUnknownPeak),
+        (true, Some(peak)) => Cell::words(Listed::PeakOf {
+            peak: Quantity::new(peak, Unit::si("m/s²"), Digits::Significant(3)),
+        }),
+    }
 }
 
 fn shown(table: Table, left_out: usize, style: TextStyle) -> String {
@@ -134,24 +148,33 @@ impl SurveyList {
         let number = |value: Option<f64>, unit: &str, digits| {
             Cell::Number(value.map(|value| Quantity::new(value, Unit::si(unit), digits)))
         };
+        let any = self.rows.iter().any(|row| row.has_earthquake);
         let rows = self.rows.iter().map(|row| {
-            vec![
+            let mut cells = vec![
                 text(&row.structure),
                 text(&row.survey),
                 count(row.records),
                 number(row.temperature_c, "°C", Digits::Trimmed(3)),
                 number(row.lowest_frequency_hz, "Hz", Digits::Significant(4)),
-            ]
+            ];
+            if any {
+                cells.push(earthquake(row.has_earthquake, row.earthquake_peak_m_s2));
+            }
+            cells
         });
+        let mut columns = vec![
+            Column::words(Listed::Structure),
+            Column::words(Listed::Survey),
+            Column::numbers(Listed::Records, Unit::ratio()),
+            Column::numbers(Listed::Temperature, Unit::si("°C")),
+            Column::numbers(Listed::Lowest, Unit::si("Hz")),
+        ];
+        if any {
+            columns.push(Column::words(Listed::Earthquake));
+        }
         let table = Table {
             caption: vec![Listed::Surveys { count: self.count }.into()],
-            columns: vec![
-                Column::words(Listed::Structure),
-                Column::words(Listed::Survey),
-                Column::numbers(Listed::Records, Unit::ratio()),
-                Column::numbers(Listed::Temperature, Unit::si("°C")),
-                Column::numbers(Listed::Lowest, Unit::si("Hz")),
-            ],
+            columns,
             rows: rows.collect(),
         };
         shown(table, self.count - self.rows.len(), style)

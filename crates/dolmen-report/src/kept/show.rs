@@ -1,5 +1,6 @@
 //! One structure of a store: its surveys, the states of its project, who did what.
 
+use super::list::earthquake;
 use super::moment::moment;
 use crate::brief_rows::BriefText;
 use crate::document::{Block, Cell, Column, Document, Table, TextStyle, document_text, heading_text};
@@ -46,6 +47,7 @@ messages! {
         },
         Stated => { en: "stated", ko: "기재값" },
         Nothing => { en: "–", ko: "–" },
+        Earthquake => { en: "earthquake", ko: "지진" },
         Tilt => { en: "tilt", ko: "기울기" },
         Records => { en: "records", ko: "기록" },
         Analyses => { en: "analyses", ko: "식별" },
@@ -163,6 +165,7 @@ fn modes(survey: &KeptSurvey) -> (&[KeptMode], Cell) {
 fn surveys(kept: &[KeptSurvey]) -> Table {
     let shown = kept.iter().map(|survey| modes(survey).0.len()).max().unwrap_or(0);
     let shown = shown.min(FREQUENCIES_MOST);
+    let any = kept.iter().any(|survey| survey.earthquake.is_some());
     let row = |survey: &KeptSurvey| {
         let (modes, from) = modes(survey);
         let tilts: Vec<String> = survey
@@ -184,6 +187,10 @@ fn surveys(kept: &[KeptSurvey]) -> Table {
             whole(survey.analyses.len() as f64),
             Cell::Number(air),
         ];
+        if any {
+            let of = &survey.earthquake;
+            row.push(earthquake(of.is_some(), of.as_ref().and_then(|of| of.peak_m_s2)));
+        }
         row.extend((0..shown).map(|at| {
             Cell::Number(modes.get(at).map(|mode| Quantity {
                 sd_si: mode.frequency_sd_hz.filter(|sd| *sd > 0.0),
@@ -200,6 +207,9 @@ fn surveys(kept: &[KeptSurvey]) -> Table {
         Column::numbers(Shown::Analyses, Unit::ratio()),
         Column::numbers(Shown::Air, Unit::si("°C")),
     ];
+    if any {
+        columns.push(Column::words(Shown::Earthquake));
+    }
     columns.extend((1..=shown).map(|number| Column::numbers(Shown::Frequency { number }, Unit::si("Hz"))));
     Table {
         caption: vec![Shown::Surveys { count: kept.len() }.into()],

@@ -22,6 +22,10 @@ messages! {
             en: "{part} drifts {drift} of its height, and {allowed} is allowed ({source}): capacity over demand {ratio}.",
             ko: "{part}의 층간변위비는 {drift}, 허용값은 {allowed}이다({source}, 저항/요구 {ratio}).",
         },
+        DriftLeft { part: Sentence, drift: Quantity, left: Quantity, taken: Quantity, ratio: Quantity } => {
+            en: "{part} drifts {drift} of its height; of what is allowed its lean takes {taken} and leaves {left}: capacity over demand {ratio}.",
+            ko: "{part}의 층간변위비는 {drift}이다. 허용값에서 기울기의 몫 {taken}을(를) 뺀 값은 {left}이다(저항/요구 {ratio}).",
+        },
         DriftWithout { part: Sentence, drift: Quantity } => {
             en: "{part} drifts {drift} of its height; without an allowable drift nothing is decided: write [limits] with code and importance, or storey_drift.",
             ko: "{part}의 층간변위비는 {drift}이나 허용 층간변위가 없어 판정하지 않는다. [limits]에 code와 importance, 또는 storey_drift를 입력한다.",
@@ -81,7 +85,7 @@ fn said(of: &PartLimit, limit: Option<&DriftLimit>) -> Found {
     match (of.limited, both) {
         _ if of.falls() => Found::Falls {
             part,
-            drift: percent(of.demand),
+            drift: percent(of.demand + of.taken),
             most: Quantity::percent(DRIFT_RATIO_MOST, 2),
         },
         (Limited::BedEdge, Some((left, ratio))) if of.taken > 0.0 => Found::BedEdgeLeft {
@@ -104,6 +108,13 @@ fn said(of: &PartLimit, limit: Option<&DriftLimit>) -> Found {
         (_, None) => Found::DriftWithout {
             part,
             drift: percent(of.demand),
+        },
+        (_, Some((left, ratio))) if of.taken > 0.0 => Found::DriftLeft {
+            part,
+            drift: percent(of.demand),
+            left: percent(left),
+            taken: percent(of.taken),
+            ratio: Quantity::beside_one(ratio, DIGITS),
         },
         (_, Some((allowed, ratio))) => {
             let (drift, allowed) = (percent(of.demand), percent(allowed));

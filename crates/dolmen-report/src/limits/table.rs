@@ -18,6 +18,10 @@ messages! {
             en: "Drift of each storey against what is allowed by {source}.",
             ko: "층별 층간변위와 허용 층간변위({source}).",
         },
+        DriftsLeft => {
+            en: "Drift of each storey against what its lean as surveyed leaves of the allowable one.",
+            ko: "층별 층간변위와, 허용 층간변위에서 실측 기울기의 몫을 뺀 값.",
+        },
         DriftsWithout => {
             en: "Drift of each storey; the file gives no allowable drift ([limits]).",
             ko: "층별 층간변위(입력 파일에 허용 층간변위 [limits]가 없음).",
@@ -55,6 +59,7 @@ pub(crate) fn section(document: &mut Document<'_>, parts: &[PartLimit], limit: O
     let drifts = of(Limited::Drift);
     if !drifts.is_empty() {
         let head = match (limit.map(DriftLimit::source), limit) {
+            (_, Some(_)) if drifts.iter().any(|of| of.taken > 0.0) => Limits::DriftsLeft,
             (Some(Some(source)), _) => Limits::DriftsBy { source },
             (_, Some(_)) => Limits::Drifts,
             (_, None) => Limits::DriftsWithout,

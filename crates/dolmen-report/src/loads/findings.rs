@@ -4,7 +4,7 @@ use crate::document::{Finding, Tone};
 use crate::simulated::kilo;
 use crate::stack::{direction, joints_moving};
 use dolmen::assess::StackUnderLoads;
-use dolmen::stability::{ChainUnderLoads, Verdict};
+use dolmen::stability::{ChainUnderLoads, JointUnderLoads, Verdict};
 use dolmen::structure::stack::Stack;
 use dolmen::structure::wind::WindError;
 use dolmen_project::{Project, Structure, WindPart};
@@ -351,7 +351,13 @@ fn of_chain(what: Sentence, chain: &ChainCombination) -> Option<Finding> {
     }
     let joint = under.governing_joint.unwrap_or(1);
     let of = under.joints.get(joint - 1)?;
-    let acting = of.moment_n_m.unwrap_or(of.rigid_moment_n_m).abs() + of.tilt_moment_n_m.abs();
+    let acting_on =
+        |of: &JointUnderLoads| of.moment_n_m.unwrap_or(of.rigid_moment_n_m).abs() + of.tilt_moment_n_m.abs();
+    let across = chain.across.as_ref();
+    let across = across
+        .and_then(|across| across.under.joints.get(joint - 1))
+        .map(acting_on);
+    let acting = acting_on(of).hypot(across.unwrap_or(0.0));
     let moment = Quantity::engineering(acting, "N·m", DIGITS);
     if let Some(across) = &chain.across
         && let Some(said) = of_both(what.clone(), chain, across)

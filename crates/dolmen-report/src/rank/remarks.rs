@@ -4,13 +4,15 @@ use crate::document::{Block, Document};
 use crate::score::state_name;
 use dolmen::assess::RankedBy;
 use dolmen_words::message::Both;
-use dolmen_words::{Sentence, messages};
+use dolmen_words::{Quantity, Sentence, messages};
 use dolmen_work::portfolio::{
     FallsApart, LeftOut, PortfolioAnswer, falls_first, hazards_replaced, misjudged, without_hazard,
 };
 
 /// Structures without a hazard that are named.
 const NAMED: usize = 5;
+/// Structures without a place that are named in the head.
+const LEFT_OUT_NAMED: usize = 12;
 /// Structures whose place by falls alone is another that are named.
 const APART_SHOWN: usize = 10;
 
@@ -44,6 +46,10 @@ messages! {
             en: "The zone and soil of the table (KDS 17 10 00) stand in place of the project's own [site] for {names}.",
             ko: "{names}: 과제 파일의 [site] 대신 표의 지진구역과 지반(KDS 17 10 00)을 적용하였다.",
         },
+        FallAlone { name: String, share: Quantity } => {
+            en: "{name}: {share} of its scans fall under their own weight, without shaking. Its place counts them: its capacity is the median of all scans, its rate the one that gives the same probability in 50 years",
+            ko: "{name}: 증분해석의 {share}이(가) 지진 없이 자중으로 붕괴한다. 순위에는 이를 포함하였으며, 저항능력은 전체의 중앙값, 연간 초과율은 50년 확률이 같은 값이다",
+        },
         Misjudged { name: String, rank: usize, state: Both, falls: usize } => {
             en: "{name}: place {rank} by {state}, but {falls} by falls alone: it is damaged long before anything falls",
             ko: "{name}: {state} 기준 {rank}위이나 낙하·전도만 보면 {falls}위: 낙하·전도보다 훨씬 먼저 손상된다",
@@ -64,9 +70,9 @@ messages! {
             en: "Without a place: {count}. They are named below the table and may be the worst.",
             ko: "순위를 매기지 못한 구조물: {count}기. 표 아래에 제시하였으며 가장 취약할 수도 있다.",
         },
-        LeftOutHead { count: usize } => {
-            en: "Without a place, look at these yourself: {count}",
-            ko: "순위를 매기지 못한 구조물 {count}기: 직접 검토 필요",
+        LeftOutHead { count: usize, names: Sentence } => {
+            en: "Without a place, look at these yourself: {count} ({names})",
+            ko: "순위를 매기지 못한 구조물 {count}기({names}): 직접 검토 필요",
         },
         LeftOut { name: String, why: Both } => { en: "{name}: {why}", ko: "{name}: {why}" },
     }
@@ -128,6 +134,16 @@ pub(super) fn rate_warning(answer: &PortfolioAnswer) -> Option<Block<'static>> {
     Some(Block::Warning(Remarks::NotByRate { why }.into()))
 }
 
+/// Structures that fall under their own weight in some samples.
+pub(super) fn fall_alone(answer: &PortfolioAnswer) -> Vec<Sentence> {
+    let alone = answer.rows().filter(|(.., known)| known.falls_alone > 0.0);
+    let said = alone.map(|(_, entry, known)| Remarks::FallAlone {
+        name: entry.name.clone(),
+        share: Quantity::percent(known.falls_alone, 2),
+    });
+    said.map(Sentence::from).collect()
+}
+
 /// Structures that falls alone would put elsewhere, those far further back first.
 pub(super) fn apart(answer: &PortfolioAnswer) -> Vec<Sentence> {
     let later = |of: &FallsApart<'_>| Remarks::Misjudged {
@@ -168,6 +184,10 @@ pub(super) fn before(document: &mut Document<'_>, answer: &PortfolioAnswer) {
         let count = answer.left_out.len();
         document.put(Block::Warning(Remarks::WithoutPlaceBelow { count }.into()));
     }
+    let alone = fall_alone(answer);
+    if !alone.is_empty() {
+        document.put(Block::List(alone));
+    }
     let apart = apart(answer);
     if !apart.is_empty() {
         document.put(Block::List(apart));
@@ -182,7 +202,17 @@ pub(super) fn before(document: &mut Document<'_>, answer: &PortfolioAnswer) {
 /// How many have no place.
 pub(super) fn left_out_head(answer: &PortfolioAnswer) -> Sentence {
     let count = answer.left_out.len();
-    Remarks::LeftOutHead { count }.into()
+    let shown = answer.left_out.iter().take(LEFT_OUT_NAMED);
+    let names: Vec<String> = shown.map(|one| one.name.clone()).collect();
+    let names = match count.saturating_sub(LEFT_OUT_NAMED) {
+        0 => Remarks::Names { names },
+        more => Remarks::NamesAndMore { names, more },
+    };
+    Remarks::LeftOutHead {
+        count,
+        names: names.into(),
+    }
+    .into()
 }
 
 /// A structure without a place, and why.

@@ -123,7 +123,8 @@ fn interval(_: &PortfolioAnswer, (place, ..): &Row<'_>) -> Cell {
 }
 
 fn capacity(answer: &PortfolioAnswer, (.., known): &Row<'_>) -> Cell {
-    let theta_g = known.fragility.theta() / answer.gravity_m_s2;
+    let theta = known.fragility.theta();
+    let theta_g = known.median(theta).unwrap_or(theta) / answer.gravity_m_s2;
     match known.known {
         Known::Found => Cell::number(Quantity::ratio(theta_g, 2)),
         Known::AtLeast | Known::AtMost => {

@@ -36,7 +36,8 @@ fn brief(answer: &PortfolioAnswer, style: TextStyle) -> String {
         brief.block(Block::Warning(remarks::left_out_head(answer)));
     }
     let left_out = answer.left_out.iter().map(remarks::left_out_words);
-    for remark in left_out.chain(remarks::apart(answer)) {
+    let alone = remarks::fall_alone(answer).into_iter();
+    for remark in alone.chain(left_out).chain(remarks::apart(answer)) {
         brief.block_within(Block::List(vec![remark]), REMARKS_MOST);
     }
     let places = table::table(answer, true);

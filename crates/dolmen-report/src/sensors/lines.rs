@@ -86,7 +86,7 @@ mod tests {
         let opened = Opened::read(text.to_owned(), "p".to_owned(), &NoFiles).unwrap();
         for setups in [1, 2] {
             let how = SensorsOptions {
-                count: 3,
+                count: Some(3),
                 axes: 3,
                 setups,
                 references: setups - 1,
@@ -126,7 +126,7 @@ mod tests {
         let text = include_str!("../../../../examples/heunginjimun_gate/project.toml");
         let opened = Opened::read(text.to_owned(), "p".to_owned(), &NoFiles).unwrap();
         let how = SensorsOptions {
-            count: 1,
+            count: Some(1),
             axes: 2,
             ..SensorsOptions::default()
         };

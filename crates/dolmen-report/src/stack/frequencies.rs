@@ -1,5 +1,6 @@
 //! The natural frequencies of a stack on the springs of its joints, and what surveys say of those springs.
 
+use super::beside::beside;
 use crate::document::{Block, Cell, Column, Document, Table};
 use dolmen::blocks::StackMode;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
@@ -60,6 +61,9 @@ pub(super) fn section(document: &mut Document<'_>, answer: &StackAnswer, fits: &
         Some(StackFrequencies::Known { modes, .. }) => {
             document.put(Block::Table(table(modes)));
             document.note(Frequencies::NoFinding);
+            for said in beside(&answer.beside) {
+                document.note(said);
+            }
         }
         Some(StackFrequencies::Refused(why)) => document.note(Frequencies::Refused { why: why.clone() }),
         None => {}

@@ -1,5 +1,6 @@
 //! What is said of a stack of stones: findings, and the sections of its check.
 
+mod beside;
 mod findings;
 mod frequencies;
 mod lean;
@@ -13,6 +14,7 @@ mod variants;
 mod verdict;
 mod words;
 
+pub(crate) use beside::beside;
 pub(crate) use findings::findings;
 pub(crate) use lean::lean;
 pub(crate) use mechanism::{joint_rows, joints_moving, moving_columns};
@@ -63,7 +65,7 @@ messages! {
 }
 
 /// The sentences on stacks as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 13] = [
+pub(crate) const TEMPLATES: [&[Template]; 14] = [
     verdict::Judged::TEMPLATES,
     findings::Found::TEMPLATES,
     lean::Leaning::TEMPLATES,
@@ -75,6 +77,7 @@ pub(crate) const TEMPLATES: [&[Template]; 13] = [
     mechanism::Moving::TEMPLATES,
     local_mechanisms::Local::TEMPLATES,
     supports::Supports::TEMPLATES,
+    beside::Beside::TEMPLATES,
     frequencies::Frequencies::TEMPLATES,
     variants::Variants::TEMPLATES,
 ];

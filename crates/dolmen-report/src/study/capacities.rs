@@ -128,7 +128,12 @@ fn row(answer: &StudyAnswer, level: &LevelRow, columns: usize) -> Vec<Cell> {
         return row;
     }
     row.push(of_all(level.fell(), usable));
-    row.push(reached(answer, level.least_m_s2()));
+    row.push(match level.least_m_s2() {
+        Some(Reached::At(least)) if answer.kind != StudyKind::Building && level.least_is_bound() => {
+            Cell::words(bounded("≤", &g(answer, least)))
+        }
+        least => reached(answer, least),
+    });
     row.extend([0.05, 0.5, 0.95].map(|p| reached(answer, level.quantile_m_s2(3, p))));
     row.extend((0..milder(answer.kind)).map(|of| match answer.has_state(of) {
         true => milder_median(answer, level.quantile_m_s2(of, 0.5)),

@@ -1,11 +1,13 @@
 //! What decides in a study: capacity, doubts about it, trends, the worst state.
 
 use super::words::{Words, g, state};
-use super::{doubts, hazard, run, scatter, trends, words};
+use super::{before, doubts, hazard, run, scatter, trends, words};
 use crate::document::{Finding, Tone};
 use dolmen::assess::Reached;
+use dolmen::numeric::clopper_pearson;
 use dolmen_words::{Quantity, Sentence, messages};
-use dolmen_work::study::{LevelRow, StudyAnswer};
+use dolmen_work::study::{CapacityOf, LevelRow, ScanVerdict, StateFragility, StudyAnswer, StudyKind};
+use std::collections::BTreeSet;
 
 messages! {
     /// Findings on a study.
@@ -17,6 +19,26 @@ messages! {
         Fell { fell: usize, scans: Sentence, state: Sentence, least: Quantity } => {
             en: "{fell} of {scans} reached “{state}”, the weakest at {least}.",
             ko: "{scans} 중 {fell}건이 ‘{state}’ 상태에 이르렀으며, 그 최소 가속도는 {least}이다.",
+        },
+        FellFrom { fell: usize, scans: Sentence, state: Sentence, least: Quantity } => {
+            en: "{fell} of {scans} reached “{state}”, the weakest at {least} or below, the smallest size that was tried.",
+            ko: "{scans} 중 {fell}건이 ‘{state}’ 상태에 이르렀으며, 그 최소 가속도는 시도한 최소 크기 {least} 이하이다.",
+        },
+        FellAlone { alone: usize, scans: Sentence, share: Quantity, lower: Quantity, upper: Quantity } => {
+            en: "{alone} of {scans} fall under their own weight, without any shaking: {share} of the samples ({lower} to {upper} with 95 % confidence). They count with a capacity of 0.",
+            ko: "{scans} 중 {alone}건은 지진 없이 자중으로 붕괴한다. 표본의 {share}(95 % 신뢰구간 {lower}–{upper})이며 내력 0으로 계산하였다.",
+        },
+        CombinationsFall { alone: usize, scans: Sentence } => {
+            en: "{alone} of {scans} fall under their own weight, without any shaking. They count with a capacity of 0.",
+            ko: "{scans} 중 {alone}건은 지진 없이 자중으로 붕괴하며 내력 0으로 계산하였다.",
+        },
+        Mixed { state: Sentence, share: Quantity, theta: Quantity, beta: Quantity } => {
+            en: "The fragility of “{state}” begins at {share} without shaking: P(a) = p₀ + (1 − p₀) Φ(ln(a/θ)/β) with p₀ = {share}; θ = {theta} and β = {beta} are of the samples that stand (lognormal).",
+            ko: "‘{state}’ 취약도는 지진이 없을 때 이미 {share}이다. P(a) = p₀ + (1 − p₀) Φ(ln(a/θ)/β), p₀ = {share}이며 θ = {theta}, β = {beta}는 서 있는 표본에 적합한 대수정규분포의 값이다.",
+        },
+        NoFiniteRate { share: Quantity } => {
+            en: "Of the {share} that fall by themselves no annual rate is finite: rates are of the samples that stand, probabilities in 50 years of all.",
+            ko: "자중으로 붕괴하는 {share}에는 유한한 연간 초과율이 없다. 연간 초과율은 서 있는 표본의 값이고 50년 확률은 전체의 값이다.",
         },
         DriftBeyond { beyond: usize, scans: Sentence, limit: Quantity, least: Quantity } => {
             en: "{beyond} of {scans} drifted beyond the allowable {limit} of a storey that the file sets ([limits]), the weakest at {least}.",
@@ -39,10 +61,9 @@ messages! {
 
 /// The findings, doubts first.
 pub(crate) fn findings(answer: &StudyAnswer) -> Vec<Finding> {
-    let mut all: Vec<Finding> = run::doubts(answer)
-        .into_iter()
-        .map(|doubt| Finding::key(Tone::Bad, doubt))
-        .collect();
+    let mut all = before::findings(answer);
+    let doubts = run::doubts(answer).into_iter();
+    all.extend(doubts.map(|doubt| Finding::key(Tone::Bad, doubt)));
     let left_out = answer.left_out_of_runs.iter().map(|said| {
         let said = said.clone();
         Finding::key(Tone::Warn, run::Done::NotInRuns { said })
@@ -58,6 +79,7 @@ pub(crate) fn findings(answer: &StudyAnswer) -> Vec<Finding> {
         let why = run::refused_for(answer).into_iter();
         all.extend(why.map(|said| Finding::key(Tone::Bad, said)));
     }
+    all.extend(fell_alone(answer));
     all.extend(found);
     all.extend(left_out);
     all.extend(run::copies(answer).map(|said| Finding::key(Tone::Warn, said)));
@@ -68,6 +90,7 @@ pub(crate) fn findings(answer: &StudyAnswer) -> Vec<Finding> {
     );
     all.extend(doubts::survived_larger(answer).map(|said| Finding::key(Tone::Plain, said)));
     all.extend(median(answer));
+    all.extend(no_finite_rate(answer));
     let crossings = scatter::crossings(answer, answer.fragilities());
     all.extend(crossings.into_iter().map(|said| Finding::new(Tone::Warn, said)));
     all.extend(hazard::extrapolated(answer).map(|said| Finding::key(Tone::Warn, said)));
@@ -102,10 +125,58 @@ fn allowed_drift(answer: &StudyAnswer) -> Option<Finding> {
     })
 }
 
-/// How many reached the last state, and the least peak that did it.
+/// How many fall without shaking.
+fn fell_alone(answer: &StudyAnswer) -> Option<Finding> {
+    let capacities = answer.capacities();
+    let usable: Vec<_> = capacities
+        .iter()
+        .filter(|scan| scan.verdict.is_usable())
+        .collect();
+    let is_alone = |scan: &&&CapacityOf| scan.verdict == ScanVerdict::FellAlone;
+    let alone = usable.iter().filter(is_alone).count();
+    if alone == 0 {
+        return None;
+    }
+    // scans of one sample fall together: samples count, not scans
+    let samples = |of: &mut dyn Iterator<Item = &&CapacityOf>| {
+        let cases: BTreeSet<usize> = of.map(|scan| answer.case_of(scan.job)).collect();
+        cases.len()
+    };
+    let all = samples(&mut usable.iter());
+    let fallen = samples(&mut usable.iter().filter(is_alone));
+    let scans = words::scans(usable.len());
+    let interval = clopper_pearson(fallen, all, words::CONFIDENCE).ok();
+    let drawn = answer.study.samples.is_some_and(|samples| samples > 1) && answer.study.combinations() == 1;
+    let said = match interval.filter(|_| drawn) {
+        Some(interval) => Found::FellAlone {
+            alone,
+            scans,
+            share: Quantity::percent(fallen as f64 / all as f64, 2),
+            lower: Quantity::percent(interval.lower, 2),
+            upper: Quantity::percent(interval.upper, 2),
+        },
+        None => Found::CombinationsFall { alone, scans },
+    };
+    Some(Finding::key(Tone::Bad, said))
+}
+
+/// Rates leave out what falls without shaking.
+pub(super) fn no_finite_rate(answer: &StudyAnswer) -> Option<Finding> {
+    let states = answer.fragilities().iter().flat_map(|one| &one.states);
+    let shares = states
+        .filter(|own| own.risk.is_some())
+        .map(StateFragility::share_alone);
+    let share = shares.fold(0.0, f64::max);
+    let share = (share > 0.0).then(|| Quantity::percent(share, 2))?;
+    Some(Finding::key(Tone::Bad, Found::NoFiniteRate { share }))
+}
+
+/// How many reached the last state, and the least peak that did it: of those that stand by themselves.
 fn capacity(answer: &StudyAnswer) -> Option<Finding> {
     let capacities = answer.capacities();
-    let usable = capacities.iter().filter(|scan| scan.verdict.is_usable());
+    let usable = capacities
+        .iter()
+        .filter(|scan| scan.verdict.is_usable() && scan.verdict != ScanVerdict::FellAlone);
     let all = LevelRow {
         input: None,
         text: String::new(),
@@ -129,11 +200,19 @@ fn capacity(answer: &StudyAnswer) -> Option<Finding> {
         }
         Reached::At(least) => {
             let (fell, least) = (all.fell(), g(answer, least));
-            Found::Fell {
-                fell,
-                scans,
-                state,
-                least,
+            match answer.kind != StudyKind::Building && all.least_is_bound() {
+                true => Found::FellFrom {
+                    fell,
+                    scans,
+                    state,
+                    least,
+                },
+                false => Found::Fell {
+                    fell,
+                    scans,
+                    state,
+                    least,
+                },
             }
         }
     };
@@ -146,9 +225,19 @@ fn median(answer: &StudyAnswer) -> Option<Finding> {
         return None;
     };
     let mut worst = one.states.iter().rev();
-    let (of, fit) = worst.find_map(|own| Some((own.state, own.by_acceleration.as_ref().ok()?)))?;
+    let (own, fit) = worst.find_map(|own| Some((own, own.by_acceleration.as_ref().ok()?)))?;
+    let of = own.state;
     let (name, theta) = (state(answer, of), g(answer, fit.curve.theta()));
     let beta = Quantity::ratio(fit.curve.beta(), 2);
+    if own.fell_alone > 0 {
+        let said = Found::Mixed {
+            state: name,
+            share: Quantity::percent(own.share_alone(), 2),
+            theta,
+            beta,
+        };
+        return Some(Finding::key(Tone::Bad, said));
+    }
     let usable = answer.capacities();
     let usable: Vec<_> = usable.iter().filter(|scan| scan.verdict.is_usable()).collect();
     let reached = usable

@@ -2,11 +2,11 @@
 
 use super::hazard;
 use super::words::{CONFIDENCE, Words, both, count, fixed, g, of_all, of_case, state, unit_g};
-use super::{joints, measures, scatter};
+use super::{joints, measures, scatter, sufficiency};
 use crate::document::{Block, Cell, Column, Document, Table};
 use dolmen::assess::{AssessError, FragilityFit};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
-use dolmen_work::study::{CombinationFragility, StateFragility, StudyAnswer, YEARS};
+use dolmen_work::study::{CombinationFragility, StateFragility, StudyAnswer};
 use std::collections::BTreeSet;
 
 /// Combinations in the tables; all are in fragility.csv.
@@ -55,6 +55,11 @@ messages! {
             en: "The {motions} motions are of {records} records: directions and copies of one record count as one motion, in curves, intervals and bands.",
             ko: "입력지진 {motions}개는 기록 {records}개에서 나왔다. 한 기록의 여러 방향과 사본은 곡선, 신뢰구간, 띠에서 입력지진 하나로 센다.",
         },
+        OfStanding => {
+            en: "Where some fall under their own weight, “reached” counts them; p₀, their share, is the probability without shaking, and θ, β, their intervals and rates are of the scans that stand: P(a) = p₀ + (1 − p₀) Φ(ln(a/θ)/β). The probability in 50 years is of all. No NRML file is written of such a study: its curves begin at 0.",
+            ko: "자중으로 붕괴하는 표본이 있으면 ‘도달’에 포함한다. 그 비율 p₀가 지진이 없을 때의 확률이며, θ와 β, 신뢰구간, 연간 초과율은 서 있는 표본의 값이다. P(a) = p₀ + (1 − p₀) Φ(ln(a/θ)/β). 50년 확률은 전체의 값이다. NRML 곡선은 0에서 시작하므로 이러한 연구의 NRML 파일은 쓰지 않는다.",
+        },
+        ShareAlone => { en: "p₀", ko: "p₀" },
         Bounds => {
             en: "Where none or all reached a state, or its scatter is below the steps of the scan: what is known with 95 % confidence, and no curve.",
             ko: "도달한 경우가 없거나 모두 도달하였을 때, 또는 산포가 증분 간격보다 작을 때에는 95 % 신뢰수준에서 알 수 있는 범위만 제시하고 곡선은 제시하지 않는다.",
@@ -94,9 +99,13 @@ pub(super) fn section(document: &mut Document<'_>, answer: &StudyAnswer) {
     if shown.iter().flat_map(|one| &one.states).any(is_bounded) {
         document.note(Curves::Bounds);
     }
+    if has_alone(shown) {
+        document.note(Curves::OfStanding);
+    }
     scatter::section(document, answer, shown);
     hazard::section(document, answer);
     measures::section(document, answer);
+    sufficiency::section(document, answer);
     joints::section(document, answer);
 }
 
@@ -127,8 +136,16 @@ fn motions(found: &[CombinationFragility]) -> Sentence {
     }
 }
 
+/// Whether some of the scans fall without shaking.
+fn has_alone(shown: &[CombinationFragility]) -> bool {
+    shown
+        .iter()
+        .flat_map(|one| &one.states)
+        .any(|own| own.fell_alone > 0)
+}
+
 fn table(answer: &StudyAnswer, shown: &[CombinationFragility]) -> Table {
-    let has_risk = answer.hazard.is_some();
+    let (has_risk, has_alone) = (answer.hazard.is_some(), has_alone(shown));
     let in_g = unit_g(answer);
     let plain = |head: Curves| Column::numbers(head, Unit::ratio());
     let mut columns = vec![
@@ -142,6 +159,9 @@ fn table(answer: &StudyAnswer, shown: &[CombinationFragility]) -> Table {
         plain(Curves::BetaVelocity),
         plain(Curves::Enough),
     ];
+    if has_alone {
+        columns.insert(2, Column::numbers(Curves::ShareAlone, Unit::percent()));
+    }
     let mut caption = vec![Curves::Caption.into(), Curves::Meaning.into()];
     if has_risk {
         columns.push(Column::numbers(Curves::Rate, thousandths()));
@@ -156,6 +176,9 @@ fn table(answer: &StudyAnswer, shown: &[CombinationFragility]) -> Table {
             let state = of_case(answer, state(answer, own.state), one.job);
             let mut row = vec![Cell::words(state)];
             row.extend(curve(answer, own));
+            if has_alone {
+                row.insert(2, Cell::number(Quantity::percent(own.share_alone(), 2)));
+            }
             row.extend(risk(own).into_iter().filter(|_| has_risk));
             rows.push(row);
         }
@@ -169,7 +192,7 @@ fn table(answer: &StudyAnswer, shown: &[CombinationFragility]) -> Table {
 
 /// From "reached" to "enough".
 fn curve(answer: &StudyAnswer, own: &StateFragility) -> Vec<Cell> {
-    let mut cells = vec![of_all(own.reached(), own.observations.len())];
+    let mut cells = vec![of_all(own.reached(), own.scans())];
     match &own.by_acceleration {
         Ok(fit) => cells.extend(fitted(answer, fit)),
         Err(why) => {
@@ -251,9 +274,10 @@ fn risk(own: &StateFragility) -> [Cell; 3] {
         }),
     };
     let beyond = Quantity::percent(risk.share_below_points + risk.share_above_points, 2);
+    let in_years = own.probability_in_years();
     [
         rate,
         Cell::number(beyond),
-        Cell::number(Quantity::percent(risk.probability_in(YEARS), 2)),
+        Cell::Number(in_years.map(|share| Quantity::percent(share, 2))),
     ]
 }

@@ -1,5 +1,6 @@
 //! What is said of a study: findings, and its section.
 
+mod before;
 mod capacities;
 mod doubts;
 mod drawn;
@@ -12,6 +13,7 @@ mod measures;
 mod releases;
 mod run;
 mod scatter;
+mod sufficiency;
 mod trends;
 mod words;
 
@@ -25,14 +27,19 @@ messages! {
     /// The head of a study.
     pub(crate) enum Study in "study" {
         Head { title: Sentence } => { en: "Study: {title}", ko: "변수 연구: {title}" },
+        HeadAfter { title: Sentence, motion: String } => {
+            en: "Study: {title}, after {motion}",
+            ko: "변수 연구: {title}({motion} 이후)",
+        },
     }
 }
 
 /// The sentences on studies as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 15] = [
+pub(crate) const TEMPLATES: [&[Template]; 17] = [
     findings::Found::TEMPLATES,
     Study::TEMPLATES,
     run::Done::TEMPLATES,
+    before::Preceded::TEMPLATES,
     capacities::Capacities::TEMPLATES,
     doubts::LeftOut::TEMPLATES,
     growth::Growth::TEMPLATES,
@@ -41,6 +48,7 @@ pub(crate) const TEMPLATES: [&[Template]; 15] = [
     scatter::Scatter::TEMPLATES,
     hazard::Hazard::TEMPLATES,
     measures::Measures::TEMPLATES,
+    sufficiency::Sufficient::TEMPLATES,
     joints::Joints::TEMPLATES,
     releases::Releases::TEMPLATES,
     drawn::Drawn::TEMPLATES,
@@ -57,9 +65,17 @@ pub(crate) fn sections(answer: &StudyAnswer) -> Document<'_> {
 /// The same without figures, which take long to draw.
 pub(crate) fn tables(answer: &StudyAnswer) -> Document<'_> {
     let mut document = Document::default();
-    document.heading(Study::Head { title: title(answer) });
+    let title = title(answer);
+    document.heading(match &answer.study.after {
+        None => Study::Head { title },
+        Some(after) => Study::HeadAfter {
+            title,
+            motion: after.motion.clone(),
+        },
+    });
     if answer.study.scan.is_some() {
         run::section(&mut document, answer);
+        before::section(&mut document, answer);
         capacities::section(&mut document, answer);
         doubts::section(&mut document, answer);
         growth::section(&mut document, answer);

@@ -18,12 +18,12 @@ messages! {
 /// The sentences on inputs as they are written.
 pub(crate) const TEMPLATES: &[Template] = Inputs::TEMPLATES;
 
-/// What went in, before the run: the project, the motion, if one moves it, and what was done to it.
+/// What went in, before the run: the project, the motions that move it, and what was done to them.
 pub fn simulation_inputs_text(
     project: &Project,
     file: &str,
     variant: Option<&str>,
-    motion: Option<&MotionAnswer>,
+    motions: &[&MotionAnswer],
     style: TextStyle,
 ) -> String {
     let mut document = Document::default();
@@ -31,11 +31,11 @@ pub fn simulation_inputs_text(
         let name = name.to_owned();
         document.paragraph(Inputs::Variant { name });
     }
-    if let Some(motion) = motion {
+    for motion in motions {
         motion_section(&mut document, motion);
     }
     let mut head = project_text(project, file, style);
-    for doubt in motion.iter().flat_map(|motion| motion.doubts()) {
+    for doubt in motions.iter().flat_map(|motion| motion.doubts()) {
         let said = Sentence::from(doubted(&doubt)).text(style.language);
         head += &wrapped(&said, "  ! ", "    ", style.columns());
     }

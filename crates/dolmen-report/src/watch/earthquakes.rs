@@ -2,6 +2,7 @@
 
 use super::numbers::percent;
 use crate::document::{Finding, Tone};
+use dolmen::modal::LastingChange;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::watched::{WatchAnswer, WatchedEarthquake};
 
@@ -22,9 +23,6 @@ messages! {
     }
 }
 
-/// Standard deviations beyond which a change is one, as the identification of records has it.
-const BEYOND: f64 = 3.0;
-
 /// Earthquakes, those that nobody answered first.
 pub(super) fn earthquakes(answer: &WatchAnswer) -> Vec<Finding> {
     let said = |of: &WatchedEarthquake| {
@@ -32,7 +30,11 @@ pub(super) fn earthquakes(answer: &WatchAnswer) -> Vec<Finding> {
         let peak = of.part.peak_m_s2.map_or(Felt::NoMore, |peak| Felt::PeakOf {
             peak: Quantity::new(peak, Unit::si("m/s²"), Digits::Significant(3)),
         });
-        let is_beyond = |by: &f64| of.part.changed_sd.is_none_or(|sd| by.abs() > BEYOND * sd);
+        let is_beyond = |by: &f64| {
+            of.part
+                .changed_sd
+                .is_none_or(|sd| by.abs() > LastingChange::BEYOND * sd)
+        };
         let changed = of.part.changed.filter(is_beyond);
         let changed = changed.map_or(Felt::NoMore, |by| Felt::ChangedBy { by: percent(by, 1) });
         let (peak, changed) = (peak.into(), changed.into());

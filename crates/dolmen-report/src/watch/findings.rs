@@ -2,17 +2,19 @@
 
 use super::earthquakes::earthquakes;
 use super::failing::failing;
+use super::last::{far_off, last_off, last_survey};
 use super::logs::logs;
 use super::lost::{last_apart, lost, wandering};
 use super::numbers::{HALF_95, bare_percent, hertz, name, percent, plain};
-use super::tilts::{jumped, leans, tilt};
+use super::tilts::{changed, leans, stands_alone, tilt, worked};
 use crate::document::{Finding, Tone};
-use dolmen::monitoring::{
-    ChangeForm, LastOff, NotJudged, StructureAlarm, WatchedChange, WatchedMode, WeatherKnown, WorkEffect,
-};
-use dolmen_project::{WorkKind, WorkPart};
-use dolmen_words::{Language, Quantity, Sentence, messages};
+use dolmen::monitoring::{ChangeForm, StructureAlarm, WatchedChange, WatchedMode, WeatherKnown, WorkEffect};
+use dolmen::numeric::quantile;
+use dolmen_project::WorkKind;
+use dolmen_words::message::Both;
+use dolmen_words::{Language, Quantity, Sentence, Values, messages};
 use dolmen_work::watched::WatchAnswer;
+use std::collections::BTreeSet;
 
 /// Changes that get a finding each; the others are counted.
 const TOLD_MOST: usize = 4;
@@ -24,7 +26,7 @@ messages! {
             en: "± is half the width of an interval that holds 95 %.",
             ko: "±는 95 % 신뢰구간의 반폭이다.",
         },
-        OpenAlarm { frequency: Quantity, since: String, confirmed: String } => {
+        OpenAlarm { frequency: Values, since: String, confirmed: String } => {
             en: "ALARM: {frequency} left what earlier surveys predict, since {since}, confirmed on {confirmed}, and no repair or inspection followed. Look at the structure; then enter it into works of [watch].",
             ko: "경보: {frequency} 모드가 {since}부터 이전 조사의 예측을 벗어났고 {confirmed}에 확정되었으나 이후 보수나 점검이 없다. 구조물을 점검하고 [watch]의 works에 기록한다.",
         },
@@ -39,10 +41,6 @@ messages! {
         NoneJudged { training: usize } => {
             en: "No survey was judged against those before it: that needs more than {training} surveys.",
             ko: "이전 조사와 비교하여 판정한 조사가 없다. 판정에는 조사 {training}회를 초과하는 기록이 필요하다.",
-        },
-        LastNotJudged { last: String, reason: Sentence } => {
-            en: "The survey of {last} was not judged: {reason}.",
-            ko: "{last} 조사는 판정하지 않았다: {reason}.",
         },
         Stepped { frequency: Quantity, by: Quantity, half: Quantity, after: String, before: String, chance: Sentence, stiffness: Quantity, cause: Sentence } => {
             en: "{frequency} changed by {by} ± {half} between {after} and {before} ({chance}){cause}; if all stiffness changed alike, by {stiffness}.",
@@ -72,9 +70,21 @@ messages! {
             en: "With the repair of {date} {frequency} changed by {by} ± {half}.",
             ko: "{date} 보수 전후로 {frequency} 모드는 {by} ± {half} 변하였다.",
         },
-        SensorOrStructure { survey: String } => {
-            en: "Shapes and frequencies jumped on {survey}: a sensor that was moved or turned changes shapes alone, so look at both, the sensors and the structure.",
-            ko: "{survey}에 모드형상과 고유진동수가 함께 급변하였다. 센서의 이동이나 방향 변경은 형상만 바꾸므로 센서와 구조물을 모두 점검한다.",
+        SensorOrStructure { survey: String, cause: Sentence } => {
+            en: "Shapes and frequencies jumped on {survey}{cause}: a sensor that was moved or turned changes shapes alone, so look at both, the sensors and the structure.",
+            ko: "{survey}에 모드형상과 고유진동수가 함께 급변하였다{cause}. 센서의 이동이나 방향 변경은 형상만 바꾸므로 센서와 구조물을 모두 점검한다.",
+        },
+        Inspections { surveys: usize, items: usize } => {
+            en: "What inspections found is not watched over the years, cracks neither ({items} entries in {surveys} surveys): `dolmen compare` says what grew from one inspection to another, and a crack gauge can be watched as a log.",
+            ko: "점검에서 발견한 것은 균열을 포함하여 여기에서 추적하지 않는다(조사 {surveys}건의 {items}개 항목). 두 점검 사이에 커진 것은 `dolmen compare`로 보고, 균열 계측기의 값은 연속 기록으로 추적할 수 있다.",
+        },
+        WithoutModes { survey: String, why: Both } => {
+            en: "The records of survey {survey} give no modes, and are left out: {why}",
+            ko: "{survey} 조사의 기록에서 모드를 찾지 못하여 제외하였다: {why}",
+        },
+        Alone { survey: String, frequency: Quantity, read: Quantity, by: Quantity } => {
+            en: "The survey of {survey} alone has the mode of {frequency} at {read}, {by} off the surveys around it: left out of the search for changes. Look at its record and at what was written down.",
+            ko: "{survey} 조사에서만 {frequency} 모드가 {read}(으)로, 앞뒤 조사보다 {by} 벗어나 변화 검토에서 제외하였다. 기록과 적은 값을 확인한다.",
         },
         NoTemperature => {
             en: "Temperatures are not known: only repeating seasons can tell a lasting change from the weather. Enter temperature_c with each survey.",
@@ -84,17 +94,13 @@ messages! {
             en: "Temperature went with time ({frequency}: correlation {correlation}): ageing and weather can hardly be separated, and less is seen.",
             ko: "기온이 시간과 함께 변하여({frequency}: 상관계수 {correlation}) 노후와 날씨의 영향이 잘 구별되지 않으며 발견할 수 있는 변화가 줄어든다.",
         },
-        LastOff { frequency: Quantity, by: Quantity, half: Quantity, since: String } => {
-            en: "Since {since}, {frequency} lies {by} ± {half} off what the surveys before and the weather explain: in one or two surveys, too few to call it a lasting change. Measure again soon.",
-            ko: "{since}부터 {frequency} 모드가 이전 조사와 기상으로 설명되는 값에서 {by} ± {half} 벗어났다. 조사가 1~2회뿐이어서 지속적인 변화로 판정하지 않는다. 곧 다시 계측한다.",
+        Sensor { survey: String, channel: String, cause: Sentence } => {
+            en: "Shapes jumped on {survey} while frequencies did not{cause}: sensor \"{channel}\" was moved, replaced or turned, not the structure.",
+            ko: "{survey}에 고유진동수는 그대로이나 모드형상이 급변하였다{cause}. 구조물이 아니라 센서 \"{channel}\"이(가) 이동·교체되었거나 방향이 바뀌었다.",
         },
-        Sensor { survey: String, channel: String } => {
-            en: "Shapes jumped on {survey} while frequencies did not: sensor \"{channel}\" was moved, replaced or turned, not the structure.",
-            ko: "{survey}에 고유진동수는 그대로이나 모드형상이 급변하였다. 구조물이 아니라 센서 \"{channel}\"이(가) 이동·교체되었거나 방향이 바뀌었다.",
-        },
-        Sensors { survey: String } => {
-            en: "Shapes jumped on {survey} while frequencies did not: sensors were moved, replaced or turned, not the structure.",
-            ko: "{survey}에 고유진동수는 그대로이나 모드형상이 급변하였다. 구조물이 아니라 센서가 이동·교체되었거나 방향이 바뀌었다.",
+        Sensors { survey: String, cause: Sentence } => {
+            en: "Shapes jumped on {survey} while frequencies did not{cause}: sensors were moved, replaced or turned, not the structure.",
+            ko: "{survey}에 고유진동수는 그대로이나 모드형상이 급변하였다{cause}. 구조물이 아니라 센서가 이동·교체되었거나 방향이 바뀌었다.",
         },
         Jumped { from: Quantity, to: Quantity, survey: String, mac: Quantity } => {
             en: "{from} ended and {to} began on {survey} with a like shape (MAC {mac}): perhaps one mode that jumped.",
@@ -117,12 +123,8 @@ messages! {
     /// Why, or what stands near in time.
     pub(crate) enum Cause in "watch.cause" {
         Nothing => { en: "", ko: "" },
+        Sensors { number: usize, what: String } => { en: ", and work {number} on the sensors fell into that time ({what})", ko: ", 이 기간에 센서 작업 {number}({what})이 있었다" },
         Event { number: usize, what: String } => { en: ", as event {number} fell into that time ({what})", ko: ", 이 기간에 사건 {number}({what})이 있었다" },
-        Training => { en: "too few surveys before it", ko: "이전 조사가 너무 적다" },
-        NewLevel => { en: "the level after a repair or alarm is still being learned", ko: "보수 또는 경보 이후의 수준을 아직 익히는 중이다" },
-        Temperature { temperature: Quantity } => { en: "too few earlier surveys near {temperature}", ko: "{temperature} 부근에서 실시한 이전 조사가 너무 적다" },
-        NoTemperature => { en: "its temperature is not known", ko: "기온을 알 수 없다" },
-        NotFound => { en: "none of the modes that are followed was found", ko: "추적 중인 모드가 확인되지 않았다" },
     }
 }
 
@@ -138,8 +140,9 @@ pub(crate) fn findings(answer: &WatchAnswer) -> Vec<Finding> {
     // no alarm is no good news where something changed and nobody answered it
     let mut all = earthquakes(answer);
     all.extend(lost(answer));
+    all.extend(far_off(answer));
     let alarms = alarms(answer);
-    let is_news = alarms.iter().any(|of| of.tone == Tone::Bad) || !has_unanswered(answer);
+    let is_news = alarms.iter().any(|of| of.tone == Tone::Bad) || !answer.has_unanswered_change();
     let (before, after) = match is_news {
         true => (alarms, Vec::new()),
         false => (Vec::new(), alarms),
@@ -151,24 +154,33 @@ pub(crate) fn findings(answer: &WatchAnswer) -> Vec<Finding> {
     all.extend(after);
     all.extend(weather(answer));
     all.extend(leans(answer));
-    all.extend(
-        answer
-            .watched
-            .tilts
-            .iter()
-            .filter_map(|trend| jumped(answer, trend)),
-    );
-    all.extend(
-        answer
-            .watched
-            .tilts
-            .iter()
-            .filter_map(|trend| tilt(answer, trend)),
-    );
+    let tilts = &answer.watched.tilts;
+    all.extend(tilts.iter().flat_map(|trend| stands_alone(answer, trend)));
+    all.extend(tilts.iter().flat_map(|trend| changed(answer, trend)));
+    all.extend(tilts.iter().filter_map(|trend| tilt(answer, trend)));
     all.extend(logs(answer));
+    all.extend(alone(answer));
     all.extend(works(answer));
+    all.extend(
+        answer
+            .watched
+            .tilts
+            .iter()
+            .flat_map(|trend| worked(answer, trend)),
+    );
     all.extend(failing(answer));
     all.extend(sensors(answer));
+    all.extend(inspections(answer));
+    let without = answer
+        .without_modes
+        .iter()
+        .map(|(survey, why)| Found::WithoutModes {
+            survey: survey.clone(),
+            why: why.clone(),
+        });
+    all.extend(without.map(|said| Finding::key(Tone::Warn, said)));
+    // what calls for somebody stands first, whatever else is well
+    all.sort_by_key(|of| of.tone != Tone::Bad);
     let has_interval = all
         .iter()
         .any(|of| of.is_key && of.sentence.text(Language::English).contains('±'));
@@ -221,7 +233,7 @@ fn alarms(answer: &WatchAnswer) -> Vec<Finding> {
         }
         return match is_judged {
             true => {
-                let tone = match has_unanswered(answer) || is_doubtful(answer) {
+                let tone = match answer.has_unanswered_change() || is_doubtful(answer) {
                     true => Tone::Plain,
                     false => Tone::Good,
                 };
@@ -231,21 +243,22 @@ fn alarms(answer: &WatchAnswer) -> Vec<Finding> {
             false => vec![Finding::key(Tone::Unknown, Found::NoneJudged { training: 10 })],
         };
     };
+    let of_day = open
+        .iter()
+        .filter(|alarm| alarm.alarm.survey == first.alarm.survey);
     let mut all = vec![Finding::key(
         Tone::Bad,
         Found::OpenAlarm {
-            frequency: mode_hz(answer, first.mode),
+            frequency: Values(of_day.map(|alarm| mode_hz(answer, alarm.mode)).collect()),
             since: name(answer, first.alarm.since),
             confirmed: name(answer, first.alarm.survey),
         },
     )];
-    if open.len() > 1 {
-        all.push(Finding::key(
-            Tone::Bad,
-            Found::FurtherAlarms {
-                count: open.len() - 1,
-            },
-        ));
+    // those of one day are one
+    let days: BTreeSet<usize> = open.iter().map(|alarm| alarm.alarm.survey).collect();
+    if days.len() > 1 {
+        let count = days.len() - 1;
+        all.push(Finding::key(Tone::Bad, Found::FurtherAlarms { count }));
     }
     all
 }
@@ -261,58 +274,8 @@ fn far_ahead(answer: &WatchAnswer) -> Vec<Finding> {
     said.map(|said| Finding::key(Tone::Warn, said)).collect()
 }
 
-/// Whether a mode changed, or its last surveys lie off, and no repair and no inspection followed.
-fn has_unanswered(answer: &WatchAnswer) -> bool {
-    let answers = |(day, work): &&(f64, WorkPart)| {
-        matches!(work.kind, WorkKind::Repair | WorkKind::Inspection) && !answer.is_far_ahead(*day)
-    };
-    let answered_until = answer.works.iter().rev().find(answers).map(|(day, _)| *day);
-    let is_open = |survey: usize| {
-        let day = answer.surveys.get(survey).map(|of| of.day);
-        day.zip(answered_until).is_none_or(|(day, until)| until < day)
-    };
-    answer.watched.modes.iter().any(|mode| {
-        let off = mode.last_off.map(|off| off.from);
-        mode.changes
-            .iter()
-            .map(|change| change.before)
-            .chain(off)
-            .any(is_open)
-    })
-}
-
 /// Standard deviations by which a frequency falls with a repair from which that stands first. Chosen here.
 const FALLS_FROM: f64 = 3.0;
-
-/// Why the last survey was not judged, where no mode of it was.
-fn last_survey(answer: &WatchAnswer) -> Option<Finding> {
-    let last = answer.surveys.len().checked_sub(1)?;
-    if answer.watched.modes.is_empty() {
-        return None; // tilts alone are watched
-    }
-    let of_last = answer.watched.modes.iter().filter_map(|mode| {
-        let found = mode.judged.judged.last()?;
-        (found.survey == last).then_some(found)
-    });
-    let mut reason = Some(Cause::NotFound);
-    for judged in of_last {
-        match judged.score {
-            Ok(_) => return None,
-            Err(NotJudged::Training) => return None, // said of the whole history
-            Err(NotJudged::NewLevel) => reason = Some(Cause::NewLevel),
-            Err(NotJudged::NoTemperature) => reason = Some(Cause::NoTemperature),
-            Err(NotJudged::Temperature) => {
-                let temperature_c = answer.surveys[last].temperature_c.unwrap_or(f64::NAN);
-                let unit = dolmen_words::Unit::si("°C");
-                let temperature = Quantity::new(temperature_c, unit, dolmen_words::Digits::Trimmed(3));
-                reason = Some(Cause::Temperature { temperature });
-            }
-        }
-    }
-    let reason: Sentence = reason?.into();
-    let last = name(answer, last);
-    Some(Finding::key(Tone::Unknown, Found::LastNotJudged { last, reason }))
-}
 
 fn changes(answer: &WatchAnswer) -> Vec<Finding> {
     let watched = &answer.watched;
@@ -338,7 +301,7 @@ fn changes(answer: &WatchAnswer) -> Vec<Finding> {
     let off: Vec<Finding> = watched
         .modes
         .iter()
-        .filter_map(|mode| Some(last_off(answer, mode, mode.last_off?)))
+        .filter_map(|mode| last_off(answer, mode))
         .collect();
     let wandering = wandering(answer);
     if listed.is_empty() {
@@ -348,7 +311,11 @@ fn changes(answer: &WatchAnswer) -> Vec<Finding> {
             to,
             least: percent(least, 2),
         };
-        let unchanged = match off.is_empty() && wandering.is_empty() && !is_doubtful(answer) {
+        let unchanged = match off.is_empty()
+            && wandering.is_empty()
+            && !is_doubtful(answer)
+            && !answer.has_unanswered_change()
+        {
             true => Finding::key(Tone::Good, said),
             false => Finding::new(Tone::Plain, said),
         };
@@ -383,17 +350,6 @@ fn changes(answer: &WatchAnswer) -> Vec<Finding> {
     all
 }
 
-/// What the last one or two surveys alone show.
-fn last_off(answer: &WatchAnswer, mode: &WatchedMode, off: LastOff) -> Finding {
-    let said = Found::LastOff {
-        frequency: hertz(mode.track.frequency_hz),
-        by: bare_percent(off.ratio, 2),
-        half: percent(HALF_95 * off.sd, 2),
-        since: name(answer, off.from),
-    };
-    Finding::key(Tone::Warn, said)
-}
-
 fn told(answer: &WatchAnswer, mode: &WatchedMode, change: &WatchedChange) -> Found {
     let frequency = hertz(mode.track.frequency_hz);
     let (by, half) = (bare_percent(change.ratio, 2), percent(HALF_95 * change.sd, 2));
@@ -419,16 +375,63 @@ fn told(answer: &WatchAnswer, mode: &WatchedMode, change: &WatchedChange) -> Fou
     }
 }
 
-/// An event that the interval of the date holds.
+/// An event, or work on the sensors, that the interval of the date holds.
 fn event(answer: &WatchAnswer, change: &WatchedChange) -> Cause {
     let day = |survey: usize| answer.surveys.get(survey).map_or(f64::NAN, |survey| survey.day);
-    let within = answer.works.iter().enumerate().find(|(_, (when, work))| {
-        work.kind == WorkKind::Event && (day(change.after)..=day(change.before)).contains(when)
+    cause(answer, [day(change.after), day(change.before)])
+}
+
+/// The work between two days that may be the cause of what was found: an event before work on the sensors.
+pub(super) fn cause(answer: &WatchAnswer, [from, to]: [f64; 2]) -> Cause {
+    let within = |kind: WorkKind| {
+        let mut all = answer.works.iter().enumerate();
+        let found = all.find(|(_, (when, work))| work.kind == kind && (from..=to).contains(when));
+        found.map(|(i, (_, work))| (i + 1, work.what.clone().unwrap_or_else(|| work.date.clone())))
+    };
+    match (within(WorkKind::Event), within(WorkKind::Sensors)) {
+        (Some((number, what)), _) => Cause::Event { number, what },
+        (None, Some((number, what))) => Cause::Sensors { number, what },
+        (None, None) => Cause::Nothing,
+    }
+}
+
+/// That what inspections found is not watched, where there are several.
+fn inspections(answer: &WatchAnswer) -> Option<Finding> {
+    let counts = answer
+        .project
+        .surveys
+        .iter()
+        .map(|survey| survey.inspections.len());
+    let counts: Vec<usize> = counts.filter(|count| *count > 0).collect();
+    let said = Found::Inspections {
+        surveys: counts.len(),
+        items: counts.iter().sum(),
+    };
+    (counts.len() > 1).then(|| Finding::key(Tone::Unknown, said))
+}
+
+/// Surveys that stand alone with a mode.
+fn alone(answer: &WatchAnswer) -> Vec<Finding> {
+    let each = answer.watched.modes.iter().flat_map(|mode| {
+        let read = |survey: usize| {
+            let at = (*mode.track.modes.get(survey)?)?;
+            answer.surveys.get(survey)?.frequencies_hz.get(at).copied()
+        };
+        mode.outliers.iter().filter_map(move |survey| {
+            let before = (0..*survey).rev().filter_map(read).take(2);
+            let behind = (survey + 1..answer.surveys.len()).filter_map(read).take(2);
+            let around: Vec<f64> = before.chain(behind).collect();
+            let (own, usual) = (read(*survey)?, quantile(&around, 0.5).ok()?);
+            let said = Found::Alone {
+                survey: name(answer, *survey),
+                frequency: hertz(mode.track.frequency_hz),
+                read: hertz(own),
+                by: percent(own / usual - 1.0, 1),
+            };
+            Some(Finding::key(Tone::Warn, said))
+        })
     });
-    within.map_or(Cause::Nothing, |(i, (_, work))| Cause::Event {
-        number: i + 1,
-        what: work.what.clone().unwrap_or_else(|| work.date.clone()),
-    })
+    each.collect()
 }
 
 fn weather(answer: &WatchAnswer) -> Vec<Finding> {
@@ -484,17 +487,21 @@ fn sensors(answer: &WatchAnswer) -> Vec<Finding> {
     let tracked = &answer.watched.tracked;
     let sensors = tracked.sensors.iter().map(|change| {
         let survey = name(answer, change.survey);
+        let day = |of: usize| answer.surveys.get(of).map_or(f64::NAN, |survey| survey.day);
+        let cause = cause(answer, [day(change.survey.saturating_sub(1)), day(change.survey)]);
+        let cause: Sentence = cause.into();
         let modes = answer.watched.modes.iter();
         let mut changes = modes.flat_map(|mode| &mode.changes);
         let said = match &change.channel {
             _ if changes.any(|of| (of.after..=of.before).contains(&change.survey)) => {
-                Found::SensorOrStructure { survey }
+                Found::SensorOrStructure { survey, cause }
             }
             Some(channel) => Found::Sensor {
                 survey,
                 channel: channel.clone(),
+                cause,
             },
-            None => Found::Sensors { survey },
+            None => Found::Sensors { survey, cause },
         };
         Finding::key(Tone::Warn, said)
     });

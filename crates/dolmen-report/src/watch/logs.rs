@@ -2,7 +2,7 @@
 
 use super::numbers::{HALF_95, bare_logged, logged, plain, slope};
 use crate::document::{Finding, Tone};
-use dolmen::monitoring::{NoSlope, TiltReach, TiltSlope};
+use dolmen::monitoring::{ChangeForm, NoSlope, TiltReach, TiltSlope};
 use dolmen_project::WorkKind;
 use dolmen_words::message::Both;
 use dolmen_words::{Language, Quantity, messages};
@@ -71,6 +71,14 @@ messages! {
         Jumped { label: Both, by: Quantity, after: String, before: String } => {
             en: "{label}: it jumped by {by} between {after} and {before}, and no work says why. A trend may be of its making: look what happened, and enter it into works of [watch].",
             ko: "{label}: {after}와(과) {before} 사이에 {by}만큼 급변하였으나 해당하는 보수나 사건이 없다. 추세가 이 급변 때문일 수 있으므로 원인을 확인하여 [watch]의 works에 기록한다.",
+        },
+        Bends { label: Both, about: String, after: String, before: String, earlier: Quantity, since: Quantity } => {
+            en: "{label}: its slope changed in about {about} ({after} to {before}): {earlier} a year before, {since} since.",
+            ko: "{label}: 변화 속도가 {about}경({after}~{before})에 바뀌었다. 이전에는 해마다 {earlier}, 이후에는 {since}이다.",
+        },
+        ReachesLate { label: Both, yearly: Quantity, half: Quantity, limit: Quantity, years: usize } => {
+            en: "{label}: {yearly} ± {half} a year, beyond chance; at that rate it does not reach its limit of {limit} within {years} years.",
+            ko: "{label}: 해마다 {yearly} ± {half}씩 유의하게 변하나 이 속도로는 {years}년 안에 한계 {limit}에 이르지 않는다.",
         },
         Stuck { label: Both, since: String } => {
             en: "SENSOR: {label} reads one value since {since}: look at the sensor. What followed is left out.",
@@ -166,6 +174,7 @@ pub(super) fn logs(answer: &WatchAnswer) -> Vec<Finding> {
             };
             all.push(Finding::key(Tone::Warn, said));
         }
+        all.extend(changed(log));
         if let Some(since) = log.trend.stuck_since {
             let said = Logged::Stuck {
                 label: label(log),
@@ -219,7 +228,18 @@ fn trend(log: &WatchedLog, has_own_limit: bool) -> Finding {
         bare_logged(slope.per_year, is_tilt, 3),
         logged(HALF_95 * slope.sd_per_year, is_tilt, 3),
     );
+    let is_late = |reach: &TiltReach| reach.years_earliest.is_some_and(|years| years > DATED_YEARS);
     match reached(log, &slope).filter(|_| has_own_limit) {
+        Some((reach, _)) if is_late(&reach) => {
+            let said = Logged::ReachesLate {
+                label,
+                yearly,
+                half,
+                limit: logged(reach.limit, is_tilt, 2),
+                years: DATED_YEARS as usize,
+            };
+            Finding::key(Tone::Warn, said)
+        }
         Some((reach, [when, earliest, latest])) => {
             let said = Logged::Reaches {
                 label,
@@ -242,6 +262,40 @@ fn trend(log: &WatchedLog, has_own_limit: bool) -> Finding {
             Finding::key(Tone::Warn, said)
         }
     }
+}
+
+/// Changes of slope, and steps of the months beside the jump.
+fn changed(log: &WatchedLog) -> Vec<Finding> {
+    let (is_tilt, changes) = (log.is_tilt(), &log.trend.changes);
+    let now = log.trend.slope.map_or(f64::NAN, |slope| slope.per_year);
+    let since = |from: usize| {
+        let later = changes.iter().skip(from + 1);
+        let bends = later.filter(|of| of.form == ChangeForm::Slope);
+        now - bends.map(|of| of.size).sum::<f64>()
+    };
+    let is_jump = |day: f64| log.trend.jump.is_some_and(|jump| jump.before == day);
+    let each = changes.iter().enumerate().filter_map(|(i, of)| match of.form {
+        ChangeForm::Step => (!is_jump(of.day)).then(|| Logged::Jumped {
+            label: label(log),
+            by: logged(of.size, is_tilt, 2),
+            after: date_text(of.after),
+            before: date_text(of.before),
+        }),
+        ChangeForm::Slope => Some(Logged::Bends {
+            label: label(log),
+            about: month_of(of.day),
+            after: month_of(of.after),
+            before: month_of(of.before),
+            earlier: logged(since(i) - of.size, is_tilt, 3),
+            since: logged(since(i), is_tilt, 3),
+        }),
+    });
+    each.map(|said| Finding::key(Tone::Warn, said)).collect()
+}
+
+/// "2026-11".
+fn month_of(day: f64) -> String {
+    date_text(day).chars().take("2026-11".len()).collect()
 }
 
 /// That its zero is that of a sensor before: what it reads now is not how far it has come.
@@ -280,11 +334,7 @@ fn was_at_limit(log: &WatchedLog) -> Option<Finding> {
 /// The month so many years behind a day.
 fn month(last: f64, years: f64) -> Both {
     match years <= DATED_YEARS {
-        true => date_text(last + years * YEAR_DAYS)
-            .chars()
-            .take("2026-11".len())
-            .collect::<String>()
-            .into(),
+        true => month_of(last + years * YEAR_DAYS).into(),
         false => Logged::Later {
             years: DATED_YEARS as usize,
         }

@@ -81,7 +81,11 @@ const WANDERS: (f64, f64) = (0.8, 3.0);
 
 /// Modes that wander further than measurement and weather explain.
 pub(super) fn wandering(answer: &WatchAnswer) -> Vec<Finding> {
-    let each = answer.watched.modes.iter().filter_map(|mode| {
+    // one survey far off widens what is left, and is no wandering
+    let off = answer.last_far_off();
+    let modes = answer.watched.modes.iter().enumerate();
+    let calm = modes.filter(|(i, _)| off.iter().all(|of| of.mode != *i));
+    let each = calm.filter_map(|(_, mode)| {
         let disturbance = mode.weather.as_ref()?.disturbance;
         let sds = mode.track.modes.iter().enumerate().filter_map(|(survey, at)| {
             let of = answer.surveys.get(survey)?;

@@ -3,6 +3,7 @@
 mod earthquakes;
 mod failing;
 mod findings;
+mod last;
 mod log_table;
 mod logs;
 mod lost;
@@ -55,12 +56,14 @@ messages! {
 }
 
 /// The sentences on a history as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 10] = [
+pub(crate) const TEMPLATES: [&[Template]; 12] = [
     earthquakes::Felt::TEMPLATES,
     logs::Logged::TEMPLATES,
     log_table::LogTable::TEMPLATES,
     Years::TEMPLATES,
     findings::Found::TEMPLATES,
+    last::Last::TEMPLATES,
+    last::Unjudged::TEMPLATES,
     lost::Missing::TEMPLATES,
     tilts::Tilted::TEMPLATES,
     findings::Cause::TEMPLATES,

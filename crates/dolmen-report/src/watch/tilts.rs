@@ -2,7 +2,7 @@
 
 use super::numbers::{HALF_95, name, plain, slope};
 use crate::document::{Finding, Tone};
-use dolmen::monitoring::{TiltSeries, TiltTrend};
+use dolmen::monitoring::{ChangeForm, TiltSeries, TiltTrend};
 use dolmen_words::{Quantity, messages};
 use dolmen_work::watched::{LeanNow, WatchAnswer};
 
@@ -16,6 +16,18 @@ messages! {
         TiltReaches { direction: String, yearly: Quantity, half: Quantity, limit: Quantity, years: Quantity, earliest: Quantity, latest: Quantity } => {
             en: "The tilt along {direction} changes by {yearly} ± {half} mm/m a year, beyond chance; at that rate it reaches its limit of {limit} mm/m in {years} years ({earliest} to {latest}).",
             ko: "{direction} 방향 기울기가 해마다 {yearly} ± {half} mm/m씩 유의하게 변한다. 이 속도로는 {years}년({earliest}~{latest}년) 뒤에 한계 {limit} mm/m에 이른다.",
+        },
+        TiltAlone { direction: String, date: String, read: Quantity, expected: Quantity } => {
+            en: "The tilt along {direction} was read as {read} mm/m on {date}, where the readings around it give {expected} mm/m: it stands alone, and is left out of trend and steps. Check sign, decimal point and unit of what was written down; if it is right, the structure moved and came back.",
+            ko: "{date}의 {direction} 방향 기울기 {read} mm/m는 앞뒤 측정값에 따른 {expected} mm/m에서 홀로 벗어나 경향과 급변 검토에서 제외하였다. 적은 값의 부호, 소수점, 단위를 확인한다. 값이 맞다면 구조물이 움직였다가 되돌아온 것이다.",
+        },
+        TiltBends { direction: String, about: String, after: String, before: String, earlier: Quantity, since: Quantity } => {
+            en: "The slope of the tilt along {direction} changed in about {about} (between {after} and {before}): {earlier} mm/m a year before, {since} since.",
+            ko: "{direction} 방향 기울기의 변화 속도가 {about}경({after}~{before})에 바뀌었다. 이전에는 해마다 {earlier} mm/m, 이후에는 {since} mm/m이다.",
+        },
+        TiltWorked { date: String, direction: String, by: Quantity, half: Quantity } => {
+            en: "With the repair of {date} the tilt along {direction} changed by {by} ± {half} mm/m.",
+            ko: "{date} 보수 전후로 {direction} 방향 기울기가 {by} ± {half} mm/m 변하였다.",
         },
         TiltJumped { direction: String, by: Quantity, half: Quantity, after: String, before: String } => {
             en: "The tilt along {direction} jumped by {by} ± {half} mm/m between {after} and {before}: look at the structure and at the marks.",
@@ -105,21 +117,66 @@ fn is_ended(answer: &WatchAnswer, trend: &TiltTrend) -> bool {
         .any(|other| last(other) > last(own))
 }
 
-/// A step of a tilt.
-pub(super) fn jumped(answer: &WatchAnswer, trend: &TiltTrend) -> Option<Finding> {
-    let jump = trend.jump?;
-    let survey = |i: usize| {
-        let of = trend.series.surveys.get(i).copied();
-        of.map_or_else(String::new, |of| name(answer, of))
-    };
-    let said = Tilted::TiltJumped {
+/// The survey of a reading.
+fn survey(answer: &WatchAnswer, trend: &TiltTrend, reading: usize) -> String {
+    let of = trend.series.surveys.get(reading).copied();
+    of.map_or_else(String::new, |of| name(answer, of))
+}
+
+/// Readings that stand alone.
+pub(super) fn stands_alone(answer: &WatchAnswer, trend: &TiltTrend) -> Vec<Finding> {
+    let each = trend.outliers.iter().map(|of| Tilted::TiltAlone {
         direction: direction_of(answer, trend),
-        by: slope(jump.size, 3),
-        half: slope(HALF_95 * jump.sd, 3),
-        after: survey(jump.from.saturating_sub(1)),
-        before: survey(jump.from),
+        date: survey(answer, trend, of.at),
+        read: slope(trend.series.ratios.get(of.at).copied().unwrap_or(f64::NAN), 2),
+        expected: slope(of.expected, 2),
+    });
+    each.map(|said| Finding::key(Tone::Warn, said)).collect()
+}
+
+/// Steps and changes of slope of a tilt.
+pub(super) fn changed(answer: &WatchAnswer, trend: &TiltTrend) -> Vec<Finding> {
+    let direction = direction_of(answer, trend);
+    let now = trend.slope.map_or(f64::NAN, |slope| slope.per_year);
+    // the slope since a change is that of today less what came later
+    let since = |from: usize| {
+        let later = trend.changes.iter().skip(from + 1);
+        let bends = later.filter(|of| of.form == ChangeForm::Slope);
+        now - bends.map(|of| of.size).sum::<f64>()
     };
-    Some(Finding::key(Tone::Warn, said))
+    let each = trend.changes.iter().enumerate().map(|(i, of)| match of.form {
+        ChangeForm::Step => Tilted::TiltJumped {
+            direction: direction.clone(),
+            by: slope(of.size, 3),
+            half: slope(HALF_95 * of.sd, 3),
+            after: survey(answer, trend, of.after),
+            before: survey(answer, trend, of.before),
+        },
+        ChangeForm::Slope => Tilted::TiltBends {
+            direction: direction.clone(),
+            about: survey(answer, trend, of.from),
+            after: survey(answer, trend, of.after),
+            before: survey(answer, trend, of.before),
+            earlier: slope(since(i) - of.size, 3),
+            since: slope(since(i), 3),
+        },
+    });
+    each.map(|said| Finding::key(Tone::Warn, said)).collect()
+}
+
+/// What repairs did to a tilt.
+pub(super) fn worked(answer: &WatchAnswer, trend: &TiltTrend) -> Vec<Finding> {
+    let each = trend.works.iter().filter_map(|of| {
+        let (_, work) = answer.works.get(of.work)?;
+        let said = Tilted::TiltWorked {
+            date: work.date.clone(),
+            direction: direction_of(answer, trend),
+            by: slope(of.size, 3),
+            half: slope(HALF_95 * of.sd, 3),
+        };
+        Some(Finding::new(Tone::Plain, said))
+    });
+    each.collect()
 }
 
 /// What the readings of a tilt say of its years.

@@ -128,7 +128,7 @@ fn refuses_tables_of_structures_with_line_and_what_to_do() {
             "a,5,6,3,57,2,,\n",
             "line 2 (a): taper_deg is \"57\", but must be below 40, in degrees",
         ),
-        ("a,5,6,,9,2,,\n", "body_slenderness or slenderness_angle or both"),
+        ("a,5,6,,9,2,,\n", "fill body_slenderness/slenderness_angle"),
         (",5,6,3,9,2,,\n", "the structure has no name"),
         ("a,5,6,3,9,2,0.11,\n", "zone_factor_g and soil belong together"),
         ("a,5,6,3,9,2,0.11,S9\n", "soil is \"S9\", but must be S1 to S5"),
@@ -170,6 +170,7 @@ fn answer() -> PortfolioAnswer {
             fragility: Fragility::new(theta, 0.4).unwrap(),
             ln_theta_sd: 0.1,
             known,
+            falls_alone: 0.0,
         })
     };
     let entry = |name: &str, ds3: f64, falls: f64, how| PortfolioEntry {
@@ -208,7 +209,7 @@ fn holds_what_falls_alone_would_miss_is_said() {
     assert_eq!(found, [wanted]);
     let text = rank_text(&answer, TextStyle::plain());
     let said = "b: place 1 by DS3, but 3 by falls alone: it is damaged long before anything falls";
-    assert!(text.contains(said) && text.contains("tan α: -26 %"), "{text}");
+    assert!(text.contains(said) && text.contains("tan α: −26 %"), "{text}");
     let falls = answer.entries[1].states[3].unwrap();
     assert_eq!(capacity_words(&falls, 9.81), "> 2.0");
     let table = table_csv(&ranking_columns(&answer));

@@ -24,6 +24,9 @@ korean_of! {
         AssessError::Trend { given } => "추세의 값이 {given}이다. 결과가 없는 해석을 뺀다";
         AssessError::FragilityParameter { parameter, given } => "취약도 곡선의 {parameter}이(가) {given}인데 양수이어야 한다", parameter = phrase(parameter);
         AssessError::Observation { number, given, allowed } => "관측 {number}의 값이 {given}인데 {allowed}이어야 한다", allowed = phrase(allowed);
+        AssessError::TooFewForSufficiency { given, least } => "지진동 척도의 충분성을 판단하기에는 지반운동 {given}개가 너무 적다. {least}개 이상을 준다";
+        AssessError::CapacitiesOpen { without, scans } => "증분해석 {scans}건 중 {without}건은 손상상태가 시작된 크기의 위아래를 알 수 없으며, 이는 가장 강하거나 약한 경우이다. 더 작거나 큰 지진동까지 해석한다";
+        AssessError::SameForEveryMotion { value } => "모든 지반운동에서 값이 {value}(으)로 같아 그에 따른 변화를 알 수 없다. 서로 다른 지진의 지반운동을 준다";
         AssessError::TooFewMotions { given } => "취약도 곡선에는 지반운동 {given}개가 너무 적다. 3개 이상, 순위를 매기려면 22개 이상을 준다";
         AssessError::NoFragility(bound) => "{why}", why = no_fragility(bound);
         AssessError::FragilityFalls => "지반운동이 세져도 손상상태에 더 자주 이르지 않아 관측값을 지나며 커지는 취약도 곡선이 없다. 세기 지표가 맞는가?";

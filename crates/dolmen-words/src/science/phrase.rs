@@ -25,6 +25,9 @@ const PHRASES: &[(&str, &str)] = &[
     ("positive", "양수"),
     ("positive and finite", "양의 유한한 수"),
     ("a number", "수"),
+    ("0 where both directions rub", "두 방향이 함께 마찰하면 0"),
+    ("directions with sliders", "마찰이 변위에 작용하는 방향의 수"),
+    ("the second direction", "둘째 방향"),
     ("a finite number", "유한한 수"),
     ("finite numbers", "유한한 수"),
     ("of finite numbers", "유한한 수로 이루어진 행렬"),
@@ -77,12 +80,12 @@ const PHRASES: &[(&str, &str)] = &[
     ("between 0 and 1, both excluded", "0보다 크고 1보다 작은 수"),
     (
         "between 0 and 1, both excluded (0.95 is 95 %)",
-        "0보다 크고 1보다 작은 수(0.95가 95 %)",
+        "0과 1 사이(0.95가 95 %)",
     ),
     ("between 0 and 10 (0.1 is 10 %)", "0과 10 사이의 수(0.1이 10 %)"),
     (
         "between 0 and half the sampling rate",
-        "0과 샘플링 주파수의 절반 사이의 수",
+        "0과 샘플링 주파수 절반 사이",
     ),
     ("between 0 and 0.05 per °C", "°C당 0과 0.05 사이의 수"),
     ("within ±0.05 per °C", "°C당 ±0.05 이내의 수"),
@@ -90,7 +93,7 @@ const PHRASES: &[(&str, &str)] = &[
     ("in (0, 1]", "0보다 크고 1 이하인 수"),
     (
         "0 to 1: the weaker component over the stronger",
-        "0~1(약한 성분/강한 성분)",
+        "0~1(약한/강한 성분)",
     ),
     ("0 to 10: is it in percent?", "0~10(퍼센트 단위인가?)"),
     ("0 to 0.9: is it in percent?", "0~0.9(퍼센트 단위인가?)"),
@@ -167,10 +170,7 @@ const PHRASES: &[(&str, &str)] = &[
         "above period_least_s by a tenth of it or more",
         "period_least_s보다 10 % 이상 큰 수",
     ),
-    (
-        "another than that of the first anchor",
-        "첫 기준 진동수와 다른 수",
-    ),
+    ("another than that of the first anchor", "첫 값과 다른 수"),
     ("at least the kinetic one", "동마찰계수 이상"),
     ("at most friction_static", "friction_static 이하"),
     ("at most 4 000 000", "4 000 000 이하"),
@@ -369,10 +369,7 @@ const PHRASES: &[(&str, &str)] = &[
     ("the dampers' tunings together", "감쇠기들의 동조"),
     ("the damper's place", "감쇠기의 위치"),
     ("a resonance without damping", "감쇠가 없는 공진"),
-    (
-        "the damping that stands for head loss",
-        "수두손실에 해당하는 감쇠",
-    ),
+    ("the damping that stands for head loss", "수두손실의 감쇠"),
     ("the mesh has a hole", "메시에 구멍이 있다"),
     (
         "fill it, or join vertices that lie in one place",
@@ -461,10 +458,7 @@ const PHRASES: &[(&str, &str)] = &[
         "steps of the motion with 10 periods after it",
         "지반운동과 그 뒤 10주기의 간격 수",
     ),
-    (
-        "acceleration of the ground over gravity",
-        "지반 가속도/중력가속도",
-    ),
+    ("acceleration of the ground over gravity", "지반가속도(g)"),
     ("spectral acceleration", "스펙트럼 가속도"),
     ("height_m of the side support", "옆 지지의 height_m"),
     (

@@ -25,6 +25,7 @@ korean_of! {
         SignalError::Factor { given, most, length } => "솎음 배수가 {given}인데 2~{most}이어야 한다(자료 {length}개에서 2개 이상 남아야 한다). 솎지 않거나 배수를 낮춘다";
         SignalError::SegmentLength { given, least, most } => "segment_length가 {given}인데 {least}~{most}개(기록의 길이)이어야 한다";
         SignalError::TimeStep { given, least, most } => "time_step_s가 {given}인데 {least}~{most}이어야 한다. 초 단위인가?";
+        SignalError::NoCommonStep { first_s, second_s, most } => "두 지반운동의 시간 간격이 {first_s} s와 {second_s} s인데 둘을 {most}등분 이하로 나누는 공통 간격이 없다. 하나를 {first_s} s 간격 등으로 다시 샘플링한다";
         SignalError::Argument { argument, given, allowed } => "{argument}이(가) {given}인데 {allowed}이어야 한다", argument = phrase(argument), allowed = phrase(allowed);
         SignalError::NoMotion { component, peak_m_s2 } => "{component} 성분의 최대값이 {peak_m_s2} m/s²이어서 배율로 키울 수 없다. 움직이는 성분을 지정한다", component = phrase(component);
         SignalError::Period { given, least_s, most_s } => "주기 {given} s는 쓸 수 없다. 이 시간 간격의 지반운동으로는 {least_s}~{most_s} s까지 알 수 있다";

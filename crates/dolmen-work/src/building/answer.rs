@@ -2,6 +2,7 @@
 
 use super::simulation::{Against, BeyondRoom};
 use super::wind_answer::BuildingWind;
+use dolmen::damper::DampedMode;
 use dolmen::dynamics::{LeastFavourable, SpectralMode};
 use dolmen::structure::Building;
 use dolmen::structure::building::{BuildingModes, StoreyFall};
@@ -37,6 +38,8 @@ pub struct StandingBuilding {
     pub damping_ratios: Vec<f64>,
     /// Dampers of the file, every number worked out.
     pub dampers: Vec<BuiltDamper>,
+    /// Modes of the whole, with the dampers: what a survey of it measures; empty without dampers.
+    pub damped_modes: Vec<DampedMode>,
     /// Against the spectrum of its site, without dampers; `None` without a site.
     pub spectral: Option<BuildingSpectral>,
     /// Why there is none although the site has one.

@@ -5,7 +5,7 @@ use crate::error::{Within as _, WorkError};
 use crate::told::told;
 use crate::wrong::Place;
 use dolmen::assess::demand::SiteDemand;
-use dolmen::damper::{AttachedDamper, DampedSpectralAnalysis, damped_spectral_analysis};
+use dolmen::damper::{AttachedDamper, DampedSpectralAnalysis, damped_modes, damped_spectral_analysis};
 use dolmen::dynamics::{
     DirectionalCombination, ModalCombination, SpectralAnalysis, VibratingBuilding, spectral_analysis,
 };
@@ -38,6 +38,11 @@ pub(crate) fn check(
 fn standing(project: &Project, part: &BuildingPart, pick: Pick<'_>) -> Result<StandingBuilding, WorkError> {
     let vibrating = part.vibrating(pick)?;
     let dampers = part.dampers(&vibrating, pick)?;
+    let attached: Vec<AttachedDamper> = dampers.iter().map(BuiltDamper::attached).collect();
+    let damped_modes = match dampers.is_empty() {
+        true => Vec::new(),
+        false => damped_modes(&vibrating, &attached)?,
+    };
     let mut spectral_refused = None;
     let mut spectral = None;
     let (mut damped, mut damped_refused) = (None, None);
@@ -51,7 +56,6 @@ fn standing(project: &Project, part: &BuildingPart, pick: Pick<'_>) -> Result<St
             Err(why) => spectral_refused = Some(told(&why)),
         }
         if !dampers.is_empty() {
-            let attached: Vec<AttachedDamper> = dampers.iter().map(BuiltDamper::attached).collect();
             match damped_spectral_analysis(&vibrating, &attached, &read) {
                 Ok(analysis) => damped = Some(with_dampers(part, vibrating.building(), &analysis, pick)?),
                 Err(why) => damped_refused = Some(told(&why)),
@@ -63,6 +67,7 @@ fn standing(project: &Project, part: &BuildingPart, pick: Pick<'_>) -> Result<St
         modes: vibrating.modes().clone(),
         damping_ratios: vibrating.damping_ratios().to_vec(),
         dampers,
+        damped_modes,
         spectral,
         spectral_refused,
         damped,

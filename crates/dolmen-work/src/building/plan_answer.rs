@@ -28,6 +28,8 @@ pub struct PlanAnswer {
     pub bounds: Option<PlanBounds>,
     /// The one solution beside the stiffness of the file.
     pub beside_file: Option<BesideFile>,
+    /// Sensors at the height of the floor that stand outside its sides.
+    pub off_floor: Vec<String>,
     /// The record whose shapes gave the twists.
     pub from_record: Option<FromRecord>,
 }
@@ -44,6 +46,18 @@ pub struct FromRecord {
 }
 
 impl PlanAnswer {
+    /// Least and most of the corners of the floor along x and y, m.
+    pub fn sides_m(&self) -> Option<[[f64; 2]; 2]> {
+        let corners = self.outline.as_ref()?.corners_m();
+        let side = |axis: usize| {
+            let along = corners.iter().map(|corner| corner[axis]);
+            along.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], at| {
+                [least.min(at), most.max(at)]
+            })
+        };
+        Some([side(0), side(1)])
+    }
+
     /// The solution, where one alone is accepted and its centre of rigidity is from the modes, not from the file.
     pub fn determined(&self) -> Option<&PlanSolution> {
         let mut accepted = self.found.accepted();

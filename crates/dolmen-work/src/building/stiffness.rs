@@ -45,11 +45,16 @@ pub(crate) fn stiffness(
         let floors = floors.len();
         return without(WithoutStiffness::Floors { floors });
     };
+    if !part.dampers.is_empty() {
+        let dampers = part.dampers.iter().map(|damper| damper.name.clone()).collect();
+        return without(WithoutStiffness::Dampers { dampers });
+    }
     let place = FloorPlace {
         height_m: below.height_m,
         centre_m: floor.centre_m,
         gyration_m: floor.gyration_m,
     };
+    let off_floor = found.map_or_else(Vec::new, |modes| off_floor(modes, floor, &place));
     let moving = found.and_then(|modes| floor_modes(modes, &place));
     let rigid = moving
         .as_ref()
@@ -110,6 +115,7 @@ pub(crate) fn stiffness(
         load_factors,
         twist_unused,
         bounds,
+        off_floor,
         from_record,
         beside_file: None,
     }))))
@@ -135,6 +141,27 @@ fn with_shapes_of(rigid: &FloorModes, stated: Vec<PlanMode>) -> Vec<PlanMode> {
         true => filled,
         false => stated,
     }
+}
+
+/// Sensors within half a metre of the height of a floor that stand farther than that outside its sides.
+fn off_floor(modes: &Modes, floor: &Floor, place: &FloorPlace) -> Vec<String> {
+    const NEAR_M: f64 = 0.5;
+    let Some(reach_m) = reach_m(floor) else {
+        return Vec::new();
+    };
+    let is_off = |position_m: [f64; 3]| {
+        (position_m[2] - place.height_m).abs() <= NEAR_M
+            && (0..2).any(|axis| {
+                let [least, most] = reach_m[axis];
+                let at = position_m[axis] - floor.centre_m[axis];
+                at < least - NEAR_M || at > most + NEAR_M
+            })
+    };
+    let off = modes
+        .channels
+        .iter()
+        .filter(|channel| channel.position_m.is_some_and(is_off));
+    off.map(|channel| channel.name.clone()).collect()
 }
 
 /// Where on the floor a centre of rigidity can be, from the centre of mass, m; `None` where its outline is not known.

@@ -111,7 +111,8 @@ pub(crate) fn uplift_tilt(check: &ChainCheck) -> Option<f64> {
 }
 
 /// The same of a chain of two directions towards the side to which it leans, along and across; `None` without a width of any bed, without
-/// stiffness, or if it falls. Beds open where the resultant leaves their core: |e_x|/(b/6) + |e_y|/(w/6) = 1.
+/// stiffness, or if it falls. Beds open where the resultant leaves their core: |e_x|/(b/6) + |e_y|/(w/6) = 1; one of unknown
+/// plan as one that leans along.
 pub(crate) fn uplift_tilt_towards(
     part: &ChainPart,
     check: &ChainCheck,
@@ -134,7 +135,10 @@ pub(crate) fn uplift_tilt_towards(
             per_rad(stabilities[0])? * towards[0] / size,
             per_rad(stabilities[1])? * towards[1] / size,
         ];
-        let core = moments[0].abs() / bed.width_m + moments[1].abs() / bed.depth_m;
+        let core = match bed.depth_m {
+            Some(depth_m) => moments[0].abs() / bed.width_m + moments[1].abs() / depth_m,
+            None => moments[0].hypot(moments[1]) / bed.width_m,
+        };
         let own = UpliftTilt {
             edge: bed.reach(normal_n, [0.0; 2], moments),
             opens: normal_n / (CORE * core),

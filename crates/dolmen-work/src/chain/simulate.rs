@@ -3,7 +3,7 @@
 use super::limits::link_names;
 use super::{ChainSimulation, ChainTogether};
 use crate::error::WorkError;
-use crate::frame::simulate::horizontal;
+use crate::frame::together::horizontal;
 use crate::in_runs::LeftOutOfRuns;
 use crate::motion::MotionAnswer;
 use crate::progress::{Progress, simulating};

@@ -2,6 +2,7 @@
 
 use super::ChainTogether;
 use super::simulate::{one_plane_only, start_rotation_rad};
+use crate::at_rest::AtRest;
 use crate::error::WorkError;
 use crate::progress::Progress;
 use crate::study::{ChainMeasures, Run, RunMeasures, RunOutcome, SWING_REST_S, acting_component};
@@ -59,27 +60,35 @@ pub(crate) fn row(
     study: &StudyPart,
     run: Run,
     model: &MovingChain,
-    (motion, progress): (&GroundMotion, &dyn Progress),
+    acting: (&GroundMotion, &dyn Progress),
 ) -> Option<Run> {
+    row_and_rest(study, run, model, acting).map(|(run, _)| run)
+}
+
+/// The same with how it ended.
+pub(crate) fn row_and_rest(
+    study: &StudyPart,
+    run: Run,
+    model: &MovingChain,
+    (motion, progress): (&GroundMotion, &dyn Progress),
+) -> Option<(Run, Option<AtRest>)> {
+    let rest = |plane: &ChainModel, history: &Option<ChainHistory>| {
+        history.as_ref().map(|history| AtRest::of_chain(plane, history))
+    };
     let Some(across) = &model.across else {
-        return Some(
-            row_in_plane(
-                study,
-                run,
-                (&model.chain, model),
-                (motion, acting_component(motion)),
-                progress,
-            )?
-            .0,
-        );
+        let component = acting_component(motion);
+        let plane = (&model.chain, model);
+        let (run, history) = row_in_plane(study, run, plane, (motion, component), progress)?;
+        return Some((run, rest(&model.chain, &history)));
     };
     let both = motion.has(Component::X) && motion.has(Component::Y);
     if let (true, Some(why)) = (both, &model.one_plane) {
-        return Some(Run {
+        let refused = Run {
             outcome: RunOutcome::Refused,
             why: told(why),
             ..run
-        });
+        };
+        return Some((refused, None));
     }
     let components = match both {
         true => [Component::X, Component::Y],
@@ -91,11 +100,13 @@ pub(crate) fn row(
     let other = of(across, components[1])?;
     let histories = along.1.as_ref().zip(other.1.as_ref()).filter(|_| both);
     let together = histories.and_then(|(along, across)| ChainTogether::of(&model.chain, [along, across]));
+    let rests = rest(&model.chain, &along.1).zip(rest(across, &other.1));
     let (worse, better) = match severity(&other.0) > severity(&along.0) {
         true => (other.0, along.0),
         false => (along.0, other.0),
     };
-    Some(joined(worse, &better, together))
+    let rest = rests.map(|(along, across)| along.worse(across));
+    Some((joined(worse, &better, together), rest))
 }
 
 /// What decides between two directions: a fall, of two the sooner; then what is not decided; then beds that opened.

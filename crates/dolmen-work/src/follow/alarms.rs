@@ -51,6 +51,14 @@ impl OpenAlarm {
     }
 }
 
+impl WatchAnswer {
+    /// How many alarms of the structure nobody has answered: those of [`open_alarms`], sensors passed over.
+    pub fn open_alarms(&self) -> usize {
+        let all = open_alarms(self);
+        all.iter().filter(|alarm| alarm.is_of_structure()).count()
+    }
+}
+
 /// The alarms that nobody has answered: one for each day on which frequencies confirmed any, one for each earthquake, and one each for a tilt and a crack beyond its limit, until a work or
 /// an inspection is entered; one for each sensor that fails.
 pub fn open_alarms(answer: &WatchAnswer) -> Vec<OpenAlarm> {

@@ -1,6 +1,7 @@
 //! When a record was taken: as it says itself, else as the name of its file says, else when the file was last written.
 
 use crate::survey_dates::day_of_a_record;
+use dolmen_project::date_of;
 use dolmen_records::{start_of_text, time_text};
 
 /// Starts before 1990 and later than the clock by a day are not believed, s: a logger whose clock was reset says 1970 or 1980. Chosen here.
@@ -70,13 +71,72 @@ pub fn moment_of(survey: &str) -> Option<f64> {
     whole.or_else(|| start_of_text(&format!("{day} 00:00:00")))
 }
 
-/// The first date in a name, with the time behind it: "gate_20261125_100000.csv", "2026-11-25T10-00-00Z", "2026.11.25".
+/// The syllables of a Korean date and time as macOS writes them into names of files, in parts, and whole.
+const WHOLE: [(&str, &str); 8] = [
+    ("\u{1102}\u{1167}\u{11ab}", "년"),
+    ("\u{110b}\u{116f}\u{11af}", "월"),
+    ("\u{110b}\u{1175}\u{11af}", "일"),
+    ("\u{1109}\u{1175}", "시"),
+    ("\u{1107}\u{116e}\u{11ab}", "분"),
+    ("\u{110e}\u{1169}", "초"),
+    ("\u{110b}\u{1169}\u{110c}\u{1165}\u{11ab}", "오전"),
+    ("\u{110b}\u{1169}\u{1112}\u{116e}", "오후"),
+];
+
+/// The first date in a name, with the time behind it: "gate_20261125_100000.csv", "2026-11-25T10-00-00Z", "2026.11.25", "2026년 7월 1일 오후 3시".
 fn of_file_name(name: &str, is_believed: impl Fn(f64) -> bool) -> Option<(String, f64)> {
-    let signs: Vec<char> = name.chars().collect();
+    let whole = WHOLE
+        .iter()
+        .fold(name.to_owned(), |name, (parts, whole)| name.replace(parts, whole));
+    let signs: Vec<char> = whole.chars().collect();
     (0..signs.len()).find_map(|at| {
         let begins = at == 0 || !signs[at - 1].is_ascii_digit();
-        begins.then(|| date_at(&signs[at..], &is_believed)).flatten()
+        let found =
+            || date_at(&signs[at..], &is_believed).or_else(|| written_date(&signs[at..], &is_believed));
+        begins.then(found).flatten()
     })
+}
+
+/// A date as people write it, months and days with one digit or two: "2026년 7월 1일 오후 3시 5분", "2026. 7. 1.".
+fn written_date(signs: &[char], is_believed: &impl Fn(f64) -> bool) -> Option<(String, f64)> {
+    let text: String = signs.iter().collect();
+    let [year, month, day] = date_of(&text).filter(|[_, _, day]| *day > 0)?;
+    let date = format!("{year:04}-{month:02}-{day:02}");
+    let at_s = |time: &str| {
+        let at = start_of_text(&format!("{date} {time}"))?;
+        // 30 February is none
+        (moment(at).starts_with(&date) && is_believed(at)).then_some(at)
+    };
+    let time = text.split_once('일').and_then(|(_, rest)| korean_time(rest));
+    if let Some(at) = time.as_deref().and_then(at_s) {
+        return Some((moment(at), at));
+    }
+    Some((date.clone(), at_s("00:00:00")?))
+}
+
+/// "오후 3시 5분 10초" as "15:05:10".
+fn korean_time(text: &str) -> Option<String> {
+    let mut rest = text.trim_start();
+    let mut noon = None;
+    for (half, is_after) in [("오전", false), ("오후", true)] {
+        if let Some(behind) = rest.strip_prefix(half) {
+            (rest, noon) = (behind.trim_start(), Some(is_after));
+        }
+    }
+    let mut number = |unit: char| -> Option<u32> {
+        let (value, behind) = rest.split_once(unit)?;
+        let value = value.trim().parse().ok()?;
+        rest = behind;
+        Some(value)
+    };
+    let hour = number('시')?;
+    let (minute, second) = (number('분').unwrap_or(0), number('초').unwrap_or(0));
+    let hour = match noon {
+        Some(is_after) if (1..=12).contains(&hour) => hour % 12 + if is_after { 12 } else { 0 },
+        Some(_) => return None,
+        None => hour,
+    };
+    (hour < 24 && minute < 60 && second < 60).then(|| format!("{hour:02}:{minute:02}:{second:02}"))
 }
 
 fn date_at(signs: &[char], is_believed: &impl Fn(f64) -> bool) -> Option<(String, f64)> {
@@ -172,11 +232,22 @@ mod tests {
             ("2026_11_24 (2).csv", "2026-11-24"),
             ("2026-11-24-99.csv", "2026-11-24"),
             ("탑 2026-11-24.csv", "2026-11-24"),
+            ("남산당간 2025년 7월 21일.csv", "2025-07-21"),
+            ("2025년7월21일 오후 3시 5분.csv", "2025-07-21T15:05:00"),
+            ("2025년 12월 1일 오전 12시 30분 (2).csv", "2025-12-01T00:30:00"),
+            // as macOS writes it, in parts
+            (
+                "2025\u{1102}\u{1167}\u{11ab} 7\u{110b}\u{116f}\u{11af} 1\u{110b}\u{1175}\u{11af}.csv",
+                "2025-07-01",
+            ),
+            ("탑 2025. 7. 1.csv", "2025-07-01"),
         ] {
             assert_eq!(of(None, name), (told.into(), TimeSource::FileName), "{name}");
         }
         for name in [
             "2026-13-24.csv",
+            "2026년 2월 30일.csv",
+            "2026년 7월.csv",
             "2026-02-30.csv",
             "202611245.csv",
             "2090-01-01.csv",

@@ -1,6 +1,7 @@
 //! The check of a frame.
 
 use super::columns::columns;
+use super::lean::DirectionLean;
 use crate::error::WorkError;
 use crate::state::DirectionCheck;
 use dolmen::assess::check_frame;
@@ -18,9 +19,11 @@ pub(crate) fn check(part: &FramePart, pick: Pick<'_>) -> Result<Vec<DirectionChe
             Some(slipping) => Some(check_frame(&frame, Some(&slipping))?),
             None => None,
         };
+        let columns = columns(part, &frame, stiffness.as_deref(), pick)?;
         checks.push(DirectionCheck {
             direction: direction.name.clone(),
-            columns: columns(part, &frame, stiffness.as_deref(), pick)?,
+            lean: DirectionLean::of(part, &frame, direction, &columns)?,
+            columns,
             check,
             slipping,
         });

@@ -13,6 +13,8 @@ pub enum ColumnsInMotion {
     SeveralStoreys,
     /// There are some, but their beds give way: a motion of rigid columns would stand too long.
     OnBeds,
+    /// There are some, but the ground moves along x and along y: columns that roll on a corner or around their edge are not followed.
+    BothComponents,
     /// How the frame moves on them alone.
     Alone(Box<ColumnsAlone>),
 }
@@ -50,10 +52,10 @@ impl ColumnsAlone {
     }
 }
 
-/// The frame on its columns alone, for as long as the frame itself was moved.
+/// The frame on its columns alone, for as long as the frame itself was moved; no ground where two components act.
 pub(super) fn columns_in_motion(
     part: &FramePart,
-    ground: &TimeFunction,
+    ground: Option<&TimeFunction>,
     duration_s: f64,
     output_step_s: f64,
     pick: Pick<'_>,
@@ -61,6 +63,9 @@ pub(super) fn columns_in_motion(
     if part.storeys.iter().all(|storey| storey.columns.is_none()) {
         return Ok(ColumnsInMotion::Absent);
     }
+    let Some(ground) = ground else {
+        return Ok(ColumnsInMotion::BothComponents);
+    };
     let [storey] = part.storeys.as_slice() else {
         return Ok(ColumnsInMotion::SeveralStoreys);
     };

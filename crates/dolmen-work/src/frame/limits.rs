@@ -1,6 +1,7 @@
 //! Storeys of a frame against their allowable drift.
 
 use super::FrameSimulation;
+use super::lean::leaning;
 use super::simulate::storey_names;
 use crate::error::WorkError;
 use crate::part_limit::{Compared, NotCompared, Part, PartLimit, WhyNotCompared};
@@ -9,7 +10,7 @@ use dolmen::structure::Frame;
 use dolmen_project::{DirectionPart, FramePart, Quantity};
 
 /// The elastic drifts by the spectrum of the site, in each direction that stands: with every joint stuck or every joint slipping, whichever
-/// drifts further.
+/// drifts further; the lean as surveyed, at rest, takes its part of what is allowed.
 pub(crate) fn by_spectrum(
     part: &FramePart,
     site: &SiteDemand,
@@ -20,7 +21,7 @@ pub(crate) fn by_spectrum(
     for direction in &part.directions {
         let name = &direction.name;
         let drifts = match drifts(part, &frame, direction, site)? {
-            Ok(drifts_m) => drifts_m,
+            Ok(drifts) => drifts,
             Err(why) => {
                 let direction = Some(name.clone());
                 compared.not_compared.push(NotCompared { direction, why });
@@ -28,11 +29,12 @@ pub(crate) fn by_spectrum(
             }
         };
         let storeys = storey_names(part).into_iter().zip(frame.storeys());
-        compared
-            .parts
-            .extend(storeys.zip(drifts).map(|((storey, of), drift_m)| {
-                PartLimit::of_drift(Part::Storey(storey), name, drift_m / of.height_m, limit)
-            }));
+        let leans = leaning(part, &frame, direction)?;
+        let leans = leans.unwrap_or_else(|| vec![0.0; frame.storeys().len()]);
+        let each = storeys.zip(drifts).zip(leans);
+        compared.parts.extend(each.map(|(((storey, of), drift_m), lean)| {
+            PartLimit::of_drift(Part::Storey(storey), name, drift_m / of.height_m, limit).taking(lean)
+        }));
     }
     Ok(compared)
 }
@@ -64,15 +66,22 @@ fn drifts(
 }
 
 impl FrameSimulation {
-    /// Each storey against its allowable drift.
+    /// Each storey against its allowable drift, of which the lean as surveyed takes its part; under two components also both directions together.
     pub fn parts(&self) -> Vec<PartLimit> {
-        let storeys = self.storeys.iter().zip(self.frame.frame().storeys());
-        let each = storeys.zip(&self.history.drift_peaks);
-        each.map(|((name, storey), peak)| {
-            let ratio = peak.value_m / storey.height_m;
-            let part = Part::Storey(name.clone());
-            PartLimit::of_drift(part, &self.direction, ratio, self.drift_limit.as_ref())
-        })
-        .collect()
+        let limit = self.drift_limit.as_ref();
+        let storeys = self.frame.frame().storeys();
+        let heights_m: Vec<f64> = storeys.iter().map(|storey| storey.height_m).collect();
+        let each = self.storeys.iter().zip(&heights_m).zip(&self.history.drift_peaks);
+        let mut all: Vec<PartLimit> = each
+            .map(|((name, height_m), peak)| {
+                let part = Part::Storey(name.clone());
+                PartLimit::of_drift(part, &self.direction, peak.value_m / height_m, limit).taking(self.tilt)
+            })
+            .collect();
+        if let Some(together) = self.together_once() {
+            let tilt = self.lean.as_ref().map_or(0.0, |lean| lean.together);
+            all.extend(together.parts((&self.storeys, &heights_m), tilt, limit));
+        }
+        all
     }
 }

@@ -1,14 +1,21 @@
 //! Frames: timber gates of rigid storeys on lateral springs.
 
+mod beside;
 pub(crate) mod check;
 mod columns;
 mod columns_alone;
+mod lean;
 pub(crate) mod limits;
 pub(crate) mod simulate;
 mod simulation;
 pub(crate) mod stiffness;
 pub(crate) mod study;
+pub(crate) mod tilts;
+pub(crate) mod together;
 
+pub use beside::{FrameBeside, SensorBeside};
 pub use columns::{ColumnSwing, Springs, StoreyColumns};
 pub use columns_alone::{ColumnsAlone, ColumnsInMotion};
+pub use lean::DirectionLean;
 pub use simulation::FrameSimulation;
+pub use together::FrameTogether;

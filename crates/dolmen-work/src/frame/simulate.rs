@@ -1,7 +1,9 @@
 //! A frame under a ground motion, in its directions of known stiffness.
 
-use super::FrameSimulation;
+use super::beside::beside;
 use super::columns_alone::columns_in_motion;
+use super::together::{Plane, both_directions, has_both, horizontal};
+use super::{FrameSimulation, FrameTogether};
 use crate::error::WorkError;
 use crate::in_runs::LeftOutOfRuns;
 use crate::motion::MotionAnswer;
@@ -10,7 +12,7 @@ use crate::study::SWING_REST_S;
 use crate::undamped::Undamped;
 use crate::version::Version;
 use crate::wrong::Place;
-use dolmen::dynamics::{FrameLoad, FrameRun, FrictionFrame, StoreyFriction, TimeFunction, simulate_frame};
+use dolmen::dynamics::{FrameHistory, FrictionFrame, StoreyFriction, simulate_frame, simulate_frame_in_plan};
 use dolmen::signal::Component;
 use dolmen_project::{FramePart, Quantity};
 
@@ -68,42 +70,88 @@ pub(crate) fn simulate(
             .map(|name| (*name).to_owned())
             .collect(),
     };
-    let component = horizontal(motion, Place::Frame)?;
     let run_s = options
         .duration_s
         .unwrap_or(motion.motion.duration_s() + SWING_REST_S);
+    let mut runs = Vec::new();
+    let mut together = None;
+    let output_step_s = motion
+        .measured
+        .as_ref()
+        .map_or(options.output_step_s, |of| options.output_step_s.min(of.step_s));
+    // of a ground that a survey measured, a direction can be looked at by itself
+    let alone = motion.measured.is_some() && options.direction.is_some();
+    let in_plan = has_both(&motion.motion) && !alone;
+    if in_plan {
+        if let Some(name) = options.direction {
+            return Err(WorkError::DirectionOfBoth {
+                direction: name.to_owned(),
+            });
+        }
+        let directions = both_directions(part)?;
+        let components = [Component::X, Component::Y];
+        for (direction, component) in directions.into_iter().zip(components) {
+            runs.extend(plane(
+                part,
+                (direction, component),
+                motion,
+                (run_s, output_step_s),
+            )?);
+        }
+        if let [(_, x), (_, y)] = runs.as_slice() {
+            let moved = simulating(progress, run_s, |reached| {
+                simulate_frame_in_plan(
+                    [&x.frame, &y.frame],
+                    [&x.load, &y.load],
+                    [&x.run, &y.run],
+                    reached,
+                )
+            })?;
+            let of = FrameTogether::of(directions, [x, y], &moved);
+            together = Some((of, moved.histories));
+        }
+    } else {
+        for direction in chosen {
+            let component = component_of(motion, direction)?;
+            runs.extend(plane(
+                part,
+                (direction, component),
+                motion,
+                (run_s, output_step_s),
+            )?);
+        }
+    }
+    let (together, moved) = together.map_or((None, None), |(of, moved)| (Some(of), Some(moved)));
+    let mut moved: Vec<Option<FrameHistory>> = match moved {
+        Some(moved) => moved.into_iter().map(Some).collect(),
+        None => runs.iter().map(|_| None).collect(),
+    };
     let mut found = Vec::new();
-    for direction in chosen {
-        let Some(frame) = part.with_friction(direction, &mut Quantity::nominal)? else {
-            continue;
+    for (((direction, component), plane), moved) in runs.into_iter().zip(&mut moved) {
+        let Plane { frame, load, run } = plane;
+        let history = match moved.take() {
+            Some(history) => history,
+            None => simulating(progress, run_s, |reached| {
+                simulate_frame(&frame, &load, &run, reached)
+            })?,
         };
-        let load = FrameLoad::of_ground(TimeFunction::of_motion(&motion.motion, component));
-        let run = FrameRun {
-            duration_s: Some(run_s),
-            output_step_s: options.output_step_s,
-            ..FrameRun::default()
-        };
-        let history = simulating(progress, run_s, |reached| {
-            simulate_frame(&frame, &load, &run, reached)
-        })?;
+        let ground = (!in_plan).then_some(&load.ground_acceleration_m_s2);
         found.push(FrameSimulation {
             file: version.file.to_owned(),
             name: version.project.name.clone(),
             variant: version.variant.map(str::to_owned),
             variant_title: version.title.cloned(),
-            direction: direction.to_owned(),
             without_stiffness: without_stiffness.clone(),
+            together: together.clone(),
+            lean: part.lean.clone(),
+            tilt: part.tilt(&direction),
             storeys: storey_names(part),
-            undamped: (!is_damped(part, direction, &frame))
-                .then(|| Undamped::of(&version.project.surveys, Some(direction))),
+            undamped: (!is_damped(part, &direction, &frame))
+                .then(|| Undamped::of(&version.project.surveys, Some(&direction))),
             tilt_left_out: LeftOutOfRuns::of(version.project).tilt,
-            columns: columns_in_motion(
-                part,
-                &load.ground_acceleration_m_s2,
-                run_s,
-                options.output_step_s,
-                &mut Quantity::nominal,
-            )?,
+            beside: beside((motion, component), &direction, &frame, &history),
+            columns: columns_in_motion(part, ground, run_s, options.output_step_s, &mut Quantity::nominal)?,
+            direction,
             frame,
             motion: motion.clone(),
             component,
@@ -115,14 +163,35 @@ pub(crate) fn simulate(
     Ok(found)
 }
 
-/// The horizontal component that acts: each direction of a frame, and a chain, is a plane of its own.
-pub(crate) fn horizontal(motion: &MotionAnswer, what: Place) -> Result<Component, WorkError> {
-    match (motion.motion.has(Component::X), motion.motion.has(Component::Y)) {
-        (true, true) => Err(WorkError::TwoHorizontal { what: what.into() }),
-        (true, false) => Ok(Component::X),
-        (false, true) => Ok(Component::Y),
-        (false, false) => Err(WorkError::NoHorizontal { what: what.into() }),
+/// The component that acts in a direction: of a ground that a survey measured, that of its own name.
+fn component_of(motion: &MotionAnswer, direction: &str) -> Result<Component, WorkError> {
+    let named = [Component::X, Component::Y]
+        .into_iter()
+        .find(|of| of.name() == direction && motion.motion.has(*of));
+    match named.filter(|_| motion.measured.is_some()) {
+        Some(component) => Ok(component),
+        None => horizontal(motion, Place::Frame),
     }
+}
+
+/// A direction with the component that acts along it, and what is run.
+type Acting = ((String, Component), Plane);
+
+/// What is run in a direction; `None` if its stiffness is not known.
+fn plane(
+    part: &FramePart,
+    (direction, component): (&str, Component),
+    motion: &MotionAnswer,
+    how: (f64, f64),
+) -> Result<Option<Acting>, WorkError> {
+    let plane = Plane::of(
+        part,
+        direction,
+        (&motion.motion, component),
+        how,
+        &mut Quantity::nominal,
+    )?;
+    Ok(plane.map(|plane| ((direction.to_owned(), component), plane)))
 }
 
 /// Whether a direction of a frame has dashpots or friction.

@@ -1,13 +1,14 @@
 //! What `dolmen simulate` found of a frame, with what went in.
 
-use super::ColumnsInMotion;
+use super::beside::FrameBeside;
+use super::{ColumnsInMotion, FrameTogether};
 use crate::motion::MotionAnswer;
 use crate::tilt_left_out::TiltLeftOut;
 use crate::undamped::Undamped;
 use dolmen::assess::demand::DriftLimit;
 use dolmen::dynamics::{FrameHistory, FrameOutcome, FrameRun, FrictionFrame};
 use dolmen::signal::Component;
-use dolmen_project::Names;
+use dolmen_project::{FrameLean, Names};
 
 /// A simulation of a frame in one direction, and its inputs.
 #[derive(Clone, Debug, PartialEq)]
@@ -24,6 +25,12 @@ pub struct FrameSimulation {
     pub direction: String,
     /// Directions that were not run, whose stiffness is not known.
     pub without_stiffness: Vec<String>,
+    /// What both directions do together, in each of the two; `None` of one component.
+    pub together: Option<FrameTogether>,
+    /// How a survey found it to lean, from which the run starts.
+    pub lean: Option<FrameLean>,
+    /// That lean in the direction, horizontal over vertical.
+    pub tilt: f64,
     /// Names of the storeys, lowest first.
     pub storeys: Vec<String>,
     /// The frame.
@@ -42,11 +49,18 @@ pub struct FrameSimulation {
     pub options: FrameRun,
     /// Allowable drift of storeys; `None` where the file gives none.
     pub drift_limit: Option<DriftLimit>,
+    /// The run beside what a survey measured above the same ground.
+    pub beside: Option<FrameBeside>,
     /// What happened.
     pub history: FrameHistory,
 }
 
 impl FrameSimulation {
+    /// What both directions do together, once: in that along y.
+    pub fn together_once(&self) -> Option<&FrameTogether> {
+        self.together.as_ref().filter(|_| self.component == Component::Y)
+    }
+
     /// Largest acceleration of the ground along the direction, m/s².
     pub fn peak_acceleration_m_s2(&self) -> f64 {
         self.motion.motion.component_peak_m_s2(self.component)

@@ -1,17 +1,33 @@
 //! Runs of frames.
 
+use super::FrameTogether;
+use super::simulate::storey_names;
+use super::together::{Plane, both_directions, has_both, is_in_plan};
+use crate::at_rest::AtRest;
+use crate::error::WorkError;
 use crate::progress::Progress;
 use crate::study::{FrameMeasures, Run, RunMeasures, RunOutcome, SWING_REST_S, acting_component};
 use crate::told::{told, told_both};
 use crate::wrong::CaseRefused;
-use dolmen::dynamics::{FrameLoad, FrameOutcome, FrameRun, FrictionFrame, TimeFunction, simulate_frame};
-use dolmen::signal::GroundMotion;
+use dolmen::dynamics::{FrameHistory, FrameOutcome, FrictionFrame, simulate_frame, simulate_frame_in_plan};
+use dolmen::signal::{Component, GroundMotion};
 use dolmen_project::{FramePart, Pick, StudyPart};
 use dolmen_words::message::Both;
 
+/// Time between the samples that a run is judged by, s.
+const SAMPLE_S: f64 = 0.02;
+
+/// A frame in one direction, and how it leans there, horizontal over vertical.
+type Leaning = (FrictionFrame, f64);
+
 /// A frame in the direction that is shaken.
 pub(crate) struct FrameModel {
+    /// In that direction; where the study names none of two, in that along x.
     pub(crate) frame: FrictionFrame,
+    tilt: f64,
+    /// In the direction along y, where both are shaken.
+    across: Option<Leaning>,
+    directions: [String; 2],
     pub(crate) storeys: Vec<String>,
     heights_m: Vec<f64>,
 }
@@ -23,62 +39,171 @@ pub(crate) fn model(study: &StudyPart, part: &FramePart, pick: Pick<'_>) -> Resu
         .iter()
         .filter(|direction| direction.stiffness.is_some());
     let known: Vec<&str> = known.map(|direction| direction.name.as_str()).collect();
-    let direction = match (&study.direction, known.as_slice()) {
-        (Some(name), _) => name.as_str(),
-        (None, [only]) => only,
-        (None, []) => return Err(CaseRefused::NoDirectionKnown.into()),
-        (None, several) => {
+    let both = both_directions(part).ok().filter(|_| is_in_plan(study, part));
+    let direction = match (&study.direction, both, known.as_slice()) {
+        (Some(name), ..) => name.as_str(),
+        (None, Some([x, _]), _) => x,
+        (None, None, [only]) => only,
+        (None, None, []) => return Err(CaseRefused::NoDirectionKnown.into()),
+        (None, None, several) => {
             return Err(CaseRefused::ChooseDirection {
                 directions: several.join(", "),
             }
             .into());
         }
     };
-    let frame = part
-        .with_friction(direction, pick)
-        .map_err(|why| told_both(&why))?;
-    let Some(frame) = frame else {
+    let mut leaning = |direction: &str| -> Result<Option<Leaning>, Both> {
+        let frame = part
+            .with_friction(direction, pick)
+            .map_err(|why| told_both(&why))?;
+        Ok(frame.map(|frame| (frame, part.tilt(direction))))
+    };
+    let Some((frame, tilt)) = leaning(direction)? else {
         return Err(CaseRefused::DirectionUnknown {
             direction: direction.to_owned(),
         }
         .into());
     };
-    let named = part.storeys.iter().enumerate();
+    let across = match both {
+        Some([_, y]) => leaning(y)?,
+        None => None,
+    };
     Ok(FrameModel {
-        storeys: named
-            .map(|(i, s)| s.name.clone().unwrap_or_else(|| format!("storey {}", i + 1)))
-            .collect(),
+        storeys: storey_names(part),
         heights_m: frame
             .frame()
             .storeys()
             .iter()
             .map(|storey| storey.height_m)
             .collect(),
+        directions: both.unwrap_or([direction; 2]).map(str::to_owned),
         frame,
+        tilt,
+        across,
     })
 }
 
-/// Runs a frame; `None` if it was stopped.
+/// Runs a frame; `None` if it was stopped. Where both of its directions are shaken, x acts along the first and y along the second; a motion of
+/// one component acts in each by itself, and the worse run counts.
 pub(crate) fn row(
     study: &StudyPart,
-    mut run: Run,
+    run: Run,
+    model: &FrameModel,
+    acting: (&GroundMotion, &dyn Progress),
+) -> Option<Run> {
+    row_and_rest(study, run, model, acting).map(|(run, _)| run)
+}
+
+/// The same with how it ended.
+pub(crate) fn row_and_rest(
+    study: &StudyPart,
+    run: Run,
     model: &FrameModel,
     (motion, progress): (&GroundMotion, &dyn Progress),
-) -> Option<Run> {
-    let load = FrameLoad::of_ground(TimeFunction::of_motion(motion, acting_component(motion)));
-    let options = FrameRun {
-        duration_s: Some(motion.duration_s() + study.rest_s.unwrap_or(SWING_REST_S)),
-        output_step_s: 0.02,
-        ..FrameRun::default()
+) -> Option<(Run, Option<AtRest>)> {
+    let mut goes_on = |_: f64| !progress.is_cancelled();
+    let span_s = (
+        motion.duration_s() + study.rest_s.unwrap_or(SWING_REST_S),
+        SAMPLE_S,
+    );
+    let plane = |(frame, tilt): (&FrictionFrame, f64), component| {
+        Plane::moving(frame.clone(), tilt, (motion, component), span_s)
     };
-    let history = match simulate_frame(&model.frame, &load, &options, &mut |_| !progress.is_cancelled()) {
-        Ok(history) => history,
-        Err(why) => {
-            run.outcome = RunOutcome::Refused;
-            run.why = told(&why);
-            return Some(run);
+    let refused = |why: &WorkError| Run {
+        outcome: RunOutcome::Refused,
+        why: told(why),
+        ..run.clone()
+    };
+    let both = has_both(motion);
+    let first = (&model.frame, model.tilt);
+    let (along, across) = match (&model.across, both) {
+        (None, _) => (acting_component(motion), None),
+        (Some(across), true) => (Component::X, Some((across, Component::Y))),
+        (Some(across), false) => (acting_component(motion), Some((across, acting_component(motion)))),
+    };
+    let planes = plane(first, along).and_then(|first| {
+        let second = across.map(|((frame, tilt), component)| plane((frame, *tilt), component));
+        Ok((first, second.transpose()?))
+    });
+    let (first, second) = match planes {
+        Ok(planes) => planes,
+        Err(why) => return Some((refused(&why), None)),
+    };
+    if let (Some(second), true) = (&second, both) {
+        let moved = simulate_frame_in_plan(
+            [&first.frame, &second.frame],
+            [&first.load, &second.load],
+            [&first.run, &second.run],
+            &mut goes_on,
+        );
+        let moved = match moved {
+            Ok(moved) => moved,
+            Err(why) => return Some((refused(&why.into()), None)),
+        };
+        let directions = model.directions.each_ref().map(String::as_str);
+        let together = FrameTogether::of(directions, [&first, second], &moved);
+        let [x, y] = &moved.histories;
+        let each = [measured(run.clone(), model, x)?, measured(run.clone(), model, y)?];
+        let rest = AtRest::of_frame(x).worse(AtRest::of_frame(y));
+        return Some((joined(each, model, Some(&together)), Some(rest)));
+    }
+    let (mut all, mut rest) = (Vec::new(), None);
+    for plane in [Some(first), second].into_iter().flatten() {
+        match simulate_frame(&plane.frame, &plane.load, &plane.run, &mut goes_on) {
+            Ok(history) => {
+                all.push(measured(run.clone(), model, &history)?);
+                let own = AtRest::of_frame(&history);
+                rest = Some(rest.map_or(own, |other: AtRest| other.worse(own)));
+            }
+            Err(why) => return Some((refused(&why.into()), None)),
         }
+    }
+    match <[Run; 2]>::try_from(all) {
+        Ok(each) => Some((joined(each, model, None), rest)),
+        Err(one) => Some((one.into_iter().next()?, rest)),
+    }
+}
+
+/// The worse of two runs with the larger measures of both, by the resultant where both components act.
+fn joined([a, b]: [Run; 2], model: &FrameModel, together: Option<&FrameTogether>) -> Run {
+    let (mut worse, better) = match (a.outcome, b.outcome) {
+        (RunOutcome::Fell, RunOutcome::Fell) if b.at_s < a.at_s => (b, a),
+        (RunOutcome::Fell, _) => (a, b),
+        (_, RunOutcome::Fell) => (b, a),
+        _ => (a, b),
     };
+    let (RunMeasures::Frame(one), RunMeasures::Frame(other)) = (&worse.measures, &better.measures) else {
+        return worse;
+    };
+    let mut measures = FrameMeasures {
+        peak_displacement_m: one.peak_displacement_m.max(other.peak_displacement_m),
+        peak_drift_m: one.peak_drift_m.max(other.peak_drift_m),
+        peak_drift_ratio: one.peak_drift_ratio.max(other.peak_drift_ratio),
+        residual_displacement_m: one.residual_displacement_m.max(other.residual_displacement_m),
+        residual_drift_m: one.residual_drift_m.max(other.residual_drift_m),
+        slipping_share: one.slipping_share.max(other.slipping_share),
+        slipped_way_m: one.slipped_way_m.max(other.slipped_way_m),
+        energy_left_over_ratio: one.energy_left_over_ratio.max(other.energy_left_over_ratio),
+    };
+    for (of, height_m) in together
+        .iter()
+        .flat_map(|together| together.storeys.iter().zip(&model.heights_m))
+    {
+        measures.peak_drift_m = measures.peak_drift_m.max(of.drift_m);
+        measures.peak_drift_ratio = measures.peak_drift_ratio.max(of.drift_m / height_m);
+    }
+    if let Some(together) = together {
+        measures.residual_displacement_m = one.residual_displacement_m.hypot(other.residual_displacement_m);
+        measures.residual_drift_m = one.residual_drift_m.hypot(other.residual_drift_m);
+        measures.peak_displacement_m = measures.peak_displacement_m.max(together.top_m);
+    }
+    worse.measures = RunMeasures::Frame(measures);
+    worse.damage_state = worse.damage_state.max(better.damage_state);
+    worse
+}
+
+/// What a history says; `None` if it was stopped.
+fn measured(mut run: Run, model: &FrameModel, history: &FrameHistory) -> Option<Run> {
     match history.outcome {
         FrameOutcome::Finished => run.outcome = RunOutcome::Stood,
         FrameOutcome::DriftLimit { storey, at_s } => {

@@ -4,8 +4,10 @@ use super::colour::Colour;
 use crate::building::BuildingAnswer;
 use crate::state::{Check, FREQUENCY_RATIO_MOST};
 use crate::survey_dates::date;
-use dolmen_project::{Evidence as Source, ModeKind, Project, Survey, SurveyMode};
+use dolmen::damper::lowest_seen;
+use dolmen_project::{Evidence as Source, ModeKind, Project, Quantity, Survey, SurveyMode};
 use dolmen_words::Language;
+use dolmen_words::number::significant;
 
 /// Standard deviations of a measured frequency within which a model may differ from it. Chosen here: 1 in 400 by chance.
 const DEVIATIONS_MOST: f64 = 3.0;
@@ -31,6 +33,13 @@ pub enum Evidence {
     NotCompared {
         /// The survey.
         survey: String,
+    },
+    /// Surveys have frequencies that the file marks as assumed, so that they are no evidence.
+    MarkedAssumed {
+        /// The latest of them.
+        survey: String,
+        /// Of each direction that of the latest survey beside that of the model, the farthest apart; `None` where the model has none.
+        farthest: Option<MeasuredFrequency>,
     },
     /// No survey measured what the model can be compared with, or that one is what its stiffness was identified from.
     NotMeasured {
@@ -113,7 +122,7 @@ impl Evidence {
             })
         }));
         if measured.is_empty() {
-            return Evidence::without(project);
+            return Evidence::without(project, check);
         }
         match Evidence::of_frequencies(latest(project, measured)) {
             Evidence::Agrees { survey } if project.identified_from().contains(survey.as_str()) => {
@@ -126,7 +135,7 @@ impl Evidence {
     }
 
     /// Where nothing can be held against the model: why.
-    fn without(project: &Project) -> Evidence {
+    fn without(project: &Project, check: &Check) -> Evidence {
         let has_modes = |survey: &&Survey| {
             survey
                 .modes
@@ -148,7 +157,17 @@ impl Evidence {
                 },
                 None => Evidence::Unread { survey },
             },
-            (None, None) => Evidence::none(),
+            (None, None) => match last(&|survey| survey.modes.values().any(|modes| !modes.is_empty())) {
+                Some(survey) => {
+                    let all = latest(
+                        project,
+                        frequencies(&project.surveys, check, Quantity::is_assumed),
+                    );
+                    let farthest = all.into_iter().max_by(|a, b| a.apart().total_cmp(&b.apart()));
+                    Evidence::MarkedAssumed { survey, farthest }
+                }
+                None => Evidence::none(),
+            },
         }
     }
 
@@ -189,6 +208,10 @@ impl Evidence {
             | Evidence::Unread { .. }
             | Evidence::NotCompared { .. }
             | Evidence::NotMeasured { .. } => Colour::Green,
+            Evidence::MarkedAssumed { farthest, .. } => match farthest {
+                Some(of) if of.differs() => Colour::Amber,
+                _ => Colour::Green,
+            },
         }
     }
 
@@ -200,6 +223,7 @@ impl Evidence {
             Evidence::TooRough(_) => "too rough",
             Evidence::Unread { .. } => "not read",
             Evidence::NotCompared { .. } => "not compared",
+            Evidence::MarkedAssumed { .. } => "marked assumed",
             Evidence::NotMeasured { .. } => "not measured",
         }
     }
@@ -213,6 +237,7 @@ impl Evidence {
             Evidence::Unread { .. } | Evidence::NotCompared { .. } => {
                 language.pick("not compared", "비교 불가")
             }
+            Evidence::MarkedAssumed { .. } => language.pick("marked as assumed", "가정값으로 표시됨"),
             Evidence::NotMeasured { .. } => language.pick("not measured", "계측 없음"),
         };
         match self {
@@ -230,6 +255,19 @@ impl Evidence {
                 ),
                 format!("{word}({survey} 조사의 고유진동수는 있으나 모델의 강성이 주어지지 않음)"),
             ),
+            Evidence::MarkedAssumed { survey, farthest } => {
+                let beside = farthest.as_ref().map_or_else(String::new, |of| {
+                    let [own, model] = [of.measured_hz, of.computed_hz].map(|hz| significant(hz, 3));
+                    language.pick(
+                        format!("; {}: {own} Hz there, {model} Hz modelled", of.direction),
+                        format!("; {} 방향 {own} Hz, 모델 {model} Hz", of.direction),
+                    )
+                });
+                language.pick(
+                    format!("the frequencies of survey {survey} are {word}, not measured{beside}"),
+                    format!("{survey} 조사의 고유진동수가 계측값이 아니라 {word}{beside}"),
+                )
+            }
             Evidence::NotMeasured {
                 calibrated_to: Some(survey),
             } => language.pick(
@@ -282,12 +320,25 @@ pub(crate) fn superseded_by(
 
 /// The lowest measured frequency of every survey and direction that the model has a frequency for, in the order of the file.
 pub fn measured_frequencies(surveys: &[Survey], check: &Check) -> Vec<MeasuredFrequency> {
+    frequencies(surveys, check, |frequency| !frequency.is_assumed())
+}
+
+/// The same of the frequencies that count.
+fn frequencies(
+    surveys: &[Survey],
+    check: &Check,
+    counts: impl Fn(&Quantity) -> bool + Copy,
+) -> Vec<MeasuredFrequency> {
+    let lowest = move |modes: &[SurveyMode], kind: ModeKind| {
+        let mut each = modes.iter();
+        each.position(|mode| mode.kind == kind && counts(&mode.frequency))
+    };
     let each = surveys
         .iter()
         .flat_map(|survey| survey.modes.iter().map(move |of| (survey, of)));
     let compared = each.flat_map(|(survey, (direction, modes))| {
-        let translation = lowest_measured(modes).map(|mode| (direction.as_str(), mode));
-        let torsion = lowest_torsion(modes).map(|mode| ("torsion", mode));
+        let translation = lowest(modes, ModeKind::Translation).map(|at| (direction.as_str(), &modes[at]));
+        let torsion = lowest(modes, ModeKind::Torsion).map(|at| ("torsion", &modes[at]));
         translation.into_iter().chain(torsion).map(move |of| (survey, of))
     });
     let compared = compared.filter_map(|(survey, (direction, mode))| {
@@ -307,12 +358,6 @@ pub fn measured_frequencies(surveys: &[Survey], check: &Check) -> Vec<MeasuredFr
 /// The lowest mode of translation whose frequency was measured.
 pub fn lowest_measured(modes: &[SurveyMode]) -> Option<&SurveyMode> {
     let is_measured = |mode: &&SurveyMode| mode.kind == ModeKind::Translation && !mode.frequency.is_assumed();
-    modes.iter().find(is_measured)
-}
-
-/// The lowest mode of torsion whose frequency was measured.
-fn lowest_torsion(modes: &[SurveyMode]) -> Option<&SurveyMode> {
-    let is_measured = |mode: &&SurveyMode| mode.kind == ModeKind::Torsion && !mode.frequency.is_assumed();
     modes.iter().find(is_measured)
 }
 
@@ -347,26 +392,45 @@ fn first_frequency(check: &Check, direction: &str) -> Option<f64> {
             let known = stack.frequencies.as_ref();
             known.and_then(|known| known.sway(direction)).map(|(_, hz)| hz)
         }
-        Check::Building(answer) => first_sway(answer, direction).map(|(frequency_hz, _)| frequency_hz),
+        Check::Building(answer) => of_whole(answer, direction),
     }
 }
 
-/// Frequency, Hz, and damping ratio of the mode of a building that has the most mass along "x" or "y", or the most moment of inertia:
+/// Frequency of a building with its dampers, which a survey measures, Hz: without dampers that of [`first_sway`].
+fn of_whole(answer: &BuildingAnswer, direction: &str) -> Option<f64> {
+    let standing = answer.stands.as_ref()?;
+    match standing.dampers.is_empty() {
+        true => first_sway(answer, direction).map(|(frequency_hz, _)| frequency_hz),
+        false => {
+            let own = largest_in(answer, direction)?;
+            lowest_seen(&standing.damped_modes, own).map(|mode| mode.frequency_hz)
+        }
+    }
+}
+
+/// Frequency, Hz, and damping ratio, without dampers, of the mode of a building that has the most mass along "x" or "y", or the most moment of inertia:
 /// "torsion".
 pub fn first_sway(answer: &BuildingAnswer, direction: &str) -> Option<(f64, f64)> {
+    let standing = answer.stands.as_ref()?;
+    let at = largest_in(answer, direction)?;
+    let frequency_hz = standing.modes.modes.get(at)?.frequency_hz;
+    Some((frequency_hz, *standing.damping_ratios.get(at)?))
+}
+
+/// Which of its own modes that is.
+fn largest_in(answer: &BuildingAnswer, direction: &str) -> Option<usize> {
     let axis = match direction {
         "x" => 0,
         "y" => 1,
         "torsion" => 2,
         _ => return None,
     };
-    let standing = answer.stands.as_ref()?;
-    let pairs = standing.modes.modes.iter().zip(&standing.damping_ratios);
-    let largest = pairs.reduce(|most, own| {
-        let more = own.0.effective_mass[axis] > most.0.effective_mass[axis];
+    let modes = answer.stands.as_ref()?.modes.modes.iter().enumerate();
+    let largest = modes.reduce(|most, own| {
+        let more = own.1.effective_mass[axis] > most.1.effective_mass[axis];
         if more { own } else { most }
     });
-    largest.map(|(mode, damping_ratio)| (mode.frequency_hz, *damping_ratio))
+    largest.map(|(at, _)| at)
 }
 
 #[cfg(test)]

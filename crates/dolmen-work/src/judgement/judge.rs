@@ -5,8 +5,8 @@ use super::earthquake::{EarthquakeFinding, of_row};
 use super::evidence::{Evidence, RecordFrequency};
 use super::exit::{Verb, exit_status};
 use super::runs::{of_simulation, of_stack};
-use super::tilt_limit::tilt_beyond_limit;
-use super::version::{VersionJudgement, leaning, version};
+use super::tilt_limit::{is_beyond_drift, tilt_beyond_limit};
+use super::version::{AfterMotion, VersionJudgement, leaning, version};
 use super::weight::Weight;
 use super::wind::of_wind_histories;
 use crate::answer::{Answer, CheckAnswer};
@@ -63,9 +63,14 @@ impl Judgement {
     }
 
     fn add_run(&mut self, run: &Simulation, of: &SimulateAnswer) {
-        let evidence = &of.evidence;
         let (mut found, is_done) = of_simulation(run);
         let is_as_it_is = run.variant().is_none();
+        // what a check of the same structure found stands, too
+        let checked = self.versions.iter().find(|version| version.variant.is_none());
+        let checked = checked.map(|version| version.evidence.clone());
+        let evidence = &checked
+            .filter(Evidence::is_contradicted)
+            .unwrap_or_else(|| of.evidence.clone());
         // a stack rests on shapes and friction, and a variant has no survey of its own
         if evidence.is_contradicted() && is_as_it_is && !matches!(run, Simulation::Stack(_)) {
             let of_model = found.into_iter();
@@ -75,6 +80,7 @@ impl Judgement {
         let mut versions = self.versions.iter_mut();
         if let Some(version) = versions.find(|of| of.variant.as_deref() == run.variant()) {
             version.leans = leaning(run).or(version.leans.take());
+            version.after = after_motion(of);
             let is_contradicted = evidence.is_contradicted() && is_as_it_is;
             if let Simulation::Wind(run) = run {
                 version.wind = of_wind_histories(run, is_contradicted);
@@ -188,13 +194,23 @@ pub fn judge(answers: &[Answer]) -> Judgement {
     judgement
 }
 
+/// Both motions, where the second acted on what the first left.
+fn after_motion(of: &SimulateAnswer) -> Option<AfterMotion> {
+    let after = of.after.as_ref()?;
+    after.second.began_at_rest().map(|_| AfterMotion {
+        first: after.first_motion.clone(),
+        second: after.second_motion.clone(),
+    })
+}
+
 /// The versions of a check, each with its weight and what its site asks.
 fn of_check(checked: &CheckAnswer, found: &[RecordFrequency]) -> Vec<VersionJudgement> {
     let as_it_is = checked.state.as_ref().map(|state| {
         // a survey belongs to the structure as it is
         let evidence = Evidence::with_records(&checked.project, &state.check, found);
         let mut version = version((None, &*checked.project), state, evidence);
-        version.tilt_beyond_limit = tilt_beyond_limit(&checked.project).is_some();
+        version.tilt_beyond_limit =
+            tilt_beyond_limit(&checked.project).is_some() || is_beyond_drift(&checked.project);
         version
     });
     let own = |name: &str| checked.project.variants.iter().find(|own| own.name == name);

@@ -23,6 +23,6 @@ pub use judge::{Judgement, judge, judge_check, judge_run, judge_simulation, judg
 pub(crate) use runs::is_worse_stack_run;
 pub use tilt_limit::{TiltAgainstLimit, last_tilt, tilt_against_limit, tilt_beyond_limit};
 pub(crate) use version::governing;
-pub use version::{AssumedInputs, Leaning, VersionJudgement};
+pub use version::{AfterMotion, AssumedInputs, Leaning, VersionJudgement};
 pub use weight::Weight;
 pub use wind::{WindFinding, WindLimit, WindWord};

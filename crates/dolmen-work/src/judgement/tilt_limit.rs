@@ -1,7 +1,7 @@
 //! A measured tilt against the limit that the file sets.
 
 use crate::survey_dates::date;
-use dolmen_project::{Project, Survey};
+use dolmen_project::{Project, Structure, Survey};
 
 /// Limit over tilt below which a tilt is near its limit. Chosen here, as for a demand.
 const NEAR_BELOW: f64 = 1.25;
@@ -34,6 +34,14 @@ impl TiltAgainstLimit {
 /// The tilt held against `tilt_limit`, if it is beyond it.
 pub fn tilt_beyond_limit(project: &Project) -> Option<TiltAgainstLimit> {
     tilt_against_limit(project).filter(TiltAgainstLimit::is_beyond)
+}
+
+/// Whether a frame leans as far, before any earthquake, as its storeys may drift in one.
+pub(super) fn is_beyond_drift(project: &Project) -> bool {
+    let is_frame = matches!(project.structure, Structure::Frame(_));
+    let limit = project.drift_limit.as_ref().filter(|_| is_frame);
+    let tilt = last_tilt(project).map(|(_, tilt)| tilt);
+    limit.zip(tilt).is_some_and(|(limit, tilt)| tilt >= limit.ratio())
 }
 
 /// The tilt of [`last_tilt`] against `tilt_limit`; `None` without either.

@@ -9,7 +9,7 @@ use crate::loads::Governing;
 use crate::simulation::Simulation;
 use crate::state::{Check, State};
 use crate::tilt_left_out::TiltLeftOut;
-use dolmen_project::{Project, Structure, SurveyedLean};
+use dolmen_project::{FrameLean, Project, Structure, SurveyedLean};
 use dolmen_words::Language;
 use dolmen_words::message::Both;
 
@@ -40,8 +40,19 @@ pub struct VersionJudgement {
     pub tilt_beyond_limit: bool,
     /// The measured tilt with which the model leans in what was judged, if it does.
     pub leans: Option<Leaning>,
+    /// The motion that had acted before, where the earthquake is the second of two.
+    pub after: Option<AfterMotion>,
     /// How many inputs nobody has measured.
     pub inputs: AssumedInputs,
+}
+
+/// Two motions of which the second was judged, on what the first left.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct AfterMotion {
+    /// The first.
+    pub first: String,
+    /// The second.
+    pub second: String,
 }
 
 /// A measured tilt that a model takes over.
@@ -91,6 +102,7 @@ impl VersionJudgement {
             tilt_left_out: None,
             tilt_beyond_limit: false,
             leans: None,
+            after: None,
             inputs: AssumedInputs::default(),
         }
     }
@@ -201,8 +213,12 @@ pub(super) fn version(
     });
     version.leans = match &state.check {
         Check::Stack(answer) => answer.lean.as_ref().map(of_stack_lean),
+        Check::Frame(_) => match &project.structure {
+            Structure::Frame(part) => part.lean.as_ref().map(of_frame_lean),
+            _ => None,
+        },
         // what a chain is checked for, it is checked for upright
-        _ => None,
+        Check::Chain(_) | Check::Building(_) => None,
     };
     version.tilt_left_out = TiltLeftOut::of_model(project);
     if matches!(&state.check, Check::Stack(answer) if !answer.stack.support_movements().is_empty()) {
@@ -230,7 +246,15 @@ pub(super) fn leaning(run: &Simulation) -> Option<Leaning> {
             tilt: lean.written.clone(),
         }),
         Simulation::Supports(run) => run.lean.as_ref().map(of_stack_lean),
-        Simulation::Frame(_) | Simulation::Building(_) | Simulation::Wind(_) => None,
+        Simulation::Frame(run) => run.lean.as_ref().map(of_frame_lean),
+        Simulation::Building(_) | Simulation::Wind(_) => None,
+    }
+}
+
+fn of_frame_lean(lean: &FrameLean) -> Leaning {
+    Leaning {
+        survey: lean.survey.clone(),
+        tilt: lean.written.clone(),
     }
 }
 

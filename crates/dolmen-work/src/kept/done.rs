@@ -1,5 +1,6 @@
 //! What was done to a store.
 
+use super::survey::KeptEarthquake;
 use dolmen_words::message::Both;
 use serde::{Serialize, Serializer};
 
@@ -19,7 +20,7 @@ fn in_english<S: Serializer>(why: &Both, to: S) -> Result<S::Ok, S::Error> {
 }
 
 /// What `add` did, once it is on disk.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Added {
     /// The structure.
     pub structure: String,
@@ -39,6 +40,24 @@ pub struct Added {
     pub new_analyses: usize,
     /// Surveys whose records gave no modes.
     pub unidentified: Vec<Unidentified>,
+    /// Surveys that the state before had under the same name with other content.
+    pub changed_surveys: Vec<String>,
+    /// Surveys that the state before had, and this one has not.
+    pub gone_surveys: Vec<String>,
+    /// Earthquakes that the structure felt, those that came by themselves among them.
+    pub earthquakes: Vec<AddedEarthquake>,
+}
+
+/// An earthquake of a structure that was added.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct AddedEarthquake {
+    /// The survey.
+    pub survey: String,
+    /// What is known of it.
+    #[serde(flatten)]
+    pub of: KeptEarthquake,
+    /// Whether a repair or an inspection was entered since.
+    pub is_answered: bool,
 }
 
 /// What `import` did, once it is on disk.

@@ -5,7 +5,7 @@ mod fault;
 mod structure;
 mod survey;
 
-pub use done::{Added, Fault, Imported, Unidentified, Verified};
+pub use done::{Added, AddedEarthquake, Fault, Imported, Unidentified, Verified};
 pub use fault::StoreFault;
 pub use structure::{KeptLog, KeptState, KeptStructure, ListedStructure, ListedSurvey};
-pub use survey::{KeptAnalysis, KeptMode, KeptRecord, KeptSurvey, KeptTilt};
+pub use survey::{KeptAnalysis, KeptEarthquake, KeptMode, KeptRecord, KeptSurvey, KeptTilt};

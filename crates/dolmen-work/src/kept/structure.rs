@@ -47,6 +47,10 @@ pub struct ListedSurvey {
     pub records: i64,
     /// Lowest frequency that was identified or is stated, Hz.
     pub lowest_frequency_hz: Option<f64>,
+    /// Whether its records hold an earthquake, or the file states one.
+    pub has_earthquake: bool,
+    /// Largest acceleration of that, m/s².
+    pub earthquake_peak_m_s2: Option<f64>,
 }
 
 /// A state of the project.

@@ -1,5 +1,6 @@
 //! Surveys as a store shows them.
 
+use dolmen_project::EarthquakePart;
 use serde::Serialize;
 
 /// A record file.
@@ -56,6 +57,29 @@ pub struct KeptAnalysis {
     pub at_s: f64,
     /// The modes, ascending.
     pub modes: Vec<KeptMode>,
+    /// The earthquake that the records hold.
+    pub earthquake: Option<KeptEarthquake>,
+}
+
+/// An earthquake that the structure felt.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct KeptEarthquake {
+    /// Largest acceleration, m/s².
+    pub peak_m_s2: Option<f64>,
+    /// Relative change of a frequency from before to after.
+    pub changed: Option<f64>,
+    /// Its standard deviation.
+    pub changed_sd: Option<f64>,
+}
+
+impl From<EarthquakePart> for KeptEarthquake {
+    fn from(of: EarthquakePart) -> Self {
+        KeptEarthquake {
+            peak_m_s2: of.peak_m_s2,
+            changed: of.changed,
+            changed_sd: of.changed_sd,
+        }
+    }
 }
 
 /// A survey.
@@ -77,4 +101,6 @@ pub struct KeptSurvey {
     pub stated_modes: Vec<KeptMode>,
     /// Analyses, the latest first.
     pub analyses: Vec<KeptAnalysis>,
+    /// The earthquake that the file states or the latest analysis found.
+    pub earthquake: Option<KeptEarthquake>,
 }

@@ -1,6 +1,8 @@
 //! A motion that is ready to act, and where it came from.
 
+use super::measured_response::MeasuredResponse;
 use dolmen::signal::{Component, GroundMotion, last_and_peak_displacement_m};
+use std::sync::Arc;
 
 /// The motion of the base and where it came from.
 #[derive(Clone, Debug, PartialEq)]
@@ -13,6 +15,8 @@ pub struct MotionAnswer {
     pub peaks_read_m_s2: Vec<(Component, f64)>,
     /// The angle it was turned by, rad, where one was typed.
     pub turned_rad: Option<f64>,
+    /// What the structure did above it, where a survey's record measured both and nothing was changed since.
+    pub measured: Option<Arc<MeasuredResponse>>,
 }
 
 /// A base line drifts where the last displacement is more than this part of the largest, and that more than this, m. Chosen here.

@@ -32,6 +32,30 @@ pub enum MotionRequestError {
         /// The motion.
         name: String,
     },
+    /// A flag that says how files are read, and there are none: the motion is of a survey, whose record the project says how to read.
+    OfFilesNotSurvey {
+        /// The flag, without the dashes.
+        flag: &'static str,
+        /// The motion.
+        name: String,
+    },
+    /// A survey's motion is asked for without its project.
+    SurveyWithoutProject {
+        /// The survey.
+        name: String,
+    },
+    /// A survey has no record with a measured ground.
+    NoMeasuredGround {
+        /// The survey.
+        survey: String,
+    },
+    /// An input of a survey's record is no acceleration along an axis.
+    NoGroundAcceleration {
+        /// The survey.
+        survey: String,
+        /// The channel.
+        channel: String,
+    },
     /// A flag that says how files are read, and there are none: the motion is made.
     OfFilesNotMade {
         /// The flag, without the dashes.

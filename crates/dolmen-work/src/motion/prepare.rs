@@ -2,6 +2,7 @@
 
 use super::acting::MotionAnswer;
 use super::error::MotionRequestError;
+use super::of_survey::{SURVEY, of_survey};
 use super::request::MotionRequest;
 use super::wanted_file::{WantedFile, column_of, given_files, typed_columns};
 use crate::error::{Within as _, WorkError};
@@ -50,6 +51,7 @@ struct Wanted {
 
 enum From {
     Carried(String),
+    Survey(String),
     Files(Vec<WantedFile>),
 }
 
@@ -90,6 +92,17 @@ fn ready(request: &MotionRequest, project: Option<Of<'_>>) -> Result<MotionAnswe
             }
             None => carried(name)?,
         },
+        From::Survey(name) => match (request.of_files(), project) {
+            (Some(flag), _) => {
+                let name = format!("{SURVEY}{name}");
+                return Err(MotionRequestError::OfFilesNotSurvey { flag, name }.into());
+            }
+            (None, Some((project, files))) => of_survey(name, project, files)?,
+            (None, None) => {
+                let name = name.clone();
+                return Err(MotionRequestError::SurveyWithoutProject { name }.into());
+            }
+        },
         From::Files(named) => from_files(named, &wanted, project)?,
     };
     answer.motion = changed(answer.motion, &wanted)?;
@@ -100,6 +113,8 @@ fn ready(request: &MotionRequest, project: Option<Of<'_>>) -> Result<MotionAnswe
     {
         answer.motion = answer.motion.renamed(own);
     }
+    // what is changed is no more what the structure felt
+    answer.measured = answer.measured.filter(|_| !request.is_changed());
     answer.turned_rad = request.turn_deg.map(f64::to_radians);
     Ok(answer)
 }
@@ -123,6 +138,7 @@ fn wanted(options: &MotionRequest, project: Option<Of<'_>>) -> Result<Wanted, Wo
                 From::Files(typed_columns(each.collect(), &options.columns)?)
             }
         },
+        (Some(name), None) if name.starts_with(SURVEY) => From::Survey(name[SURVEY.len()..].to_owned()),
         (Some(name), None) if is_carried(name) => From::Carried(name.clone()),
         (Some(name), None) => {
             return Err(MotionRequestError::NoSuchMotion {
@@ -221,6 +237,7 @@ fn of_files(motion: GroundMotion, files: Vec<(Component, String)>) -> MotionAnsw
     MotionAnswer {
         peaks_read_m_s2: peaks.collect(),
         turned_rad: None,
+        measured: None,
         motion,
         files,
     }

@@ -27,6 +27,8 @@ pub enum Basis {
         name: String,
         /// Scans that can be used.
         scans: usize,
+        /// How many of them are of samples that fall under their own weight.
+        fell_alone: usize,
     },
     /// The six-factor score.
     Score {
@@ -158,6 +160,13 @@ impl PortfolioAnswer {
 
 /// Why nothing is known of a state, and what is.
 fn why_no_place(entry: &PortfolioEntry, state: usize) -> Both {
+    if let Basis::Study {
+        scans, fell_alone, ..
+    } = entry.basis
+        && fell_alone == scans
+    {
+        return NoPlace::AllFallAlone.into();
+    }
     if entry.has[state] {
         return NoPlace::TooFewMotions.into();
     }
@@ -206,6 +215,13 @@ fn candidates(entries: &[PortfolioEntry], state: usize) -> Vec<Candidate> {
 /// # Errors
 /// What to do, in words, if the study has several combinations, no scan that can be used, or something missing.
 pub fn of_study(name: String, answer: &StudyAnswer, hazard: Option<Hazard>) -> Result<PortfolioEntry, Both> {
+    if let Some(after) = &answer.study.after {
+        return Err(CaseRefused::AfterMotion {
+            study: answer.study.name.clone(),
+            motion: after.motion.clone(),
+        }
+        .into());
+    }
     if !answer.missing.is_empty() {
         return Err(CaseRefused::NotDone {
             study: answer.study.name.clone(),
@@ -231,6 +247,12 @@ pub fn of_study(name: String, answer: &StudyAnswer, hazard: Option<Hazard>) -> R
         basis: Basis::Study {
             name: answer.study.name.clone(),
             scans: only.usable,
+            fell_alone: only
+                .states
+                .iter()
+                .map(|state| state.fell_alone)
+                .max()
+                .unwrap_or(0),
         },
         states: states_of(only),
         has: std::array::from_fn(|state| only.states.iter().any(|own| own.state == state)),
@@ -242,15 +264,20 @@ pub fn of_study(name: String, answer: &StudyAnswer, hazard: Option<Hazard>) -> R
 fn states_of(found: &CombinationFragility) -> [Option<KnownCapacity>; 4] {
     let mut states = [None; 4];
     for state in &found.states {
-        states[state.state] = match &state.by_acceleration {
+        let of_standing = match &state.by_acceleration {
             Ok(fit) => Some(KnownCapacity {
                 fragility: fit.curve,
                 ln_theta_sd: fit.ln_theta_deviation(),
                 known: Known::Found,
+                falls_alone: 0.0,
             }),
             Err(AssessError::NoFragility(bound)) => of_bound(bound),
             Err(_) => None,
         };
+        states[state.state] = of_standing.map(|known| KnownCapacity {
+            falls_alone: state.share_alone(),
+            ..known
+        });
     }
     states
 }
@@ -279,6 +306,7 @@ fn of_bound(bound: &FragilityBound) -> Option<KnownCapacity> {
         fragility: Fragility::new(theta, BETA_OF_BOUNDS).ok()?,
         ln_theta_sd,
         known,
+        falls_alone: 0.0,
     })
 }
 
@@ -308,6 +336,7 @@ pub fn of_score(
             fragility: Fragility::new(score.capacity_m_s2, score.beta)?,
             ln_theta_sd: score.ln_capacity_sd,
             known: Known::Found,
+            falls_alone: 0.0,
         });
     }
     Ok(PortfolioEntry {

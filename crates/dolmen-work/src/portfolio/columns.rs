@@ -63,6 +63,9 @@ pub fn ranking_columns(answer: &PortfolioAnswer) -> Vec<Column> {
             }),
             known(format!("beta_{name}"), state, |known| known.fragility.beta()),
             known(format!("ln_theta_sd_{name}"), state, |known| known.ln_theta_sd),
+            known(format!("falls_by_itself_{name}"), state, |known| {
+                known.falls_alone
+            }),
             words(
                 &format!("known_{name}"),
                 &|entry| {

@@ -7,7 +7,7 @@ use crate::opened::Opened;
 use crate::progress::Silent;
 use crate::score::{ScoreDesigns, check_alike, factors};
 use crate::study::StudyError;
-use crate::study::{StudyJournals, studies_run};
+use crate::study::{StudyAnswer, StudyJournals, studies_run};
 use crate::told::told_both;
 use dolmen::assess::{Hazard, ScoreModel, Unlike};
 use dolmen_records::Files;
@@ -160,7 +160,9 @@ fn entry(
                     .into());
                 }
             }
-            found.retain(|one| one.study.scan.is_some());
+            // what another motion left is no capacity of the structure as it stands
+            let is_own = |one: &StudyAnswer| study.is_some() || one.study.after.is_none();
+            found.retain(|one| one.study.scan.is_some() && is_own(one));
             let mut entry = match found.as_slice() {
                 [one] => of_study(name.clone(), one, hazard).map_err(|why| WorkError::CaseRefused { why }),
                 [] => match factors(project)? {

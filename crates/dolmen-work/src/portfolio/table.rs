@@ -26,6 +26,16 @@ pub(crate) const COLUMNS: [&str; 11] = [
 /// the score, trained where both agree, gives reasons that are none. Chosen here.
 const SLENDERNESS_APART_MOST: f64 = 1.1;
 
+/// Columns of the factors of a pagoda: one of each is needed.
+const NEEDED: [&[&str]; 5] = [
+    &["storeys"],
+    &["body_height_m"],
+    &["body_slenderness", "slenderness_angle"],
+    &["taper_deg"],
+    &["body_base_height_ratio"],
+];
+/// Height of the body over its width from which a decimal point is missing. Chosen here: pagodas have 1.5 to 6.
+const BODY_SLENDERNESS_MOST: f64 = 15.0;
 /// Height of the body of a pagoda, m: none of stone is higher. Above it mm were meant.
 const BODY_MOST_M: f64 = 100.0;
 
@@ -287,14 +297,24 @@ impl Cells<'_> {
     }
 
     fn factors(&self) -> Result<SixFactors, PortfolioError> {
-        let storeys = (self.of)("storeys").ok_or_else(|| self.missing(RowLacks::Factors))?;
+        let is_given = |column: &str| (self.of)(column).is_some();
+        let lacks = || {
+            let missing = NEEDED
+                .iter()
+                .filter(|columns| !columns.iter().any(|one| is_given(one)));
+            let missing: Vec<String> = missing.map(|columns| columns.join("/")).collect();
+            self.missing(match missing.len() < NEEDED.len() {
+                true => RowLacks::Columns {
+                    columns: missing.join(", "),
+                },
+                false => RowLacks::Factors,
+            })
+        };
+        let storeys = (self.of)("storeys").ok_or_else(lacks)?;
         let storeys: u32 = storeys
             .parse()
             .map_err(|_| self.refused("storeys", RowNeeds::WholeNumber))?;
-        let given = |column| {
-            self.number(column)?
-                .ok_or_else(|| self.missing(RowLacks::Factors))
-        };
+        let given = |column| self.number(column)?.ok_or_else(lacks);
         let taper_deg = given("taper_deg")?;
         if taper_deg >= 40.0 {
             return Err(self.refused("taper_deg", RowNeeds::Taper));
@@ -304,8 +324,12 @@ impl Cells<'_> {
         }
         let (body_height_m, taper_rad) = (given("body_height_m")?, taper_deg.to_radians());
         let body_base_height_ratio = given("body_base_height_ratio")?;
+        let body = self.number("body_slenderness")?;
+        if body.is_some_and(|body| body > BODY_SLENDERNESS_MOST) {
+            return Err(self.refused("body_slenderness", RowNeeds::Slenderness));
+        }
         let angle = self.number("slenderness_angle")?;
-        let slenderness = match (angle, self.number("body_slenderness")?) {
+        let slenderness = match (angle, body) {
             (Some(angle), Some(body)) => {
                 let given = SixFactors {
                     storeys,
@@ -319,7 +343,7 @@ impl Cells<'_> {
             }
             (Some(angle), None) => PagodaSlenderness::Angle(angle),
             (None, Some(body)) => PagodaSlenderness::Body(body),
-            (None, None) => return Err(self.missing(RowLacks::Factors)),
+            (None, None) => return Err(lacks()),
         };
         SixFactors::of_pagoda(&PagodaFactors {
             storeys,

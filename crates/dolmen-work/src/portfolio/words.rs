@@ -35,10 +35,25 @@ pub fn known_word(known: Known) -> &'static str {
 /// What a capacity rests on.
 pub fn basis_words(entry: &PortfolioEntry, language: Language) -> String {
     match &entry.basis {
-        Basis::Study { name, scans } => language.pick(
+        Basis::Study {
+            name,
+            scans,
+            fell_alone: 0,
+        } => language.pick(
             format!("study {name}, {scans} scans"),
-            format!("해석 {name}, {scans}조"),
+            format!("해석 {name}, 증분해석 {scans}건"),
         ),
+        Basis::Study {
+            name,
+            scans,
+            fell_alone,
+        } => {
+            let share = significant(100.0 * *fell_alone as f64 / *scans as f64, 2);
+            language.pick(
+                format!("study {name}, {scans} scans, {share} % FALL BY THEMSELVES"),
+                format!("해석 {name}, 증분해석 {scans}건 중 {share} %는 자중으로 붕괴"),
+            )
+        }
         Basis::Score { outside, unlike, .. } if outside.is_empty() && unlike.is_empty() => {
             language.pick("score", "점수").to_owned()
         }
@@ -56,9 +71,10 @@ pub fn basis_words(entry: &PortfolioEntry, language: Language) -> String {
     }
 }
 
-/// θ in g, with the sign of a bound.
+/// The median of all that may be in g, those that fall by themselves among them, with the sign of a bound.
 pub fn capacity_words(capacity: &KnownCapacity, gravity_m_s2: f64) -> String {
-    let g = significant(capacity.fragility.theta() / gravity_m_s2, 2);
+    let theta = capacity.fragility.theta();
+    let g = significant(capacity.median(theta).unwrap_or(theta) / gravity_m_s2, 2);
     match capacity.known {
         Known::Found => g,
         Known::AtLeast => format!("> {g}"),
@@ -71,7 +87,8 @@ pub fn reason_words(entry: &PortfolioEntry, language: Language) -> String {
     match entry.worst_factor() {
         Some((factor, share)) => {
             let percent = 100.0 * share.exp_m1();
-            format!("{}: {percent:+.0} %", factor_words(factor, language))
+            let percent = format!("{percent:+.0}").replace('-', "−");
+            format!("{}: {percent} %", factor_words(factor, language))
         }
         None => "–".to_owned(),
     }

@@ -18,8 +18,8 @@ use model::{Model, model};
 /// What is asked of the plan.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SensorsOptions {
-    /// Sensors that record at once.
-    pub count: usize,
+    /// Sensors that record at once; a few, as there are places, if not given.
+    pub count: Option<usize>,
     /// Axes of each: 1, 2 (both horizontal) or 3.
     pub axes: usize,
     /// No sensor higher than this above the ground, m.
@@ -35,7 +35,7 @@ pub struct SensorsOptions {
 impl Default for SensorsOptions {
     fn default() -> Self {
         SensorsOptions {
-            count: 4,
+            count: None,
             axes: 1,
             up_to_m: None,
             modes: None,
@@ -45,6 +45,8 @@ impl Default for SensorsOptions {
     }
 }
 
+/// Sensors if nothing is said of them.
+const COUNT: usize = 4;
 /// Modes asked for if the file of options does not say: as many as channels, within these.
 const MODES_LEAST: usize = 3;
 const MODES_MOST: usize = 6;
@@ -58,7 +60,7 @@ pub fn sensors(opened: &Opened, options: &SensorsOptions) -> Result<SensorsAnswe
     let project = &opened.project;
     let wanted = options
         .modes
-        .unwrap_or_else(|| (options.count * options.axes).clamp(MODES_LEAST, MODES_MOST));
+        .unwrap_or_else(|| (options.count.unwrap_or(COUNT) * options.axes).clamp(MODES_LEAST, MODES_MOST));
     let model = model(project, wanted, options.axes)?;
     let Model {
         modes,
@@ -80,7 +82,10 @@ pub fn sensors(opened: &Opened, options: &SensorsOptions) -> Result<SensorsAnswe
         let up_to_m = options.up_to_m.unwrap_or_default();
         return Err(SensorsError::NoSites { up_to_m }.into());
     }
-    let moved = options.count - options.references;
+    let places = options.references + kept.len().saturating_sub(options.references) / options.setups;
+    let least = options.references + 1;
+    let count = options.count.unwrap_or(COUNT.min(places).max(least));
+    let moved = count - options.references;
     let total = options.references + options.setups * moved;
     if total > kept.len() {
         let sites = kept.len();
@@ -104,7 +109,7 @@ pub fn sensors(opened: &Opened, options: &SensorsOptions) -> Result<SensorsAnswe
         count => place(count, Vec::new())?.sites,
     };
     let placed: PlacedSensors = place(total, references)?;
-    let sensors = in_setups(&placed, &kept, options);
+    let sensors = in_setups(&placed, &kept, options, moved);
     let modes = modes.into_iter().enumerate().map(|(at, mode)| PlannedMode {
         seen_ratio: placed.seen_ratio[at],
         most_alike: placed.most_alike(at),
@@ -127,7 +132,12 @@ pub fn sensors(opened: &Opened, options: &SensorsOptions) -> Result<SensorsAnswe
 }
 
 /// The sensors that move on are set from the top down, setup by setup, so that each setup stands in one place of the structure.
-fn in_setups(placed: &PlacedSensors, sites: &[Site], options: &SensorsOptions) -> Vec<PlannedSensor> {
+fn in_setups(
+    placed: &PlacedSensors,
+    sites: &[Site],
+    options: &SensorsOptions,
+    each: usize,
+) -> Vec<PlannedSensor> {
     let (stay, move_on) = placed.sites.split_at(options.references);
     let sensor = |site: usize, setup: Option<usize>| PlannedSensor {
         site: sites[site].clone(),
@@ -139,7 +149,6 @@ fn in_setups(placed: &PlacedSensors, sites: &[Site], options: &SensorsOptions) -
     let mut moving = move_on.to_vec();
     let height = |site: &usize| sites[*site].position_m[2];
     moving.sort_by(|a, b| height(b).total_cmp(&height(a)).then(a.cmp(b)));
-    let each = options.count - options.references;
     let stay = stay.iter().map(|site| sensor(*site, None));
     let moved = moving
         .chunks(each)
@@ -151,7 +160,7 @@ fn in_setups(placed: &PlacedSensors, sites: &[Site], options: &SensorsOptions) -
 
 fn check(options: &SensorsOptions) -> Result<(), SensorsError> {
     let counts = [
-        ("--count", Some(options.count)),
+        ("--count", options.count),
         ("--modes", options.modes),
         ("--setups", Some(options.setups)),
     ];
@@ -170,7 +179,10 @@ fn check(options: &SensorsOptions) -> Result<(), SensorsError> {
         (1, 0) => Ok(()),
         (1, _) => Err(SensorsError::OneSetup { references }),
         (_, 0) => Err(SensorsError::NoReferences { setups }),
-        (_, _) if references >= count => Err(SensorsError::AllStay { references, count }),
+        (_, _) if references >= count.unwrap_or(COUNT) => Err(SensorsError::AllStay {
+            references,
+            count: count.unwrap_or(COUNT),
+        }),
         (_, _) => Ok(()),
     }
 }

@@ -7,7 +7,9 @@ use crate::error::WorkError;
 use dolmen::blocks::{ContactRule, lowest_stack_modes};
 use dolmen::stability::chain_limits;
 use dolmen::structure::NaturalMode;
-use dolmen_project::{BuildingPart, ChainPart, FramePart, Project, Quantity, StackPart, Structure};
+use dolmen_project::{
+    BuildingPart, ChainAxis, ChainPart, FramePart, LoadsPart, Project, Quantity, StackPart, Structure,
+};
 
 /// What a plan is made of.
 pub(super) struct Model {
@@ -21,7 +23,7 @@ pub(super) struct Model {
 pub(super) fn model(project: &Project, wanted: usize, axes: usize) -> Result<Model, WorkError> {
     let (modes, spots, of) = match &project.structure {
         Structure::Survey => return Err(SensorsError::NoModel.into()),
-        Structure::Chain(part) => chain(part, wanted)?,
+        Structure::Chain(part) => chain(part, &project.loads, wanted)?,
         Structure::Frame(part) => frame(part, wanted)?,
         Structure::Stack(part) => stack(part, wanted)?,
         Structure::Building(part) => building(part, wanted)?,
@@ -51,9 +53,9 @@ fn part_name(name: Option<&String>, index: usize) -> String {
     name.cloned().unwrap_or_else(|| (index + 1).to_string())
 }
 
-/// The tops of the links.
-fn chain(part: &ChainPart, wanted: usize) -> Result<Planned, WorkError> {
-    let chain = part.build(&mut Quantity::nominal)?;
+/// The tops of the links, in the direction of motion; what is hung on the chain swings with it.
+fn chain(part: &ChainPart, loads: &LoadsPart, wanted: usize) -> Result<Planned, WorkError> {
+    let chain = part.build_loaded(ChainAxis::Along, loads, &mut Quantity::nominal)?;
     let given = part.stiffness_n_m_rad(&mut Quantity::nominal);
     let of = if given.is_some() {
         SensorsOf::Given

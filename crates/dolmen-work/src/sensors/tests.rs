@@ -17,7 +17,7 @@ fn of(text: &str) -> Opened {
 
 fn plan(opened: &Opened, count: usize) -> SensorsAnswer {
     let options = SensorsOptions {
-        count,
+        count: Some(count),
         ..SensorsOptions::default()
     };
     sensors(opened, &options).unwrap()
@@ -106,7 +106,7 @@ fn holds_no_sensor_stands_in_a_joint_or_above_the_reach() {
     );
     assert!(answer.sites == found.sites.len());
     let low = SensorsOptions {
-        count: 3,
+        count: Some(3),
         up_to_m: Some(0.7),
         ..SensorsOptions::default()
     };
@@ -117,7 +117,7 @@ fn holds_no_sensor_stands_in_a_joint_or_above_the_reach() {
 #[test]
 fn holds_references_stay_in_every_setup_and_see_every_mode_of_a_tower() {
     let how = SensorsOptions {
-        count: 4,
+        count: Some(4),
         setups: 3,
         references: 2,
         modes: Some(2),
@@ -163,10 +163,19 @@ fn refuses_counts_that_do_not_go_together() {
     let refused = |how: SensorsOptions| sensors(&pole, &how).unwrap_err().to_string();
     let of = SensorsOptions::default;
     assert!(
-        refused(SensorsOptions { count: 6, ..of() })
-            .contains("6 sensors in all setups, but there are 5 places")
+        refused(SensorsOptions {
+            count: Some(6),
+            ..of()
+        })
+        .contains("6 sensors in all setups, but there are 5 places")
     );
-    assert!(refused(SensorsOptions { count: 0, ..of() }).contains("--count is 0"));
+    assert!(
+        refused(SensorsOptions {
+            count: Some(0),
+            ..of()
+        })
+        .contains("--count is 0")
+    );
     assert!(refused(SensorsOptions { axes: 4, ..of() }).contains("--axes is 4"));
     assert!(refused(SensorsOptions { setups: 2, ..of() }).contains("no sensor stays"));
     assert!(

@@ -2,8 +2,9 @@
 
 use super::frequencies;
 use crate::error::WorkError;
-use crate::state::StackAnswer;
+use crate::state::{StackAnswer, StackFrequencies};
 use dolmen::assess::{StackCheckOptions, check_stack, with_settle_run};
+use dolmen::blocks::beside_in_small_motion;
 use dolmen_project::{Pick, StackPart};
 
 /// What is known of a stack, each input with the value that `pick` chooses.
@@ -11,7 +12,17 @@ pub(crate) fn check(part: &StackPart, pick: Pick<'_>) -> Result<StackAnswer, Wor
     let stack = part.build(pick)?;
     let check = with_settle_run(&stack, check_stack(&stack, &StackCheckOptions::default())?);
     let frequencies = frequencies::of(&stack, &check);
+    let beside = match frequencies {
+        Some(StackFrequencies::Known { .. }) => beside_in_small_motion(&stack, frequencies::RULE)?,
+        _ => Vec::new(),
+    };
+    let frequencies_unheld = match beside.iter().any(|of| of.is_spring()) {
+        true => frequencies::of(&stack.clone().without_side_supports(), &check),
+        false => None,
+    };
     Ok(StackAnswer {
+        beside,
+        frequencies_unheld,
         stack,
         check,
         lean: part.lean.clone(),

@@ -1,9 +1,13 @@
 //! Factors on the springs of a stack's joints from the modes of a survey.
 
 use super::factors_answer::FactorsAnswer;
+use super::frequencies::RULE;
 use crate::error::WorkError;
 use crate::surveyed::{SurveyAnswer, WithoutStiffness};
-use dolmen::blocks::{JointFactorsOptions, MeasuredStackMode, StackMotion, joint_factors};
+use dolmen::blocks::{
+    BesideInSmallMotion, JointFactorsOptions, MeasuredStackMode, StackMotion, beside_in_small_motion,
+    joint_factors,
+};
 use dolmen::structure::{LeftOut, directional_modes};
 use dolmen_project::{ModeKind, Quantity, StackPart, Survey};
 
@@ -67,11 +71,21 @@ pub(crate) fn factors(
         }));
     }
     let stack = part.build(&mut Quantity::nominal)?;
+    let beside = beside_in_small_motion(&stack, RULE)?;
+    if let Some(at) = beside.iter().position(|of| *of == BesideInSmallMotion::OneWay) {
+        let stone = stack.blocks()[stack.side_supports()[at].block].name.clone();
+        let number = at + 1;
+        return Ok(FromModes::Without(WithoutStiffness::SideSupportOneWay {
+            number,
+            stone,
+        }));
+    }
     Ok(
         match joint_factors(&stack, &measured, &JointFactorsOptions::default()) {
             Ok(factors) => FromModes::Factors(Box::new(FactorsAnswer {
                 stack,
                 found: factors,
+                beside,
                 left_out: once(left_out),
                 other_directions,
                 is_from_record: measured.len() > stated,

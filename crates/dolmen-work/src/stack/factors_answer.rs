@@ -1,6 +1,6 @@
 //! What the modes of a survey say of the springs of a stack's joints.
 
-use dolmen::blocks::{JointFactors, StiffnessOf};
+use dolmen::blocks::{BesideInSmallMotion, JointFactors, StiffnessOf};
 use dolmen::structure::LeftOut;
 use dolmen::structure::stack::{Body, Stack};
 
@@ -13,6 +13,8 @@ pub struct FactorsAnswer {
     pub found: JointFactors,
     /// Modes of the survey's records that are not along x or y.
     pub left_out: Vec<LeftOut>,
+    /// How each side support takes part: as a spring that no factor multiplies, or not at all.
+    pub beside: Vec<BesideInSmallMotion>,
     /// Directions of the survey that a stack does not sway along.
     pub other_directions: Vec<String>,
     /// Whether modes of records are among them: counted from the lowest that the record shows.

@@ -13,7 +13,7 @@ use dolmen::structure::stack::Stack;
 use dolmen_project::Survey;
 
 /// How a joint is made of springs: exact for small motion of faces that stay closed.
-const RULE: ContactRule = ContactRule::Four;
+pub(crate) const RULE: ContactRule = ContactRule::Four;
 
 /// Modes that are found at least, of many stones: more than are shown, and of a tower the first that sway either way. Chosen here.
 const MODES_LEAST: usize = 24;
@@ -38,12 +38,13 @@ pub(crate) fn of(stack: &Stack, check: &StackCheck) -> Option<StackFrequencies> 
     }
 }
 
-/// All modes of a stack, of which a check finds the lowest alone where there are many; `None` if it knows them not.
+/// All modes of a stack without its side supports, as demands take it, of which a check finds the lowest alone where there are many; `None` if it knows
+/// them not.
 pub(crate) fn all_modes(answer: &StackAnswer) -> Option<Vec<StackMode>> {
-    let known = answer.frequencies.as_ref()?.modes()?;
+    let known = answer.frequencies_of_demand()?.modes()?;
     match known.len() == 6 * answer.stack.blocks().len() {
         true => Some(known.to_vec()),
-        false => stack_modes(&answer.stack, RULE).ok(),
+        false => stack_modes(&answer.stack.clone().without_side_supports(), RULE).ok(),
     }
 }
 

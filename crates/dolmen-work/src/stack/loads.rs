@@ -78,9 +78,9 @@ fn ground_m(stack: &Stack) -> f64 {
     lows.fold(f64::INFINITY, f64::min)
 }
 
-/// Lowest frequency on the springs of the joints, Hz.
+/// Lowest frequency on the springs of the joints without side supports, which thresholds leave out, Hz.
 fn lowest_hz(answer: &StackAnswer) -> Option<f64> {
-    let modes = answer.frequencies.as_ref().and_then(StackFrequencies::modes)?;
+    let modes = answer.frequencies_of_demand().and_then(StackFrequencies::modes)?;
     modes.first().map(|mode| mode.frequency_hz)
 }
 

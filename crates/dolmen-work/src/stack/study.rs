@@ -1,6 +1,7 @@
 //! Runs of stacks, in batches.
 
-use crate::progress::Progress;
+use crate::at_rest::AtRest;
+use crate::progress::{Progress, Silent};
 use crate::study::{Run, RunMeasures, RunOutcome, StackMeasures};
 use crate::told::told;
 use dolmen::assess::{DamageState, stack_damage};
@@ -8,6 +9,7 @@ use dolmen::blocks::{
     BlocksError, ContactRule, Outcome, Rigid, Springs, StackHistory, StackRun, simulate_rigid,
     simulate_springs_many,
 };
+use dolmen::signal::GroundMotion;
 use dolmen::stability::stack::StackLimitStates;
 use dolmen::structure::stack::{Body, Joint, Stack};
 use dolmen_project::{LawPart, StudyPart};
@@ -49,6 +51,27 @@ pub(crate) fn springs(study: &StudyPart) -> Springs {
         rest_s: study.rest_s.unwrap_or(usual.rest_s),
         ..usual
     }
+}
+
+/// The row of a stack by itself, with how its run ended; `None` if it was stopped.
+pub(crate) fn row_and_rest(
+    study: &StudyPart,
+    run: Run,
+    (stack, limits): (&Stack, &StackLimitStates),
+    motion: &GroundMotion,
+) -> Option<(Run, Option<AtRest>)> {
+    let options = springs(study);
+    let alone = [StackRun {
+        stack,
+        motion: Some(motion),
+        options: &options,
+    }];
+    let mut found = None;
+    run_stacks(study.law, &alone, &Silent, &mut |_, history| {
+        let rest = history.as_ref().ok().map(AtRest::of_stack);
+        found = row(study, run.clone(), (stack, limits), history).map(|run| (run, rest));
+    });
+    found
 }
 
 /// What lies on what.

@@ -11,9 +11,9 @@ pub struct AllowedDrift {
     pub limit: f64,
     /// Scans of which a drift is known.
     pub scans: usize,
-    /// How many of them drift farther in some run.
+    /// How many of them drift farther in some run, or fall under their own weight.
     pub beyond: usize,
-    /// The least peak of the ground at which one does, m/s²; `None` where none does.
+    /// The least peak of the ground at which one that stands does, m/s²; `None` where none does.
     pub least_m_s2: Option<f64>,
     /// The largest peak that was tried, m/s².
     pub largest_m_s2: f64,
@@ -53,10 +53,11 @@ impl StudyAnswer {
         };
         let is_beyond = |drift: f64| drift > limit || drift.is_nan();
         let largest_m_s2 = peaks(&|_| true).into_iter().reduce(f64::max)?;
+        let alone = self.runs.iter().filter(|run| run.fell_alone()).count();
         Some(AllowedDrift {
             limit,
-            scans: jobs(&|_| true),
-            beyond: jobs(&is_beyond),
+            scans: alone + jobs(&|_| true),
+            beyond: alone + jobs(&is_beyond),
             least_m_s2: peaks(&is_beyond).into_iter().reduce(f64::min),
             largest_m_s2,
         })

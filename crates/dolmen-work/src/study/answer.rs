@@ -1,5 +1,6 @@
 //! A study as it is answered: inputs, runs, levels and trends.
 
+use super::earthquake_of::EarthquakeOf;
 use super::fitted::Fitted;
 use super::kind::StudyKind;
 use super::maps::ResponseMaps;
@@ -7,6 +8,7 @@ use super::motions::MotionCopy;
 use super::run::{Run, RunOutcome};
 use super::scans::{CapacityOf, LevelRow, capacity_of};
 use super::shaking_measure::ShakingScales;
+use super::state_before::StateBefore;
 use dolmen::assess::{AssessError, Direction, Reached, Trend, trend};
 use dolmen_project::{ExpectedTrend, HazardPart, Names, Scan, StudyPart};
 use dolmen_words::message::Both;
@@ -73,8 +75,12 @@ pub struct StudyAnswer {
     pub shaking: ShakingScales,
     /// Motions, by name.
     pub motions: Vec<String>,
+    /// What is known of the earthquake of each motion; empty where motions are themselves varied.
+    pub earthquakes: Vec<EarthquakeOf>,
     /// The record of each motion, by the number of the first motion that is of it.
     pub records: Vec<usize>,
+    /// The state in which the motion before the runs leaves each case; empty without one.
+    pub before: Vec<StateBefore>,
     /// Runs by job and scale.
     pub runs: Vec<Run>,
     /// Scans that are not done.

@@ -40,15 +40,17 @@ pub struct StateFragility {
     pub state: usize,
     /// What was seen, intensities as peak accelerations of the ground, m/s².
     pub observations: Vec<Observation>,
+    /// Scans beside them whose structure falls under its own weight: the state is reached without shaking.
+    pub fell_alone: usize,
     /// The record of each, from 0: turned, in its other directions, or with other samples, it is the same one.
     pub motions: Vec<usize>,
-    /// The curve over peak acceleration, m/s², or why there is none.
+    /// The curve over peak acceleration, m/s², or why there is none; of structures that stand by themselves.
     pub by_acceleration: Result<FragilityFit, AssessError>,
     /// The curves over other measures of the shaking, those of [`StudyAnswer::measures`](super::StudyAnswer::measures) that are known of this combination.
     pub by_measure: Vec<MeasureFit>,
     /// What β is made of, where inputs are drawn.
     pub scatter: Option<ScatterSplit>,
-    /// How often it is reached, if the site has a hazard.
+    /// How often structures that stand by themselves reach it, if the site has a hazard.
     pub risk: Option<AnnualRisk>,
     /// The annual rate at the ends of both 95 % intervals: θ high and β low, θ low and β high.
     pub rate_interval: Option<[f64; 2]>,
@@ -72,10 +74,47 @@ impl StateFragility {
         by.next()?.fit.as_ref().ok()
     }
 
-    /// How many scans reached the state.
+    /// How many scans say something of the state.
+    pub fn scans(&self) -> usize {
+        self.fell_alone + self.observations.len()
+    }
+
+    /// How many scans reached the state, those that fall by themselves among them.
     pub fn reached(&self) -> usize {
         let seen = self.observations.iter();
-        seen.filter(|seen| !matches!(seen, Observation::Above(_))).count()
+        let reached = seen.filter(|seen| !matches!(seen, Observation::Above(_)));
+        self.fell_alone + reached.count()
+    }
+
+    /// p₀, the share of scans whose structure falls under its own weight.
+    pub fn share_alone(&self) -> f64 {
+        match self.scans() {
+            0 => 0.0,
+            scans => self.fell_alone as f64 / scans as f64,
+        }
+    }
+
+    /// The probability that the state is reached, of that of the structures that stand by themselves.
+    ///
+    /// ```text
+    /// P = p₀ + (1 − p₀) Φ(ln(x/θ)/β)
+    /// ```
+    pub fn with_those_alone(&self, of_standing: f64) -> f64 {
+        let share = self.share_alone();
+        share + (1.0 - share) * of_standing
+    }
+
+    /// The probability that the state is reached within [`YEARS`], if the site has a hazard.
+    pub fn probability_in_years(&self) -> Option<f64> {
+        self.risk
+            .map(|risk| self.with_those_alone(risk.probability_in(YEARS)))
+    }
+
+    /// The rate of all scans, 1/year; `None` without a hazard, and where some fall by themselves: these have no finite rate.
+    pub fn annual_rate(&self) -> Option<f64> {
+        self.risk
+            .filter(|_| self.fell_alone == 0)
+            .map(|risk| risk.annual_rate)
     }
 
     /// Motions that make the standard error of ln θ a tenth; `None` without a curve, or of so few motions that β is not known.
@@ -99,7 +138,7 @@ pub struct CombinationFragility {
     pub combination: usize,
     /// One of its jobs, to read its inputs from.
     pub job: usize,
-    /// Scans that say something: those of which only a bracket is known among them.
+    /// Scans that say something: those of which only a bracket is known, and those that fall by themselves, among them.
     pub usable: usize,
     /// States that have a name, the mildest first.
     pub states: Vec<StateFragility>,
@@ -118,7 +157,11 @@ impl CombinationFragility {
                 let at = crossing(&a.curve, &b.curve)
                     .filter(|at| (CROSSING_LEAST..=1.0 - CROSSING_LEAST).contains(&at.probability));
                 let is_below = b.curve.beta() > a.curve.beta(); // the flatter curve is the higher one there
-                found.extend(at.map(|at| (mild.state, severe.state, at, is_below)));
+                let of_all = |at: Crossing| Crossing {
+                    probability: severe.with_those_alone(at.probability),
+                    ..at
+                };
+                found.extend(at.map(|at| (mild.state, severe.state, of_all(at), is_below)));
             }
         }
         found

@@ -7,6 +7,7 @@ use super::results::{JournalText, merged};
 use crate::error::WorkError;
 use crate::opened::Opened;
 use crate::score::{ScoreDesign, ScoreDesigns, factors};
+use crate::wrong::CaseRefused;
 use dolmen::assess::ScoreModel;
 use dolmen_records::Files;
 use rayon::prelude::*;
@@ -42,6 +43,13 @@ pub fn study_designs(
         }
         .into());
     };
+    if let Some(after) = &study.after {
+        let why = CaseRefused::AfterMotion {
+            study: study.name.clone(),
+            motion: after.motion.clone(),
+        };
+        return Err(WorkError::CaseRefused { why: why.into() });
+    }
     let plan = Plan::of(opened, study, files)?;
     let runs = merged(&plan, &journals()?)?;
     let missing = missing(&plan, (1, 1), &runs);
@@ -53,7 +61,9 @@ pub fn study_designs(
     let enough = (USABLE_LEAST * answer.motions.len() as f64).ceil() as usize;
     let mut designs = Vec::new();
     for found in answer.fragilities() {
-        if unfinished.contains(&found.combination) || found.usable < enough {
+        // a design that falls by itself in some samples has no lognormal capacity
+        let falls_alone = found.states.iter().any(|state| state.fell_alone > 0);
+        if unfinished.contains(&found.combination) || found.usable < enough || falls_alone {
             continue;
         }
         let project = plan

@@ -1,25 +1,20 @@
 //! Execution: scans in chunks, each run on whatever thread is free, each written to the journal as it ends. What comes out depends
 //! on the inputs alone.
 
+use super::before::Before;
 use super::error::StudyError;
 use super::inputs::{Drawn, drawn};
 use super::journal::Journal;
-use super::measures::RunMeasures;
+use super::model::{Model, NoModel, model_of};
 use super::motions::PreparedMotion;
 use super::plan::Plan;
 use super::run::{Run, RunOutcome};
 use crate::error::WorkError;
-use crate::in_runs::no_capacity;
 use crate::progress::{Progress, Stage};
 use crate::stack::study::run_stacks;
-use crate::told::told_both;
-use crate::wrong::CaseRefused;
 use crate::{building, chain, frame, stack};
 use dolmen::assess::{ScaleTrial, next_in_bracket};
 use dolmen::blocks::StackRun;
-use dolmen::stability::stack::{StackLimitStates, StackLimits, stack_limits};
-use dolmen::structure::stack::Stack;
-use dolmen_project::{Project, Quantity, Structure, StudyPart};
 use dolmen_words::message::Both;
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
@@ -30,19 +25,14 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 const BATCH: [usize; 2] = [8, 64];
 /// Scans prepared at once, a thread. Chosen here: keeps memory small and threads busy.
 const CHUNK_A_THREAD: usize = 32;
-
-/// A structure that is ready to be shaken.
-pub(crate) enum Model {
-    Stack(Box<(Stack, StackLimitStates)>),
-    Frame(Box<frame::study::FrameModel>),
-    Chain(Box<chain::study::MovingChain>),
-    Building(Box<building::study::BuildingModel>),
-}
+/// The damage state of what fell: all four are reached.
+const ALL_STATES: u8 = 4;
 
 /// A scan in progress.
-struct Job {
+struct Job<'p> {
     job: usize,
-    model: Result<Model, Both>,
+    model: Result<Model, NoModel>,
+    before: Option<&'p Before>,
     motion: Option<PreparedMotion>,
     turn_rad: f64,
     grid: Vec<f64>,
@@ -90,16 +80,21 @@ pub fn run(
         if progress.is_cancelled() {
             break;
         }
-        let mut scans: Vec<Job> = chunk
+        let mut scans: Vec<Job<'_>> = chunk
             .par_iter()
             .map(|&job| prepare(plan, job, before.get(&job).cloned().unwrap_or_default()))
             .collect::<Result<_, WorkError>>()?;
         for scan in &mut scans {
             if let (Err(why), true) = (&scan.model, scan.runs.is_empty()) {
+                let (why, outcome, damage_state) = match why {
+                    NoModel::Refused(why) => (why, RunOutcome::Refused, 0),
+                    NoModel::FallsAlone(why) => (why, RunOutcome::Fell, ALL_STATES),
+                };
                 let run = Run {
                     why: why.english.clone(),
-                    outcome: RunOutcome::Refused,
-                    ..empty_run(scan.job)
+                    outcome,
+                    damage_state,
+                    ..Run::empty(scan.job)
                 };
                 journal.append(&run)?;
                 scan.runs.push(run);
@@ -142,7 +137,7 @@ pub fn missing(plan: &Plan<'_>, shard: (usize, usize), runs: &[Run]) -> Vec<usiz
     let is_done = |job: &usize| {
         let Some(runs) = by_job.get(job) else { return false };
         if runs.iter().any(|run| run.scale == 0.0) {
-            return true; // refused: there is nothing to scan
+            return true; // refused, or it falls by itself: there is nothing to scan
         }
         let trials: Vec<ScaleTrial> = runs.iter().map(|run| trial(run)).collect();
         let Some(grid) = plan.grid_of(*job) else {
@@ -159,29 +154,13 @@ pub fn missing(plan: &Plan<'_>, shard: (usize, usize), runs: &[Run]) -> Vec<usiz
         .collect()
 }
 
-fn empty_run(job: usize) -> Run {
-    Run {
-        job,
-        scale: 0.0,
-        peak_ground_acceleration_m_s2: f64::NAN,
-        peak_ground_velocity_m_s: f64::NAN,
-        outcome: RunOutcome::Stood,
-        damage_state: 0,
-        joint_states: Vec::new(),
-        at_s: f64::NAN,
-        part: String::new(),
-        gave_way: String::new(),
-        measures: RunMeasures::None,
-        why: String::new(),
-    }
-}
-
-fn prepare(plan: &Plan<'_>, job: usize, runs: Vec<Run>) -> Result<Job, WorkError> {
+fn prepare<'p>(plan: &'p Plan<'_>, job: usize, runs: Vec<Run>) -> Result<Job<'p>, WorkError> {
     let (turns, samples) = (plan.study.turns_rad.len(), plan.samples());
     let case = job / (plan.motions.len() * turns);
     let mut scan = Job {
         job,
-        model: Err(Both::from("")),
+        model: Err(NoModel::Refused(Both::from(""))),
+        before: None,
         motion: None,
         turn_rad: plan.study.turns_rad[job % turns],
         grid: Vec::new(),
@@ -190,7 +169,7 @@ fn prepare(plan: &Plan<'_>, job: usize, runs: Vec<Run>) -> Result<Job, WorkError
     let project = match plan.project(case / samples) {
         Ok(project) => project,
         Err(why) => {
-            scan.model = Err(why);
+            scan.model = Err(NoModel::Refused(why));
             return Ok(scan);
         }
     };
@@ -203,42 +182,11 @@ fn prepare(plan: &Plan<'_>, job: usize, runs: Vec<Run>) -> Result<Job, WorkError
     scan.grid = plan.scales(&motion);
     scan.motion = Some(motion);
     scan.model = model_of(plan.study, &project, &sample);
+    scan.before = plan.before(case);
+    if let (Ok(_), Some(Before::Refused { why, .. })) = (&scan.model, scan.before) {
+        scan.model = Err(NoModel::Refused(why.clone()));
+    }
     Ok(scan)
-}
-
-/// A structure ready to be shaken, or why it cannot be.
-pub(super) fn model_of(study: &StudyPart, project: &Project, sample: &Drawn) -> Result<Model, Both> {
-    let pick = &mut |quantity: &Quantity| sample.pick(quantity);
-    match &project.structure {
-        Structure::Stack(part) => match part.build(pick) {
-            Ok(stack) => stack_model(stack),
-            Err(why) => Err(told_both(&why)),
-        },
-        Structure::Frame(part) => {
-            frame::study::model(study, part, pick).map(|model| Model::Frame(Box::new(model)))
-        }
-        Structure::Chain(part) => {
-            chain::study::model(part, &project.loads, pick).map(|model| Model::Chain(Box::new(model)))
-        }
-        Structure::Building(part) => {
-            building::study::model(part, pick).map(|model| Model::Building(Box::new(model)))
-        }
-        Structure::Survey => Err(CaseRefused::SurveyAlone.into()),
-    }
-}
-
-fn stack_model(stack: Stack) -> Result<Model, Both> {
-    if let Some(why) = no_capacity(&stack) {
-        return Err(why.into());
-    }
-    let limits = stack_limits(&stack, &StackLimits::default()).map_err(|why| told_both(&why))?;
-    if !limits.standing.stands() {
-        return Err(CaseRefused::Falls {
-            verdict: Both::from(limits.standing.to_string()),
-        }
-        .into());
-    }
-    Ok(Model::Stack(Box::new((stack, limits))))
 }
 
 fn trial(run: &Run) -> ScaleTrial {
@@ -249,7 +197,7 @@ fn trial(run: &Run) -> ScaleTrial {
 }
 
 /// Scans (indices) and scales to run next: what is missing of the grids; when they are whole, the middle of each bracket.
-fn wanted(plan: &Plan<'_>, scans: &[Job]) -> Result<Vec<(usize, f64)>, WorkError> {
+fn wanted(plan: &Plan<'_>, scans: &[Job<'_>]) -> Result<Vec<(usize, f64)>, WorkError> {
     let mut wanted = Vec::new();
     for (index, scan) in scans.iter().enumerate().filter(|(_, scan)| scan.model.is_ok()) {
         let is_done = |scale: f64| scan.runs.iter().any(|run| run.scale == scale);
@@ -273,7 +221,7 @@ fn wanted(plan: &Plan<'_>, scans: &[Job]) -> Result<Vec<(usize, f64)>, WorkError
 /// Runs a batch and keeps each of its rows; those that were stopped are missing.
 fn run_batch(
     plan: &Plan<'_>,
-    scans: &[Job],
+    scans: &[Job<'_>],
     batch: &[(usize, f64)],
     sink: &Sink<'_>,
 ) -> Result<Vec<(usize, Run)>, WorkError> {
@@ -300,7 +248,16 @@ fn run_batch(
             scale,
             peak_ground_acceleration_m_s2: plan.peak_at(&scan.grid, scale, motion),
             peak_ground_velocity_m_s: scale * motion.velocity_m_s,
-            ..empty_run(scan.job)
+            ..Run::empty(scan.job)
+        };
+        let acting = match scan.before {
+            // what has fallen does not rise
+            Some(Before::Fell(state)) => {
+                keep(index, Some(state.fallen(run)))?;
+                continue;
+            }
+            Some(Before::Left(left)) => left.then(&acting)?,
+            Some(Before::Unshaken(_) | Before::Refused { .. }) | None => acting,
         };
         match &scan.model {
             Ok(Model::Stack(model)) => of_stacks.push((index, run, model, acting)),

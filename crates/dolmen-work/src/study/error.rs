@@ -32,6 +32,10 @@ pub enum StudyError {
     StudyWithoutMotion,
     /// A study does not say how the shaking grows.
     StudyWithoutScan,
+    /// A motion acts before the runs of a building.
+    AfterOfBuilding,
+    /// A motion acts before the runs of a study that shakes nothing.
+    AfterWithoutScan,
     /// A study has too many scans.
     StudyTooLarge {
         /// The largest number of scans.

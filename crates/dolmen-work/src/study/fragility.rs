@@ -2,11 +2,11 @@
 
 use super::answer::{CaseInputs, StudyAnswer};
 use super::column::{Column, ColumnValues};
-use super::combination_fragility::{CombinationFragility, MeasureFit, StateFragility, YEARS};
+use super::combination_fragility::{CombinationFragility, MeasureFit, StateFragility};
 use super::kind::StudyKind;
 use super::measures::RunMeasures;
 use super::run::{Run, RunOutcome};
-use super::scans::CapacityOf;
+use super::scans::{CapacityOf, ScanVerdict};
 use super::shaking::scaled;
 use dolmen::assess::{
     AnnualRisk, AssessError, Fragility, FragilityBound, FragilityFit, Observation, annual_risk,
@@ -33,7 +33,9 @@ impl StudyAnswer {
         let scans = self.capacities();
         let mut found: Vec<CombinationFragility> = Vec::new();
         for combination in 0..self.study.combinations() {
-            let is_known = |scan: &&CapacityOf| scan.seen_m_s2.iter().any(Option::is_some);
+            let is_known = |scan: &&CapacityOf| {
+                scan.verdict == ScanVerdict::FellAlone || scan.seen_m_s2.iter().any(Option::is_some)
+            };
             let own = scans
                 .iter()
                 .filter(|scan| is_known(scan) && self.combination_of(scan.job) == combination);
@@ -152,8 +154,10 @@ impl StudyAnswer {
                 .and_then(|fit| fit.beta_interval(0.95).ok());
             interval.is_none_or(|of| (of.lower..=of.upper).contains(&split.of_motions.hypot(split.of_inputs)))
         });
+        let alone = scans.iter().filter(|scan| scan.verdict == ScanVerdict::FellAlone);
         StateFragility {
             state,
+            fell_alone: alone.count(),
             rate_interval,
             risk: risk.map(|(hazard, fit)| annual_risk(&hazard.curve, &fit.curve)),
             scatter,
@@ -202,6 +206,9 @@ pub(super) fn combination_columns(answer: &StudyAnswer, rows: &[(usize, usize)])
             case.texts.get(index).cloned().unwrap_or_default()
         }));
     }
+    if let Some(after) = &answer.study.after {
+        columns.push(words("after", &|_| after.motion.clone()));
+    }
     columns
 }
 
@@ -232,12 +239,14 @@ pub fn fragility_columns(answer: &StudyAnswer) -> Vec<Column> {
     let mut columns = combination_columns(answer, &of_rows);
     columns.extend([
         words("state", &|(_, state)| states[state.state].to_owned()),
-        counts("scans", &|(_, state)| state.observations.len()),
+        counts("scans", &|(_, state)| state.scans()),
+        counts("fell_by_itself", &|(_, state)| state.fell_alone),
         counts("motions", &|(_, state)| {
             let different: BTreeSet<&usize> = state.motions.iter().collect();
             different.len()
         }),
         counts("reached", &|(_, state)| state.reached()),
+        numbers("probability_without_shaking", &|state| Some(state.share_alone())),
         numbers("theta_pga_m_s2", &fit(|fit| fit.curve.theta())),
         numbers("beta_pga", &fit(|fit| fit.curve.beta())),
         numbers("ln_theta_error", &fit(|fit| fit.ln_theta_error)),
@@ -267,7 +276,10 @@ pub fn fragility_columns(answer: &StudyAnswer) -> Vec<Column> {
         ]);
     }
     columns.extend([
-        numbers("annual_rate", &|state| state.risk.map(|risk| risk.annual_rate)),
+        numbers("annual_rate", &StateFragility::annual_rate),
+        numbers("annual_rate_of_standing", &|state| {
+            state.risk.map(|risk| risk.annual_rate)
+        }),
         numbers("annual_rate_least", &|state| {
             state.rate_interval.map(|ends| ends[0])
         }),
@@ -277,9 +289,7 @@ pub fn fragility_columns(answer: &StudyAnswer) -> Vec<Column> {
                 .map(|ends| ends[1])
                 .filter(|most| most.is_finite())
         }),
-        numbers("probability_in_50_years", &|state| {
-            state.risk.map(|risk| risk.probability_in(YEARS))
-        }),
+        numbers("probability_in_50_years", &StateFragility::probability_in_years),
         numbers("rate_share_beyond_hazard", &|state| {
             state
                 .risk

@@ -1,9 +1,9 @@
 //! Maps of harmonic motions, and releases.
 
-use super::engine::{Model, model_of};
 use super::error::StudyError;
 use super::inputs::{Drawn, drawn};
 use super::maps::ResponseMaps;
+use super::model::{Model, NoModel, model_of};
 use super::plan::Plan;
 use crate::error::WorkError;
 use crate::progress::Progress;
@@ -87,5 +87,6 @@ fn case_model(plan: &Plan<'_>, case: usize) -> Result<Result<Model, Both>, WorkE
         Some(_) => drawn(&project, plan.study.seed, (case % plan.samples()) as u64)?,
         None => Drawn::default(),
     };
-    Ok(model_of(plan.study, &project, &sample))
+    let model = model_of(plan.study, &project, &sample);
+    Ok(model.map_err(NoModel::why))
 }

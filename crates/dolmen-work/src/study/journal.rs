@@ -73,6 +73,7 @@ fn input_word(name: &str, language: Language) -> String {
         ("the project file", _) => "프로젝트 파일".to_owned(),
         ("inputs of the cases", _) => "조합의 입력값".to_owned(),
         ("the structure as read", _) => "읽어 들인 구조물(계측 기울기 포함)".to_owned(),
+        ("samples that fall by themselves", _) => "자중으로 쓰러지는 표본의 계산 방법".to_owned(),
         (other, _) => other.to_owned(),
     };
     language.pick(name.to_owned(), korean)

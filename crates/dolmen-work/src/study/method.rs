@@ -49,6 +49,12 @@ impl StudyAnswer {
         self.study.rest_s.unwrap_or(usual)
     }
 
+    /// "after NAME", of a study of what a motion leaves.
+    pub fn after_words(&self, language: Language) -> Option<String> {
+        let motion = &self.study.after.as_ref()?.motion;
+        Some(language.pick(format!("after {motion}"), format!("{motion} 이후")))
+    }
+
     /// The contact law of a stack; `None` of what has none.
     pub fn law(&self) -> Option<&'static str> {
         (self.kind == StudyKind::Stack).then_some(match self.study.law {
@@ -93,6 +99,7 @@ impl StudyAnswer {
                 format!("층간변위 한계 층고의 {limits} %"),
             ));
         }
+        words.extend(self.after_words(language));
         if study.damage != DamageThresholds::default() {
             words.push(
                 language

@@ -2,10 +2,12 @@
 
 mod allowed_drift;
 mod answer;
+mod before;
 mod column;
 mod combination_fragility;
 mod curves;
 mod designs;
+mod earthquake_of;
 mod engine;
 mod error;
 mod fitted;
@@ -21,13 +23,17 @@ mod left_out;
 mod maps;
 mod measures;
 mod method;
+mod model;
 mod motions;
 mod plan;
+mod plan_before;
 mod results;
 mod run;
 mod scans;
 mod shaking;
 mod shaking_measure;
+mod state_before;
+mod sufficiency;
 mod table;
 
 pub use crate::fingerprint::fingerprint;
@@ -36,6 +42,7 @@ pub use answer::{CaseInputs, InputColumn, StudyAnswer, TrendAnswer, TrendVerdict
 pub use column::{Column, ColumnValues};
 pub use combination_fragility::{CombinationFragility, MeasureFit, StateFragility, YEARS};
 pub use designs::{StudyDesigns, study_designs, trained};
+pub use earthquake_of::EarthquakeOf;
 pub use engine::{missing, run};
 pub use error::StudyError;
 pub use fitted::Fitted;
@@ -56,4 +63,6 @@ pub use results::{JournalText, StudyJournals, finish, merged, resumed, studies, 
 pub use run::{Run, RunOutcome};
 pub use scans::{CapacityOf, LevelRow, SCANS_OF_TAILS, ScanVerdict};
 pub use shaking_measure::{MeasureComparison, ShakingMeasure, ShakingScales};
+pub use state_before::StateBefore;
+pub use sufficiency::{MeasureSufficiency, Predictor};
 pub use table::{capacity_columns, run_columns, table_csv};

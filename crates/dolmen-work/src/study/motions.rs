@@ -5,8 +5,8 @@ use crate::error::WorkError;
 use crate::fingerprint::fingerprint;
 use crate::motion::{self, MotionRequest};
 use dolmen::signal::{
-    Component, GroundMotion, Noise, SignalError, SpectralOrdinate, is_same_shaking, noise_motion,
-    peak_velocity_m_s, response_spectrum,
+    Component, GroundMotion, Noise, SignalError, SpectralOrdinate, intensity_measures, is_same_shaking,
+    noise_motion, peak_velocity_m_s, response_spectrum,
 };
 use dolmen_project::{Project, StudyPart};
 use dolmen_records::Files;
@@ -94,6 +94,12 @@ impl PreparedMotion {
         let found = response_spectrum(&self.motion, self.component, periods_s, damping_ratio)?;
         let each = found.iter().map(SpectralOrdinate::pseudo_acceleration_m_s2);
         Ok(each.map(|acceleration| acceleration / self.peak_m_s2).collect())
+    }
+
+    /// Time in which that component brings 5 to 95 % of its Arias intensity, s.
+    pub(super) fn significant_duration_s(&self) -> Option<f64> {
+        let found = intensity_measures(&self.motion, self.component).ok()?;
+        Some(found.significant_duration_s)
     }
 
     /// The motion times a factor, turned.

@@ -1,6 +1,8 @@
 //! What a study will run: its cases with their inputs, its motions, and the fingerprint of everything that decides the results.
 
 use super::answer::{CaseInputs, InputColumn, StudyAnswer};
+use super::before::Before;
+use super::earthquake_of::EarthquakeOf;
 use super::error::StudyError;
 use super::fitted::Fitted;
 use super::inputs::{Drawn, ReadCombination, case_inputs, drawn, input_columns, value_at};
@@ -11,6 +13,7 @@ use super::run::Run;
 use super::shaking_measure::ShakingScales;
 use crate::error::WorkError;
 use crate::fingerprint::fingerprint;
+use crate::frame::together::is_in_plan;
 use crate::in_runs::{LeftOutOfRuns, held_in_runs};
 use crate::opened::Opened;
 use crate::stack;
@@ -21,26 +24,32 @@ use dolmen::signal::Component;
 use dolmen::stability::stack::{StackLimits, stack_limits};
 use dolmen_project::Problem;
 use dolmen_project::{
-    Override, Project, Quantity, Scan, Structure, StudyPart, canonical_text, parse_combination,
+    Axis, MotionSize, Override, Project, Quantity, Scan, Structure, StudyPart, canonical_text,
+    parse_combination,
 };
 use dolmen_records::Files;
 use dolmen_words::Language;
 use dolmen_words::message::Both;
 use rayon::prelude::*;
+use std::sync::OnceLock;
 
 /// Most scans of a study: more do not fit into memory with their results. Chosen here.
 const SCANS_MOST: usize = 10_000_000;
 
 /// A study ready to run.
 pub struct Plan<'o> {
-    opened: &'o Opened,
-    files: &'o dyn Files,
+    pub(super) opened: &'o Opened,
+    pub(super) files: &'o dyn Files,
     /// The study.
     pub study: &'o StudyPart,
     /// The kind of structure.
     pub kind: StudyKind,
     /// Motions by name, as the file has them without a case's changes.
     pub(super) motions: Vec<(String, PreparedMotion)>,
+    /// The motion that acts before the runs, as the file has it.
+    pub(super) first: Option<PreparedMotion>,
+    /// Of each case, what came of it, once that is asked for; empty without one.
+    pub(super) before: Vec<OnceLock<Before>>,
     inputs: Vec<InputColumn>,
     cases: Vec<CaseInputs>,
     /// Of each combination, the fingerprint of all that its model is built from.
@@ -90,6 +99,8 @@ impl<'o> Plan<'o> {
             study,
             kind,
             motions,
+            first: None,
+            before: Vec::new(),
             inputs: Vec::new(),
             cases: Vec::new(),
             models: Vec::new(),
@@ -98,6 +109,7 @@ impl<'o> Plan<'o> {
             fingerprints: Vec::new(),
         };
         plan.read_inputs()?;
+        plan.prepare_before()?;
         if study.samples.is_some_and(|samples| samples > 1) && !plan.inputs.iter().any(|input| input.is_drawn)
         {
             return Err(StudyError::StudySamplesNothing {
@@ -120,7 +132,10 @@ impl<'o> Plan<'o> {
                     (Some(project), Some(_)) => drawn(project, self.study.seed, sample as u64),
                     _ => Ok(Drawn::default()),
                 };
-                let paths = self.study.vary.iter().map(|axis| axis.path.as_str());
+                let value = |(index, axis): (usize, &Axis)| match &self.study.after {
+                    Some(after) if after.axis == Some(index) => size_before(self.study, combination),
+                    _ => value_at(project.as_ref(), &axis.path),
+                };
                 let model = project.as_ref().map_or(String::new(), |project| {
                     let all = format!(
                         "{:?}{:?}{}",
@@ -134,7 +149,7 @@ impl<'o> Plan<'o> {
                     left_out: left_out.unwrap_or_default(),
                     held: project.as_ref().map(held_in_runs).unwrap_or_default(),
                     samples: (0..samples).map(draw).collect::<Result<_, WorkError>>()?,
-                    values: paths.map(|path| value_at(project.as_ref(), path)).collect(),
+                    values: self.study.vary.iter().enumerate().map(value).collect(),
                 })
             })
             .collect::<Result<_, WorkError>>()?;
@@ -164,18 +179,28 @@ impl<'o> Plan<'o> {
         for (name, motion) in &self.motions {
             all.push((format!("motion {name}"), motion.fingerprint()));
         }
+        if let Some((after, motion)) = self.study.after.as_ref().zip(self.first.as_ref()) {
+            all.push((
+                format!("motion {} before the runs", after.motion),
+                motion.fingerprint(),
+            ));
+        }
         let cases = format!("{:?}{:?}", self.inputs, self.cases); // files that the project names act here
         all.push(("inputs of the cases".to_owned(), fingerprint(cases.as_bytes())));
         // all that a model is built from, also what no line of the file says: files, and the tilt of a survey
         let models = self.models.join(" ");
         all.push(("the structure as read".to_owned(), fingerprint(models.as_bytes())));
+        if self.study.samples.is_some() {
+            // a journal from before samples that fall by themselves were counted says that they were refused
+            all.push(("samples that fall by themselves".to_owned(), "counted".to_owned()));
+        }
         Ok(all)
     }
 
     /// The project of a combination, or why it cannot be, in one line.
     pub(super) fn project(&self, combination: usize) -> Result<Project, Both> {
-        let (variant, values) = self.study.combination(combination);
-        let laid: Vec<&Override> = self.study.set.iter().chain(values.iter().copied()).collect();
+        let (variant, _) = self.study.combination(combination);
+        let laid: Vec<&Override> = self.study.laid_over(combination);
         let file = &self.opened.file;
         parse_combination(&self.opened.text, file, self.files, variant, &laid).map_err(|error| {
             let first = error.problems.first();
@@ -202,10 +227,19 @@ impl<'o> Plan<'o> {
         };
         Ok(match self.kind {
             // it meets the components along and across
-            StudyKind::Chain if has_two_axes(project) => (motion, turn_rad),
+            StudyKind::Chain | StudyKind::Frame if self.meets_both(project) => (motion, turn_rad),
             StudyKind::Frame | StudyKind::Chain => (motion.in_plane(turn_rad)?, 0.0),
             _ => (motion, turn_rad),
         })
+    }
+
+    /// Whether the structure meets the components of a motion along x and along y.
+    fn meets_both(&self, project: &Project) -> bool {
+        match &project.structure {
+            Structure::Chain(part) => part.has_two_axes(),
+            Structure::Frame(part) => is_in_plan(self.study, part),
+            Structure::Stack(_) | Structure::Building(_) | Structure::Survey => false,
+        }
     }
 
     /// Factors on a motion, rising.
@@ -340,12 +374,17 @@ impl<'o> Plan<'o> {
             kind: self.kind,
             gravity_m_s2: self.opened.project.gravity_m_s2,
             drift_limit: self.drift_limit(),
-            hazard: self
-                .opened
-                .project
-                .site
-                .as_ref()
-                .and_then(|site| site.hazard.clone()),
+            // the ground does not shake after another earthquake as often as the hazard of the site says
+            hazard: match &self.study.after {
+                Some(_) => None,
+                None => self
+                    .opened
+                    .project
+                    .site
+                    .as_ref()
+                    .and_then(|site| site.hazard.clone()),
+            },
+            before: self.states_before(),
             version: env!("CARGO_PKG_VERSION").to_owned(),
             notes: self.notes(),
             left_out_of_runs: self.left_out.clone(),
@@ -353,6 +392,7 @@ impl<'o> Plan<'o> {
             inputs: self.inputs.clone(),
             cases: self.cases.clone(),
             motions: self.motions.iter().map(|(name, _)| name.clone()).collect(),
+            earthquakes: self.earthquakes(),
             records: self.records(),
             runs,
             missing,
@@ -366,6 +406,20 @@ impl<'o> Plan<'o> {
         let is_varied = self.inputs.iter().any(|input| input.path.starts_with("limits"));
         let limit = self.opened.project.drift_limit.as_ref().filter(|_| !is_varied);
         limit.map(DriftLimit::ratio)
+    }
+
+    /// What is known of the earthquake of each motion, unless motions are varied.
+    fn earthquakes(&self) -> Vec<EarthquakeOf> {
+        let motions = self.motions.iter().filter(|_| !self.varies_motions());
+        let each = motions.map(|(name, motion)| {
+            let part = self.opened.project.motions.iter().find(|part| part.name == *name);
+            EarthquakeOf {
+                magnitude: part.and_then(|part| part.magnitude),
+                distance_km: part.and_then(|part| part.distance_km),
+                duration_s: motion.significant_duration_s(),
+            }
+        });
+        each.collect()
     }
 
     /// The record of each motion, by the number of the first motion that is of it.
@@ -453,6 +507,14 @@ impl<'o> Plan<'o> {
     }
 }
 
+/// The size of the motion before the runs of a combination, with its unit of SI.
+fn size_before(study: &StudyPart, combination: usize) -> Option<(f64, &'static str)> {
+    study.size_before(combination).map(|size| match size {
+        MotionSize::Scale(scale) => (scale, ""),
+        MotionSize::Peak(peak_m_s2) => (peak_m_s2, "m/s2"),
+    })
+}
+
 /// Sentences in their order, each once.
 fn once_each<'a>(all: impl Iterator<Item = &'a Both>) -> Vec<Both> {
     let mut once: Vec<Both> = Vec::new();
@@ -494,6 +556,6 @@ fn in_one_line(problem: &Problem, file: &str, language: Language) -> String {
 }
 
 /// Whether a project is a chain of two directions.
-fn has_two_axes(project: &Project) -> bool {
+pub(super) fn has_two_axes(project: &Project) -> bool {
     matches!(&project.structure, Structure::Chain(part) if part.has_two_axes())
 }

@@ -9,7 +9,7 @@ use super::kind::StudyKind;
 use super::left_out::LeftOutStudy;
 use super::plan::Plan;
 use super::run::Run;
-use crate::check::falls_by_itself;
+use crate::check::falls_by_itself_as_given;
 use crate::error::{Within as _, WorkError};
 use crate::opened::Opened;
 use crate::progress::Progress;
@@ -60,7 +60,7 @@ pub fn studies<'o>(opened: &'o Opened, named: &[String]) -> Result<Vec<&'o Study
     if meant.is_empty() {
         return Err(StudyError::NoStudy.into());
     }
-    if let Some(load_factor) = falls_by_itself(&opened.project)? {
+    if let Some(load_factor) = falls_by_itself_as_given(&opened.project)? {
         return Err(StudyError::StudyOfWhatFalls { load_factor }.into());
     }
     Ok(meant)
@@ -137,7 +137,7 @@ fn unique(runs: Vec<Run>, shown: &str) -> Result<Vec<Run>, WorkError> {
 /// Where the inputs of every run were refused, or a map cannot be computed.
 pub fn finish(plan: &Plan<'_>, runs: Vec<Run>, progress: &dyn Progress) -> Result<StudyAnswer, WorkError> {
     let answer = answered(plan, runs, progress)?;
-    let all_refused = !answer.runs.is_empty() && answer.runs.iter().all(|run| run.scale == 0.0);
+    let all_refused = !answer.runs.is_empty() && answer.runs.iter().all(Run::is_refused);
     match answer.runs.first().filter(|_| all_refused) {
         Some(first) => Err(StudyError::EveryRunRefused {
             why: first.why.as_str().into(),

@@ -49,7 +49,7 @@ impl RunOutcome {
 pub struct Run {
     /// Which case, motion and direction, counted from 0: the scan it belongs to.
     pub job: usize,
-    /// Factor on the motion, –; 0 where the inputs were refused.
+    /// Factor on the motion, –; 0 where the inputs were refused, and where the structure falls by itself: nothing was run.
     pub scale: f64,
     /// Largest horizontal peak of the ground, before it is turned, m/s².
     pub peak_ground_acceleration_m_s2: f64,
@@ -69,11 +69,39 @@ pub struct Run {
     pub gave_way: String,
     /// Its numbers.
     pub measures: RunMeasures,
-    /// Why its inputs were refused.
+    /// Why its inputs were refused, or why it falls by itself.
     pub why: String,
 }
 
 impl Run {
+    /// Of a scan, before anything is known of it.
+    pub(super) fn empty(job: usize) -> Self {
+        Run {
+            job,
+            scale: 0.0,
+            peak_ground_acceleration_m_s2: f64::NAN,
+            peak_ground_velocity_m_s: f64::NAN,
+            outcome: RunOutcome::Stood,
+            damage_state: 0,
+            joint_states: Vec::new(),
+            at_s: f64::NAN,
+            part: String::new(),
+            gave_way: String::new(),
+            measures: RunMeasures::None,
+            why: String::new(),
+        }
+    }
+
+    /// Whether nothing was run because the inputs were refused.
+    pub fn is_refused(&self) -> bool {
+        self.scale == 0.0 && self.outcome == RunOutcome::Refused
+    }
+
+    /// Whether nothing was run because the structure falls under its own weight.
+    pub fn fell_alone(&self) -> bool {
+        self.scale == 0.0 && self.outcome == RunOutcome::Fell
+    }
+
     /// Equal to the last bit.
     pub fn is_same(&self, other: &Run) -> bool {
         let bits = |run: &Run| -> Vec<u64> {

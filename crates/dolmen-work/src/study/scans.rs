@@ -15,6 +15,8 @@ pub const SCANS_OF_TAILS: usize = 20;
 pub enum ScanVerdict {
     /// Its first fall is known.
     Fell,
+    /// It falls under its own weight: its capacity is 0.
+    FellAlone,
     /// It fell at no scale, and none of its runs is lacking.
     Beyond,
     /// A run below its first fall cannot be used: only a bracket is known.
@@ -32,6 +34,7 @@ impl ScanVerdict {
     pub fn word(self) -> &'static str {
         match self {
             ScanVerdict::Fell => "fell",
+            ScanVerdict::FellAlone => "fell by itself",
             ScanVerdict::Beyond => "beyond",
             ScanVerdict::Bracketed => "bracketed",
             ScanVerdict::Unusable => "unusable",
@@ -42,7 +45,10 @@ impl ScanVerdict {
 
     /// Whether it takes part in quantiles and trends.
     pub fn is_usable(self) -> bool {
-        matches!(self, ScanVerdict::Fell | ScanVerdict::Beyond)
+        matches!(
+            self,
+            ScanVerdict::Fell | ScanVerdict::FellAlone | ScanVerdict::Beyond
+        )
     }
 }
 
@@ -59,7 +65,7 @@ pub struct CapacityOf {
     pub peak_of_scale_1_m_s2: f64,
     /// Largest velocity of that component at scale 1, m/s.
     pub velocity_of_scale_1_m_s: f64,
-    /// Peak at which DS1, DS2, DS3 are first reached, and the first fall, m/s²; of scans that can be used.
+    /// Peak at which DS1, DS2, DS3 are first reached, and the first fall, m/s²; of scans that can be used. 0 of what falls by itself.
     pub first_m_s2: Option<[Reached; 4]>,
     /// What is known of when DS1, DS2, DS3 and a fall are first reached, as peaks, m/s²; also of scans of which only a bracket is known.
     pub seen_m_s2: [Option<Observation>; 4],
@@ -121,6 +127,12 @@ impl CapacityOf {
         self
     }
 
+    /// Whether it fell at the least size that was tried: its first fall is at most that, and may lie below.
+    pub fn fell_at_the_least(&self) -> bool {
+        let scan = self.scan.as_ref();
+        scan.is_some_and(|scan| scan.first_fall.is_some() && scan.survived_below == 0.0)
+    }
+
     /// How many of its runs cannot be used.
     pub fn unusable_runs(&self) -> usize {
         self.scan.as_ref().map_or(0, |scan| scan.unknown.len())
@@ -174,6 +186,14 @@ impl LevelRow {
         first
     }
 
+    /// How many fall under their own weight.
+    pub fn fell_alone(&self) -> usize {
+        let scans = self.scans.iter();
+        scans
+            .filter(|scan| scan.verdict == ScanVerdict::FellAlone)
+            .count()
+    }
+
     /// How many of those that can be used fell.
     pub fn fell(&self) -> usize {
         self.first_m_s2(3)
@@ -187,6 +207,18 @@ impl LevelRow {
         let first = self.first_m_s2(3);
         let fell = first.iter().find(|first| first.is_reached());
         fell.or(first.first()).copied()
+    }
+
+    /// Whether the least first fall is only known to lie at or below the least size that its scan tried.
+    pub fn least_is_bound(&self) -> bool {
+        let least = self.least_m_s2();
+        let is_least = |scan: &&CapacityOf| scan.first_fall_m_s2() == least;
+        least.is_some_and(Reached::is_reached)
+            && self
+                .scans
+                .iter()
+                .filter(is_least)
+                .any(CapacityOf::fell_at_the_least)
     }
 
     /// A quantile of the peaks at which a state is first reached, m/s²; `None` without a scan that can be used, and of tails with fewer
@@ -253,7 +285,8 @@ pub(super) fn capacity_of(job: usize, runs: &[Run], is_whole: bool) -> CapacityO
     let scan = capacity(&tried).ok().filter(|_| !tried.is_empty());
     let reading = scan.as_ref().map(Capacity::reading);
     let verdict = match reading {
-        _ if runs.iter().any(|run| run.scale == 0.0) => ScanVerdict::Refused,
+        _ if runs.iter().any(Run::fell_alone) => ScanVerdict::FellAlone,
+        _ if runs.iter().any(Run::is_refused) => ScanVerdict::Refused,
         _ if !is_whole => ScanVerdict::Missing,
         Some(Reading::Fell(_)) => ScanVerdict::Fell,
         Some(Reading::Beyond(_)) => ScanVerdict::Beyond,
@@ -263,6 +296,9 @@ pub(super) fn capacity_of(job: usize, runs: &[Run], is_whole: bool) -> CapacityO
     let largest = usable.iter().map(|run| run.peak_ground_acceleration_m_s2);
     let largest = largest.fold(0.0, f64::max);
     let first = |state: u8| {
+        if verdict == ScanVerdict::FellAlone {
+            return Reached::At(0.0);
+        }
         let reached = usable.iter().filter(|run| run.damage_state >= state);
         let least = reached
             .map(|run| run.peak_ground_acceleration_m_s2)

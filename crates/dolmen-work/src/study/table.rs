@@ -65,6 +65,17 @@ fn inputs<R>(answer: &StudyAnswer, columns: &mut Columns<'_, R>, job: impl Fn(&R
             });
         }
     }
+    if let Some(after) = &answer.study.after {
+        columns.words("after", |_| after.motion.clone());
+        columns.numbers("peak_before_m_s2", |row| {
+            let before = answer.before.get(answer.case_of(job(row)))?;
+            number(before.peak_m_s2)
+        });
+        columns.counts("damage_state_before", |row| {
+            let before = answer.before.get(answer.case_of(job(row)));
+            before.map_or(0, |before| usize::from(before.damage_state))
+        });
+    }
     if answer.study.samples.is_some() {
         columns.counts("sample", |row| answer.sample_of(job(row)));
     }

@@ -26,6 +26,22 @@ sentences! {
             en: "--{flag} says how the file of a motion is read, and \"{name}\" is no file: Dolmen carries it along x in m/s2, every 0.02 s. Leave --{flag} out, or give your file with --motion-file",
             ko: "--{flag}은(는) 지반운동 파일을 읽는 방법인데 \"{name}\"은(는) 파일이 아니라 Dolmen에 내장된 x 방향 지반운동(m/s2, 0.02 s 간격)이다. --{flag}을(를) 빼거나 --motion-file로 파일을 준다",
         },
+        OfFilesNotSurvey { flag, name } => {
+            en: "--{flag} says how the file of a motion is read, and \"{name}\" is the record of a survey: leave --{flag} out; the project file says how it is read",
+            ko: "--{flag}은(는) 지반운동 파일을 읽는 방법인데 \"{name}\"은(는) 계측 조사의 기록이며 프로젝트 파일에 적힌 대로 읽는다. --{flag}을(를) 뺀다",
+        },
+        SurveyWithoutProject { name } => {
+            en: "the record of survey {name} is a motion of its project: use `dolmen simulate PROJECT --motion survey:{name}`, or give the file with --motion-file",
+            ko: "계측 조사 {name}의 기록은 그 프로젝트의 지반운동이다. `dolmen simulate PROJECT --motion survey:{name}`을(를) 쓰거나 --motion-file로 파일을 준다",
+        },
+        NoMeasuredGround { survey } => {
+            en: "survey {survey} has no record of a measured ground: give it `records`, and name the channel of the ground, as in records.modal.inputs = [\"G\"]",
+            ko: "계측 조사 {survey}에는 지반을 계측한 기록이 없다. `records`를 적고 지반 채널을 records.modal.inputs = [\"G\"]처럼 적는다",
+        },
+        NoGroundAcceleration { survey, channel } => {
+            en: "channel {channel} of survey {survey} is an input, but no acceleration along x, y or z, so that it cannot move a model: give the unit of its file (m/s2, gal, g) and its direction, as in direction = \"x\"",
+            ko: "계측 조사 {survey}의 채널 {channel}은(는) 입력이지만 x, y 또는 z 방향 가속도가 아니므로 모델을 움직일 수 없다. 파일의 단위(m/s2, gal, g)와 direction = \"x\"처럼 방향을 적는다",
+        },
         OfFilesNotMade { flag } => {
             en: "--{flag} says how the file of a motion is read, and --make makes one without a file: leave --{flag} out, or give a file instead of --make",
             ko: "--{flag}은(는) 지반운동 파일을 읽는 방법인데 --make는 파일 없이 지반운동을 만든다. --{flag}을(를) 빼거나 --make 대신 파일을 준다",
@@ -114,6 +130,14 @@ sentences! {
         StudyTooLarge { most } => {
             en: "the study has more than {most} scans: vary less, or draw fewer samples",
             ko: "study의 조합이 {most}개를 넘는다. 바꾸는 값을 줄이거나 표본을 줄인다",
+        },
+        AfterOfBuilding => {
+            en: "after is a motion that leaves a structure in another state, and a building is linear here: once at rest it is as it was before; leave after out",
+            ko: "after는 구조물의 상태를 바꾸는 지반운동인데 building은 여기서 선형이므로 멈춘 뒤에는 이전과 같다. after를 뺀다",
+        },
+        AfterWithoutScan => {
+            en: "after is a motion before runs of growing shaking, and the study has none: give scale or peak, or leave after out",
+            ko: "after는 지진동을 키워 가는 해석에 앞서 작용하는데 이 study에는 그런 해석이 없다. scale이나 peak를 주거나 after를 뺀다",
         },
         StudySamplesNothing { samples } => {
             en: "samples is {samples}, but no input has a cov: all samples would be the same. Write joint.friction = {{ value = 0.6, cov = 0.1 }}, or leave samples out",

@@ -21,6 +21,14 @@ messages! {
             ko: "chain, frame, building의 하중배율을 표본으로 구한다",
         },
         NamesDirection => { en: "names a direction of a frame", ko: "frame의 방향을 지정한다" },
+        ActsAfter => {
+            en: "is the second of two motions, which acts on what the first left",
+            ko: "두 지반운동 중 둘째로, 첫째가 남긴 상태에 작용한다",
+        },
+        BuildingAsBefore => {
+            en: "a building, unlike a chain, frame or stack, is linear here: once at rest it is as it was before the first motion, so simulate the second alone",
+            ko: "building은 chain, frame, stack과 달리 여기서 선형이므로 멈춘 뒤에는 첫 지반운동 이전과 같다. 둘째 지반운동만 해석한다",
+        },
         BlowsWind => {
             en: "blows the wind of the file on a building in time",
             ko: "파일의 바람을 building에 시간이력으로 작용시킨다",

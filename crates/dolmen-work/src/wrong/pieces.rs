@@ -62,6 +62,10 @@ messages! {
             ko: "방향 \"{direction}\"의 강성을 알 수 없거나 그런 방향이 없다",
         },
         SurveyAlone => { en: "a survey holds no structure", ko: "survey에는 구조물이 없다" },
+        FallsAlone { load_factor: String } => {
+            en: "it falls under its own weight, load factor {load_factor}",
+            ko: "자중으로 쓰러진다(하중배율 {load_factor})",
+        },
         Falls { verdict: Both } => {
             en: "it does not stand without shaking: {verdict}",
             ko: "흔들지 않아도 서 있지 못한다: {verdict}",
@@ -73,6 +77,22 @@ messages! {
         SupportsMove => {
             en: "its supports move before the ground shakes, and runs shake it as it stood before: study a variant with support_movement = []",
             ko: "지점이 먼저 이동하지만 해석은 이동 전의 형상을 흔든다. support_movement = []인 대안을 검토한다",
+        },
+        NoVerdictBefore => {
+            en: "the run under the motion before came to no verdict",
+            ko: "앞서 작용하는 지반운동의 해석이 판정에 이르지 못했다",
+        },
+        UndecidedBefore { why: String } => {
+            en: "the run under the motion before came to no verdict: {why}",
+            ko: "앞서 작용하는 지반운동의 해석이 판정에 이르지 못했다. [영문] {why}",
+        },
+        MovingBefore { speed_mm_s: String, still_s: String, most_mm_s: String } => {
+            en: "{still_s} s after the motion before, a part still moves at {speed_mm_s} mm/s, and at rest it may move at {most_mm_s} mm/s: give the structure its damping",
+            ko: "앞서 작용한 지반운동이 끝나고 {still_s} s 뒤에도 {speed_mm_s} mm/s로 움직이는 부분이 있다. 정지 기준은 {most_mm_s} mm/s이다. 구조물의 감쇠를 준다",
+        },
+        AfterMotion { study: String, motion: String } => {
+            en: "study \"{study}\" is of the structure after {motion}, and not as it stands: name one without after",
+            ko: "study \"{study}\"은(는) 현 상태가 아니라 {motion} 이후의 구조물에 대한 것이다. after가 없는 study를 지정한다",
         },
         NotDone { study: String, missing: usize } => {
             en: "study \"{study}\" is not done: {missing} scans are missing; run it again",
@@ -146,6 +166,10 @@ messages! {
             en: "it has neither a project nor its factors: fill storeys, body_height_m, taper_deg, body_base_height_ratio, and body_slenderness or slenderness_angle or both",
             ko: "project도 여섯 인자도 없다. storeys, body_height_m, taper_deg, body_base_height_ratio와 body_slenderness나 slenderness_angle(또는 둘 다)을 채운다",
         },
+        Columns { columns: String } => {
+            en: "it has neither a project nor all of its factors: fill {columns}",
+            ko: "project도 없고 여섯 인자도 모두 있지 않다. {columns}을(를) 채운다",
+        },
         Name => {
             en: "the structure has no name: fill the column name",
             ko: "구조물의 이름이 없다. name 열을 채운다",
@@ -163,6 +187,10 @@ messages! {
         Number => { en: "a number, 0 or more, in the unit of the column", ko: "열의 단위로 0 이상인 수" },
         WholeNumber => { en: "a whole number", ko: "정수" },
         BodyHeight => { en: "at most 100, in m: is it in mm?", ko: "m 단위로 100 이하(mm 값이 아닌가?)" },
+        Slenderness => {
+            en: "at most 15, height over width: is a decimal point missing, 2.9 for 29?",
+            ko: "높이/폭의 비로 15 이하(2.9를 29로 쓴 것처럼 소수점이 빠지지 않았는가?)",
+        },
         Taper => { en: "below 40, in degrees", ko: "40보다 작은 각도(도)" },
         Soil => { en: "S1 to S5 of KDS 17 10 00", ko: "KDS 17 10 00의 S1~S5" },
     }
@@ -180,6 +208,10 @@ messages! {
 messages! {
     /// Why a structure has no place in a ranking.
     pub(crate) enum NoPlace in "portfolio.no-place" {
+        AllFallAlone => {
+            en: "every sample of it falls under its own weight: it has no capacity against shaking",
+            ko: "모든 표본이 자중으로 쓰러지므로 지진에 대한 내력이 없다",
+        },
         TooFewMotions => {
             en: "nothing is known of this state: too few motions that can be used",
             ko: "쓸 수 있는 지반운동이 너무 적어 이 손상상태의 내력을 알 수 없다",

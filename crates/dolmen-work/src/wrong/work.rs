@@ -105,6 +105,18 @@ sentences! {
             en: "{what} moves in one direction, but the motion has the components x and y: give one file, or turn the motion and give the component that you mean as x",
             ko: "{what}은(는) 한 방향으로 움직이는데 지반운동에 x와 y 성분이 있다. 파일 하나만 주거나, 지반운동을 돌려 쓰려는 성분을 x로 준다",
         },
+        FrameOfOneDirection { direction } => {
+            en: "the motion has the components x and y, but the frame has one direction, {direction}: describe the other in [direction.NAME] too, or give one component",
+            ko: "지반운동에 x와 y 성분이 있는데 골조에는 {direction} 방향만 있다. 다른 방향도 [direction.NAME]에 적거나 한 성분만 준다",
+        },
+        DirectionsNotAlong { directions } => {
+            en: "the motion has the components x and y, and the frame the directions {directions}: write along = \"x\" in [direction.NAME] of one of two and along = \"y\" in the other, or give one component",
+            ko: "지반운동에 x와 y 성분이 있고 골조의 방향은 {directions}이다. 두 방향의 [direction.NAME] 한쪽에 along = \"x\", 다른 쪽에 along = \"y\"를 적거나 한 성분만 준다",
+        },
+        DirectionOfBoth { direction } => {
+            en: "--direction {direction} names one direction, but the motion has the components x and y, which act on both together: leave it out, or give one component",
+            ko: "--direction {direction}은(는) 한 방향인데 지반운동의 x와 y 성분은 두 방향에 함께 작용한다. 이 옵션을 빼거나 한 성분만 준다",
+        },
         OnePlaneFriction { joint } => {
             en: "the motion has the components x and y, but joint {joint} has friction, which acts against the turn of both together: leave the friction out, or give one component",
             ko: "지반운동에 x와 y 성분이 있으나 접합면 {joint}의 마찰은 두 방향의 회전에 함께 작용한다. 마찰을 빼거나 한 성분만 준다",
@@ -176,6 +188,18 @@ sentences! {
         WindAndMotion => {
             en: "--wind blows the wind of the file and moves no ground: leave --motion and what changes it out, or leave --wind out",
             ko: "--wind는 파일의 바람만 작용시키고 지반은 움직이지 않는다. --motion과 이를 바꾸는 옵션을 빼거나 --wind를 뺀다",
+        },
+        ThenWithoutMotion => {
+            en: "--then is the second of two motions, and there is no first: give --motion or --motion-file too",
+            ko: "--then은 두 지반운동 중 둘째인데 첫째가 없다. --motion이나 --motion-file도 준다",
+        },
+        ThenAndDuration => {
+            en: "--duration is the length of a run of one motion, and with --then there are two, with the time to rest between them: leave --duration or --then out",
+            ko: "--duration은 지반운동 하나의 해석 길이인데 --then을 주면 지반운동이 둘이고 그 사이에 멈출 시간이 있다. --duration이나 --then을 뺀다",
+        },
+        ThenComponents { first, second } => {
+            en: "{first} and {second} shake along other components, x or y, and each direction meets one component: give both the same, for example with turn = \"90 deg\" in [motion.{second}]",
+            ko: "{first}와(과) {second}의 수평 성분(x, y)이 서로 다른데 방향마다 한 성분이 작용한다. [motion.{second}]에 turn = \"90 deg\"를 주는 등 성분을 같게 한다",
         },
         NoWindAsked { flag } => {
             en: "--{flag} of a building is for histories of the wind: give --wind too, or leave --{flag} out",

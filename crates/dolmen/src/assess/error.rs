@@ -168,6 +168,35 @@ pub enum AssessError {
         /// How many there are.
         given: usize,
     },
+    /// Too few motions to tell whether a measure of shaking is sufficient.
+    #[error(
+        "{given} motions are too few to tell whether a measure of shaking is sufficient: give {least} or more"
+    )]
+    TooFewForSufficiency {
+        /// How many there are.
+        given: usize,
+        /// The fewest.
+        least: usize,
+    },
+    /// Too many scans do not say between what sizes a state began.
+    #[error(
+        "{without} of {scans} scans do not say between what sizes the state began, and those are the strongest and the weakest: scan smaller and \
+         larger sizes"
+    )]
+    CapacitiesOpen {
+        /// How many do not.
+        without: usize,
+        /// All.
+        scans: usize,
+    },
+    /// What residuals are held against does not vary.
+    #[error(
+        "it is {value} for every motion, so that nothing can depend on it: give motions of different earthquakes"
+    )]
+    SameForEveryMotion {
+        /// The value.
+        value: f64,
+    },
     /// Observations that allow no fragility curve, and what they say all the same.
     #[error("{}", no_fragility(.0))]
     NoFragility(FragilityBound),
@@ -215,6 +244,9 @@ impl AssessError {
             | Self::FragilityParameter { .. }
             | Self::Observation { .. }
             | Self::TooFewMotions { .. }
+            | Self::TooFewForSufficiency { .. }
+            | Self::SameForEveryMotion { .. }
+            | Self::CapacitiesOpen { .. }
             | Self::NoFragility(_)
             | Self::FragilityFalls
             | Self::Hazard { .. } => false,

@@ -19,6 +19,7 @@ mod settle_run;
 mod stack;
 mod stack_notes;
 mod stack_under_loads;
+mod sufficiency;
 mod trends;
 
 pub use capacity::{
@@ -56,4 +57,5 @@ pub use settle_run::with_settle_run;
 pub use stack::{MARGINAL_BELOW_G, StackCheck, StackCheckOptions, check_stack};
 pub use stack_notes::{SettleRun, StackNote};
 pub use stack_under_loads::{Grows, StackCombination, StackUnderLoads, StackWind, stack_under_loads};
+pub use sufficiency::{SUFFICIENCY_MOTIONS_LEAST, Sufficiency, sufficiency};
 pub use trends::{Direction, Trend, trend};

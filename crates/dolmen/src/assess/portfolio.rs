@@ -1,7 +1,7 @@
 //! Which structure first: many structures put into order, with the interval that what is known of each leaves to its place.
 
 use super::{AssessError, Fragility, Hazard, annual_risk};
-use crate::numeric::{Interval, Random, quantile};
+use crate::numeric::{Interval, Random, normal_quantile, quantile};
 
 /// What is known of the capacity of a structure in one damage state.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -12,6 +12,40 @@ pub struct KnownCapacity {
     pub ln_theta_sd: f64,
     /// How θ is known.
     pub known: Known,
+    /// p₀, the probability that it falls under its own weight, –: then the state is reached without shaking, and `fragility` is of the rest.
+    pub falls_alone: f64,
+}
+
+/// Years of the rate that stands for what falls without shaking.
+const RATE_YEARS: f64 = 50.0;
+
+impl KnownCapacity {
+    /// The intensity that half of all that may be reach the state by, for a θ of those that stand by themselves; 0 if half fall without shaking.
+    ///
+    /// ```text
+    /// p₀ + (1 − p₀) Φ(ln(x/θ)/β) = ½
+    /// ```
+    ///
+    /// # Errors
+    /// None for 0 ≤ p₀ ≤ 1.
+    pub fn median(&self, theta: f64) -> Result<f64, AssessError> {
+        let p0 = self.falls_alone;
+        if p0 == 0.0 || p0 >= 0.5 {
+            return Ok(if p0 == 0.0 { theta } else { 0.0 });
+        }
+        let z = normal_quantile((0.5 - p0) / (1.0 - p0))?;
+        Ok(theta * (self.fragility.beta() * z).exp())
+    }
+
+    /// The steady rate, 1/year, that gives the same probability in 50 years, for the rate of those that stand by themselves: what falls without
+    /// shaking has no finite rate of its own.
+    ///
+    /// ```text
+    /// 1 − e^(−50 λ) = p₀ + (1 − p₀)(1 − e^(−50 λ_s))        λ = λ_s − ln(1 − p₀)/50
+    /// ```
+    pub fn rate_in_50_years(&self, of_standing: f64) -> f64 {
+        of_standing - (-self.falls_alone).ln_1p() / RATE_YEARS
+    }
 }
 
 /// How a median is known.
@@ -52,7 +86,8 @@ pub struct Place {
     pub rank: usize,
     /// 90 % interval of its place.
     pub rank_interval: Interval,
-    /// Rate at which the state is reached, 1/year, what is not known of θ included; `None` without a hazard.
+    /// Rate at which the state is reached, 1/year, what is not known of θ included; where it may fall under its own weight the rate that gives the same probability in
+    /// 50 years. `None` without a hazard.
     pub annual_rate: Option<f64>,
     /// Share of the draws in which it is among the worst tenth, –.
     pub worst_tenth: f64,
@@ -70,7 +105,7 @@ pub struct Ranked {
 /// Structures in the order in which they should be looked at.
 ///
 /// ```text
-/// rate = ∫ Φ(ln(x/θ)/√(β² + σ²)) |dλ(x)|        σ: standard deviation of ln θ
+/// rate = ∫ Φ(ln(x/θ)/√(β² + σ²)) |dλ(x)| − ln(1 − p₀)/50        σ: standard deviation of ln θ; p₀: falls under its own weight
 /// places: `draws` times ln θ + σ z for each, z normal and independent, ranked again; 5 to 95 % of the places
 /// ```
 ///
@@ -96,6 +131,14 @@ pub fn rank(candidates: &[Candidate], draws: usize, seed: u64) -> Result<Ranked,
                 allowed: "0 or more",
             });
         }
+        let given = candidate.capacity.falls_alone;
+        if !(0.0..=1.0).contains(&given) {
+            return Err(AssessError::Factor {
+                factor: "falls_alone",
+                given,
+                allowed: "between 0 and 1",
+            });
+        }
     }
     let has_all = candidates.iter().all(|candidate| candidate.hazard.is_some());
     let by = if has_all {
@@ -109,7 +152,7 @@ pub fn rank(candidates: &[Candidate], draws: usize, seed: u64) -> Result<Ranked,
         rates.push(
             hazard
                 .as_ref()
-                .map(|hazard| annual_risk(hazard, &whole).annual_rate),
+                .map(|hazard| capacity.rate_in_50_years(annual_risk(hazard, &whole).annual_rate)),
         );
     }
     // small is bad: θ, or a rate turned round
@@ -119,8 +162,11 @@ pub fn rank(candidates: &[Candidate], draws: usize, seed: u64) -> Result<Ranked,
     };
     let best = candidates.iter().zip(&rates);
     let own: Vec<f64> = best
-        .map(|(candidate, rate)| badness(candidate.capacity.fragility.theta(), *rate))
-        .collect();
+        .map(|(Candidate { capacity, .. }, rate)| {
+            let median = capacity.median(capacity.fragility.theta())?;
+            Ok(badness(median, *rate))
+        })
+        .collect::<Result<_, AssessError>>()?;
     let order = order_of(&own);
     let mut drawn_places = vec![Vec::with_capacity(draws); candidates.len()];
     let worst = candidates.len().div_ceil(10);
@@ -133,8 +179,8 @@ pub fn rank(candidates: &[Candidate], draws: usize, seed: u64) -> Result<Ranked,
             let fragility = Fragility::new(theta, capacity.fragility.beta())?;
             let rate = hazard.as_ref().filter(|_| by == RankedBy::AnnualRate);
             values.push(badness(
-                theta,
-                rate.map(|hazard| annual_risk(hazard, &fragility).annual_rate),
+                capacity.median(theta)?,
+                rate.map(|hazard| capacity.rate_in_50_years(annual_risk(hazard, &fragility).annual_rate)),
             ));
         }
         for (place, candidate) in order_of(&values).into_iter().enumerate() {
@@ -175,8 +221,46 @@ mod tests {
             fragility: Fragility::new(theta, beta).unwrap(),
             ln_theta_sd: sd,
             known: Known::Found,
+            falls_alone: 0.0,
         };
         Candidate { capacity, hazard }
+    }
+
+    /// A structure of which one sample in seven falls by itself, beside the same without such samples.
+    #[test]
+    fn exact_what_falls_without_shaking_moves_median_rate_and_place() {
+        let hazard = Hazard::through(1.0, 500.0, 2.0).unwrap();
+        let alone = |share: f64, theta: f64, hazard: Option<Hazard>| {
+            let mut one = candidate(theta, 0.4, 0.0, hazard);
+            one.capacity.falls_alone = share;
+            one
+        };
+        let p0 = 1.0 / 7.0;
+        let found = rank(
+            &[
+                candidate(2.0, 0.4, 0.0, Some(hazard.clone())),
+                alone(p0, 3.0, Some(hazard.clone())),
+            ],
+            20,
+            1,
+        )
+        .unwrap();
+        let worst = &found.places[0];
+        assert_eq!(worst.candidate, 1);
+        let standing = 3.0_f64.powi(-2) / 500.0 * (2.0 * 0.16_f64).exp();
+        let in_50_years = p0 + (1.0 - p0) * -(-50.0 * standing).exp_m1();
+        let rate = worst.annual_rate.unwrap();
+        assert!((-(-50.0 * rate).exp_m1() / in_50_years - 1.0).abs() < 1e-12);
+        // without a hazard: p0 + (1 − p0) Φ(z) = ½, Φ(z) = 5/12, z = −.210428 (tables)
+        let median = alone(p0, 3.0, None).capacity.median(3.0).unwrap();
+        assert!(
+            (median / (3.0 * (-0.4 * 0.210_428_f64).exp()) - 1.0).abs() < 1e-6,
+            "{median}"
+        );
+        assert_eq!(alone(0.5, 3.0, None).capacity.median(3.0), Ok(0.0));
+        let found = rank(&[candidate(2.9, 0.4, 0.0, None), alone(p0, 3.0, None)], 20, 1).unwrap();
+        assert_eq!(found.places[0].candidate, 1);
+        assert!(rank(&[alone(1.1, 3.0, None)], 20, 1).is_err());
     }
 
     #[test]

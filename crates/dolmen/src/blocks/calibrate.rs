@@ -9,6 +9,9 @@ use crate::structure::stack::Stack;
 const FOUND: f64 = 1e-10;
 /// Most rounds: each leaves about 1e-4 of the correction of the one before, unless joints open or close in between.
 const ROUNDS: usize = 10;
+/// Least share of joints in ω² by which a step grows, and longest step, of ln of the factor. Chosen here.
+const SHARE_LEAST: f64 = 0.05;
+const STEP_MOST: f64 = 2.0;
 
 /// One measured frequency and that of the springs found.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -42,7 +45,8 @@ pub struct SpringCalibration {
 ///
 /// Stiffer springs settle less, so that the stones lie a little higher and ω²/k changes (by 1e-4 for a pagoda that settles 0.65
 /// mm of 6.5 m): the rule is applied again with the springs found until nothing is left to correct, or, where joints open or close
-/// with the springs so that ω²/k jumps, until it gets no better; the frequencies in the result say what is left.
+/// with the springs so that ω²/k jumps, until it gets no better; the frequencies in the result say what is left. Ties and side supports keep their
+/// stiffness; with them the joints have a share of ω², which each round estimates anew from the last.
 ///
 /// # Errors
 /// [`BlocksError`] for no frequency, one that is not positive, a mode that the stack does not have, and a stack that finds
@@ -108,8 +112,15 @@ pub fn calibrate_springs(
     };
     let (mut factor, mut scaled) = (1.0, stack.clone());
     let mut correction = left(&modes);
+    // d ln ω²/d ln k: 1 where joints alone hold the stones, less where ties and side supports do so too
+    let is_held = !(stack.side_supports().is_empty() && stack.ties().is_empty());
+    let mut share = 1.0;
     for _ in 0..ROUNDS {
-        let next = factor * correction.exp();
+        let step = match is_held {
+            true => (correction / share).clamp(-STEP_MOST, STEP_MOST),
+            false => correction,
+        };
+        let next = factor * step.exp();
         let with_next = multiplied(stack, next)?;
         let next_modes = lowest_stack_modes(&with_next, contact_rule, modes.len())?;
         let next_correction = left(&next_modes);
@@ -117,7 +128,10 @@ pub fn calibrate_springs(
             break; // joints open or close between the two: no factor does better
         }
         (factor, scaled, modes) = (next, with_next, next_modes);
-        let slow = next_correction.abs() > 0.1 * correction.abs();
+        let slow = !is_held && next_correction.abs() > 0.1 * correction.abs();
+        if is_held {
+            share = ((correction - next_correction) / step).clamp(SHARE_LEAST, 1.0);
+        }
         correction = next_correction;
         if slow || correction.abs() < FOUND {
             break;

@@ -1,6 +1,7 @@
 //! Natural frequencies of a stack on the springs of its joints.
 
 use super::assembly::Assembly;
+use super::beside::add_springs_beside;
 use super::contact_points::ContactRule;
 use super::error::BlocksError;
 use super::lowest_modes::lowest;
@@ -80,6 +81,8 @@ pub fn sway_amplification(stack: &Stack, mode: &StackMode, axis: usize) -> f64 {
 /// # Errors
 /// [`BlocksError`] if the stack finds no rest or a decomposition fails.
 ///
+/// Side supports count as springs where they are that in small motion ([`super::BesideInSmallMotion::is_spring`]).
+///
 /// # Limits
 /// Small motion: joints that stay closed where they are closed at rest. What gravity takes from the stiffness (P-delta) is
 /// left out: .1 % of the first frequency of a ten-stone pagoda.
@@ -134,10 +137,9 @@ fn settled(stack: &Stack, contact_rule: ContactRule) -> Result<Assembly, BlocksE
 }
 
 fn all_modes(stack: &Stack, assembly: &Assembly) -> Result<Vec<StackMode>, BlocksError> {
-    let eigen = generalized_symmetric_eigen(
-        &contact_matrix(assembly, Part::Springs, Closed::Pressed),
-        &mass_matrix(assembly),
-    )?;
+    let mut stiffness = contact_matrix(assembly, Part::Springs, Closed::Pressed);
+    add_springs_beside(assembly, &mut stiffness);
+    let eigen = generalized_symmetric_eigen(&stiffness, &mass_matrix(assembly))?;
     let values = eigen.values.iter().enumerate();
     Ok(values
         .map(|(at, value)| mode(stack, *value, eigen.vectors.column(at)))

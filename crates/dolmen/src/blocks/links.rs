@@ -87,7 +87,7 @@ pub(super) struct Prop {
     pub(super) body: usize,
     pub(super) drawn: DVec3,
     pub(super) direction: DVec3,
-    gap: f64,
+    pub(super) gap: f64,
     pub(super) stiffness: f64,
 }
 

@@ -8,6 +8,7 @@
 //! | A | [`Inverse`] | Lᵀ (K + s M)⁻¹ L: its eigenvalues are 1/(ω² + s) |
 
 use super::assembly::Assembly;
+use super::beside::add_springs_beside;
 use super::block_skyline::{BlockSkyline, SIX};
 use super::bodies::RigidBody;
 use super::matrices::{Closed, Part, add_contacts, add_mass, within_outline};
@@ -93,6 +94,7 @@ impl<'a> Inverse<'a> {
     fn of(assembly: &'a Assembly) -> Option<Self> {
         let mut factors = within_outline(assembly);
         add_contacts(assembly, Part::Springs, Closed::Pressed, &mut factors);
+        add_springs_beside(assembly, &mut factors);
         add_mass(assembly, SHIFT, &mut factors);
         factors.factor().then_some(Inverse { assembly, factors })
     }

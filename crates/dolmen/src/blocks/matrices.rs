@@ -194,10 +194,24 @@ pub(super) fn add_contacts(assembly: &Assembly, part: Part, closed: Closed, matr
 pub(super) struct SpringsBetween {
     /// Indices of the bodies, 0 the ground.
     pub(super) bodies: [usize; 2],
-    /// Whether they are those of a dowel or clamp.
+    /// Whether they are those of a dowel, a clamp or a side support.
     pub(super) is_link: bool,
     /// Stiffness of both bodies, [12 × 12]; rows of the ground are 0.
     pub(super) stiffness: Matrix,
+}
+
+/// The springs of a side support by themselves.
+pub(super) fn springs_of_prop(assembly: &Assembly, prop: &Prop) -> SpringsBetween {
+    let mut stiffness = Matrix::zeros(12, 12);
+    let body = &assembly.bodies[prop.body];
+    let arm = body.now(prop.drawn) - body.position;
+    // as the second of two bodies: 2, the ground 0
+    stiff_along(prop).add_to(&mut stiffness, [(0, DVec3::ZERO), (2, arm)]);
+    SpringsBetween {
+        bodies: [0, prop.body],
+        is_link: true,
+        stiffness,
+    }
 }
 
 /// The springs of everything in contact, one by one: their sum is [`contact_matrix`].
@@ -279,12 +293,15 @@ pub(super) fn add_props(assembly: &Assembly, matrix: &mut Matrix) {
     }
 }
 
-fn add_prop(assembly: &Assembly, prop: &Prop, matrix: &mut impl Entries) {
-    let d = prop.direction;
-    let outer = DMat3::from_cols(d * d.x, d * d.y, d * d.z) * prop.stiffness;
+pub(super) fn add_prop(assembly: &Assembly, prop: &Prop, matrix: &mut impl Entries) {
     let body = &assembly.bodies[prop.body];
     let arm = body.now(prop.drawn) - body.position;
-    Bond::at_point(outer).add_to(matrix, [(0, DVec3::ZERO), (prop.body, arm)]);
+    stiff_along(prop).add_to(matrix, [(0, DVec3::ZERO), (prop.body, arm)]);
+}
+
+fn stiff_along(prop: &Prop) -> Bond {
+    let d = prop.direction;
+    Bond::at_point(DMat3::from_cols(d * d.x, d * d.y, d * d.z) * prop.stiffness)
 }
 
 /// Adds the side supports that are pressed.

@@ -2,6 +2,7 @@
 
 mod after_fall;
 mod assembly;
+mod beside;
 mod block_skyline;
 mod bodies;
 mod calibrate;
@@ -52,6 +53,7 @@ mod toppling;
 mod watch;
 
 pub use after_fall::AfterFall;
+pub use beside::{BesideInSmallMotion, beside_in_small_motion};
 pub use calibrate::{MatchedFrequency, SpringCalibration, calibrate_springs};
 pub use contact_law::{ContactLaw, simulate_stack};
 pub use contact_points::{ContactPoint, ContactRule, contact_points};

@@ -51,6 +51,18 @@ pub enum DynamicsError {
         /// States tried.
         tried: usize,
     },
+    /// Peaks still change as the step of a run is halved.
+    #[error(
+        "halving the step to {step_s} s still changes the largest drift by {change}, more than {most}: shorten output_step_s, or look whether the friction of some storey is next to nothing"
+    )]
+    NotConverged {
+        /// The shortest step tried, s.
+        step_s: f64,
+        /// Change over the largest drift.
+        change: f64,
+        /// What is allowed.
+        most: f64,
+    },
     /// Events follow each other without end.
     #[error(
         "{events} changes between sticking and slipping within 1e-9 s of {at_s} s: look at the friction forces, of which one may be next to nothing"
@@ -210,6 +222,7 @@ impl DynamicsError {
             | Self::Unstable
             | Self::Wind(_)
             | Self::Integral { .. } => false,
+            Self::NotConverged { .. } => true,
         }
     }
 }

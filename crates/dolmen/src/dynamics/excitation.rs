@@ -9,6 +9,8 @@ use std::f64::consts::TAU;
 pub enum TimeFunction {
     /// Nothing.
     Zero,
+    /// The same for ever.
+    Constant(f64),
     /// Samples from time 0, straight lines between them, 0 after the last.
     Sampled {
         /// Time between samples, s.
@@ -36,10 +38,10 @@ impl TimeFunction {
         }
     }
 
-    /// When it is over, s; 0 for a harmonic, which never is.
+    /// When it is over, s; 0 for a constant and a harmonic, which never are.
     pub fn duration_s(&self) -> f64 {
         match self {
-            TimeFunction::Zero | TimeFunction::Harmonic { .. } => 0.0,
+            TimeFunction::Zero | TimeFunction::Constant(_) | TimeFunction::Harmonic { .. } => 0.0,
             TimeFunction::Sampled { time_step_s, values } => {
                 *time_step_s * values.len().saturating_sub(1) as f64
             }
@@ -56,6 +58,8 @@ impl TimeFunction {
         };
         match self {
             TimeFunction::Zero => Ok(()),
+            TimeFunction::Constant(value) if value.is_finite() => Ok(()),
+            TimeFunction::Constant(value) => refuse(*value, "a number"),
             TimeFunction::Sampled { time_step_s, values } => {
                 if !(*time_step_s > 0.0 && time_step_s.is_finite()) {
                     return refuse(*time_step_s, "sampled with a positive time step");
@@ -81,10 +85,41 @@ impl TimeFunction {
         }
     }
 
+    /// What of it never changes.
+    pub(super) fn constant(&self) -> f64 {
+        match self {
+            TimeFunction::Constant(value) => *value,
+            _ => 0.0,
+        }
+    }
+
+    /// Its value, straight between samples.
+    pub(super) fn value(&self, at_s: f64) -> f64 {
+        match self {
+            TimeFunction::Zero => 0.0,
+            TimeFunction::Constant(value) => *value,
+            TimeFunction::Sampled { time_step_s, values } => {
+                let place = at_s / time_step_s;
+                let before = place.floor();
+                let at = |i: usize| values.get(i).copied().unwrap_or(0.0);
+                match values.get(before as usize + 1) {
+                    Some(after) => at(before as usize) + (place - before) * (after - at(before as usize)),
+                    None if place == before => at(before as usize),
+                    None => 0.0,
+                }
+            }
+            TimeFunction::Harmonic {
+                amplitude,
+                frequency_hz,
+                phase_rad,
+            } => amplitude * (TAU * frequency_hz * at_s + phase_rad).sin(),
+        }
+    }
+
     /// Times at which its series changes, up to `until_s`, in order.
     pub(super) fn breaks_s(&self, until_s: f64) -> Vec<f64> {
         match self {
-            TimeFunction::Zero | TimeFunction::Harmonic { .. } => Vec::new(),
+            TimeFunction::Zero | TimeFunction::Constant(_) | TimeFunction::Harmonic { .. } => Vec::new(),
             TimeFunction::Sampled { time_step_s, values } => (0..=values.len())
                 .map(|i| i as f64 * time_step_s)
                 .take_while(|t| *t < until_s)
@@ -105,6 +140,10 @@ impl TimeFunction {
         coefficients.fill(0.0);
         match self {
             TimeFunction::Zero => 0,
+            TimeFunction::Constant(value) => {
+                coefficients[0] = *value;
+                1
+            }
             TimeFunction::Sampled { time_step_s, values } => {
                 // the interval that holds the middle of the step, so that rounding of at_s cannot choose its neighbour
                 let interval = ((at_s + 0.5 * h) / time_step_s).floor() as usize;

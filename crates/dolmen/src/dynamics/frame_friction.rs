@@ -59,6 +59,22 @@ impl StoreyFriction {
         }
     }
 
+    /// The force at which it starts to slip and that while it slips, N; `None` where nothing rubs.
+    pub(super) fn limits_n(self) -> Option<[f64; 2]> {
+        match self.acting() {
+            StoreyFriction::None => None,
+            StoreyFriction::Coulomb {
+                static_force_n,
+                kinetic_force_n,
+            }
+            | StoreyFriction::Jenkins {
+                static_force_n,
+                kinetic_force_n,
+                ..
+            } => Some([static_force_n, kinetic_force_n]),
+        }
+    }
+
     /// What of it acts: a slider of no force is none, and would stand and slip at once.
     pub(super) fn acting(self) -> Self {
         match self {

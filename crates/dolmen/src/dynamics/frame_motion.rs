@@ -4,7 +4,7 @@
 //! stop, and find what the others do then.
 
 use super::DynamicsError;
-use super::excitation::FrameLoad;
+use super::excitation::{FrameLoad, TimeFunction};
 use super::frame_events::{Motion, TOGETHER_S};
 use super::frame_friction::FrictionFrame;
 use super::frame_history::{FrameHistory, FrameOutcome};
@@ -44,7 +44,8 @@ pub fn simulate_frame(
 ) -> Result<FrameHistory, DynamicsError> {
     let duration_s = options.check(frame, load)?;
     let mut motion = Motion::start(frame, load, options)?;
-    let mut recorder = Recorder::new(&motion.model, &motion.state, options.output_step_s, duration_s);
+    let recorder = Recorder::new(&motion.model, &motion.state, options.output_step_s, duration_s);
+    let mut recorder = recorder.under(load.forces_n.iter().map(TimeFunction::constant).collect());
     let step_most_s = motion.model.step_most_s().min(load_step_most_s(load));
     let mut outcome = FrameOutcome::Finished;
     let mut reported = 0;
@@ -70,7 +71,7 @@ pub fn simulate_frame(
     Ok(recorder.finish(&motion.model, &motion.state, motion.at_s, outcome))
 }
 
-fn load_step_most_s(load: &FrameLoad) -> f64 {
+pub(super) fn load_step_most_s(load: &FrameLoad) -> f64 {
     let forces = load.forces_n.iter().map(|f| f.step_most_s());
     forces.fold(load.ground_acceleration_m_s2.step_most_s(), f64::min)
 }

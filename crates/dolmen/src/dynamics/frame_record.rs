@@ -11,7 +11,7 @@ use crate::numeric::{COEFFICIENTS_MOST, first_descent, polynomial};
 /// Events closer than this count once, s.
 const ONE_EVENT_S: f64 = 1e-9;
 /// Speed of everything below which a frame is at rest, m/s: what a century turns into a third of a millimetre.
-const REST_M_S: f64 = 1e-13;
+pub(super) const REST_M_S: f64 = 1e-13;
 /// Part of the largest speed below which a speed is rounding.
 const ROUNDING: f64 = 1e-12;
 /// Samples that are taken at once.
@@ -25,6 +25,8 @@ pub(super) struct Recorder {
     taken: usize,
     /// The state at places of the series under way.
     now: [State; LANES],
+    /// Forces at the levels that stay, N.
+    stays_n: Vec<f64>,
     /// Per storey: where and when the slip under way began.
     slipping: Vec<Option<(f64, f64)>>,
     last_event_s: f64,
@@ -64,6 +66,7 @@ impl Recorder {
             work: Work::start(model, state),
             taken: 0,
             now: std::array::from_fn(|_| state.clone()),
+            stays_n: Vec::new(),
             slipping: vec![None; n],
             last_event_s: f64::NEG_INFINITY,
             top_direction: 0.0,
@@ -72,6 +75,11 @@ impl Recorder {
         let absent = vec![Slider::Absent; n];
         recorder.follow_slips(model, state, &absent, 0.0);
         recorder
+    }
+
+    /// The same under forces at the levels that stay.
+    pub(super) fn under(self, stays_n: Vec<f64>) -> Self {
+        Recorder { stays_n, ..self }
     }
 
     /// Takes up the motion of one series from `begin_s` to σ, from one state to the one `ahead`.
@@ -274,7 +282,7 @@ impl Recorder {
         history.duration_s = at_s;
         history.residual_m.clone_from(&state.y);
         history.rest_m = match outcome {
-            FrameOutcome::Finished => rest_m(model, state),
+            FrameOutcome::Finished => rest_m(model, state, &self.stays_n),
             _ => state.y.clone(),
         };
         history.at_rest = state.v.iter().all(|v| v.abs() <= REST_M_S);
@@ -316,7 +324,7 @@ fn extend(peak: &mut FramePeak, c: &[f64], begin_s: f64, h: f64, sigma: f64) {
 }
 
 /// Fills in the largest values at the samples.
-fn peaks_at_samples(history: &mut FrameHistory) {
+pub(super) fn peaks_at_samples(history: &mut FrameHistory) {
     let largest = |most: f64, value: f64| if value > most { value } else { most };
     let rows = &history.displacement_m;
     for (i, row) in rows.iter().enumerate() {

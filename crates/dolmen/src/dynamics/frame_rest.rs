@@ -10,15 +10,15 @@ use super::frame_friction::StoreyFriction;
 use super::frame_model::{Model, State};
 use dolmen_linalg::{Matrix, solve};
 
-/// Displacements at rest, m: springs and elements in balance, every slider held where it is.
+/// Displacements at rest, m: springs and elements in balance with forces that stay, every slider held where it is.
 ///
 /// ```text
-/// [K + K_J  Bᵀ] [Δ]   [−f]
+/// [K + K_J  Bᵀ] [Δ]   [F − f]
 /// [B        0 ] [λ] = [ 0],    y_rest = y + Δ              (levels + Coulomb sliders)²
 /// ```
 ///
 /// A frame that has no place to rest (its sliders held, it still falls) keeps y.
-pub(super) fn rest_m(model: &Model, state: &State) -> Vec<f64> {
+pub(super) fn rest_m(model: &Model, state: &State, forces_n: &[f64]) -> Vec<f64> {
     let n = model.levels();
     let is_held = |i: &usize| matches!(model.friction[*i], StoreyFriction::Coulomb { .. });
     let held: Vec<usize> = (0..n).filter(is_held).collect();
@@ -26,6 +26,7 @@ pub(super) fn rest_m(model: &Model, state: &State) -> Vec<f64> {
     let mut a = Matrix::zeros(size, size);
     let mut right = Matrix::zeros(size, 1);
     for (i, row) in model.k.each().enumerate() {
+        right[(i, 0)] += forces_n.get(i).copied().unwrap_or(0.0);
         for &(j, k) in row {
             a[(i, j)] += k;
             right[(i, 0)] -= k * state.y[j];

@@ -19,11 +19,16 @@ mod excitation;
 mod frame_events;
 mod frame_friction;
 mod frame_history;
+mod frame_in_plan;
 mod frame_law;
+mod frame_lean;
 mod frame_model;
 mod frame_motion;
+mod frame_plan_record;
+mod frame_plan_steps;
 mod frame_record;
 mod frame_rest;
+mod frame_resultant;
 mod frame_run;
 mod frame_series;
 mod frame_studies;
@@ -58,7 +63,10 @@ pub use frame_friction::{
     FrictionActsOn, FrictionFrame, Sliders, StoreyFriction, ViscousDamping, slip_forces_n,
 };
 pub use frame_history::{FrameEnergy, FrameHistory, FrameOutcome, FramePeak, Slip, Turn};
+pub use frame_in_plan::{FrameInPlan, SharedFriction, simulate_frame_in_plan, storeys_that_rub_both_ways};
+pub use frame_lean::FrameLeaning;
 pub use frame_motion::simulate_frame;
+pub use frame_resultant::{FrameResultant, resultant_drifts};
 pub use frame_run::FrameRun;
 pub use frame_studies::{AtAmplitude, amplitude_dependence, harmonic_map};
 pub use harmonic_map::HarmonicPoint;

@@ -12,6 +12,31 @@ use std::f64::consts::PI;
 /// Points of the search for the maximum in S before it is refined.
 const SCAN: usize = 4000;
 
+/// Radius of the steady circle of a mass on equal springs along x and y, with Coulomb friction in the plane, on a ground that moves in circles: times k/P,
+/// P mass times acceleration of the ground.
+///
+/// ```text
+/// x0² (1 − g²)² + (r + 2 ζ g x0)² = 1              friction stands across the spring, against the speed
+/// ```
+/// `None` where friction holds, r ≥ 1.
+///
+/// # Source
+/// Balance of forces in axes that turn with the mass: |P|² = |k x0 − m ω² x0|² + |f + c ω x0|².
+///
+/// # Example
+/// ```
+/// let radius = dolmen::known::dry_friction::circle_radius(0.5, 0.6, 0.0).unwrap();
+/// assert!((radius - 0.8 / 0.75).abs() < 1e-15);
+/// ```
+pub fn circle_radius(frequency_ratio: f64, friction_ratio: f64, damping_ratio: f64) -> Option<f64> {
+    let (g, r) = (frequency_ratio, friction_ratio);
+    let v = 1.0 - g * g;
+    let d = 2.0 * damping_ratio * g;
+    // (v² + d²) x² + 2 r d x − (1 − r²) = 0
+    let (a, b, c) = (v * v + d * d, r * d, 1.0 - r * r);
+    (r < 1.0).then(|| (-b + (b * b + a * c).sqrt()) / a)
+}
+
 /// Displacements at the successive turns of a free oscillator with Coulomb friction, until it sticks; the first is the start.
 ///
 /// ```text

@@ -7,9 +7,11 @@
 //! | t | `days` | | day |
 
 use super::MonitoringError;
+use super::bends::{BentFit, Break, DatedBreak, bent_fit, refined};
+use super::changes::{Seeking, changes};
 use super::daily::DailyReadings;
 use super::logged_faults::{LoggedJump, jump, spikes, stuck};
-use super::regression::{Fit, restricted_likelihood};
+use super::scan::ChangeForm;
 use super::series::Series;
 use super::tilt::{SEASON_YEARS_LEAST, SlopeLimit, TiltSlope, season, slope_of};
 use super::weather::YEAR_DAYS;
@@ -24,6 +26,13 @@ const SPARE_LEAST: usize = 8;
 const TEMPERATURES_LEAST: f64 = 0.6;
 /// Correlation of two neighbouring medians of a month from which they wander: no slope stands out of that. Chosen here.
 const WANDERS_FROM: f64 = 0.9;
+/// Share of the significance at which a change of slope is sought: found falsely, it would make a trend. Chosen here, so that false trends stay as rare as
+/// stated.
+const OF_BENDS: f64 = 0.2;
+/// Correlation of neighbouring months that must be below this beside changes of slope, for these to count. Chosen here.
+const BENT_BELOW: f64 = 0.7;
+/// Simulated logs where a change is near the limit of chance, as of frequencies.
+const REPLICATES: usize = 999;
 /// Days whose median is what it reads now, where there is no slope.
 const NOW_DAYS: f64 = 7.0;
 
@@ -88,6 +97,23 @@ pub struct LoggedLevel {
     pub p_value: f64,
 }
 
+/// A step or a change of slope of the months that no work explains.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LoggedChange {
+    /// Step or slope.
+    pub form: ChangeForm,
+    /// The day it begins.
+    pub day: f64,
+    /// Its date lies between these days with 95 % probability.
+    pub after: f64,
+    /// See `after`.
+    pub before: f64,
+    /// Its size; of a slope by how much it changed, 1/year.
+    pub size: f64,
+    /// Standard deviation of that.
+    pub sd: f64,
+}
+
 /// What a log says.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LoggedTrend {
@@ -113,6 +139,8 @@ pub struct LoggedTrend {
     pub per_c: Option<(f64, f64)>,
     /// Shifts at works.
     pub levels: Vec<LoggedLevel>,
+    /// Steps and changes of slope beyond chance, by time: the slope is that from the last change on, and leaves out steps.
+    pub changes: Vec<LoggedChange>,
     /// For each day the reading without season and temperature; empty without a slope.
     pub line: Vec<f64>,
     /// The reading on the last day: of a slope beyond chance, or the median of the last seven days.
@@ -176,6 +204,7 @@ pub fn logged_trend(series: &LoggedSeries, options: &LoggedOptions) -> Result<Lo
         return Ok(trend);
     }
     let usual = usual_gap(days);
+    let breaks = breaks(&trend, &temperatures_c, options);
     let mut worst: Option<(f64, Told)> = None;
     let mut wanders = false;
     for block_days in BLOCKS_DAYS
@@ -183,7 +212,7 @@ pub fn logged_trend(series: &LoggedSeries, options: &LoggedOptions) -> Result<Lo
         .filter(|block| *block == 1.0 || *block > usual)
     {
         let blocks = Blocks::of(&trend.daily, &temperatures_c, block_days);
-        let Some((told, correlation)) = told(&blocks, days, options)? else {
+        let Some((told, correlation)) = told(&blocks, days, options, &breaks)? else {
             continue;
         };
         wanders = correlation >= WANDERS_FROM;
@@ -207,6 +236,7 @@ pub fn logged_trend(series: &LoggedSeries, options: &LoggedOptions) -> Result<Lo
     trend.season = Some(worst.season);
     trend.per_c = worst.per_c;
     trend.levels = worst.levels;
+    trend.changes = worst.changes;
     trend.line = worst.line;
     Ok(trend)
 }
@@ -273,6 +303,7 @@ fn sound(series: &LoggedSeries, options: &LoggedOptions) -> (LoggedTrend, Vec<f6
         season: None,
         per_c: None,
         levels: Vec::new(),
+        changes: Vec::new(),
         line: Vec::new(),
         significance: options.significance,
         limit: options.limit,
@@ -282,6 +313,8 @@ fn sound(series: &LoggedSeries, options: &LoggedOptions) -> (LoggedTrend, Vec<f6
 
 /// Medians of so many days each.
 struct Blocks {
+    /// The first day of each.
+    begins: Vec<f64>,
     days: Vec<f64>,
     values: Vec<f64>,
     temperatures_c: Vec<f64>,
@@ -292,6 +325,7 @@ impl Blocks {
         let first = daily.days.first().copied().unwrap_or(0.0);
         let block = |day: f64| ((day - first) / block_days).floor();
         let mut blocks = Blocks {
+            begins: Vec::new(),
             days: Vec::new(),
             values: Vec::new(),
             temperatures_c: Vec::new(),
@@ -301,6 +335,7 @@ impl Blocks {
         while from < daily.days.len() {
             let own = block(daily.days[from]);
             let to = daily.days.partition_point(|day| block(*day) <= own);
+            blocks.begins.push(daily.days[from]);
             blocks.days.push(mean(&daily.days[from..to]));
             blocks.values.push(middle_mean(daily.values[from..to].to_vec()));
             if let Some(of) = temperatures_c.get(from..to) {
@@ -319,7 +354,103 @@ struct Told {
     season: f64,
     per_c: Option<(f64, f64)>,
     levels: Vec<LoggedLevel>,
+    changes: Vec<LoggedChange>,
     line: Vec<f64>,
+}
+
+/// A change of the months with the interval of its date.
+#[derive(Clone, Copy)]
+struct MonthBreak {
+    dated: DatedBreak,
+    after: f64,
+    before: f64,
+}
+
+/// The jump, and the steps and changes of slope beside it that the medians of 30 days show beyond chance: by the criterion of frequencies.
+fn breaks(trend: &LoggedTrend, temperatures_c: &[f64], options: &LoggedOptions) -> Vec<MonthBreak> {
+    let mut all: Vec<MonthBreak> = Vec::new();
+    all.extend(trend.jump.map(|jump| MonthBreak {
+        dated: DatedBreak {
+            form: ChangeForm::Step,
+            day: jump.before,
+        },
+        after: jump.after,
+        before: jump.before,
+    }));
+    let blocks = Blocks::of(&trend.daily, temperatures_c, BLOCKS_DAYS[2]);
+    let last = trend.daily.days.last().copied().unwrap_or(0.0);
+    let (mut columns, _) = blocks.columns(last, options);
+    columns.extend(all.iter().map(|of| of.dated.column(&blocks.days)));
+    let n = blocks.days.len();
+    if n < columns.len() + SPARE_LEAST {
+        return all;
+    }
+    let seeking = Seeking {
+        significance: OF_BENDS * options.significance,
+        modes: 1,
+        replicates: REPLICATES,
+        seed: 1,
+    };
+    let Some(found) = changes(&blocks.series(), &columns, &seeking) else {
+        return all;
+    };
+    // what wanders all the same is not told from chance by any number of bends
+    if found.disturbance.correlation >= BENT_BELOW {
+        return all;
+    }
+    for of in Break::of(&found) {
+        // a step begins with the first day of its month
+        let dated = of.dated(&blocks.begins);
+        all.push(MonthBreak {
+            dated,
+            after: blocks.days[of.after],
+            before: blocks.days[of.before],
+        });
+    }
+    all.sort_by(|a, b| a.dated.day.total_cmp(&b.dated.day));
+    all
+}
+
+impl Blocks {
+    /// Level and slope on the last day, season, temperature, and a step at each work, whose indices come beside.
+    fn columns(&self, last: f64, options: &LoggedOptions) -> (Vec<Vec<f64>>, Vec<usize>) {
+        let n = self.days.len();
+        let mut columns = vec![
+            vec![1.0; n],
+            self.days.iter().map(|day| (day - last) / YEAR_DAYS).collect(),
+        ];
+        columns.extend(season(&self.days));
+        if !self.temperatures_c.is_empty() {
+            let mean = self.temperatures_c.iter().sum::<f64>() / n as f64;
+            columns.push(self.temperatures_c.iter().map(|t| t - mean).collect());
+        }
+        let first_level = columns.len();
+        let mut works: Vec<usize> = Vec::new();
+        for (work, [at, _]) in options.works.iter().enumerate() {
+            let before: Vec<f64> = self
+                .days
+                .iter()
+                .map(|day| f64::from(u8::from(day < at)))
+                .collect();
+            // two works between two readings make one shift
+            let is_new = columns.iter().skip(first_level).all(|column| *column != before);
+            if before.contains(&1.0) && before.contains(&0.0) && is_new {
+                columns.push(before);
+                works.push(work);
+            }
+        }
+        (columns, works)
+    }
+
+    fn series(&self) -> Series {
+        let first = self.days.first().copied().unwrap_or(0.0);
+        let gap = usual_gap(&self.days).max(f64::MIN_POSITIVE);
+        Series {
+            at: self.days.iter().map(|day| (day - first) / gap).collect(),
+            readings: self.values.clone(),
+            noise_sd: vec![0.0; self.days.len()],
+        }
+    }
 }
 
 /// The slope of medians, and how much neighbouring ones are correlated; `None` with too few of them.
@@ -327,50 +458,38 @@ fn told(
     blocks: &Blocks,
     days: &[f64],
     options: &LoggedOptions,
+    breaks: &[MonthBreak],
 ) -> Result<Option<(Told, f64)>, MonitoringError> {
     let n = blocks.days.len();
-    let (first, last) = (days[0], days[days.len() - 1]);
-    let mut columns = vec![
-        vec![1.0; n],
-        blocks.days.iter().map(|day| (day - last) / YEAR_DAYS).collect(),
-    ];
-    columns.extend(season(&blocks.days));
+    let last = days[days.len() - 1];
+    let (mut columns, works) = blocks.columns(last, options);
     let has_temperature = !blocks.temperatures_c.is_empty();
-    if has_temperature {
-        let mean = blocks.temperatures_c.iter().sum::<f64>() / n as f64;
-        columns.push(blocks.temperatures_c.iter().map(|t| t - mean).collect());
-    }
-    let first_level = columns.len();
-    let mut works: Vec<usize> = Vec::new();
-    for (work, [at, _]) in options.works.iter().enumerate() {
-        let before: Vec<f64> = blocks
-            .days
-            .iter()
-            .map(|day| f64::from(u8::from(day < at)))
-            .collect();
-        // two works between two readings make one shift
-        let is_new = columns.iter().skip(first_level).all(|column| *column != before);
-        if before.contains(&1.0) && before.contains(&0.0) && is_new {
-            columns.push(before);
-            works.push(work);
-        }
-    }
-    let k = columns.len();
-    if n < k + SPARE_LEAST {
+    let first_level = columns.len() - works.len();
+    let first_break = columns.len();
+    let breaks: Vec<&MonthBreak> = breaks
+        .iter()
+        .filter(|of| {
+            let column = of.dated.column(&blocks.days);
+            column.first() != Some(&0.0) && column.last() == Some(&0.0) && !columns.contains(&column)
+        })
+        .collect();
+    let within: Vec<(DatedBreak, [f64; 2])> = breaks
+        .iter()
+        .map(|of| (of.dated, [of.after - BLOCKS_DAYS[2], of.before + BLOCKS_DAYS[2]]))
+        .collect();
+    let dated = refined(&blocks.series(), &columns, &blocks.days, &within);
+    columns.extend(dated.iter().map(|of| of.column(&blocks.days)));
+    if n < columns.len() + SPARE_LEAST {
         return Ok(None);
     }
-    let gap = usual_gap(&blocks.days).max(f64::MIN_POSITIVE);
-    let readings = Series {
-        at: blocks.days.iter().map(|day| (day - first) / gap).collect(),
-        readings: blocks.values.clone(),
-        noise_sd: vec![0.0; n],
-    };
-    let found = restricted_likelihood(&readings, &columns, None)
-        .and_then(|disturbance| Some((Fit::new(&readings, &columns, disturbance)?, disturbance)));
-    let Some((fit, disturbance)) = found else {
+    let Some(found) = bent_fit(&blocks.series(), &columns, &blocks.days, &dated) else {
         return Ok(None);
     };
-    let degrees = (n - k) as f64;
+    let BentFit {
+        fit,
+        disturbance,
+        degrees,
+    } = found;
     let level = |(i, work): (usize, &usize)| {
         let (shift, sd) = (-fit.coefficients[first_level + i], fit.sd[first_level + i]);
         let p_value = if sd > 0.0 {
@@ -396,13 +515,29 @@ fn told(
             .iter()
             .filter(|of| *day < options.works[of.work][0])
             .map(|of| of.shift);
-        slope.now + slope.per_year * (day - last) / YEAR_DAYS - shifts.sum::<f64>()
+        let broken = dated.iter().enumerate();
+        let broken = broken.map(|(i, of)| fit.coefficients[first_break + i] * of.value(*day));
+        slope.now + slope.per_year * (day - last) / YEAR_DAYS - shifts.sum::<f64>() + broken.sum::<f64>()
     });
+    let changes = breaks
+        .iter()
+        .zip(&dated)
+        .enumerate()
+        .map(|(i, (of, dated))| LoggedChange {
+            form: dated.form,
+            day: dated.day,
+            after: of.after.min(dated.day),
+            before: of.before.max(dated.day),
+            // the columns are those before the change
+            size: -fit.coefficients[first_break + i],
+            sd: fit.sd[first_break + i],
+        });
     let told = Told {
         line: line.collect(),
         block_days: 1.0,
         season: fit.coefficients[2].hypot(fit.coefficients[3]),
         per_c: has_temperature.then(|| (fit.coefficients[4], fit.sd[4])),
+        changes: changes.collect(),
         slope,
         levels,
     };
@@ -465,7 +600,7 @@ mod tests {
 
         /// Shares of so many histories whose interval holds the truth, and whose slope is called beyond chance.
         fn shares(&self, histories: u64) -> [f64; 2] {
-            let (mut held, mut called) = (0, 0);
+            let (mut held, mut called, mut changed) = (0, 0, 0);
             for seed in 0..histories {
                 let trend = logged_trend(&self.series(seed), &LoggedOptions::default()).unwrap();
                 let slope = trend.slope.unwrap();
@@ -475,12 +610,14 @@ mod tests {
                     slope.sd_per_year * crate::numeric::student_two_sided_quantile(0.05, degrees).unwrap();
                 held += usize::from((slope.per_year - self.per_year).abs() <= half);
                 called += usize::from(trend.is_beyond_chance());
+                changed += usize::from(!trend.changes.is_empty());
                 assert!(
                     trend.jump.is_none() && trend.spikes.is_empty(),
                     "{seed}: {:?}",
                     trend.jump
                 );
             }
+            assert!(changed <= 18, "{changed} of {histories} changed"); // 5 %: at most 18 of 200 with 99 %
             [held, called].map(|count| count as f64 / histories as f64)
         }
     }
@@ -573,7 +710,7 @@ mod tests {
             ..LoggedOptions::default()
         };
         let blind = logged_trend(&series, &LoggedOptions::default()).unwrap();
-        assert!(blind.slope.is_err() || blind.is_beyond_chance());
+        assert!(!blind.is_beyond_chance()); // the jump is beside the slope
         let jump = blind.jump.unwrap();
         assert!(
             (jump.before - at).abs() <= 2.0 && (jump.by - 8.0).abs() < 2.0,
@@ -633,5 +770,59 @@ mod tests {
         assert_eq!(trend.slope, Err(NoSlope::Wanders));
         let none = logged_trend(&LoggedSeries::default(), &LoggedOptions::default()).unwrap();
         assert!(none.slope.is_err());
+    }
+
+    #[test]
+    fn holds_a_rise_that_begins_in_mid_record_is_a_trend_of_its_recent_slope() {
+        let still = Made {
+            disturbance: 0.3,
+            ..USUAL
+        };
+        for seed in 0..20 {
+            let mut series = still.series(seed);
+            let begins = 18_000.0 + 2.0 * YEAR_DAYS;
+            for (day, value) in series.daily.days.iter().zip(&mut series.daily.values) {
+                *value += 4.0 * ((day - begins) / YEAR_DAYS).max(0.0);
+            }
+            let options = LoggedOptions {
+                limit: Some(SlopeLimit {
+                    size: 5.0 + 8.0 + 8.0, // two years after the last of four
+                    is_one_sided: false,
+                }),
+                ..LoggedOptions::default()
+            };
+            let trend = logged_trend(&series, &options).unwrap();
+            let slope = trend.slope.unwrap();
+            assert!(
+                trend.is_beyond_chance() && (slope.per_year - 4.0).abs() < 4.0 * slope.sd_per_year,
+                "{seed} {slope:?}"
+            );
+            let bend = trend.changes[0];
+            assert!(
+                bend.form == ChangeForm::Slope && (bend.day - begins).abs() < 120.0,
+                "{seed} {bend:?}"
+            );
+            let years = slope.reach.unwrap().years.unwrap();
+            assert!((years - 2.0).abs() < 0.4, "{seed} {years}");
+            let (first, last) = (trend.line[0], trend.line[trend.line.len() - 1]);
+            assert!((last - first - 8.0).abs() < 0.6, "{seed} {first} {last}");
+        }
+    }
+
+    #[test]
+    fn regress_changes_of_slope_make_no_more_trends_of_walks() {
+        let mut called = 0;
+        for seed in 0..100 {
+            let mut walk = USUAL.series(1);
+            let mut random = Random::new(6, seed);
+            let mut at = 0.0;
+            for value in &mut walk.daily.values {
+                at += random.normal();
+                *value = at;
+            }
+            let trend = logged_trend(&walk, &LoggedOptions::default()).unwrap();
+            called += usize::from(trend.is_beyond_chance());
+        }
+        assert!(called <= 17, "{called} of 100 walks"); // 17 without changes of slope
     }
 }

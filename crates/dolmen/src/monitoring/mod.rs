@@ -2,6 +2,7 @@
 //! the alarm that each new survey may give.
 
 mod alarm;
+mod bends;
 mod changes;
 mod critical;
 mod daily;
@@ -23,6 +24,7 @@ mod series;
 mod t_squared;
 mod table;
 mod tilt;
+mod tilt_outliers;
 mod tracking;
 mod watch;
 mod watched_mode;
@@ -35,7 +37,9 @@ pub use daily::{DailyReadings, daily_medians};
 pub use error::MonitoringError;
 pub use ewma::{ewma_limit, ewma_run_length};
 pub use history::{History, HistorySurvey, TiltReading, Work};
-pub use logged::{LoggedLevel, LoggedOptions, LoggedSeries, LoggedTrend, NoSlope, logged_trend};
+pub use logged::{
+    LoggedChange, LoggedLevel, LoggedOptions, LoggedSeries, LoggedTrend, NoSlope, logged_trend,
+};
 pub use logged_faults::LoggedJump;
 pub use lost::LostMode;
 pub use made::{MadeHistory, made_history};
@@ -43,7 +47,8 @@ pub use pooled::pooled;
 pub use scan::ChangeForm;
 pub use sensors::SensorChange;
 pub use t_squared::SurveyTSquared;
-pub use tilt::{SlopeLimit, TiltJump, TiltReach, TiltSeries, TiltSlope, TiltTrend};
+pub use tilt::{SlopeLimit, TiltChange, TiltReach, TiltSeries, TiltSlope, TiltTrend, TiltWork};
+pub use tilt_outliers::TiltOutlier;
 pub use tracking::{Jumped, Track, Tracked, Tracking, track};
 pub use watch::{ANSWERED_DAYS, StructureAlarm, WatchOptions, Watched, watch};
 pub use watched_mode::{LastOff, WatchedChange, WatchedMode, WeatherEffect, WorkEffect};

@@ -5,9 +5,9 @@ use crate::numeric::quantile;
 use dolmen_linalg::Complex64;
 
 /// Median MAC of the modes below which shapes jumped. Chosen here, as [`JumpedShapes`](crate::assess::ChangeNote) of two surveys.
-const JUMPED_BELOW: f64 = 0.8;
+pub(super) const JUMPED_BELOW: f64 = 0.8;
 /// Median MAC from which one sensor left out explains the jump. Chosen here.
-const EXPLAINED: f64 = 0.95;
+pub(super) const EXPLAINED: f64 = 0.95;
 /// Relative difference within which frequencies stayed. Chosen here: twice what weather does from one survey to the next.
 const STAYED: f64 = 0.03;
 /// Sensors that shapes must share for one to be named: with fewer, what is left says little.

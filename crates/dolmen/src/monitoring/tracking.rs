@@ -8,7 +8,7 @@
 
 use super::MonitoringError;
 use super::history::HistorySurvey;
-use super::sensors::{SensorChange, sensor_change};
+use super::sensors::{EXPLAINED, JUMPED_BELOW, SensorChange, sensor_change};
 use crate::modal::{ObservedMode, ObservedPoint, Pairing, assurance, shared};
 use crate::numeric::{assignment, middle};
 
@@ -209,7 +209,10 @@ pub fn track(surveys: &[HistorySurvey], options: &Tracking) -> Result<Tracked, M
             found < options.found_least && at - last > FORGOTTEN_AFTER
         };
         retired.extend(references.extract_if(.., is_chance));
-        sensors.extend(changed.map(|change| SensorChange { survey: at, ..change }));
+        sensors.extend(changed.map(|change| SensorChange {
+            survey: jumped_since(surveys, &references, at, options),
+            ..change
+        }));
         for (j, mode) in survey.modes.iter().enumerate() {
             if !chosen.contains(&Some(j)) {
                 let mut modes = vec![None; at];
@@ -224,6 +227,34 @@ pub fn track(surveys: &[HistorySurvey], options: &Tracking) -> Result<Tracked, M
     }
     retired.extend(references);
     Ok(gathered(retired, sensors, surveys, options))
+}
+
+/// The first of the surveys up to this one that have its shapes already: where too few of its modes could be compared none of them showed the jump by
+/// itself.
+fn jumped_since(surveys: &[HistorySurvey], references: &[Reference], at: usize, options: &Tracking) -> usize {
+    let mut since = at;
+    while since > 0 {
+        let earlier = since - 1;
+        let shows = |reference: &Reference| {
+            let of = |survey: usize| {
+                let mode = (*reference.modes.get(survey)?)?;
+                surveys[survey].modes.get(mode)
+            };
+            let has_jumped = reference
+                .assurances
+                .get(earlier)
+                .is_some_and(|mac| mac.is_some_and(|mac| mac < JUMPED_BELOW));
+            let like = of(at)
+                .zip(of(earlier))
+                .and_then(|(now, before)| likeness(&now.shape, before, options));
+            has_jumped && like.is_some_and(|mac| mac >= EXPLAINED)
+        };
+        if !references.iter().any(shows) {
+            break;
+        }
+        since = earlier;
+    }
+    since
 }
 
 fn likeness(shape: &[ObservedPoint], mode: &ObservedMode, options: &Tracking) -> Option<f64> {

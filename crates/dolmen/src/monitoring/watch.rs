@@ -8,7 +8,7 @@ use super::lost::{LostMode, is_beyond_chance, lost};
 use super::outliers::outliers;
 use super::scan::ChangeForm;
 use super::t_squared::{SurveyTSquared, t_squared};
-use super::tilt::{TiltSeries, TiltTrend, tilt_trend};
+use super::tilt::{Level, SlopeLimit, TiltSeeking, TiltSeries, TiltTrend, tilt_trend};
 use super::tracking::{Track, Tracked, Tracking, track};
 use super::watched_mode::{LastOff, WatchedChange, WatchedMode, WeatherEffect, WorkEffect};
 use super::weather::{ModeSeries, WeatherKnown, YEAR_DAYS, columns, earned, has_temperature, knows_frost};
@@ -474,15 +474,26 @@ fn tilts(history: &History, options: &WatchOptions) -> Result<Vec<TiltTrend>, Mo
             all[i].ratios.push(tilt.ratio);
         }
     }
-    let levels: Vec<f64> = history
+    let levels: Vec<Level> = history
         .works
         .iter()
-        .filter(|work| work.splits)
-        .map(|work| work.day)
+        .enumerate()
+        .filter(|(_, work)| work.splits)
+        .map(|(work, of)| Level { work, day: of.day })
         .collect();
     // directions are tested together
     let alone = options.significance / all.len().max(1) as f64;
+    let seeking = |i: usize| TiltSeeking {
+        significance: alone,
+        limit: options.tilt_limit.map(|size| SlopeLimit {
+            size,
+            is_one_sided: false,
+        }),
+        replicates: options.replicates,
+        seed: options.seed.wrapping_add(i as u64),
+    };
     all.into_iter()
-        .map(|series| tilt_trend(series, &levels, alone, options.tilt_limit))
+        .enumerate()
+        .map(|(i, series)| tilt_trend(series, &levels, &seeking(i)))
         .collect()
 }

@@ -209,6 +209,19 @@ pub enum SignalError {
         /// The longest allowed, s.
         most: f64,
     },
+    /// Two motions cannot be sampled by one step.
+    #[error(
+        "one motion has a step of {first_s} s and the other of {second_s} s, and no step divides both into {most} parts or fewer: \
+         sample one of them anew, for example with a step of {first_s} s"
+    )]
+    NoCommonStep {
+        /// The step of the first, s.
+        first_s: f64,
+        /// The step of the second, s.
+        second_s: f64,
+        /// Most parts that a step is divided into.
+        most: u32,
+    },
     /// A number is out of its range.
     #[error("{argument} is {given}, but must be {allowed}")]
     Argument {

@@ -116,7 +116,7 @@ pub struct ChainUnderLoads {
 /// };
 /// let chain = Chain::new(vec![link], 10.0)?; // N = 10 kN, m g l = 10 kN m/rad
 /// let push = LinkLoad { link: 1, height_m: 2.0, force_n: 500.0, moment_n_m: 0.0 };
-/// let bed = JointHold::Bed(BedEdge { width_m: 0.5, depth_m: 0.5, strength_pa: None });
+/// let bed = JointHold::Bed(BedEdge { width_m: 0.5, depth_m: Some(0.5), strength_pa: None });
 /// let loading = ChainLoading { loads: &[push], holds: &[bed], tilt_rad: 0.0 };
 /// let found = chain_under_loads(&chain, Some(&[40_000.0]), &loading)?;
 /// assert_eq!(found.joints[0].rigid_moment_n_m, 1000.0);

@@ -14,8 +14,8 @@
 pub struct BedEdge {
     /// b, width in the plane of the moment, m.
     pub width_m: f64,
-    /// w, width across it, m.
-    pub depth_m: f64,
+    /// w, width across it, m; `None`: only b is known, and the bed passes the same moment towards every side.
+    pub depth_m: Option<f64>,
     /// f, compressive strength of the bed, Pa; `None`: it does not crush.
     pub strength_pa: Option<f64>,
 }
@@ -29,24 +29,32 @@ impl BedEdge {
     ///
     /// 0 where the bed crushes under N alone, or N pulls.
     pub fn moment_n_m(&self, normal_n: f64) -> f64 {
-        let crushed_m = self
-            .strength_pa
-            .map_or(0.0, |strength_pa| normal_n / (strength_pa * self.depth_m));
+        let crushed_m = self.strength_pa.map_or(0.0, |strength_pa| {
+            normal_n / (strength_pa * self.depth_or_width_m())
+        });
         (0.5 * normal_n * (self.width_m - crushed_m)).max(0.0)
     }
 
     /// The same bed as a moment across meets it.
     pub fn across(&self) -> BedEdge {
-        BedEdge {
-            width_m: self.depth_m,
-            depth_m: self.width_m,
-            strength_pa: self.strength_pa,
+        match self.depth_m {
+            Some(depth_m) => BedEdge {
+                width_m: depth_m,
+                depth_m: Some(self.width_m),
+                strength_pa: self.strength_pa,
+            },
+            None => *self,
         }
+    }
+
+    /// w, or b where only that is known, m.
+    pub fn depth_or_width_m(&self) -> f64 {
+        self.depth_m.unwrap_or(self.width_m)
     }
 
     /// k across over k along of a bed of equal springs: w b³/12 along, b w³/12 across.
     pub fn stiffness_ratio_across(&self) -> f64 {
-        (self.depth_m / self.width_m).powi(2)
+        (self.depth_or_width_m() / self.width_m).powi(2)
     }
 
     /// The largest moment towards a side, N m, [along b, along w], of any length: the resultant lies at M/N from the centre.
@@ -62,14 +70,17 @@ impl BedEdge {
     /// # Limits
     /// A rigid, perfectly plastic bed: no rotation of it is asked for.
     pub fn moment_towards_n_m(&self, normal_n: f64, [along, across]: [f64; 2]) -> f64 {
+        let Some(depth_m) = self.depth_m else {
+            return self.moment_n_m(normal_n);
+        };
         let length = along.hypot(across);
         let towards = [
             along.abs() / length / self.width_m,
-            across.abs() / length / self.depth_m,
+            across.abs() / length / depth_m,
         ];
         let (most, least) = (towards[0].max(towards[1]), towards[0].min(towards[1]));
         let share = self.strength_pa.map_or(0.0, |strength_pa| {
-            normal_n / (strength_pa * self.width_m * self.depth_m)
+            normal_n / (strength_pa * self.width_m * depth_m)
         });
         (normal_n * block_centre(share, least / most) / most).max(0.0)
     }
@@ -78,6 +89,9 @@ impl BedEdge {
     /// Moments N m, [along b, along w].
     pub fn reach(&self, normal_n: f64, there_n_m: [f64; 2], growing_n_m: [f64; 2]) -> f64 {
         const HALVINGS: usize = 60; // below the rounding of the limits
+        if self.depth_m.is_none() {
+            return reach_of_circle(self.moment_n_m(normal_n), there_n_m, growing_n_m);
+        }
         let limits = [self.moment_n_m(normal_n), self.across().moment_n_m(normal_n)];
         // the block comes no farther along a side than with that side alone
         let most = (0..2).map(|axis| {
@@ -115,6 +129,21 @@ impl BedEdge {
     }
 }
 
+/// How many times `growing` reaches a moment of this size from what is there.
+fn reach_of_circle(limit_n_m: f64, there_n_m: [f64; 2], growing_n_m: [f64; 2]) -> f64 {
+    let dot = |a: [f64; 2], b: [f64; 2]| a[0] * b[0] + a[1] * b[1];
+    let left = limit_n_m * limit_n_m - dot(there_n_m, there_n_m);
+    if left <= 0.0 {
+        return 0.0;
+    }
+    let (size, along) = (dot(growing_n_m, growing_n_m), dot(there_n_m, growing_n_m));
+    match size > 0.0 {
+        // the root that loses no digits
+        true => left / (along + (along * along + size * left).sqrt()),
+        false => f64::INFINITY,
+    }
+}
+
 /// The larger component of u on a square of side 1 for a block of `share`, the smaller one being `slope` of it.
 fn block_centre(share: f64, slope: f64) -> f64 {
     if share <= 0.0 {
@@ -146,7 +175,7 @@ mod tests {
     fn exact_edge_moment_with_and_without_strength() {
         let hard = BedEdge {
             width_m: 0.65,
-            depth_m: 0.65,
+            depth_m: Some(0.65),
             strength_pa: None,
         };
         assert!((hard.moment_n_m(68.3e3) - 22_197.5).abs() < 1e-9);
@@ -159,5 +188,25 @@ mod tests {
         // at N = f w b the whole bed crushes
         assert!(soft.moment_n_m(4.0 * 68.3e3).abs() < 1e-9);
         assert_eq!((soft.moment_n_m(5.0 * 68.3e3), hard.moment_n_m(-1.0)), (0.0, 0.0));
+    }
+    #[test]
+    fn exact_a_bed_of_unknown_plan_has_no_corners() {
+        let bed = BedEdge {
+            width_m: 0.6,
+            depth_m: None,
+            strength_pa: None,
+        };
+        let most = 0.3 * 50e3;
+        for degrees in [0.0_f64, 30.0, 45.0, 200.0] {
+            let (sin, cos) = degrees.to_radians().sin_cos();
+            assert!((bed.moment_towards_n_m(50e3, [cos, sin]) / most - 1.0).abs() < 1e-12);
+            assert!((bed.reach(50e3, [0.0; 2], [cos, sin]) / most - 1.0).abs() < 1e-12);
+            let there = [4e3, -9e3];
+            let times = bed.reach(50e3, there, [cos, sin]);
+            let end = (there[0] + times * cos).hypot(there[1] + times * sin);
+            assert!((end / most - 1.0).abs() < 1e-12, "{end}");
+        }
+        assert_eq!(bed.reach(50e3, [12e3, 12e3], [1.0, 0.0]), 0.0);
+        assert_eq!(bed.across(), bed);
     }
 }

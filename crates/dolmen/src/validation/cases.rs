@@ -1,9 +1,9 @@
 //! All cases, source by source.
 
 use super::{
-    Case, ValidationError, arches, building_motion, choi_2021, chopra_2017, columns, dampers, driven_modes,
-    dry_friction, earthquakes, fragility, free_columns, free_decay, gusts, hwang_min_hong, joined,
-    kim_koo_hong_2018, local_mechanisms, owen_prieur_2017, park_min_2010, pyoma2, rigid_blocks,
+    Case, ValidationError, aftershocks, arches, building_motion, choi_2021, chopra_2017, columns, dampers,
+    driven_modes, dry_friction, earthquakes, fragility, free_columns, free_decay, gusts, hwang_min_hong,
+    joined, kim_koo_hong_2018, local_mechanisms, owen_prieur_2017, park_min_2010, pyoma2, rigid_blocks,
     second_methods, setups, survey_change, watch, wind,
 };
 
@@ -36,6 +36,7 @@ pub fn cases() -> Result<Vec<Case>, ValidationError> {
         building_motion::cases()?,
         dampers::cases()?,
         fragility::cases()?,
+        aftershocks::cases()?,
         owen_prieur_2017::cases()?,
         free_decay::cases()?,
         driven_modes::cases()?,

@@ -45,7 +45,7 @@ fn beds() -> Vec<Case> {
     let case = |share: f64| {
         let bed = BedEdge {
             width_m: 1.0,
-            depth_m: 1.0,
+            depth_m: Some(1.0),
             strength_pa: Some(1.0 / share),
         };
         Case {

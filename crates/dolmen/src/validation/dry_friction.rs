@@ -2,9 +2,12 @@
 
 use super::{Case, ValidationError};
 use crate::dynamics::{
-    FrameHistory, FrameLoad, FrameRun, FrictionFrame, StoreyFriction, TimeFunction, simulate_frame,
+    FrameHistory, FrameLoad, FrameRun, FrictionFrame, StoreyFriction, TimeFunction, ViscousDamping,
+    simulate_frame, simulate_frame_in_plan,
 };
-use crate::known::dry_friction::{forced_amplitude, free_decay_turns_m, jenkins_loop_energy_j};
+use crate::known::dry_friction::{
+    circle_radius, forced_amplitude, free_decay_turns_m, jenkins_loop_energy_j,
+};
 use crate::structure::{Convention, Frame, Storey};
 use std::f64::consts::TAU;
 
@@ -68,7 +71,52 @@ pub(super) fn cases() -> Result<Vec<Case>, ValidationError> {
         corrected: None,
         note: "",
     });
+    for (g, r, zeta) in CIRCLES {
+        cases.push(Case {
+            source: "Closed form",
+            what: format!("radius of a mass that circles with friction in the plane, x0 k/P, ω/ω_n = {g}, f/P = {r}, ζ = {zeta}"),
+            unit: "",
+            published: circle_radius(g, r, zeta).unwrap_or(f64::NAN),
+            computed: circling(g, r, zeta)?,
+            tolerance: 1e-4, // of first order in a step of 1/5000 of a radian
+            corrected: None,
+            note: "Read after 30 cycles from rest; both directions share one slip force.",
+        });
+    }
     Ok(cases)
+}
+
+/// Frequency ratio, friction ratio and damping ratio of masses that circle.
+const CIRCLES: [(f64, f64, f64); 2] = [(0.6, 0.3, 0.05), (1.5, 0.5, 0.05)];
+
+/// Radius at the end of a run on a ground that moves in circles.
+fn circling(g: f64, r: f64, damping_ratio: f64) -> Result<f64, ValidationError> {
+    let storey = Storey {
+        mass_kg: 1.0,
+        height_m: 1e6,
+        axial_n: 0.0,
+    };
+    let frame = Frame::new(vec![storey], Convention::Drift)?;
+    let frame = FrictionFrame::new(frame, vec![1.0], vec![StoreyFriction::coulomb(r)])?
+        .with_damping(ViscousDamping::Modal(damping_ratio))?;
+    let load = |phase_rad| {
+        FrameLoad::of_ground(TimeFunction::Harmonic {
+            amplitude: 1.0,
+            frequency_hz: g / TAU,
+            phase_rad,
+        })
+    };
+    let options = FrameRun {
+        duration_s: Some(30.0 * TAU / g),
+        output_step_s: 0.1,
+        ..FrameRun::default()
+    };
+    let (x, y) = (load(0.0), load(0.25 * TAU));
+    let moved = simulate_frame_in_plan([&frame; 2], [&x, &y], [&options; 2], &mut |_| true)?;
+    let [x, y] = moved
+        .histories
+        .map(|of| of.displacement_m[0].last().copied().unwrap_or(f64::NAN));
+    Ok(x.hypot(y))
 }
 
 /// A mass on a spring of the same number, with an element, let go or driven, for so long.

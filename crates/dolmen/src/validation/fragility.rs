@@ -3,6 +3,7 @@
 use super::{Case, ValidationError};
 use crate::assess::{
     Fragility, Hazard, Observation, annual_risk, fit_fragility, fit_fragility_by_moments, scatter_split,
+    sufficiency,
 };
 
 /// Half of the last digit that is printed.
@@ -21,6 +22,46 @@ const STRIPES: [(f64, usize); 8] = [
     (1.0, 16),
 ];
 const CAPACITIES: [f64; 10] = [0.31, 0.36, 0.42, 0.44, 0.47, 0.52, 0.55, 0.58, 0.66, 0.83];
+
+/// Anscombe's first set: x, y.
+const ANSCOMBE: [[f64; 2]; 11] = [
+    [10.0, 8.04],
+    [8.0, 6.95],
+    [13.0, 7.58],
+    [9.0, 8.81],
+    [11.0, 8.33],
+    [14.0, 9.96],
+    [6.0, 7.24],
+    [4.0, 4.26],
+    [12.0, 10.84],
+    [7.0, 4.82],
+    [5.0, 5.68],
+];
+
+/// The line that sufficiency is told by, beside printed numbers.
+fn of_lines() -> Result<Vec<Case>, ValidationError> {
+    let (x, y) = (ANSCOMBE.map(|pair| pair[0]), ANSCOMBE.map(|pair| pair[1]));
+    let line = sufficiency(&y, &x)?;
+    let row = |what: &str, published: f64, computed: f64, tolerance: f64| Case {
+        source: "Anscombe (1973)",
+        what: what.to_owned(),
+        unit: "",
+        published,
+        computed,
+        tolerance,
+        corrected: None,
+        note: "The line by which a study tells whether a measure of shaking is sufficient, on the first of four sets.",
+    };
+    Ok(vec![
+        row("slope of a line through 11 points", 0.5, line.slope, 5e-4),
+        row("its standard error", 0.118, line.slope_error, 5e-4),
+        row("t of it", 4.24, line.slope / line.slope_error, 5e-3),
+        Case {
+            source: "R 4, anscombe",
+            ..row("p of it", 0.00217, line.p_value, 5e-6)
+        },
+    ])
+}
 
 pub(super) fn cases() -> Result<Vec<Case>, ValidationError> {
     let stripes = STRIPES.map(|(intensity, reached)| Observation::Stripe {
@@ -52,9 +93,10 @@ pub(super) fn cases() -> Result<Vec<Case>, ValidationError> {
     )?;
     let (of_motions, of_inputs) =
         split.map_or((f64::NAN, f64::NAN), |split| (split.of_motions, split.of_inputs));
+    let lines = of_lines()?;
     const BAKER: &str = "Baker (2015)";
     const BY_HAND: &str = "By hand";
-    Ok(vec![
+    let mut all = vec![
         row(
             BAKER,
             "θ, 8 stripes of 40 motions, by likelihood",
@@ -125,5 +167,7 @@ pub(super) fn cases() -> Result<Vec<Case>, ValidationError> {
                 5e-4,
             )
         },
-    ])
+    ];
+    all.extend(lines);
+    Ok(all)
 }

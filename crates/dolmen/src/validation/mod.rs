@@ -1,6 +1,7 @@
 //! Every number of others that this crate must reproduce: published beside computed, and where the published one is
 //! wrong the right one beside it.
 
+mod aftershocks;
 mod arches;
 mod building_motion;
 mod buildings;

@@ -103,7 +103,7 @@ fn flagpole_in_a_gust() -> Result<f64, ValidationError> {
     let mut holds = vec![JointHold::Held; chain.links().len()];
     holds[0] = JointHold::Bed(BedEdge {
         width_m: 0.65,
-        depth_m: 0.65,
+        depth_m: Some(0.65),
         strength_pa: None,
     });
     let loading = ChainLoading {

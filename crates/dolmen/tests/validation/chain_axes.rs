@@ -36,7 +36,7 @@ fn exact_a_bed_passes_its_weight_times_the_way_to_its_edge() {
         let angle = draws.between(0.0, TAU);
         let bed = BedEdge {
             width_m: b,
-            depth_m: w,
+            depth_m: Some(w),
             strength_pa: None,
         };
         let d = [angle.cos(), angle.sin()];
@@ -93,7 +93,7 @@ fn agrees_the_stress_block_with_the_outermost_parts_of_the_bed() {
         let (share, angle) = (draws.between(0.02, 0.98), draws.between(0.0, FRAC_PI_2));
         let bed = BedEdge {
             width_m: b,
-            depth_m: w,
+            depth_m: Some(w),
             strength_pa: Some(n / (share * b * w)),
         };
         let d = [angle.cos(), angle.sin()];
@@ -116,7 +116,7 @@ fn holds_along_its_sides_the_block_is_that_of_one_plane_and_a_square_is_weaker_t
         let share = draws.between(0.01, 0.99);
         let bed = BedEdge {
             width_m: b,
-            depth_m: w,
+            depth_m: Some(w),
             strength_pa: Some(n / (share * b * w)),
         };
         let [along, across] = [[1.0, 0.0], [0.0, -1.0]].map(|of| bed.moment_towards_n_m(n, of));
@@ -137,7 +137,7 @@ fn holds_along_its_sides_the_block_is_that_of_one_plane_and_a_square_is_weaker_t
     // half of a square crushed: a triangle of half its area has its centre at (1/6, 1/6), a strip at 1/4
     let bed = BedEdge {
         width_m: 1.0,
-        depth_m: 1.0,
+        depth_m: Some(1.0),
         strength_pa: Some(2.0),
     };
     let corner = bed.moment_towards_n_m(1.0, [1.0, 1.0]);
@@ -154,7 +154,7 @@ fn exact_springs_under_a_bed_are_softer_across_by_the_square_of_its_sides() {
     for (b, w) in [(0.7, 0.3), (0.5, 0.5), (0.4, 1.1)] {
         let bed = BedEdge {
             width_m: b,
-            depth_m: w,
+            depth_m: Some(w),
             strength_pa: None,
         };
         // Σ k dA x² and Σ k dA y² of equal springs

@@ -178,7 +178,7 @@ fn exact_a_tilt_is_the_moment_of_what_leans() {
         let k = gravity * draw.between(1.5, 9.0);
         let bed = JointHold::Bed(BedEdge {
             width_m: 0.5,
-            depth_m: 0.5,
+            depth_m: Some(0.5),
             strength_pa: None,
         });
         let push = LinkLoad {

@@ -155,6 +155,12 @@ fn holds_a_record_gives_back_stiffness_and_centre_of_rigidity_of_200_storeys() {
         let is_truth = |one: &&&dolmen::structure::building::PlanSolution| {
             let k = one.stiffness.iter().zip(&of.stiffness);
             let e = one.eccentricity_m.iter().zip(&of.storey.eccentricity_m);
+            if let (true, Some(k_sd), Some(e_sd)) = (one.roots_meet, one.stiffness_sd, one.eccentricity_sd_m)
+            {
+                // it stands for two that the scatter does not tell apart: the truth is in its interval
+                return k.zip(&k_sd).all(|((a, b), sd)| (a - b).abs() <= 1.96 * sd)
+                    && e.zip(&e_sd).all(|((a, b), sd)| (a - b).abs() <= 1.96 * sd);
+            }
             let most = 1e-7 * one.amplification.max(1.0);
             k.into_iter().all(|(a, b)| (a / b - 1.0).abs() < most)
                 && e.into_iter()

@@ -28,7 +28,7 @@ fn noise_of(made: &MadeEarthquake) -> f64 {
 }
 
 /// Rises, lasts and falls as drawn; 20 to 600 times the noise of the channel that has most of it.
-fn drawn(seed: u64) -> MadeEarthquake {
+pub(super) fn drawn(seed: u64) -> MadeEarthquake {
     let random = &mut Random::new(seed, 77);
     let made = MadeEarthquake {
         seed,
@@ -315,45 +315,54 @@ fn holds_the_example_is_made_as_it_says() {
     );
 }
 
+/// Three modes that swing free, pulled or struck, 0.3 to 5 %, 20 to 1000 times the noise.
+pub(super) fn swings(seed: u64) -> Record {
+    let random = &mut Random::new(seed, 5);
+    let over = log_between(random, 20.0, 1000.0);
+    let modes: Vec<[f64; 4]> = (0..3)
+        .map(|k| {
+            let of = [(0.6, 3.0), (0.003, 0.05), (0.2, 1.0), (0.2, 1.0)];
+            let [hz, zeta, low, high] = of.map(|(from, to)| log_between(random, from, to));
+            [hz * (1.0 + 1.7 * f64::from(k)), zeta, low, high]
+        })
+        .collect();
+    let noise = &mut Random::new(seed, 6);
+    let mut sample = |c: usize, t: f64| {
+        let swing = |[hz, zeta, ..]: &[f64; 4]| {
+            let turn = std::f64::consts::TAU * hz * t;
+            let phase = if seed.is_multiple_of(2) {
+                turn.cos()
+            } else {
+                turn.sin()
+            };
+            (-zeta * turn).exp() * phase
+        };
+        let swings: f64 = modes.iter().map(|mode| mode[2 + c] * swing(mode)).sum();
+        2e-3 * (noise.normal() + if t > 0.0 { over / 3.0 * swings } else { 0.0 })
+    };
+    let samples = (0..2)
+        .map(|c| {
+            (0..16_000)
+                .map(|i| sample(c, f64::from(i) / 100.0 - 60.0))
+                .collect()
+        })
+        .collect();
+    let channels = ["a", "b"].map(|name| Channel {
+        quantity: Quantity::Acceleration,
+        ..Channel::named(name)
+    });
+    Record::new(channels.to_vec(), samples, 100.0).unwrap()
+}
+
 #[test]
 fn holds_a_structure_that_swings_free_is_hardly_ever_one() {
-    const RUNS: u64 = 40; // of 300, seeds 100 to 399: 9 whose close modes beat are taken for one; three modes, 0.3 to 5 %, pulled or struck
+    const RUNS: u64 = 40; // of 300, seeds 100 to 399: 4 are taken for one; three modes, 0.3 to 5 %, pulled or struck
     let mut taken = 0;
     for seed in 100..100 + RUNS {
-        let random = &mut Random::new(seed, 5);
-        let over = log_between(random, 20.0, 1000.0);
-        let modes: Vec<[f64; 4]> = (0..3)
-            .map(|k| {
-                let of = [(0.6, 3.0), (0.003, 0.05), (0.2, 1.0), (0.2, 1.0)];
-                let [hz, zeta, low, high] = of.map(|(from, to)| log_between(random, from, to));
-                [hz * (1.0 + 1.7 * f64::from(k)), zeta, low, high]
-            })
-            .collect();
-        let noise = &mut Random::new(seed, 6);
-        let mut sample = |c: usize, t: f64| {
-            let swing = |[hz, zeta, ..]: &[f64; 4]| {
-                let turn = std::f64::consts::TAU * hz * t;
-                let phase = if seed % 2 == 0 { turn.cos() } else { turn.sin() };
-                (-zeta * turn).exp() * phase
-            };
-            let swings: f64 = modes.iter().map(|mode| mode[2 + c] * swing(mode)).sum();
-            2e-3 * (noise.normal() + if t > 0.0 { over / 3.0 * swings } else { 0.0 })
-        };
-        let samples = (0..2)
-            .map(|c| {
-                (0..16_000)
-                    .map(|i| sample(c, f64::from(i) / 100.0 - 60.0))
-                    .collect()
-            })
-            .collect();
-        let channels = ["a", "b"].map(|name| Channel {
-            quantity: Quantity::Acceleration,
-            ..Channel::named(name)
-        });
-        let record = Record::new(channels.to_vec(), samples, 100.0).unwrap();
+        let record = swings(seed);
         taken += usize::from(earthquake_in(&record, &[]).is_some());
     }
-    assert!(taken <= 2, "{taken}");
+    assert!(taken <= 1, "{taken}");
 }
 
 #[test]

@@ -1,10 +1,13 @@
 //! What the factors multiply: the springs of a stack at rest, by joint or by bed.
 
 use super::super::assembly::Assembly;
+use super::super::beside::{add_springs_beside, springs_beside};
 use super::super::bodies::index_of;
 use super::super::contact_points::ContactRule;
 use super::super::error::BlocksError;
-use super::super::matrices::{Closed, Part, SpringsBetween, contact_matrix, mass_matrix, springs_between};
+use super::super::matrices::{
+    Closed, Part, SpringsBetween, contact_matrix, mass_matrix, springs_between, springs_of_prop,
+};
 use super::super::rest::settle;
 use super::result::StiffnessOf;
 use crate::structure::stack::{Joint, Stack};
@@ -26,7 +29,7 @@ pub(super) struct Group {
 pub(super) struct Unknowns {
     pub(super) of: StiffnessOf,
     pub(super) groups: Vec<Group>,
-    /// Springs that no factor multiplies: of dowels, clamps, and stones that touch where no joint was drawn.
+    /// Springs that no factor multiplies: of dowels, clamps, side supports, and stones that touch where no joint was drawn.
     pub(super) others: Vec<SpringsBetween>,
     /// Joints without springs at rest.
     pub(super) open_joints: Vec<usize>,
@@ -53,6 +56,8 @@ pub(super) fn unknowns(
             None => others.push(springs),
         }
     }
+    let beside = springs_beside(&assembly).into_iter();
+    others.extend(beside.map(|prop| springs_of_prop(&assembly, prop)));
     groups.sort_by_key(|group| group.joints[0]);
     let has_springs = |joint: &usize| groups.iter().any(|group| group.joints[0] == *joint);
     let open_joints = (0..stack.joints().len()).filter(|joint| !has_springs(joint));
@@ -114,7 +119,9 @@ fn in_one_plane(a: &Joint, b: &Joint) -> bool {
 pub(super) fn resettled_stiffness(stack: &Stack, rule: ContactRule) -> Result<Matrix, BlocksError> {
     let mut assembly = Assembly::of(stack, rule);
     settle(&mut assembly, stack)?;
-    Ok(contact_matrix(&assembly, Part::Springs, Closed::Pressed))
+    let mut stiffness = contact_matrix(&assembly, Part::Springs, Closed::Pressed);
+    add_springs_beside(&assembly, &mut stiffness);
+    Ok(stiffness)
 }
 
 /// The stack with the springs of the joints of each group multiplied.

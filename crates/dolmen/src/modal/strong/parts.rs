@@ -20,9 +20,6 @@ const SETTLES_S: f64 = 5.0;
 /// Largest relative difference of two frequencies, and least likeness of two shapes, that are taken for one mode.
 const FREQUENCY_WITHIN: f64 = 0.35;
 const ALIKE: f64 = 0.8;
-/// Standard deviations beyond which a change is one. Chosen here: two identifications differ by as much once in 370 times.
-const BEYOND: f64 = 3.0;
-
 /// A part of the record in which the structure was not shaken.
 #[derive(Clone, Debug)]
 pub struct Part {
@@ -79,9 +76,13 @@ pub struct LastingChange {
 }
 
 impl LastingChange {
+    /// Standard deviations beyond which a change is one. Chosen here: two identifications differ by as much once in 370 times.
+    pub const BEYOND: f64 = 3.0;
+
     /// Whether it is more than both identifications scatter.
     pub fn is_beyond_chance(&self) -> bool {
-        self.ratio_sd.is_some_and(|sd| self.ratio.abs() > BEYOND * sd)
+        self.ratio_sd
+            .is_some_and(|sd| self.ratio.abs() > Self::BEYOND * sd)
     }
 }
 

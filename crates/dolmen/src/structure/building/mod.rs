@@ -11,6 +11,7 @@ mod modes;
 mod outline;
 mod plan_bounds;
 mod plan_direction;
+mod plan_double_root;
 mod plan_roots;
 mod plan_scatter;
 mod plan_stiffness;

@@ -18,6 +18,11 @@ const TWIST_MOST: f64 = std::f64::consts::SQRT_2;
 const NET: i32 = 20;
 const ROUNDS: usize = 6;
 const FINER: f64 = 0.2;
+/// The same for frequencies beside those measured, about the twists of these.
+const NEAR: i32 = 8;
+/// Standard deviations of the frequencies within which they are taken, jointly: 95 % of one number. Climbs to the extreme on their sphere. Chosen here.
+const DEVIATIONS: f64 = 1.96;
+const CLIMBS: usize = 3;
 
 /// Bounds of what three frequencies leave free.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,13 +32,18 @@ pub struct PlanBounds {
     pub stiffness: [[f64; 2]; 3],
     /// Least and most of the centre of rigidity from the centre of mass, m.
     pub eccentricity_m: [[f64; 2]; 2],
+    /// Whether the scatter of the frequencies is in them; it is not where that of one is not known.
+    pub with_scatter: bool,
 }
 
 /// Bounds of the stiffness with which a floor has the measured frequencies and moves as it was measured, over every centre of rigidity within
 /// `reach_m` (from the centre of mass, least and most along x and y); `None` unless all three motions are known, or where no centre does.
 ///
+/// Where the standard deviations of all three frequencies are known, the bounds are over all frequencies within 1.96 of them jointly too:
+/// Σ ((f − f_measured)/s)² ≤ 1.96². The sphere is climbed along the gradient of each bound.
+///
 /// # Limits
-/// Deviations of the frequencies are not in the bounds. They are found on a net of twists that grows finer about each extreme.
+/// They are found on a net of twists that grows finer about each extreme; on the sphere a bound is taken as nearly linear.
 pub fn plan_bounds(
     storey: &PlanStorey,
     modes: &[PlanMode; 3],
@@ -49,11 +59,24 @@ pub fn plan_bounds(
         mode_of: [x, y, 3 - x - y],
         reach_m,
     };
-    let bound = |quantity: usize| Some([family.extreme(quantity, -1.0)?, family.extreme(quantity, 1.0)?]);
+    let with_scatter = modes.iter().all(|mode| mode.frequency_sd_hz > 0.0);
+    let end = |quantity, sign| match with_scatter {
+        true => family.with_scatter(quantity, sign),
+        false => family.extreme(quantity, sign).map(|of| of.value),
+    };
+    let bound = |quantity: usize| Some([end(quantity, -1.0)?, end(quantity, 1.0)?]);
     Some(PlanBounds {
+        with_scatter,
         stiffness: [bound(0)?, bound(1)?, bound(2)?],
         eccentricity_m: [bound(3)?, bound(4)?],
     })
+}
+
+/// An extreme, and the twists at which it is.
+#[derive(Clone, Copy)]
+struct Extreme {
+    value: f64,
+    twist: [f64; 2],
 }
 
 struct Family<'a> {
@@ -66,13 +89,24 @@ struct Family<'a> {
 
 impl Family<'_> {
     /// The largest (`sign` 1) or least (−1) of k_x, k_y, k_θ, e_x, e_y.
-    fn extreme(&self, quantity: usize, sign: f64) -> Option<f64> {
-        let (mut about, mut step) = ([0.0, 0.0], TWIST_MOST / f64::from(NET));
+    fn extreme(&self, quantity: usize, sign: f64) -> Option<Extreme> {
+        self.extreme_about([0.0, 0.0], (NET, 0), (quantity, sign))
+    }
+
+    /// The same on a net about twists, whose first rounds are left out.
+    fn extreme_about(
+        &self,
+        twist: [f64; 2],
+        (net, from_round): (i32, usize),
+        (quantity, sign): (usize, f64),
+    ) -> Option<Extreme> {
+        let (mut about, mut step) = (twist, TWIST_MOST / f64::from(net));
+        step *= FINER.powi(from_round as i32);
         let mut best: Option<f64> = None;
-        for _ in 0..ROUNDS {
+        for _ in from_round..ROUNDS {
             let centre = about;
-            for i in -NET..=NET {
-                for j in -NET..=NET {
+            for i in -net..=net {
+                for j in -net..=net {
                     let twist = [centre[0] + f64::from(i) * step, centre[1] + f64::from(j) * step];
                     for value in self.values(twist, quantity) {
                         if best.is_none_or(|best| sign * value > sign * best) {
@@ -84,7 +118,51 @@ impl Family<'_> {
             best?;
             step *= FINER;
         }
-        best
+        best.map(|value| Extreme { value, twist: about })
+    }
+
+    /// The same over all frequencies within 1.96 standard deviations jointly.
+    fn with_scatter(&self, quantity: usize, sign: f64) -> Option<f64> {
+        let measured = self.extreme(quantity, sign)?;
+        let at = |deviations: [f64; 3]| {
+            let moved = self.modes.iter().zip(deviations).map(|(mode, by)| {
+                let f = mode.frequency_hz + by * mode.frequency_sd_hz;
+                (TAU * f.max(0.0)).powi(2)
+            });
+            let mut lambda = self.lambda;
+            lambda.iter_mut().zip(moved).for_each(|(own, moved)| *own = moved);
+            let family = Family { lambda, ..*self };
+            family.extreme_about(measured.twist, (NEAR, 1), (quantity, sign))
+        };
+        let mut best = measured.value;
+        let mut keep = |found: Option<Extreme>| {
+            let value = found.map(|of| of.value)?;
+            if sign * value > sign * best {
+                best = value;
+            }
+            Some(value)
+        };
+        let mut about = [0.0; 3];
+        for _ in 0..CLIMBS {
+            let slope: [f64; 3] = std::array::from_fn(|i| {
+                let beside = |by: f64| {
+                    let mut deviations = about;
+                    deviations[i] += by;
+                    at(deviations).map(|of| of.value)
+                };
+                match (beside(-0.5), beside(0.5)) {
+                    (Some(less), Some(more)) => sign * (more - less),
+                    _ => 0.0,
+                }
+            });
+            let norm = slope.iter().map(|s| s * s).sum::<f64>().sqrt();
+            if norm == 0.0 {
+                break;
+            }
+            about = slope.map(|s| DEVIATIONS * s / norm);
+            keep(at(about));
+        }
+        Some(best)
     }
 
     fn values(&self, twist: [f64; 2], quantity: usize) -> Vec<f64> {

@@ -13,7 +13,7 @@ use crate::structure::inverse::{SpringModel, roots_by_continuation};
 use dolmen_linalg::{Matrix, symmetric_eigen};
 
 /// p is sought up to this: the mode "along x" would move a thousand times more along y.
-const SIDEWAYS_MOST: f64 = 1e3;
+pub(super) const SIDEWAYS_MOST: f64 = 1e3;
 /// The six orders of three.
 const ORDERS: [[usize; 3]; 6] = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
 
@@ -24,6 +24,8 @@ pub(super) struct PlanRoot {
     pub(super) eccentricity_m: [f64; 2],
     /// Unit shapes u, v, ρθ of the modes, ascending.
     pub(super) shapes: [[f64; 3]; 3],
+    /// p, of a root with twists.
+    pub(super) sideways: Option<f64>,
 }
 
 pub(super) struct PlanRoots {
@@ -66,6 +68,7 @@ pub(super) fn roots_with_stated_centre(
             stiffness: [m * k[0], m * k[1], m * rho * rho * k[2]],
             eccentricity_m: storey.eccentricity_m,
             shapes: [0, 1, 2].map(|j| [0, 1, 2].map(|i| eigen.vectors[(i, j)])),
+            sideways: None,
         });
     }
     Ok(PlanRoots {
@@ -87,6 +90,7 @@ fn uncoupled(storey: &PlanStorey, lambda: &[f64; 3]) -> PlanRoots {
             stiffness,
             eccentricity_m: [0.0, 0.0],
             shapes: order.map(unit),
+            sideways: None,
         }
     };
     PlanRoots {
@@ -102,32 +106,43 @@ fn uncoupled(storey: &PlanStorey, lambda: &[f64; 3]) -> PlanRoots {
 /// K_uv = 0:  A p (1 + s² + t_y²) + B s (1 + p² + t_x²) = 0,   a cubic in p
 /// ```
 pub(super) fn roots_with_shapes(storey: &PlanStorey, lambda: &[f64; 3], labelled: &Labelled) -> PlanRoots {
+    let roots = real_roots(&cubic(lambda, labelled), SIDEWAYS_MOST).into_iter();
+    PlanRoots {
+        roots: roots.map(|p| root_at(storey, lambda, labelled, p)).collect(),
+        complete: true,
+    }
+}
+
+/// Coefficients of the cubic in p, lowest first.
+pub(super) fn cubic(lambda: &[f64; 3], labelled: &Labelled) -> [f64; 4] {
     let [t_x, t_y] = labelled.twist;
     let [l_x, l_y, l_torsion] = labelled.mode_of.map(|mode| lambda[mode]);
     let (a, b, c) = (l_x - l_torsion, l_y - l_torsion, t_x * t_y);
     let (of_x, of_y) = (1.0 + t_x * t_x, 1.0 + t_y * t_y);
-    let cubic = [
+    [
         -b * c * of_x,
         a * (of_y + c * c) - b * of_x,
         (2.0 * a - b) * c,
         a - b,
+    ]
+}
+
+/// The storey of a root p.
+pub(super) fn root_at(storey: &PlanStorey, lambda: &[f64; 3], labelled: &Labelled, p: f64) -> PlanRoot {
+    let [t_x, t_y] = labelled.twist;
+    let unit = |v: [f64; 3]| {
+        let norm = v.iter().map(|v| v * v).sum::<f64>().sqrt();
+        v.map(|v| v / norm)
+    };
+    let (q_x, q_y) = (unit([1.0, p, t_x]), unit([-p - t_x * t_y, 1.0, t_y]));
+    let q_torsion = [
+        q_x[1] * q_y[2] - q_x[2] * q_y[1],
+        q_x[2] * q_y[0] - q_x[0] * q_y[2],
+        q_x[0] * q_y[1] - q_x[1] * q_y[0],
     ];
-    let roots = real_roots(&cubic, SIDEWAYS_MOST).into_iter().map(|p| {
-        let unit = |v: [f64; 3]| {
-            let norm = v.iter().map(|v| v * v).sum::<f64>().sqrt();
-            v.map(|v| v / norm)
-        };
-        let (q_x, q_y) = (unit([1.0, p, t_x]), unit([-p - c, 1.0, t_y]));
-        let q_torsion = [
-            q_x[1] * q_y[2] - q_x[2] * q_y[1],
-            q_x[2] * q_y[0] - q_x[0] * q_y[2],
-            q_x[0] * q_y[1] - q_x[1] * q_y[0],
-        ];
-        of_shapes(storey, lambda, labelled, [q_x, q_y, q_torsion])
-    });
-    PlanRoots {
-        roots: roots.collect(),
-        complete: true,
+    PlanRoot {
+        sideways: Some(p),
+        ..of_shapes(storey, lambda, labelled, [q_x, q_y, q_torsion])
     }
 }
 
@@ -151,20 +166,15 @@ fn of_shapes(storey: &PlanStorey, lambda: &[f64; 3], labelled: &Labelled, q: [[f
         ],
         eccentricity_m: [e_x, e_y],
         shapes,
+        sideways: None,
     }
 }
 
 /// Real roots within ± `most` of c_0 + c_1 x + c_2 x² + c_3 x³, ascending: between its turning points it is monotone.
-fn real_roots(c: &[f64; 4], most: f64) -> Vec<f64> {
+pub(super) fn real_roots(c: &[f64; 4], most: f64) -> Vec<f64> {
     let value = |x: f64| c[0] + x * (c[1] + x * (c[2] + x * c[3]));
     let mut ends = vec![-most, most];
-    let discriminant = c[2] * c[2] - 3.0 * c[3] * c[1];
-    if discriminant >= 0.0 {
-        // both turning points without cancellation; a division by 0 leaves one out
-        let sum = -(c[2] + discriminant.sqrt().copysign(c[2]));
-        let turning = [sum / (3.0 * c[3]), c[1] / sum];
-        ends.extend(turning.into_iter().filter(|x| x.abs() < most));
-    }
+    ends.extend(turning_points(c).into_iter().filter(|x| x.abs() < most));
     ends.sort_by(f64::total_cmp);
     let mut roots = Vec::new();
     for pair in ends.windows(2) {
@@ -188,4 +198,15 @@ fn real_roots(c: &[f64; 4], most: f64) -> Vec<f64> {
         roots.push(if value(low) == 0.0 { low } else { high });
     }
     roots
+}
+
+/// Where the cubic turns; both without cancellation, a division by 0 leaves one out.
+pub(super) fn turning_points(c: &[f64; 4]) -> Vec<f64> {
+    let discriminant = c[2] * c[2] - 3.0 * c[3] * c[1];
+    if discriminant < 0.0 {
+        return Vec::new();
+    }
+    let sum = -(c[2] + discriminant.sqrt().copysign(c[2]));
+    let turning = [sum / (3.0 * c[3]), c[1] / sum].into_iter();
+    turning.filter(|x| x.is_finite()).collect()
 }

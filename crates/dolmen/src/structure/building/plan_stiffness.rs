@@ -9,6 +9,7 @@
 //! | t | `twist` | ρθ/u of the mode along x, ρθ/v of that along y, of the centre of mass | – |
 //! | λ_j | | (2π f_j)² | (rad/s)² |
 
+use super::plan_double_root::{DoubleRoot, double_root};
 use super::plan_roots::{PlanRoot, roots_with_shapes, roots_with_stated_centre};
 use super::plan_scatter::scatter;
 use super::plan_storey::{EccentricityFrom, Labelled, PlanMode, PlanMotion, PlanStiffnessError, PlanStorey};
@@ -61,6 +62,8 @@ pub struct PlanSolution {
     pub shapes: [[f64; 3]; 3],
     /// By how many per cent a stiffness is off, most, where each frequency is off by 1 %; 2 if sway and twist do not couple.
     pub amplification: f64,
+    /// Solutions meet here within the scatter of what was measured: the deviations span all of them.
+    pub roots_meet: bool,
     /// The first mode that contradicts the measured motion: the solution is not accepted.
     pub moves_otherwise: Option<MovesOtherwise>,
     /// The mode whose measured shape it contradicts most: the solution is not accepted.
@@ -122,7 +125,9 @@ impl PlanStiffness {
 /// ```
 /// With the eccentricity stated, all six solutions in complex numbers are followed, and the real positive ones kept. With the
 /// twists of the modes along x and y the eccentricity is found too: the shapes are orthogonal and K has no entry between u and v,
-/// which leaves one unknown and a cubic. A twist of one of the two modes alone is not used.
+/// which leaves one unknown and a cubic. Where roots of it meet within the
+/// scatter (real ones within 1.96 standard deviations, such as scatter has made complex within 3) the deviations of each span them all, and where scatter has
+/// lost them the storey between them stands in. A twist of one of the two modes alone is not used.
 ///
 /// Solutions whose modes move otherwise than measured, or have another shape, are kept with the reason. With fewer than three frequencies the result says
 /// what each determines by itself (only without eccentricity in its way), and what stays free.
@@ -171,9 +176,22 @@ pub fn plan_stiffness(storey: &PlanStorey, modes: &[PlanMode]) -> Result<PlanSti
             EccentricityFrom::Stated,
         ),
     };
+    let moves = |root: &PlanRoot| why_not(&modes, root) == (None, None);
+    let double = twists.and_then(|labelled| double_root(storey, &modes, &labelled, moves));
     let mut solutions = Vec::with_capacity(found.roots.len());
+    let mut stands_in = double.as_ref().is_some_and(|double| double.is_accepted);
     for root in &found.roots {
-        solutions.push(solution(storey, &modes, root, from)?);
+        let mut one = solution(storey, &modes, root, from)?;
+        if let Some(double) = double.as_ref().filter(|double| double.holds(root)) {
+            spread(&mut one, double.deviations(root));
+            stands_in &= !one.is_accepted();
+        }
+        solutions.push(one);
+    }
+    if let Some(double) = double.filter(|_| stands_in)
+        && double.root.stiffness.iter().all(|k| *k > 0.0)
+    {
+        solutions.push(of_double(&double));
     }
     solutions.sort_by(|a, b| {
         let refused = |one: &PlanSolution| !one.is_accepted();
@@ -302,12 +320,44 @@ fn solution(
         eccentricity_sd_m: scatter.eccentricity_sd_m,
         shapes: root.shapes,
         amplification: scatter.amplification,
+        roots_meet: false,
         moves_otherwise: None,
         shape_otherwise: None,
     };
     solution.moves_otherwise = moves_otherwise(modes, &solution.energy_shares());
     solution.shape_otherwise = shape_otherwise(modes, &solution.shapes);
     Ok(solution)
+}
+
+/// The storey in the middle of an interval that moves as measured, where no real root in it does.
+fn of_double(double: &DoubleRoot) -> PlanSolution {
+    let mut one = PlanSolution {
+        stiffness: double.root.stiffness,
+        stiffness_sd: None,
+        eccentricity_m: double.root.eccentricity_m,
+        eccentricity_sd_m: None,
+        shapes: double.root.shapes,
+        amplification: double.amplification,
+        roots_meet: false,
+        moves_otherwise: None,
+        shape_otherwise: None,
+    };
+    spread(&mut one, double.deviations(&double.root));
+    one
+}
+
+fn spread(one: &mut PlanSolution, [k_x, k_y, k_theta, e_x, e_y]: [f64; 5]) {
+    one.stiffness_sd = Some([k_x, k_y, k_theta]);
+    one.eccentricity_sd_m = Some([e_x, e_y]);
+    one.roots_meet = true;
+}
+
+fn why_not(modes: &[PlanMode; 3], root: &PlanRoot) -> (Option<MovesOtherwise>, Option<ShapeOtherwise>) {
+    let energy_shares = root.shapes.map(|shape| shape.map(|q| q * q));
+    (
+        moves_otherwise(modes, &energy_shares),
+        shape_otherwise(modes, &root.shapes),
+    )
 }
 
 /// The mode whose measured shape is least like that of the root.

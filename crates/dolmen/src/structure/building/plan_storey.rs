@@ -70,6 +70,7 @@ pub enum EccentricityFrom {
 }
 
 /// Which of the ascending modes moves along x, along y and turns, with the twists of the first two.
+#[derive(Clone, Copy)]
 pub(super) struct Labelled {
     pub(super) mode_of: [usize; 3],
     pub(super) twist: [f64; 2],

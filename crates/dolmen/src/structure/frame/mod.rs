@@ -3,6 +3,7 @@
 mod from_frequencies;
 mod from_modes;
 mod from_shape;
+mod lean;
 mod matrices;
 mod range;
 mod storeys;

@@ -280,6 +280,12 @@ impl Stack {
         &self.ties
     }
 
+    /// The same stack with nothing beside its blocks.
+    pub fn without_side_supports(mut self) -> Self {
+        self.side_supports.clear();
+        self
+    }
+
     /// What stands beside blocks.
     pub fn side_supports(&self) -> &[SideSupport] {
         &self.side_supports

@@ -2,29 +2,29 @@
 
 /// A piece of XML in the making.
 #[derive(Debug, Default)]
-pub(super) struct Xml {
+pub(crate) struct Xml {
     text: String,
 }
 
 /// Names of attributes with their values.
-pub(super) type Attributes<'a> = &'a [(&'a str, &'a str)];
+pub(crate) type Attributes<'a> = &'a [(&'a str, &'a str)];
 
 impl Xml {
     /// A document: its declaration, and nothing yet.
-    pub(super) fn document() -> Self {
+    pub(crate) fn document() -> Self {
         Xml {
             text: "<?xml version=\"1.0\" encoding=\"UTF-8\" standalone=\"yes\"?>\n".to_owned(),
         }
     }
 
     /// An element with nothing in it.
-    pub(super) fn leaf(&mut self, tag: &str, attributes: Attributes<'_>) {
+    pub(crate) fn leaf(&mut self, tag: &str, attributes: Attributes<'_>) {
         self.start(tag, attributes);
         self.text.push_str("/>");
     }
 
     /// An element, and what `inside` puts into it.
-    pub(super) fn element(&mut self, tag: &str, attributes: Attributes<'_>, inside: impl FnOnce(&mut Xml)) {
+    pub(crate) fn element(&mut self, tag: &str, attributes: Attributes<'_>, inside: impl FnOnce(&mut Xml)) {
         self.start(tag, attributes);
         self.text.push('>');
         inside(self);
@@ -34,16 +34,16 @@ impl Xml {
     }
 
     /// An element that holds words.
-    pub(super) fn words(&mut self, tag: &str, attributes: Attributes<'_>, words: &str) {
+    pub(crate) fn words(&mut self, tag: &str, attributes: Attributes<'_>, words: &str) {
         self.element(tag, attributes, |xml| xml.escaped(words));
     }
 
     /// Adds what was written apart.
-    pub(super) fn append(&mut self, other: Xml) {
+    pub(crate) fn append(&mut self, other: Xml) {
         self.text.push_str(&other.text);
     }
 
-    pub(super) fn finish(self) -> String {
+    pub(crate) fn finish(self) -> String {
         self.text
     }
 

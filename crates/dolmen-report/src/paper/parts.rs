@@ -1,12 +1,7 @@
 //! The parts of a report: cover, what the answers come to, findings, contents, sections.
 
-use super::body::{Body, shaded};
-use super::contents::contents;
-use super::fault::DocxFault;
-use super::inline::{Ink, paragraph, said, tab, words};
-use super::look::{MARGIN_SIDE, MARGIN_TOP, PAGE, TEXT_WIDTH, tone};
-use super::table::{Grid, Shown, table};
-use super::xml::Xml;
+use super::body::{Body, WIDTH};
+use super::{Grid, Ink, PaperFault, Paragraph, Piece, QUIET, Role, Run, Shown, tone};
 use crate::behind::behind_document;
 use crate::document::{Block, Document, Finding, Numbers, Tone};
 use crate::engineer::{cover_photo, cover_rows, front, report_title};
@@ -25,7 +20,7 @@ impl Body<'_> {
         answer: &ProjectReport,
         imprint: &Imprint,
         number: Option<usize>,
-    ) -> Result<(), DocxFault> {
+    ) -> Result<(), PaperFault> {
         let language = self.language;
         self.numbers = number.map_or(Numbers::alone(), Numbers::of_project);
         let whole = whole_document(answer);
@@ -37,7 +32,7 @@ impl Body<'_> {
         }
         let front = front(answer);
         if let Some((head, block)) = &front.signatures {
-            said(&mut self.xml, "FrontHeading", &head.text(language));
+            self.line(Role::FrontHeading, &head.text(language));
             self.block(block)?;
         }
         self.banner(answer);
@@ -46,25 +41,15 @@ impl Body<'_> {
         }
         self.findings(&all_findings(answer));
         if let Some((head, block)) = &front.to_do {
-            said(&mut self.xml, "FrontHeading", &head.text(language));
+            self.line(Role::FrontHeading, &head.text(language));
             self.block(block)?;
         }
         if number.is_none() {
-            self.front = std::mem::take(&mut self.xml);
+            self.pieces.push(Piece::Contents);
+            self.pieces.push(Piece::PageBreak);
         }
         self.document(&whole)?;
         self.document(&behind_document(answer, imprint))
-    }
-
-    /// All of it, the contents before the sections that they name.
-    pub(super) fn finish(mut self, with_contents: bool) -> (Xml, Vec<(String, Vec<u8>)>) {
-        let mut all = self.front;
-        if with_contents {
-            contents(&mut all, &self.entries, self.language);
-            page_break(&mut all);
-        }
-        all.append(std::mem::take(&mut self.xml));
-        (all, self.media.files)
     }
 
     fn cover(
@@ -72,7 +57,7 @@ impl Body<'_> {
         answer: &ProjectReport,
         whole: &Document<'_>,
         imprint: &Imprint,
-    ) -> Result<(), DocxFault> {
+    ) -> Result<(), PaperFault> {
         let language = self.language;
         let project = &answer.project;
         let name = project_name(answer, language);
@@ -81,14 +66,14 @@ impl Body<'_> {
             || kind_words(&project.structure, language),
             |title| title.text(language),
         );
-        let down = |xml: &mut Xml| xml.leaf("w:spacing", &[("w:before", "1800")]);
-        paragraph(&mut self.xml, "Subtitle", down, |xml| {
-            words(xml, kind, Ink::PLAIN);
-        });
-        said(&mut self.xml, "Title", name);
+        self.pieces.push(Piece::Paragraph(Paragraph {
+            room_above: Some(1800),
+            ..Paragraph::of(Role::Subtitle, kind)
+        }));
+        self.line(Role::Title, name);
         let other = language.pick(project.name.korean(), project.name.english());
         if other != name {
-            said(&mut self.xml, "Subtitle", other);
+            self.line(Role::Subtitle, other);
         }
         self.picture(answer, whole)?;
         let rows = cover_rows(answer, imprint);
@@ -96,30 +81,25 @@ impl Body<'_> {
             text: text.text(language),
             is_bad: false,
         };
-        let down = |xml: &mut Xml| xml.leaf("w:spacing", &[("w:before", "600")]);
-        paragraph(&mut self.xml, "AfterTable", down, |_| ());
-        table(
-            &mut self.xml,
-            &Grid {
-                heads: Vec::new(),
-                is_words: vec![true, true],
-                rows: rows
-                    .iter()
-                    .map(|(key, value)| vec![shown(key), shown(value)])
-                    .collect(),
-            },
-        );
-        page_break(&mut self.xml);
+        self.pieces.push(Piece::Gap(Some(600)));
+        self.pieces.push(Piece::Table(Grid {
+            heads: Vec::new(),
+            is_words: vec![true, true],
+            rows: rows
+                .iter()
+                .map(|(key, value)| vec![shown(key), shown(value)])
+                .collect(),
+        }));
+        self.pieces.push(Piece::PageBreak);
         Ok(())
     }
 
     /// The first photograph for the cover, else a stack as it stands; none of other kinds, which begin with graphs.
-    fn picture(&mut self, answer: &ProjectReport, whole: &Document<'_>) -> Result<(), DocxFault> {
-        let width = TEXT_WIDTH as f64 / 20.0;
+    fn picture(&mut self, answer: &ProjectReport, whole: &Document<'_>) -> Result<(), PaperFault> {
         let photo = cover_photo(answer).and_then(|photo| Some((photo.image?, photo.text(self.language))));
         if let Some((image, alt)) = photo {
-            let picture = self.media.photo(image, &alt, width);
-            paragraph(&mut self.xml, "Figure", on_cover, |xml| xml.append(picture));
+            let picture = self.media.photo(image, &alt, WIDTH);
+            self.pieces.push(Piece::Picture(picture, true));
             return Ok(());
         }
         if !matches!(answer.project.structure, Structure::Stack(_)) {
@@ -132,8 +112,8 @@ impl Body<'_> {
         let Some(first) = first else { return Ok(()) };
         let alt = first.caption.first().map(|said| said.text(self.language));
         let svg = (first.draw)(self.language);
-        let picture = self.media.picture(&svg, &alt.unwrap_or_default(), width)?;
-        paragraph(&mut self.xml, "Figure", on_cover, |xml| xml.append(picture));
+        let picture = self.media.picture(&svg, &alt.unwrap_or_default(), WIDTH)?;
+        self.pieces.push(Piece::Picture(picture, true));
         Ok(())
     }
 
@@ -146,15 +126,11 @@ impl Body<'_> {
             Colour::Amber => Tone::Warn,
             Colour::Red => Tone::Bad,
         });
-        let xml = &mut self.xml;
-        let mut line = |text: &str, ink: Ink<'_>| {
-            shaded(xml, "Judgement", [colour, wash], |xml| words(xml, text, ink));
+        let mut line = |text: &str, ink: Ink| {
+            let runs = vec![Run::Words(text.to_owned(), ink)];
+            self.shaded(Role::Judgement, [colour, wash], runs);
         };
-        let headline = Ink {
-            bold: true,
-            colour: Some(colour),
-        };
-        line(&format!("{sign} {}", banner.words), headline);
+        line(&format!("{sign} {}", banner.words), Ink::bold(colour));
         for first in &banner.first {
             line(first, Ink::BOLD);
         }
@@ -165,34 +141,24 @@ impl Body<'_> {
         line(&sentence.join(" "), Ink::PLAIN);
         let quiet = Ink {
             bold: false,
-            colour: Some(super::look::QUIET),
+            colour: Some(QUIET),
         };
         line(&banner.scale, quiet);
     }
 
     fn findings(&mut self, findings: &[Finding]) {
         let language = self.language;
-        said(
-            &mut self.xml,
-            "FrontHeading",
-            language.pick("Findings", "검토 결과 요약"),
-        );
+        self.line(Role::FrontHeading, language.pick("Findings", "검토 결과 요약"));
         for finding in findings {
             let [colour, _, sign] = tone(finding.tone);
-            let ink = Ink {
-                bold: true,
-                colour: Some(colour),
-            };
-            paragraph(
-                &mut self.xml,
-                "Finding",
-                |_| (),
-                |xml| {
-                    words(xml, sign, ink);
-                    tab(xml);
-                    words(xml, &finding.sentence.text(language), Ink::PLAIN);
-                },
-            );
+            self.pieces.push(Piece::Paragraph(Paragraph {
+                runs: vec![
+                    Run::Words(sign.to_owned(), Ink::bold(colour)),
+                    Run::Tab,
+                    Run::Words(finding.sentence.text(language), Ink::PLAIN),
+                ],
+                ..Paragraph::of(Role::Finding, "")
+            }));
         }
     }
 
@@ -210,52 +176,7 @@ impl Body<'_> {
         let head = language.pick("Not reported on", "보고서에서 제외됨");
         self.heading(1, &number, head);
         for other in others {
-            said(
-                &mut self.xml,
-                "ListBullet",
-                &format!("{}: {}", other.file, other.why),
-            );
+            self.line(Role::Bullet, &format!("{}: {}", other.file, other.why));
         }
     }
-
-    /// The end of a project: the next begins on a cover, which has no running lines.
-    pub(super) fn end_section(&mut self) {
-        self.xml
-            .element("w:p", &[], |xml| xml.element("w:pPr", &[], section));
-    }
-}
-
-/// Paper, margins and running lines of a section.
-pub(super) fn section(xml: &mut Xml) {
-    xml.element("w:sectPr", &[], |xml| {
-        for (tag, id) in [("w:headerReference", "header"), ("w:footerReference", "footer")] {
-            xml.leaf(tag, &[("w:type", "default"), ("r:id", id)]);
-        }
-        xml.leaf("w:pgSz", &[("w:w", PAGE[0]), ("w:h", PAGE[1])]);
-        xml.leaf(
-            "w:pgMar",
-            &[
-                ("w:top", MARGIN_TOP),
-                ("w:right", MARGIN_SIDE),
-                ("w:bottom", MARGIN_SIDE),
-                ("w:left", MARGIN_SIDE),
-                ("w:header", "737"),
-                ("w:footer", "680"),
-                ("w:gutter", "0"),
-            ],
-        );
-        xml.leaf("w:titlePg", &[]);
-    });
-}
-
-/// Where the picture of a cover stands.
-fn on_cover(xml: &mut Xml) {
-    xml.leaf("w:keepNext", &[("w:val", "0")]);
-    xml.leaf("w:spacing", &[("w:before", "700")]);
-}
-
-fn page_break(xml: &mut Xml) {
-    xml.element("w:p", &[], |xml| {
-        xml.element("w:r", &[], |xml| xml.leaf("w:br", &[("w:type", "page")]));
-    });
 }

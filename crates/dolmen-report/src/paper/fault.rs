@@ -2,7 +2,7 @@
 
 /// A document that could not be written.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum DocxFault {
+pub enum PaperFault {
     /// A figure could not be painted.
     #[error("a figure of the document could not be painted: {0}")]
     Figure(String),

@@ -1,0 +1,180 @@
+//! The document read back: it says what the page says, it is XML, and what a user writes stays words.
+
+use super::hwpx;
+use crate::document::{Numbers, document_html};
+use crate::html::tests::{gate, pole, survey};
+use crate::html::{Imprint, NotReported};
+use crate::typeset::tests::inside;
+use crate::whole::whole_document;
+use dolmen_words::Language;
+use dolmen_work::answer::ProjectReport;
+use std::collections::BTreeMap;
+use std::io::{Cursor, Read as _};
+use zip::ZipArchive;
+
+const HP: &str = "http://www.hancom.co.kr/hwpml/2011/paragraph";
+const HH: &str = "http://www.hancom.co.kr/hwpml/2011/head";
+
+fn imprint() -> Imprint {
+    Imprint {
+        program: "dolmen".into(),
+        date: Some("2026-05-12".into()),
+    }
+}
+
+fn written(answers: &[ProjectReport], others: &[NotReported], language: Language) -> Vec<u8> {
+    let paint = |svg: &str| match svg.starts_with("<svg") {
+        true => Ok(b"\x89PNG".to_vec()),
+        false => Err("no figure".to_owned()),
+    };
+    hwpx(answers, others, language, &imprint(), &paint).unwrap()
+}
+
+/// The parts of a document by their names, and the first of them.
+fn parts(bytes: &[u8]) -> (BTreeMap<String, String>, String) {
+    let mut archive = ZipArchive::new(Cursor::new(bytes)).unwrap();
+    let mut first = String::new();
+    let each = (0..archive.len()).map(|at| {
+        let mut file = archive.by_index(at).unwrap();
+        let mut part = Vec::new();
+        file.read_to_end(&mut part).unwrap();
+        let name = file.name().unwrap().into_owned();
+        if at == 0 {
+            first = name.clone();
+        }
+        (name, String::from_utf8_lossy(&part).into_owned())
+    });
+    (each.collect(), first)
+}
+
+/// What each paragraph says, without those in its tables.
+fn paragraphs(section: &str) -> Vec<String> {
+    let tree = roxmltree::Document::parse(section).unwrap();
+    let said = tree.descendants().filter(|node| node.has_tag_name((HP, "p")));
+    let said = said.map(|paragraph| {
+        let runs = paragraph.children().filter(|node| node.has_tag_name((HP, "run")));
+        let words = runs.flat_map(|run| run.children().filter(|node| node.has_tag_name((HP, "t"))));
+        words.filter_map(|words| words.text()).collect()
+    });
+    said.collect()
+}
+
+#[test]
+fn holds_what_the_page_says_stands_in_the_document() {
+    for answer in [pole("\"unknown\""), gate(), survey()] {
+        for language in [Language::English, Language::Korean] {
+            let (parts, _) = parts(&written(std::slice::from_ref(&answer), &[], language));
+            let there = paragraphs(&parts["Contents/section0.xml"]);
+            let page = document_html(&whole_document(&answer), language, &mut Numbers::alone()).into_string();
+            let said = ["td", "th", "h2", "h3", "p", "li"]
+                .map(|tag| inside(&page, tag))
+                .concat();
+            assert!(said.len() > 10, "{} of the page", said.len());
+            for words in said {
+                let words = words.replace("k_cr", "kcr").replace("k_min", "kmin");
+                assert!(there.contains(&words), "not in the document: {words}");
+            }
+            let captions = ["caption", "figcaption"].map(|tag| inside(&page, tag)).concat();
+            assert!(!captions.is_empty());
+            for caption in captions {
+                let bare = caption
+                    .replace("<b>", "")
+                    .replace("</b>", "")
+                    .replace("k_cr", "kcr");
+                let ends = |said: &String| said.ends_with(&bare) && said.len() > bare.len();
+                assert!(there.iter().any(ends), "no such caption: {bare}");
+            }
+        }
+    }
+}
+
+#[test]
+fn holds_every_number_of_a_look_or_picture_leads_to_one() {
+    let bytes = written(&[pole("\"unknown\""), gate()], &[], Language::Korean);
+    let (parts, first) = parts(&bytes);
+    assert_eq!(
+        (first.as_str(), parts["mimetype"].as_str()),
+        ("mimetype", "application/hwp+zip")
+    );
+    for (name, text) in parts
+        .iter()
+        .filter(|(name, _)| name.ends_with(".xml") || name.ends_with(".hpf"))
+    {
+        roxmltree::Document::parse(text).unwrap_or_else(|fault| panic!("{name}: {fault}"));
+    }
+    let content = roxmltree::Document::parse(&parts["Contents/content.hpf"]).unwrap();
+    let items = content.descendants().filter(|node| node.has_attribute("href"));
+    let items: Vec<(&str, &str)> = items
+        .map(|item| (item.attribute("id").unwrap(), item.attribute("href").unwrap()))
+        .collect();
+    for (_, path) in &items {
+        assert!(parts.contains_key(*path), "{path}");
+    }
+    let header = roxmltree::Document::parse(&parts["Contents/header.xml"]).unwrap();
+    let count = |tag: &str| {
+        let all = header.descendants().filter(|node| node.has_tag_name((HH, tag)));
+        all.count()
+    };
+    let (mut pictures, mut tables) = (0, 0);
+    for section in ["Contents/section0.xml", "Contents/section1.xml"] {
+        let tree = roxmltree::Document::parse(&parts[section]).unwrap();
+        for node in tree.descendants() {
+            for (attribute, tag, from) in [
+                ("charPrIDRef", "charPr", 0),
+                ("paraPrIDRef", "paraPr", 0),
+                ("styleIDRef", "style", 0),
+                ("borderFillIDRef", "borderFill", 1),
+            ] {
+                let Some(number) = node.attribute(attribute) else {
+                    continue;
+                };
+                let number: usize = number.parse().unwrap();
+                assert!(
+                    (from..count(tag) + from).contains(&number),
+                    "{attribute} {number}"
+                );
+            }
+            if let Some(item) = node.attribute("binaryItemIDRef") {
+                pictures += 1;
+                assert!(items.iter().any(|(id, _)| *id == item), "{item}");
+            }
+            if node.has_tag_name((HP, "tbl")) {
+                tables += 1;
+                let rows = node.children().filter(|node| node.has_tag_name((HP, "tr")));
+                let rows: Vec<_> = rows.collect();
+                assert_eq!(node.attribute("rowCnt"), Some(rows.len().to_string().as_str()));
+                let columns: usize = node.attribute("colCnt").unwrap().parse().unwrap();
+                for row in rows {
+                    let cells = row.children().filter(|node| node.has_tag_name((HP, "tc")));
+                    assert_eq!(cells.count(), columns);
+                }
+            }
+        }
+    }
+    assert!(pictures > 5 && tables > 5, "{pictures} pictures, {tables} tables");
+    assert_eq!(
+        bytes,
+        written(&[pole("\"unknown\""), gate()], &[], Language::Korean)
+    );
+}
+
+#[test]
+fn holds_words_of_a_user_stay_words() {
+    let others = [NotReported {
+        file: "<&\">".into(),
+        why: "\u{0}&amp;".into(),
+    }];
+    let (parts, _) = parts(&written(&[pole("\"unknown\"")], &others, Language::English));
+    let there = paragraphs(&parts["Contents/section0.xml"]);
+    for words in ["Pole <script> & 'co'", "<&\">:  &amp;"] {
+        assert!(there.iter().any(|said| said == words), "{words}");
+    }
+    assert!(parts["Preview/PrvText.txt"].contains("Pole <script> & 'co'"));
+}
+
+#[test]
+fn refuses_a_figure_that_cannot_be_painted() {
+    let paint = |_: &str| Err("no".to_owned());
+    let fault = hwpx(&[pole("\"unknown\"")], &[], Language::English, &imprint(), &paint).unwrap_err();
+    assert!(fault.to_string().contains("could not be painted: no"), "{fault}");
+}

@@ -1,0 +1,117 @@
+//! Tables: what their cells show, and how wide their columns are.
+
+use super::ink::TEXT_WIDTH;
+use unicode_width::UnicodeWidthStr as _;
+
+/// A cell as it is shown.
+#[derive(Clone, Debug)]
+pub(crate) struct Shown {
+    pub(crate) text: String,
+    pub(crate) is_bad: bool,
+}
+
+/// Columns of a table: heads, and which hold words.
+#[derive(Clone, Debug)]
+pub(crate) struct Grid {
+    /// None where the rows have no head.
+    pub(crate) heads: Vec<String>,
+    pub(crate) is_words: Vec<bool>,
+    pub(crate) rows: Vec<Vec<Shown>>,
+}
+
+/// From so many columns on the text is smaller.
+const SMALL_FROM: usize = 7;
+const FINE_FROM: usize = 10;
+/// Room at both sides of a cell, twentieths of a point.
+const ROOM: usize = 160;
+
+/// Tables of so many rows stay on one page.
+pub(crate) const WHOLE_ROWS: usize = 12;
+
+/// The size of the text of a table with so many columns, half-points.
+pub(crate) fn text_size(columns: usize) -> usize {
+    match columns {
+        FINE_FROM.. => 13,
+        SMALL_FROM.. => 15,
+        _ => 17,
+    }
+}
+
+/// How wide a text is on one line with the room of its cell, twentieths of a point.
+fn wide(text: &str, half_points: usize) -> usize {
+    // a letter is at most about 0.64 of its size wide, a Korean one twice that
+    (text.width() * half_points * 64).div_ceil(10) + ROOM
+}
+
+/// How many lines the text of a cell takes in a column of this width, about.
+pub(crate) fn line_count(text: &str, half_points: usize, width: usize) -> usize {
+    let words = wide(text, half_points) - ROOM;
+    words.div_ceil(width.saturating_sub(ROOM).max(1)).max(1)
+}
+
+/// Widths of the columns, twentieths of a point: as their cells want them, or as the page has room.
+pub(crate) fn widths(grid: &Grid, half_points: usize) -> Vec<usize> {
+    let wide = |text: &str| wide(text, half_points);
+    let longest = |text: &str| text.split_whitespace().map(wide).max().unwrap_or(ROOM);
+    let measured = (0..grid.is_words.len()).map(|at| {
+        let head = grid.heads.get(at).map_or("", String::as_str);
+        let cells = || {
+            grid.rows
+                .iter()
+                .filter_map(|row| Some(row.get(at)?.text.as_str()))
+        };
+        let whole = cells().map(wide).max().unwrap_or(ROOM);
+        // heads take two lines, and so may words; numbers never break
+        let wanted = whole.max(longest(head)).max(wide(head) / 2 + ROOM);
+        let least = match grid.is_words[at] {
+            true => cells().map(longest).max().unwrap_or(ROOM).max(longest(head)),
+            false => whole.max(longest(head)),
+        };
+        (least.min(wanted), wanted)
+    });
+    let measured: Vec<(usize, usize)> = measured.collect();
+    let least: usize = measured.iter().map(|(least, _)| least).sum();
+    let wanted: usize = measured.iter().map(|(_, wanted)| wanted).sum();
+    let shared = |(low, high): &(usize, usize)| match (wanted <= TEXT_WIDTH, least <= TEXT_WIDTH) {
+        (true, _) => *high,
+        (false, true) => low + (high - low) * (TEXT_WIDTH - least) / (wanted - least).max(1),
+        (false, false) => low * TEXT_WIDTH / least,
+    };
+    measured.iter().map(shared).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn grid(cells: &[&str]) -> Grid {
+        let shown = |text: &&str| Shown {
+            text: (*text).to_owned(),
+            is_bad: false,
+        };
+        Grid {
+            heads: cells.iter().map(|_| "head".to_owned()).collect(),
+            is_words: cells.iter().map(|cell| cell.contains(' ')).collect(),
+            rows: vec![cells.iter().map(shown).collect()],
+        }
+    }
+
+    #[test]
+    fn holds_a_table_is_never_wider_than_the_text() {
+        for cells in [
+            vec!["1", "2"],
+            vec![
+                "long words that fill more than one line of the page, which has room for a hundred or so",
+                "2.5",
+            ],
+            vec!["1234567890123456789012345"; 14],
+        ] {
+            let total: usize = widths(&grid(&cells), 17).iter().sum();
+            assert!(total <= TEXT_WIDTH, "{total}");
+        }
+        let [words, number] = widths(&grid(&[&"word ".repeat(60), "123.45"]), 17)[..] else {
+            panic!("two columns");
+        };
+        assert!(number >= 6 * 17 * 5 && words > 8 * number, "{words}, {number}");
+    }
+}

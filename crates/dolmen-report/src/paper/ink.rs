@@ -1,0 +1,95 @@
+//! Sizes, colours and stretches of words.
+
+use crate::document::Tone;
+
+/// Width of the text, twentieths of a point: A4 less its margins.
+pub(crate) const TEXT_WIDTH: usize = 9298; // 11906 − 2 · 1304
+/// Twentieths of a point in a point.
+pub(crate) const TWIPS: f64 = 20.0;
+
+pub(crate) const INK: &str = "1D2733";
+pub(crate) const QUIET: &str = "5B6876";
+pub(crate) const HAIR: &str = "D5DBE1";
+pub(crate) const BAD: &str = "B3261E";
+pub(crate) const BAD_WASH: &str = "FCEEED";
+
+/// The colour of a tone, its wash, and its sign.
+pub(crate) fn tone(tone: Tone) -> [&'static str; 3] {
+    match tone {
+        Tone::Good => ["0B6E4F", "EAF5F0", "●"],
+        Tone::Warn => ["A15C00", "FDF3E3", "◆"],
+        // Korean fonts have no cross that is a mark
+        Tone::Bad => [BAD, BAD_WASH, "×"],
+        Tone::Plain => ["8A96A3", "F4F6F8", "–"],
+        Tone::Unknown => [QUIET, "F4F6F8", "○"],
+    }
+}
+
+/// Symbols whose second part stands lower, as on the page.
+const LOWERED: [&str; 2] = ["k_cr", "k_min"];
+
+/// How words stand out.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Ink {
+    pub(crate) bold: bool,
+    pub(crate) colour: Option<&'static str>,
+}
+
+impl Ink {
+    pub(crate) const PLAIN: Ink = Ink {
+        bold: false,
+        colour: None,
+    };
+    pub(crate) const BOLD: Ink = Ink {
+        bold: true,
+        colour: None,
+    };
+
+    pub(crate) fn bold(colour: &'static str) -> Self {
+        Ink {
+            bold: true,
+            colour: Some(colour),
+        }
+    }
+}
+
+/// Words in stretches as they stand on the line; of a symbol's second part, which stands lower, `true`.
+pub(crate) fn lowered(text: &str) -> Vec<(String, bool)> {
+    let mut stretches = Vec::new();
+    let mut rest = text;
+    while let Some((at, symbol)) = first_symbol(rest) {
+        let (before, behind) = rest.split_at(at);
+        let (letter, index) = symbol.split_once('_').unwrap_or((symbol, ""));
+        stretches.push((format!("{before}{letter}"), false));
+        stretches.push((index.to_owned(), true));
+        rest = behind.strip_prefix(symbol).unwrap_or_default();
+    }
+    stretches.push((rest.to_owned(), false));
+    stretches.retain(|(words, _)| !words.is_empty());
+    stretches
+}
+
+fn first_symbol(text: &str) -> Option<(usize, &'static str)> {
+    let found = LOWERED
+        .iter()
+        .filter_map(|symbol| Some((text.find(symbol)?, *symbol)));
+    found.min()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn exact_the_second_part_of_a_symbol_stands_lower() {
+        let stretches = lowered("M > k_cr; k_min.");
+        let joined: String = stretches.iter().map(|(words, _)| words.as_str()).collect();
+        assert_eq!(joined, "M > kcr; kmin.");
+        let low: Vec<&str> = stretches
+            .iter()
+            .filter(|(_, low)| *low)
+            .map(|(words, _)| words.as_str())
+            .collect();
+        assert_eq!(low, ["cr", "min"]);
+    }
+}

@@ -1,0 +1,120 @@
+//! Figures: a PNG for every program, the SVG beside it for those that draw it sharp, and words for those who do not see it.
+
+use super::PaperFault;
+
+/// A figure is drawn this much smaller than its units say, as on paper.
+const SCALE: f64 = 0.8;
+/// No figure is higher, pt: 170 mm.
+const HEIGHT_MOST: f64 = 482.0;
+
+/// Width and height of a photograph, pt: 125 × 85 mm.
+const PHOTO_MOST: [f64; 2] = [354.0, 241.0];
+
+/// A picture where it stands.
+#[derive(Clone, Debug)]
+pub(crate) struct Picture {
+    /// Its place among the pictures of the document, from 1.
+    pub(crate) place: usize,
+    /// "image1.png", "photo3.jpg".
+    pub(crate) file: String,
+    /// The same as SVG, of a figure.
+    pub(crate) svg: Option<String>,
+    /// Width and height before it is turned, pt.
+    pub(crate) size_pt: [f64; 2],
+    /// Quarter turns clockwise that the camera noted.
+    pub(crate) quarters: u8,
+    pub(crate) alt: String,
+}
+
+/// The pictures of a document.
+pub(crate) struct Media<'a> {
+    paint: &'a dyn Fn(&str) -> Result<Vec<u8>, String>,
+    /// Names with their bytes: "image1.png", "image1.svg".
+    pub(crate) files: Vec<(String, Vec<u8>)>,
+    /// Pictures of figures, each with its SVG.
+    drawn: usize,
+    placed: usize,
+}
+
+impl<'a> Media<'a> {
+    pub(crate) fn new(paint: &'a dyn Fn(&str) -> Result<Vec<u8>, String>) -> Self {
+        Media {
+            paint,
+            files: Vec::new(),
+            drawn: 0,
+            placed: 0,
+        }
+    }
+
+    /// Keeps a figure, and gives it as it is shown, at most so many points wide.
+    pub(crate) fn picture(&mut self, svg: &str, alt: &str, width_most: f64) -> Result<Picture, PaperFault> {
+        let bytes = svg.as_bytes();
+        // the cover shows a figure of the text
+        let there = self
+            .files
+            .iter()
+            .find(|(name, of)| name.ends_with(".svg") && of == bytes);
+        let name = match there {
+            Some((name, _)) => name.trim_end_matches(".svg").to_owned(),
+            None => {
+                let png = (self.paint)(svg).map_err(PaperFault::Figure)?;
+                self.drawn += 1;
+                let name = format!("image{}", self.drawn);
+                self.files.push((format!("{name}.png"), png));
+                self.files.push((format!("{name}.svg"), bytes.to_vec()));
+                name
+            }
+        };
+        self.placed += 1;
+        let [width, height] = sides(svg).ok_or_else(|| PaperFault::Figure("it has no size".to_owned()))?;
+        let scale = SCALE.min(width_most / width).min(HEIGHT_MOST / height);
+        Ok(Picture {
+            place: self.placed,
+            file: format!("{name}.png"),
+            svg: Some(format!("{name}.svg")),
+            size_pt: [width * scale, height * scale],
+            quarters: 0,
+            alt: alt.to_owned(),
+        })
+    }
+
+    /// Keeps a photograph, and gives it as it is shown.
+    pub(crate) fn photo(&mut self, photo: &dolmen_records::Photo, alt: &str, width_most: f64) -> Picture {
+        let there = self.files.iter().find(|(_, of)| *of == photo.bytes);
+        let name = there.map_or_else(
+            || format!("photo{}.{}", self.files.len() + 1, photo.format.extension()),
+            |(name, _)| name.clone(),
+        );
+        if there.is_none() {
+            self.files.push((name.clone(), photo.bytes.clone()));
+        }
+        self.placed += 1;
+        let [width, height] = [photo.width, photo.height].map(|side| f64::from(side.max(1)));
+        let quarters = photo.quarter_turns();
+        // as it lies on the page
+        let [across, down] = match quarters % 2 {
+            1 => [height, width],
+            _ => [width, height],
+        };
+        let scale = (width_most.min(PHOTO_MOST[0]) / across).min(PHOTO_MOST[1] / down);
+        Picture {
+            place: self.placed,
+            file: name,
+            svg: None,
+            size_pt: [width * scale, height * scale],
+            quarters,
+            alt: alt.to_owned(),
+        }
+    }
+}
+
+/// Width and height of a figure, by its own head.
+fn sides(svg: &str) -> Option<[f64; 2]> {
+    let head = svg.split_once("<svg")?.1.split_once('>')?.0;
+    let number = |name: &str| -> Option<f64> {
+        let rest = head.split_once(&format!(" {name}=\""))?.1;
+        rest.split_once('"')?.0.parse().ok()
+    };
+    let sides = [number("width")?, number("height")?];
+    sides.iter().all(|side| *side > 0.0).then_some(sides)
+}

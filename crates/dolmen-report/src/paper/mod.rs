@@ -1,0 +1,98 @@
+//! A report as a word processor holds it: paragraphs, heads, tables, pictures, captions, one after another. DOCX and HWPX both write this.
+
+mod archive;
+mod body;
+mod fault;
+mod grid;
+mod ink;
+mod media;
+mod parts;
+mod piece;
+pub(crate) mod xml;
+
+use crate::document::Numbers;
+use crate::engineer::date_of;
+use crate::html::front::kind_words;
+use crate::html::{Imprint, NotReported, day, project_name};
+pub(crate) use archive::{Part, pack};
+use body::Body;
+use dolmen_words::Language;
+use dolmen_work::answer::ProjectReport;
+pub use fault::PaperFault;
+pub(crate) use grid::{Grid, Shown, WHOLE_ROWS, line_count, text_size, widths};
+pub(crate) use ink::{BAD, BAD_WASH, HAIR, INK, Ink, QUIET, TEXT_WIDTH, TWIPS, lowered, tone};
+pub(crate) use media::{Media, Picture};
+pub(crate) use piece::{Caption, Heading, Paragraph, Piece, Role, Run, Shade};
+
+/// A report ready to be written.
+#[derive(Clone, Debug)]
+pub(crate) struct Paper {
+    pub(crate) title: String,
+    /// What kind of structure it is on; empty where it is on several.
+    pub(crate) kind: &'static str,
+    pub(crate) program: String,
+    /// "2026-05-12", if it is a day.
+    pub(crate) date: Option<String>,
+    pub(crate) pieces: Vec<Piece>,
+    pub(crate) files: Vec<(String, Vec<u8>)>,
+    pub(crate) with_contents: bool,
+}
+
+/// The report on one or more projects; `paint` makes a PNG of a figure's SVG.
+///
+/// # Errors
+/// [`PaperFault::Figure`].
+pub(crate) fn paper(
+    answers: &[ProjectReport],
+    others: &[NotReported],
+    language: Language,
+    imprint: &Imprint,
+    paint: &dyn Fn(&str) -> Result<Vec<u8>, String>,
+) -> Result<Paper, PaperFault> {
+    let (title, kind) = match (answers, others) {
+        ([one], []) => (
+            project_name(one, language),
+            kind_words(&one.project.structure, language),
+        ),
+        _ => (language.pick("Reports", "보고서 모음"), ""),
+    };
+    let date = match answers {
+        [one] => date_of(one, imprint),
+        _ => imprint.date.as_deref(),
+    };
+    let mut body = Body {
+        language,
+        pieces: Vec::new(),
+        media: Media::new(paint),
+        numbers: Numbers::alone(),
+        deeper: 0,
+        heads: 0,
+    };
+    let alone = answers.len() == 1;
+    for (at, answer) in answers.iter().enumerate() {
+        if at > 0 {
+            body.pieces.push(Piece::NextProject);
+        }
+        body.project(answer, imprint, (!alone).then_some(at + 1))?;
+    }
+    body.not_reported(others, answers.len());
+    Ok(Paper {
+        title: title.to_owned(),
+        kind,
+        program: imprint.program.clone(),
+        date: date.filter(|date| day(Some(date)).is_some()).map(str::to_owned),
+        pieces: body.pieces,
+        files: body.media.files,
+        with_contents: alone,
+    })
+}
+
+impl Paper {
+    /// The heads that the contents name: those of two levels.
+    pub(crate) fn entries(&self) -> impl Iterator<Item = &Heading> {
+        self.pieces.iter().filter_map(|piece| match piece {
+            Piece::Heading(head) if head.level <= 2 => Some(head),
+            _ => None,
+        })
+    }
+}

@@ -1,0 +1,62 @@
+//! Earthquakes that the structure felt, and whether anybody looked at it since.
+
+use crate::compared_readings::has_modes;
+use crate::survey_dates::{date, day_of};
+use crate::watched::WatchedEarthquake;
+use dolmen::monitoring::ANSWERED_DAYS;
+use dolmen_project::{EarthquakePart, Project, Survey, WorkKind, WorkPart};
+
+/// Earthquakes by time: those that surveys state, and those that `found` has of their records.
+pub fn felt(project: &Project, found: impl Fn(&Survey) -> Option<EarthquakePart>) -> Vec<WatchedEarthquake> {
+    let mut earthquakes = Vec::new();
+    let mut last_day = f64::NEG_INFINITY;
+    for survey in &project.surveys {
+        let Some(day) = date(&survey.name).map(day_of) else {
+            continue;
+        };
+        if is_usable(survey) {
+            last_day = last_day.max(day);
+        }
+        let part = survey.earthquake.or_else(|| found(survey));
+        earthquakes.extend(part.map(|part| WatchedEarthquake {
+            survey: survey.name.clone(),
+            day,
+            part,
+            is_answered: false,
+        }));
+    }
+    set_answered(&mut earthquakes, &works_by_day(project), last_day);
+    earthquakes
+}
+
+/// Whether a survey says something of the structure.
+pub(crate) fn is_usable(survey: &Survey) -> bool {
+    has_modes(survey) || !survey.tilt.is_empty() || survey.earthquake.is_some()
+}
+
+/// Works that have a date, each with its day, by time.
+pub(crate) fn works_by_day(project: &Project) -> Vec<(f64, WorkPart)> {
+    let works = project.watch.works.iter();
+    let dated = works.filter_map(|work| Some((day_of(date(&work.date)?), work.clone())));
+    let mut works: Vec<(f64, WorkPart)> = dated.collect();
+    works.sort_by(|a, b| a.0.total_cmp(&b.0));
+    works
+}
+
+/// Whether a work is one that looks at the structure.
+pub(crate) fn answers(work: &WorkPart) -> bool {
+    matches!(work.kind, WorkKind::Repair | WorkKind::Inspection)
+}
+
+/// Puts earthquakes in order and says which of them a repair or an inspection followed; `last_day` is that of the last survey: a work far behind it is
+/// planned, or a slip.
+pub(crate) fn set_answered(earthquakes: &mut [WatchedEarthquake], works: &[(f64, WorkPart)], last_day: f64) {
+    for own in &mut *earthquakes {
+        let newest = own.day.max(last_day) + ANSWERED_DAYS;
+        let mut later = works
+            .iter()
+            .filter(|(day, _)| (own.day.floor()..=newest).contains(day));
+        own.is_answered = later.any(|(_, work)| answers(work));
+    }
+    earthquakes.sort_by(|a, b| a.day.total_cmp(&b.day));
+}

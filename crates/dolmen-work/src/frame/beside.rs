@@ -1,0 +1,136 @@
+//! A simulated frame beside what a survey measured above the same ground.
+
+use crate::motion::{MeasuredChannel, MotionAnswer};
+use dolmen::dynamics::{FrameHistory, FrictionFrame};
+use dolmen::signal::{Component, SeriesBeside, series_beside};
+
+/// Share of the height by which a sensor may stand above the top level.
+const ABOVE_TOP: f64 = 0.02;
+
+/// A direction of a frame beside what was measured along it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FrameBeside {
+    /// The survey.
+    pub survey: String,
+    /// Between samples, s.
+    pub step_s: f64,
+    /// Each sensor, the highest last.
+    pub sensors: Vec<SensorBeside>,
+    /// Channels that have no place in the model, or no known direction.
+    pub left_out: Vec<String>,
+}
+
+/// A sensor, and the model at its place.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SensorBeside {
+    /// The channel.
+    pub channel: String,
+    /// Its height, m.
+    pub height_m: f64,
+    /// Measured absolute acceleration, m/s².
+    pub measured_m_s2: Vec<f64>,
+    /// That of the model, m/s².
+    pub simulated_m_s2: Vec<f64>,
+    /// How alike they are.
+    pub beside: SeriesBeside,
+}
+
+impl SensorBeside {
+    /// Correlation from which on, and share of the measured peak within which, a model moves as the structure did. Chosen here: a frequency that is off
+    /// by 5 % brings the correlation below it in ten periods.
+    pub const CORRELATION_LEAST: f64 = 0.9;
+    /// See [`SensorBeside::CORRELATION_LEAST`].
+    pub const PEAK_WITHIN: f64 = 0.2;
+
+    /// Whether the model moved here as the structure did.
+    pub fn follows(&self) -> bool {
+        let of = &self.beside;
+        let off = (of.peak_simulated / of.peak_measured - 1.0).abs();
+        of.correlation >= Self::CORRELATION_LEAST && off <= Self::PEAK_WITHIN
+    }
+}
+
+impl FrameBeside {
+    /// Whether the model moved as the structure did at every sensor.
+    pub fn follows(&self) -> bool {
+        !self.sensors.is_empty() && self.sensors.iter().all(SensorBeside::follows)
+    }
+
+    /// The highest sensor.
+    pub fn highest(&self) -> Option<&SensorBeside> {
+        self.sensors.last()
+    }
+}
+
+/// The run of one direction beside what was measured along it; `None` where the motion is of no survey, or was changed, or the direction is not that of the
+/// component.
+pub(super) fn beside(
+    (motion, component): (&MotionAnswer, Component),
+    direction: &str,
+    frame: &FrictionFrame,
+    history: &FrameHistory,
+) -> Option<FrameBeside> {
+    let measured = motion.measured.as_deref()?;
+    if direction != component.name() {
+        return None;
+    }
+    let ground = motion.motion.acceleration_m_s2(component);
+    let mut levels_m = vec![0.0];
+    for storey in frame.frame().storeys() {
+        levels_m.push(levels_m[levels_m.len() - 1] + storey.height_m);
+    }
+    let top_m = levels_m[levels_m.len() - 1];
+    let at_steps = |samples: &[f64]| -> Vec<f64> {
+        let times = (0..ground.len()).map(|i| i as f64 * measured.step_s);
+        times.map(|t| at(&history.time_s, samples, t)).collect()
+    };
+    let levels: Vec<Vec<f64>> = std::iter::once(ground.to_vec())
+        .chain(history.acceleration_m_s2.iter().map(|level| at_steps(level)))
+        .collect();
+    let fits = |of: &&MeasuredChannel| {
+        of.component == component && (0.0..=top_m * (1.0 + ABOVE_TOP)).contains(&of.height_m)
+    };
+    let mut sensors: Vec<SensorBeside> = measured
+        .channels
+        .iter()
+        .filter(fits)
+        .map(|of| {
+            let height_m = of.height_m.min(top_m);
+            let above = levels_m
+                .partition_point(|z| *z < height_m)
+                .clamp(1, levels_m.len() - 1);
+            let share = (height_m - levels_m[above - 1]) / (levels_m[above] - levels_m[above - 1]);
+            let pairs = levels[above - 1].iter().zip(&levels[above]);
+            let simulated: Vec<f64> = pairs.map(|(low, high)| low + share * (high - low)).collect();
+            SensorBeside {
+                channel: of.name.clone(),
+                height_m: of.height_m,
+                beside: series_beside([&of.acceleration_m_s2, &simulated, ground], measured.step_s),
+                measured_m_s2: of.acceleration_m_s2.clone(),
+                simulated_m_s2: simulated,
+            }
+        })
+        .collect();
+    sensors.sort_by(|a, b| a.height_m.total_cmp(&b.height_m));
+    let of_axis = measured.channels.iter().filter(|of| of.component == component);
+    let misplaced = of_axis.filter(|of| !fits(of)).map(|of| of.name.clone());
+    Some(FrameBeside {
+        survey: measured.survey.clone(),
+        step_s: measured.step_s,
+        left_out: measured.left_out.iter().cloned().chain(misplaced).collect(),
+        sensors,
+    })
+}
+
+/// Samples at a time, on the line between neighbours; the last one behind them.
+fn at(time_s: &[f64], samples: &[f64], t: f64) -> f64 {
+    let next = time_s.partition_point(|of| *of < t);
+    match (next.checked_sub(1), samples.get(next)) {
+        (None, Some(first)) => *first,
+        (Some(before), Some(after)) => {
+            let share = (t - time_s[before]) / (time_s[next] - time_s[before]);
+            samples[before] + share * (after - samples[before])
+        }
+        (_, None) => samples.last().copied().unwrap_or(0.0),
+    }
+}

@@ -1,0 +1,81 @@
+//! A frame that leans as surveyed, at rest.
+
+use super::columns::StoreyColumns;
+use crate::error::WorkError;
+use dolmen::assess::demand::DRIFT_RATIO_MOST;
+use dolmen::stability::frame_lean_at_rest;
+use dolmen::structure::Frame;
+use dolmen_project::{DirectionPart, FramePart, Quantity};
+
+/// A direction of a frame that leans as surveyed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DirectionLean {
+    /// The tilt that was measured, horizontal over vertical.
+    pub tilt: f64,
+    /// Lean of each storey at rest under its weight, lowest first: the larger of joints that stick and that slip.
+    pub at_rest: Vec<f64>,
+    /// Lean at which each storey counts as fallen: small drifts tell of no more, or its free-standing columns fall.
+    pub most: Vec<f64>,
+}
+
+impl DirectionLean {
+    /// Of a direction with what its columns hold; `None` where it takes no tilt over, is not known, or falls upright.
+    pub(super) fn of(
+        part: &FramePart,
+        frame: &Frame,
+        direction: &DirectionPart,
+        columns: &[StoreyColumns],
+    ) -> Result<Option<Self>, WorkError> {
+        let tilt = part.tilt(&direction.name);
+        let at_rest = leaning(part, frame, direction)?.filter(|_| tilt != 0.0);
+        let falls = |storey: usize| {
+            let own = columns.iter().find(|own| own.storey == storey + 1)?;
+            Some(own.standing.map_or(0.0, |standing| standing.falls.drift_m) / own.height_m)
+        };
+        let most =
+            |storey: usize| falls(storey).map_or(DRIFT_RATIO_MOST, |falls| falls.min(DRIFT_RATIO_MOST));
+        Ok(at_rest.map(|at_rest| DirectionLean {
+            tilt,
+            most: (0..at_rest.len()).map(most).collect(),
+            at_rest,
+        }))
+    }
+
+    /// The storey nearest to its fall, 0 the lowest, and its lean over that.
+    pub fn worst(&self) -> (usize, f64) {
+        let shares = self
+            .at_rest
+            .iter()
+            .zip(&self.most)
+            .map(|(lean, most)| lean.abs() / most);
+        let worst = shares.enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
+        worst.unwrap_or((0, 0.0))
+    }
+}
+
+/// Lean of each storey at rest in a direction, the larger of joints that stick and that slip; `None` where it takes no tilt over, is not known, or falls.
+pub(super) fn leaning(
+    part: &FramePart,
+    frame: &Frame,
+    direction: &DirectionPart,
+) -> Result<Option<Vec<f64>>, WorkError> {
+    let tilt = part.tilt(&direction.name);
+    let known = part.stiffness_n_m(&direction.name, &mut Quantity::nominal);
+    let Some(stuck) = known.filter(|_| tilt != 0.0) else {
+        return Ok(None);
+    };
+    let Some(mut leans) = frame_lean_at_rest(frame, &stuck, tilt)? else {
+        return Ok(None);
+    };
+    if let Some(slipping) = part.slipping_stiffness_n_m(&direction.name, &mut Quantity::nominal) {
+        for (lean, slipped) in leans
+            .iter_mut()
+            .zip(frame_lean_at_rest(frame, &slipping, tilt)?.into_iter().flatten())
+        {
+            if slipped.abs() > lean.abs() {
+                *lean = slipped;
+            }
+        }
+    }
+    Ok(Some(leans))
+}

@@ -1,0 +1,192 @@
+//! Both directions of a frame under one motion: which component acts where, and what they do together.
+
+use crate::error::WorkError;
+use crate::motion::MotionAnswer;
+use crate::part_limit::{Part, PartLimit};
+use crate::wrong::Place;
+use dolmen::assess::demand::DriftLimit;
+use dolmen::dynamics::{
+    FrameHistory, FrameInPlan, FrameLoad, FrameResultant, FrameRun, FrictionFrame, SharedFriction,
+    TimeFunction, resultant_drifts, storeys_that_rub_both_ways,
+};
+use dolmen::signal::{Component, GroundMotion};
+use dolmen_project::{FramePart, Pick, StudyPart};
+
+/// What two directions of a frame do together under two components.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FrameTogether {
+    /// The directions, that along x first.
+    pub directions: [String; 2],
+    /// The largest resultant drift of each storey, lowest first.
+    pub storeys: Vec<FrameResultant>,
+    /// Largest displacement of the top, both directions together, at the samples, m.
+    pub top_m: f64,
+    /// Storeys that rub in both directions, 0 the lowest.
+    pub rubbing: Vec<usize>,
+    /// How the run was stepped where some do; `None` where the directions are apart, and each is exact.
+    pub shared: Option<SharedFriction>,
+    /// The storey whose resultant is the largest of its height, 0 the lowest.
+    pub worst: usize,
+    /// Its drift in each direction at the samples, m.
+    pub path_m: [Vec<f64>; 2],
+}
+
+/// A frame in one direction, ready to be run.
+pub(crate) struct Plane {
+    pub(crate) frame: FrictionFrame,
+    pub(crate) load: FrameLoad,
+    pub(crate) run: FrameRun,
+}
+
+impl Plane {
+    /// In a direction, leaning as surveyed, under a component of a motion; `None` if its stiffness is not known.
+    pub(crate) fn of(
+        part: &FramePart,
+        direction: &str,
+        (motion, component): (&GroundMotion, Component),
+        (duration_s, output_step_s): (f64, f64),
+        pick: Pick<'_>,
+    ) -> Result<Option<Self>, WorkError> {
+        let frame = part.with_friction(direction, pick)?;
+        frame
+            .map(|frame| {
+                Plane::moving(
+                    frame,
+                    part.tilt(direction),
+                    (motion, component),
+                    (duration_s, output_step_s),
+                )
+            })
+            .transpose()
+    }
+
+    /// A frame that leans by `tilt`, under a component of a motion.
+    pub(crate) fn moving(
+        frame: FrictionFrame,
+        tilt: f64,
+        (motion, component): (&GroundMotion, Component),
+        (duration_s, output_step_s): (f64, f64),
+    ) -> Result<Self, WorkError> {
+        let leaning = match tilt == 0.0 {
+            true => None,
+            false => Some(frame.leaning(tilt)?),
+        };
+        let mut load = FrameLoad::of_ground(TimeFunction::of_motion(motion, component));
+        let mut run = FrameRun {
+            duration_s: Some(duration_s),
+            output_step_s,
+            ..FrameRun::default()
+        };
+        if let Some(leaning) = leaning {
+            load.forces_n = leaning.forces_n;
+            run.start_displacement_m = leaning.start_displacement_m;
+        }
+        Ok(Plane { frame, load, run })
+    }
+}
+
+/// The directions along x and along y, which the components of a motion of both meet.
+///
+/// # Errors
+/// A frame of one direction, or of which the file does not say which direction lies along which component.
+pub(crate) fn both_directions(part: &FramePart) -> Result<[&str; 2], WorkError> {
+    if let [only] = part.directions.as_slice() {
+        return Err(WorkError::FrameOfOneDirection {
+            direction: only.name.clone(),
+        });
+    }
+    let along = |component| part.along(component).map(|own| own.name.as_str());
+    match (along(Component::X), along(Component::Y), part.directions.len()) {
+        (Some(x), Some(y), 2) => Ok([x, y]),
+        _ => {
+            let names: Vec<&str> = part.directions.iter().map(|own| own.name.as_str()).collect();
+            Err(WorkError::DirectionsNotAlong {
+                directions: names.join(", "),
+            })
+        }
+    }
+}
+
+/// Whether a study shakes a frame in both of its directions: it names none, maps none, and each has a known stiffness.
+pub(crate) fn is_in_plan(study: &StudyPart, part: &FramePart) -> bool {
+    let is_known = |direction: &str| {
+        let mut own = part.directions.iter();
+        own.any(|own| own.name == direction && own.stiffness.is_some())
+    };
+    let maps = study.harmonic.is_some() || study.release_m.is_some();
+    let is_free = study.direction.is_none() && !maps;
+    is_free && both_directions(part).is_ok_and(|both| both.into_iter().all(is_known))
+}
+
+/// Whether a motion shakes along x and along y.
+pub(crate) fn has_both(motion: &GroundMotion) -> bool {
+    motion.has(Component::X) && motion.has(Component::Y)
+}
+
+/// The one horizontal component that acts: each direction of a frame, and a chain, is a plane of its own.
+pub(crate) fn horizontal(motion: &MotionAnswer, what: Place) -> Result<Component, WorkError> {
+    match (motion.motion.has(Component::X), motion.motion.has(Component::Y)) {
+        (true, true) => Err(WorkError::TwoHorizontal { what: what.into() }),
+        (true, false) => Ok(Component::X),
+        (false, true) => Ok(Component::Y),
+        (false, false) => Err(WorkError::NoHorizontal { what: what.into() }),
+    }
+}
+
+/// Largest displacement of the top, never less than in one direction.
+fn top_m(histories: [&FrameHistory; 2]) -> f64 {
+    let [x, y] = histories.map(|of| of.displacement_m.last());
+    let samples = x.into_iter().flatten().zip(y.into_iter().flatten());
+    let peaks = histories
+        .into_iter()
+        .filter_map(|of| Some(of.displacement_peaks.last()?.value_m.abs()));
+    samples.map(|(x, y)| x.hypot(*y)).chain(peaks).fold(0.0, f64::max)
+}
+
+impl FrameTogether {
+    /// Of the motion of two planes.
+    pub(crate) fn of(directions: [&str; 2], planes: [&Plane; 2], moved: &FrameInPlan) -> Self {
+        let [x, y] = &moved.histories;
+        let storeys = resultant_drifts([x, y]);
+        let heights = planes[0].frame.frame().storeys().iter();
+        let ratios = storeys
+            .iter()
+            .zip(heights)
+            .map(|(of, storey)| of.drift_m / storey.height_m);
+        let worst = ratios
+            .enumerate()
+            .max_by(|a, b| a.1.total_cmp(&b.1))
+            .map_or(0, |(storey, _)| storey);
+        let drift = |history: &FrameHistory| history.drift_m(worst);
+        FrameTogether {
+            directions: directions.map(str::to_owned),
+            storeys,
+            top_m: top_m([x, y]),
+            rubbing: storeys_that_rub_both_ways([&planes[0].frame, &planes[1].frame]),
+            shared: moved.shared,
+            worst,
+            path_m: [drift(x), drift(y)],
+        }
+    }
+
+    /// The directions in one word: "x+y".
+    pub fn direction(&self) -> String {
+        self.directions.join("+")
+    }
+
+    /// Each storey, both directions together, against its allowable drift; the lean before the motion is `tilt`.
+    pub(crate) fn parts(
+        &self,
+        (names, heights_m): (&[String], &[f64]),
+        tilt: f64,
+        limit: Option<&DriftLimit>,
+    ) -> Vec<PartLimit> {
+        let direction = self.direction();
+        let storeys = names.iter().zip(heights_m).zip(&self.storeys);
+        let each = storeys.map(|((name, height_m), of)| {
+            let part = Part::Storey(name.clone());
+            PartLimit::of_drift(part, &direction, of.drift_m / height_m, limit).taking(tilt)
+        });
+        each.collect()
+    }
+}

@@ -1,0 +1,82 @@
+//! Structures of a study, ready to be shaken.
+
+use super::inputs::Drawn;
+use crate::check::falls_by_itself;
+use crate::in_runs::no_capacity;
+use crate::told::told_both;
+use crate::wrong::CaseRefused;
+use crate::{building, chain, frame};
+use dolmen::stability::stack::{StackLimitStates, StackLimits, stack_limits};
+use dolmen::structure::stack::Stack;
+use dolmen_project::{Project, Quantity, Structure, StudyPart};
+use dolmen_words::message::Both;
+
+/// A structure that is ready to be shaken.
+pub(crate) enum Model {
+    Stack(Box<(Stack, StackLimitStates)>),
+    Frame(Box<frame::study::FrameModel>),
+    Chain(Box<chain::study::MovingChain>),
+    Building(Box<building::study::BuildingModel>),
+}
+
+/// Why a structure cannot be shaken.
+pub(crate) enum NoModel {
+    /// Its inputs are refused.
+    Refused(Both),
+    /// It falls under its own weight: it stands at no shaking at all.
+    FallsAlone(Both),
+}
+
+impl NoModel {
+    /// Why.
+    pub(super) fn why(self) -> Both {
+        match self {
+            NoModel::Refused(why) | NoModel::FallsAlone(why) => why,
+        }
+    }
+}
+
+/// A structure ready to be shaken, or why it cannot be.
+pub(super) fn model_of(study: &StudyPart, project: &Project, sample: &Drawn) -> Result<Model, NoModel> {
+    let pick = &mut |quantity: &Quantity| sample.pick(quantity);
+    match falls_by_itself(project, pick) {
+        Ok(Some(load_factor)) => {
+            let load_factor = format!("{load_factor:.3}");
+            return Err(NoModel::FallsAlone(
+                CaseRefused::FallsAlone { load_factor }.into(),
+            ));
+        }
+        Ok(None) => {}
+        Err(why) => return Err(NoModel::Refused(told_both(&why))),
+    }
+    let model = match &project.structure {
+        Structure::Stack(part) => match part.build(pick) {
+            Ok(stack) => return stack_model(stack),
+            Err(why) => Err(told_both(&why)),
+        },
+        Structure::Frame(part) => {
+            frame::study::model(study, part, pick).map(|model| Model::Frame(Box::new(model)))
+        }
+        Structure::Chain(part) => {
+            chain::study::model(part, &project.loads, pick).map(|model| Model::Chain(Box::new(model)))
+        }
+        Structure::Building(part) => {
+            building::study::model(part, pick).map(|model| Model::Building(Box::new(model)))
+        }
+        Structure::Survey => Err(CaseRefused::SurveyAlone.into()),
+    };
+    model.map_err(NoModel::Refused)
+}
+
+fn stack_model(stack: Stack) -> Result<Model, NoModel> {
+    if let Some(why) = no_capacity(&stack) {
+        return Err(NoModel::Refused(why.into()));
+    }
+    let limits = stack_limits(&stack, &StackLimits::default());
+    let limits = limits.map_err(|why| NoModel::Refused(told_both(&why)))?;
+    if !limits.standing.stands() {
+        let verdict = Both::from(limits.standing.to_string());
+        return Err(NoModel::FallsAlone(CaseRefused::Falls { verdict }.into()));
+    }
+    Ok(Model::Stack(Box::new((stack, limits))))
+}

@@ -1,0 +1,101 @@
+//! What acts before the runs of a plan: once a case, when it is first asked for.
+
+use super::before::{Before, shaken_before, why_refused};
+use super::error::StudyError;
+use super::inputs::{Drawn, drawn};
+use super::kind::StudyKind;
+use super::model::{NoModel, model_of};
+use super::motions::{PreparedMotion, prepared};
+use super::plan::{Plan, has_two_axes};
+use super::state_before::StateBefore;
+use crate::error::WorkError;
+use crate::motion::refuse_other_components;
+use dolmen::signal::motion_sequence;
+use dolmen_project::{AfterPart, MotionSize, Project};
+use dolmen_words::message::Both;
+use rayon::prelude::*;
+use std::sync::OnceLock;
+
+impl Plan<'_> {
+    /// Reads the motion before the runs, and whether each other one can follow it.
+    pub(super) fn prepare_before(&mut self) -> Result<(), WorkError> {
+        let Some(after) = &self.study.after else {
+            return Ok(());
+        };
+        if self.kind == StudyKind::Building {
+            return Err(StudyError::AfterOfBuilding.into());
+        }
+        if self.study.scan.is_none() {
+            return Err(StudyError::AfterWithoutScan.into());
+        }
+        let first = prepared(&self.opened.project, self.files, self.study, &after.motion)?;
+        for (_, second) in &self.motions {
+            motion_sequence(&first.motion, 0.0, &second.motion)?;
+            if self.kind == StudyKind::Chain && has_two_axes(&self.opened.project) {
+                refuse_other_components(&first.motion, &second.motion)?;
+            }
+        }
+        self.first = Some(first);
+        self.before = (0..self.cases()).map(|_| OnceLock::new()).collect();
+        Ok(())
+    }
+
+    /// What came of the motion before the runs of a case; `None` of a study without one.
+    pub(super) fn before(&self, case: usize) -> Option<&Before> {
+        let after = self.study.after.as_ref()?;
+        let known = self.before.get(case)?;
+        Some(known.get_or_init(|| match self.shaken(after, case) {
+            Ok(before) => before,
+            Err(why) => Before::refused(case, why),
+        }))
+    }
+
+    fn shaken(&self, after: &AfterPart, case: usize) -> Result<Before, Both> {
+        let (combination, sample) = (case / self.samples(), case % self.samples());
+        let project = self.project(combination)?;
+        let told = |why: WorkError| why_refused(&why);
+        let (motion, in_plane) = self.motion_before(after, &project).map_err(told)?;
+        let scale = match self.study.size_before(combination) {
+            None => 1.0,
+            Some(MotionSize::Scale(scale)) => scale,
+            Some(MotionSize::Peak(peak_m_s2)) => peak_m_s2 / motion.peak_m_s2,
+        };
+        if scale == 0.0 {
+            return Ok(Before::unshaken(case));
+        }
+        let drawn = match self.study.samples {
+            Some(_) => drawn(&project, self.study.seed, sample as u64).map_err(told)?,
+            None => Drawn::default(),
+        };
+        let model = model_of(self.study, &project, &drawn).map_err(NoModel::why)?;
+        let acting = motion.acting(scale, 0.0).map_err(told)?;
+        let peak_m_s2 = scale * motion.peak_m_s2;
+        Ok(shaken_before(
+            self.study,
+            &model,
+            (acting, peak_m_s2),
+            (case, in_plane),
+        ))
+    }
+
+    /// The motion as a case has it, and whether one component of it acts in a plane.
+    fn motion_before(
+        &self,
+        after: &AfterPart,
+        project: &Project,
+    ) -> Result<(PreparedMotion, bool), WorkError> {
+        let motion = prepared(project, self.files, self.study, &after.motion)?;
+        Ok(match self.kind {
+            StudyKind::Chain if has_two_axes(project) => (motion, false),
+            StudyKind::Frame | StudyKind::Chain => (motion.in_plane(0.0)?, true),
+            StudyKind::Stack | StudyKind::Building => (motion, false),
+        })
+    }
+
+    /// The state of every case before its runs, those that were asked for before as they are; empty of a study without a motion before.
+    pub(super) fn states_before(&self) -> Vec<StateBefore> {
+        let each = (0..self.before.len()).into_par_iter();
+        let each = each.filter_map(|case| self.before(case).map(|before| before.state().clone()));
+        each.collect()
+    }
+}

@@ -1,0 +1,142 @@
+//! Whether measures of the shaking are sufficient: whether capacities by them depend on the earthquake besides.
+
+use super::answer::StudyAnswer;
+use super::earthquake_of::EarthquakeOf;
+use dolmen::assess::{AssessError, Observation, Sufficiency, sufficiency};
+
+/// Share of the scans that may not say between what sizes the state began: those are the strongest and the weakest. Chosen here.
+const WITHOUT_BRACKET_MOST: f64 = 0.1;
+
+/// What residuals are held against.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Predictor {
+    /// The magnitude.
+    Magnitude,
+    /// ln of the distance, km.
+    Distance,
+    /// ln of the duration, s.
+    Duration,
+}
+
+impl Predictor {
+    fn of(self, earthquake: &EarthquakeOf) -> Option<f64> {
+        match self {
+            Predictor::Magnitude => earthquake.magnitude,
+            Predictor::Distance => earthquake.distance_km.map(f64::ln),
+            Predictor::Duration => earthquake
+                .duration_s
+                .filter(|duration| *duration > 0.0)
+                .map(f64::ln),
+        }
+    }
+
+    /// Its name in JSON.
+    pub fn key(self) -> &'static str {
+        match self {
+            Predictor::Magnitude => "magnitude",
+            Predictor::Distance => "ln_distance_km",
+            Predictor::Duration => "ln_duration_s",
+        }
+    }
+}
+
+/// What capacities of a state depend on beside the measures of the shaking.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MeasureSufficiency {
+    /// The state, 0 to 3.
+    pub state: usize,
+    /// What residuals are held against.
+    pub predictor: Predictor,
+    /// By peak acceleration first, then by each of [`StudyAnswer::measures`]; or why there are none.
+    pub by_measure: Result<Vec<Sufficiency>, AssessError>,
+}
+
+impl StudyAnswer {
+    /// Whether capacities depend on magnitude and distance besides, each where the file says it of some motion; on the duration where it says neither. Nothing
+    /// of a study whose motions are varied themselves.
+    pub fn sufficiencies(&self) -> Vec<MeasureSufficiency> {
+        let has = |predictor: Predictor| self.earthquakes.iter().any(|of| predictor.of(of).is_some());
+        let mut predictors: Vec<Predictor> = [Predictor::Magnitude, Predictor::Distance]
+            .into_iter()
+            .filter(|predictor| has(*predictor))
+            .collect();
+        if predictors.is_empty() && has(Predictor::Duration) {
+            predictors.push(Predictor::Duration);
+        }
+        let states = 0..4;
+        let each = states.flat_map(|state| predictors.iter().map(move |predictor| (state, *predictor)));
+        let is_known = |state: usize| {
+            let mut all = self.fragilities().iter().flat_map(|one| &one.states);
+            all.any(|own| own.state == state && own.reached() > 0)
+        };
+        each.filter(|(state, _)| is_known(*state))
+            .map(|(state, predictor)| MeasureSufficiency {
+                state,
+                predictor,
+                by_measure: self.sufficiency_of(state, predictor),
+            })
+            .collect()
+    }
+
+    fn sufficiency_of(&self, state: usize, predictor: Predictor) -> Result<Vec<Sufficiency>, AssessError> {
+        let places = 0..=self.measures().len();
+        places
+            .map(|place| {
+                let of_records = self.residuals(state, place)?;
+                let known = of_records.into_iter().filter_map(|(record, residual)| {
+                    Some((residual, predictor.of(self.earthquakes.get(record)?)?))
+                });
+                let (residuals, values): (Vec<f64>, Vec<f64>) = known.unzip();
+                sufficiency(&residuals, &values)
+            })
+            .collect()
+    }
+
+    /// ln of the capacities by a measure, the peak acceleration first, less their mean in their combination: the mean of each record, by its first motion.
+    fn residuals(&self, state: usize, place: usize) -> Result<Vec<(usize, f64)>, AssessError> {
+        let mut sums = vec![(0.0, 0_usize); self.motions.len()];
+        let (mut scans, mut without) = (0, 0);
+        for one in self.fragilities() {
+            let Some(own) = one.states.iter().find(|own| own.state == state) else {
+                continue;
+            };
+            let mut found: Vec<(usize, f64)> = Vec::new();
+            for (i, seen) in own.observations.iter().enumerate() {
+                scans += 1;
+                let factor = match place {
+                    0 => Some(1.0),
+                    place => own
+                        .by_measure
+                        .get(place - 1)
+                        .and_then(|by| by.over_peak.get(i).copied()),
+                };
+                match (middle(seen), factor) {
+                    (Some(capacity), Some(factor)) => found.push((own.motions[i], (capacity * factor).ln())),
+                    _ => without += 1,
+                }
+            }
+            let mean = found.iter().map(|(_, value)| value).sum::<f64>() / found.len().max(1) as f64;
+            for (record, value) in found {
+                let (sum, count) = &mut sums[record];
+                (*sum, *count) = (*sum + value - mean, *count + 1);
+            }
+        }
+        if without as f64 > WITHOUT_BRACKET_MOST * scans as f64 {
+            return Err(AssessError::CapacitiesOpen { without, scans });
+        }
+        let each = sums.into_iter().enumerate();
+        Ok(each
+            .filter(|(_, (_, count))| *count > 0)
+            .map(|(record, (sum, count))| (record, sum / count as f64))
+            .collect())
+    }
+}
+
+/// The capacity, in the middle of its bracket; `None` where that is open.
+fn middle(seen: &Observation) -> Option<f64> {
+    match *seen {
+        Observation::At(x) => Some(x),
+        Observation::Between(low, high) if low > 0.0 => Some((low * high).sqrt()),
+        _ => None,
+    }
+}

@@ -1,0 +1,122 @@
+//! Which side supports of a stack at rest act as springs in small motion.
+//!
+//! A side support only pushes. In motion far smaller than any gap it is linear in two cases: it is pressed at rest, or two alike stand opposite each
+//! other without a gap, of which one acts at every instant: together they are one spring.
+
+use super::assembly::Assembly;
+use super::contact_points::ContactRule;
+use super::error::BlocksError;
+use super::links::Prop;
+use super::matrices::{Entries, OUTLINE_FROM, add_prop};
+use super::rest::settle;
+use crate::structure::stack::Stack;
+use glam::DVec3;
+
+/// Depth at rest from which a side support is pressed, m: a state of rest is found to less. Chosen here.
+const PRESSED_M: f64 = 1e-9;
+/// Two side supports stand opposite each other within this distance, m, this sine, and this part of their stiffness. Chosen here.
+const ONE_LINE_M: f64 = 1e-3;
+const ONE_LINE_SINE: f64 = 1e-3;
+const ALIKE: f64 = 1e-6;
+
+/// How a side support takes part in small motion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
+pub enum BesideInSmallMotion {
+    /// As a spring: it is pressed at rest.
+    Pressed,
+    /// As a spring together with the one opposite it, which is as stiff: neither has a gap.
+    Opposite,
+    /// It has no gap, but is not pressed and none as stiff is opposite it: it pushes in one half of each swing alone, and frequencies lie
+    /// between those without it and those with it as a spring.
+    OneWay,
+    /// Not at all, in motion smaller than its gap.
+    Gap,
+}
+
+impl BesideInSmallMotion {
+    /// Whether frequencies count it.
+    pub fn is_spring(self) -> bool {
+        matches!(self, Self::Pressed | Self::Opposite)
+    }
+}
+
+/// How each side support of a stack takes part in small motion about its rest.
+///
+/// # Errors
+/// [`BlocksError`] if the stack finds no rest.
+pub fn beside_in_small_motion(
+    stack: &Stack,
+    contact_rule: ContactRule,
+) -> Result<Vec<BesideInSmallMotion>, BlocksError> {
+    if stack.side_supports().is_empty() {
+        return Ok(Vec::new());
+    }
+    let mut assembly = match stack.blocks().len() >= OUTLINE_FROM {
+        true => Assembly::of_joints(stack, contact_rule),
+        false => Assembly::of(stack, contact_rule),
+    };
+    settle(&mut assembly, stack)?;
+    Ok(at_rest(&assembly))
+}
+
+fn at_rest(assembly: &Assembly) -> Vec<BesideInSmallMotion> {
+    let props = assembly.props();
+    let each = props.iter().map(|prop| {
+        if prop.depth(&assembly.bodies[prop.body]) > PRESSED_M {
+            BesideInSmallMotion::Pressed
+        } else if prop.gap > 0.0 {
+            BesideInSmallMotion::Gap
+        } else if props.iter().any(|other| is_opposite(prop, other)) {
+            BesideInSmallMotion::Opposite
+        } else {
+            BesideInSmallMotion::OneWay
+        }
+    });
+    each.collect()
+}
+
+/// Two of one stiffness without a gap, towards each other on one line through a body.
+fn is_opposite(prop: &Prop, other: &Prop) -> bool {
+    let across = |v: DVec3| v.cross(prop.direction).length();
+    prop.body == other.body
+        && prop.gap == 0.0
+        && other.gap == 0.0
+        && prop.direction.dot(other.direction) < 0.0
+        && across(other.direction) < ONE_LINE_SINE
+        && across(other.drawn - prop.drawn) < ONE_LINE_M
+        && (other.stiffness / prop.stiffness - 1.0).abs() < ALIKE
+}
+
+/// The side supports that are springs in small motion; of two opposite each other one.
+pub(super) fn springs_beside(assembly: &Assembly) -> Vec<&Prop> {
+    let props = assembly.props();
+    let how = at_rest(assembly);
+    let acts = |&(at, prop): &(usize, &Prop)| match how[at] {
+        BesideInSmallMotion::Pressed => true,
+        BesideInSmallMotion::Opposite => {
+            // the one that is pressed acts for both, else the first
+            let partners = props
+                .iter()
+                .enumerate()
+                .filter(|(_, other)| is_opposite(prop, other));
+            let is_taken =
+                |(other, _): (usize, &Prop)| how[other] == BesideInSmallMotion::Pressed || other < at;
+            !partners.into_iter().any(is_taken)
+        }
+        BesideInSmallMotion::OneWay | BesideInSmallMotion::Gap => false,
+    };
+    props
+        .iter()
+        .enumerate()
+        .filter(acts)
+        .map(|(_, prop)| prop)
+        .collect()
+}
+
+/// Adds the side supports that are springs in small motion.
+pub(super) fn add_springs_beside(assembly: &Assembly, matrix: &mut impl Entries) {
+    for prop in springs_beside(assembly) {
+        add_prop(assembly, prop, matrix);
+    }
+}

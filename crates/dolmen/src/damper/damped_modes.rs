@@ -1,0 +1,92 @@
+//! Frequencies of a building with its dampers: those that a survey measures.
+//!
+//! | symbol | code | meaning | unit |
+//! |:--|:--|:--|:--|
+//! | λ_k, φ_k | | complex modes of building and dampers, upper half-plane | rad/s |
+//! | α_k | | φᵀ (2 λ M + C) φ | |
+//! | s_jk | `share` | 2 \|λ_k\| \|φ_jk² / α_k\|: part of mode k in what the building's own mode j answers where it is pushed; 1 without dampers | – |
+
+use super::building_motion::in_modes;
+use super::{AttachedDamper, DamperError};
+use crate::dynamics::VibratingBuilding;
+use dolmen_linalg::{Complex64, Matrix, eigen, solve};
+use std::f64::consts::TAU;
+
+/// A mode swings if the imaginary part of its λ is more than this part of it: damped to .999 995 of critical. As for spectra.
+const SWINGS: f64 = 3e-3;
+/// A mode of the whole is seen where its peak is at least this part of the highest that an own mode of the building has become. Chosen here.
+const SEEN: f64 = 0.5;
+
+/// A mode of a building with its dampers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DampedMode {
+    /// |λ|/2π, Hz.
+    pub frequency_hz: f64,
+    /// −Re λ/|λ|.
+    pub damping_ratio: f64,
+    /// Its part in each of the building's own modes, lowest first: 1 in one of them without dampers.
+    pub share: Vec<f64>,
+}
+
+/// The modes of a building with its dampers that swing, lowest first; what is overdamped is none.
+///
+/// # Errors
+/// [`DamperError`] if a damper cannot be, or the eigenvalues are not found.
+///
+/// # Limits
+/// Linear dampers, as their coefficients are given: in the small motion of a survey a damper with friction stands still.
+pub fn damped_modes(
+    building: &VibratingBuilding,
+    dampers: &[AttachedDamper],
+) -> Result<Vec<DampedMode>, DamperError> {
+    let damped = in_modes(building, dampers)?;
+    let system = &damped.system;
+    let (size, own) = (system.degrees_of_freedom(), building.modes().modes.len());
+    let k = solve(system.mass(), system.stiffness())?;
+    let c = solve(system.mass(), system.damping())?;
+    // velocities over a high frequency: else rows of ω² beside rows of 1 lose digits
+    let high = (0..size).map(|i| k[(i, i)].abs().sqrt()).fold(0.0, f64::max);
+    let states = Matrix::from_fn(2 * size, 2 * size, |i, j| match (i < size, j < size) {
+        (true, true) => 0.0,
+        (true, false) => f64::from(u8::from(j - size == i)) * high,
+        (false, true) => -k[(i - size, j)] / high,
+        (false, false) => -c[(i - size, j - size)],
+    });
+    let found = eigen(&states)?;
+    let swings = |at: &usize| found.values[*at].im > SWINGS * found.values[*at].norm();
+    let modes = (0..2 * size).filter(swings).map(|at| {
+        let lambda = found.values[at];
+        let shape: Vec<Complex64> = (0..size).map(|row| found.vectors[(row, at)]).collect();
+        let mut alpha = Complex64::ZERO;
+        for i in 0..size {
+            for j in 0..size {
+                let of = 2.0 * lambda * system.mass()[(i, j)] + system.damping()[(i, j)];
+                alpha += shape[i] * of * shape[j];
+            }
+        }
+        let norm = lambda.norm();
+        DampedMode {
+            frequency_hz: norm / TAU,
+            damping_ratio: -lambda.re / norm,
+            share: shape[..own]
+                .iter()
+                .map(|phi| 2.0 * norm * (phi * phi / alpha).norm())
+                .collect(),
+        }
+    });
+    let mut modes: Vec<DampedMode> = modes.collect();
+    modes.sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
+    Ok(modes)
+}
+
+/// The lowest mode of the whole whose peak, share over damping ratio, is at least half the highest in one of the building's own modes: a tuned mass makes two
+/// of one, of which a survey reads the lower first.
+pub fn lowest_seen(modes: &[DampedMode], own: usize) -> Option<&DampedMode> {
+    let peak = |mode: &DampedMode| {
+        mode.share.get(own).copied().unwrap_or(0.0) / mode.damping_ratio.max(f64::MIN_POSITIVE)
+    };
+    let highest = modes.iter().map(peak).fold(0.0, f64::max);
+    modes
+        .iter()
+        .find(|mode| highest > 0.0 && peak(mode) >= SEEN * highest)
+}

@@ -1,0 +1,346 @@
+//! The steps of a frame whose two directions share their slip forces; its symbols stand in `frame_in_plan`.
+
+use super::DynamicsError;
+use super::excitation::{FrameLoad, TimeFunction};
+use super::frame_friction::{FrictionFrame, Sliders, StoreyFriction};
+use super::frame_model::{Model, Slider, State};
+use super::frame_run::FrameRun;
+use dolmen_linalg::{Matrix, solve};
+
+/// Change of a force, of the slip force, at which the sweeps over the storeys end. Chosen here.
+const SWEPT: f64 = 1e-11;
+/// Most sweeps: those of twenty equal storeys take some thousand.
+const SWEEPS_MOST: usize = 200_000;
+
+/// One direction, with what does not change from step to step.
+pub(super) struct Way {
+    pub(super) model: Model,
+    k: Matrix,
+    c: Option<Matrix>,
+    /// (M/h + C/2 + h K/4)⁻¹, and the drift speeds that unit forces of the storeys make by it.
+    inverse: Matrix,
+    gives: Matrix,
+    load: FrameLoad,
+    pub(super) state: State,
+    pub(super) friction_n: Vec<f64>,
+    /// Work put in, taken by friction and by dashpots, J.
+    pub(super) input_j: f64,
+    pub(super) friction_j: f64,
+    pub(super) damping_j: f64,
+}
+
+/// A frame in steps.
+pub(super) struct Steps {
+    pub(super) ways: [Way; 2],
+    pub(super) slips: Vec<bool>,
+    pub(super) heights_m: Vec<f64>,
+    pub(super) drift_ratio_most: f64,
+    pub(super) step_s: f64,
+}
+
+/// Frames, loads and options of both directions.
+pub(super) type Both<'a> = ([&'a FrictionFrame; 2], [&'a FrameLoad; 2], [&'a FrameRun; 2]);
+
+/// Where a storey's force ends in a step.
+struct Slipped {
+    share: [f64; 2],
+    work_j: f64,
+}
+
+impl Way {
+    fn new(frame: &FrictionFrame, load: &FrameLoad, start: &FrameRun, h: f64) -> Result<Self, DynamicsError> {
+        let model = Model::of(frame)?;
+        let n = model.levels();
+        let k = frame.stiffness_matrix(Sliders::Slipping)?;
+        let c = frame.damping_matrix()?;
+        let a = Matrix::from_fn(n, n, |i, j| {
+            let mass = if i == j { model.mass_kg[i] / h } else { 0.0 };
+            mass + c.as_ref().map_or(0.0, |c| 0.5 * c[(i, j)]) + 0.25 * h * k[(i, j)]
+        });
+        let unit = Matrix::from_fn(n, n, |i, j| f64::from(u8::from(i == j)));
+        let inverse = solve(&a, &unit)?;
+        // row i less the one below it, and so for columns
+        let down = |x: &Matrix, i: usize, j: usize| x[(i, j)] - i.checked_sub(1).map_or(0.0, |i| x[(i, j)]);
+        let rows = Matrix::from_fn(n, n, |i, j| down(&inverse, i, j));
+        let gives = Matrix::from_fn(n, n, |i, j| {
+            rows[(i, j)] - j.checked_sub(1).map_or(0.0, |j| rows[(i, j)])
+        });
+        let given = |of: &[f64]| if of.is_empty() { vec![0.0; n] } else { of.to_vec() };
+        let state = State {
+            y: given(&start.start_displacement_m),
+            v: given(&start.start_velocity_m_s),
+            slider: vec![Slider::Stuck; n],
+            offset_m: vec![0.0; n],
+        };
+        let input_j = model.kinetic_j(&state.v) + model.stored_j(&state);
+        let friction_n = (0..n).map(|i| model.jenkins_force(i, &state)).collect();
+        Ok(Way {
+            model,
+            k,
+            c,
+            inverse,
+            gives,
+            load: load.clone(),
+            state,
+            friction_n,
+            input_j,
+            friction_j: 0.0,
+            damping_j: 0.0,
+        })
+    }
+
+    /// What the load puts on the levels over a step, the mean of its ends: −M 1 a + F.
+    fn loads_n(&self, at_s: f64, h: f64) -> Vec<f64> {
+        let mean = |of: &TimeFunction| 0.5 * (of.value(at_s) + of.value(at_s + h));
+        let ground_m_s2 = mean(&self.load.ground_acceleration_m_s2);
+        let forces: Vec<f64> = self.load.forces_n.iter().map(mean).collect();
+        let each = self.model.mass_kg.iter().enumerate();
+        each.map(|(i, mass)| forces.get(i).copied().unwrap_or(0.0) - mass * ground_m_s2)
+            .collect()
+    }
+
+    /// What acts on the levels in a step but friction: M v/h − C v/2 − K (u + h v/4) and the load.
+    fn acts_n(&self, h: f64, loads_n: &[f64]) -> Vec<f64> {
+        let State { y, v, .. } = &self.state;
+        let moved: Vec<f64> = y.iter().zip(v).map(|(y, v)| y + 0.25 * h * v).collect();
+        let springs = self.k.times(&moved);
+        let dashpots = self.c.as_ref().map(|c| c.times(v));
+        let each = self.model.mass_kg.iter().enumerate();
+        each.map(|(i, mass)| {
+            let damped = dashpots.as_ref().map_or(0.0, |of| 0.5 * of[i]);
+            mass * v[i] / h - damped - springs[i] + loads_n[i]
+        })
+        .collect()
+    }
+
+    /// Forces of the storeys on the levels: Bᵀ q.
+    pub(super) fn on_levels(&self, storeys_n: &[f64]) -> Vec<f64> {
+        let above = |i: usize| storeys_n.get(i + 1).copied().unwrap_or(0.0);
+        (0..storeys_n.len()).map(|i| storeys_n[i] - above(i)).collect()
+    }
+
+    /// Absolute accelerations of the levels, m/s²: what springs, dashpots, friction and forces leave.
+    pub(super) fn acceleration_m_s2(&self, at_s: f64) -> Vec<f64> {
+        let springs = self.k.times(&self.state.y);
+        let dashpots = self.c.as_ref().map(|c| c.times(&self.state.v));
+        let rubs = self.on_levels(&self.friction_n);
+        let each = self.model.mass_kg.iter().enumerate();
+        each.map(|(i, mass)| {
+            let damped = dashpots.as_ref().map_or(0.0, |of| of[i]);
+            let force_n = self.load.forces_n.get(i).map_or(0.0, |of| of.value(at_s));
+            (force_n - springs[i] - damped - rubs[i]) / mass
+        })
+        .collect()
+    }
+
+    /// The series spring of a Jenkins element, N/m; `None` for Coulomb's slider, or none.
+    pub(super) fn series_n_m(&self, storey: usize) -> Option<f64> {
+        match self.model.friction[storey] {
+            StoreyFriction::Jenkins {
+                stuck_stiffness_n_m, ..
+            } => Some(stuck_stiffness_n_m),
+            StoreyFriction::Coulomb { .. } | StoreyFriction::None => None,
+        }
+    }
+
+    /// Force of the element over a step that ends at `end_n`: of Coulomb's law that of its end, of a spring the mean.
+    fn over_step_n(&self, storey: usize, end_n: f64) -> f64 {
+        match self.series_n_m(storey) {
+            Some(_) => 0.5 * (self.friction_n[storey] + end_n),
+            None => end_n,
+        }
+    }
+
+    /// Forces at the levels that stay, N.
+    pub(super) fn stays_n(&self) -> Vec<f64> {
+        self.load.forces_n.iter().map(TimeFunction::constant).collect()
+    }
+
+    /// Place of the slider, m.
+    pub(super) fn slider_m(&self, storey: usize) -> f64 {
+        let across = self.model.across(storey, &self.state.y);
+        across
+            - self
+                .series_n_m(storey)
+                .map_or(0.0, |k| self.friction_n[storey] / k)
+    }
+}
+
+impl Steps {
+    pub(super) fn new((frames, loads, runs): Both<'_>, step_s: f64) -> Result<Self, DynamicsError> {
+        let storeys = frames[0].frame().storeys();
+        Ok(Steps {
+            ways: [
+                Way::new(frames[0], loads[0], runs[0], step_s)?,
+                Way::new(frames[1], loads[1], runs[1], step_s)?,
+            ],
+            slips: vec![false; storeys.len()],
+            heights_m: storeys.iter().map(|storey| storey.height_m).collect(),
+            drift_ratio_most: runs[0].drift_ratio_most,
+            step_s,
+        })
+    }
+
+    /// One step from `at_s`.
+    pub(super) fn step(&mut self, at_s: f64) -> Result<(), DynamicsError> {
+        let h = self.step_s;
+        let loads = [0, 1].map(|d| self.ways[d].loads_n(at_s, h));
+        let acts = [0, 1].map(|d| self.ways[d].acts_n(h, &loads[d]));
+        // drift speeds at the end without friction
+        let free = [0, 1].map(|d| {
+            let speeds = self.ways[d].inverse.times(&acts[d]);
+            let model = &self.ways[d].model;
+            (0..speeds.len())
+                .map(|i| model.across(i, &speeds))
+                .collect::<Vec<f64>>()
+        });
+        let (ends, works) = self.sweep(&free, at_s)?;
+        for d in [0, 1] {
+            let way = &mut self.ways[d];
+            let over: Vec<f64> = (0..ends[d].len())
+                .map(|i| way.over_step_n(i, ends[d][i]))
+                .collect();
+            let rubs = way.on_levels(&over);
+            let left: Vec<f64> = acts[d]
+                .iter()
+                .zip(&rubs)
+                .map(|(acts, rubs)| acts - rubs)
+                .collect();
+            let after = way.inverse.times(&left);
+            let mean: Vec<f64> = way
+                .state
+                .v
+                .iter()
+                .zip(&after)
+                .map(|(a, b)| 0.5 * (a + b))
+                .collect();
+            if let Some(c) = &way.c {
+                let taken = c.times(&mean);
+                way.damping_j += h * mean.iter().zip(taken).map(|(v, f)| v * f).sum::<f64>();
+            }
+            way.input_j += h * loads[d].iter().zip(&mean).map(|(f, v)| f * v).sum::<f64>();
+            for i in 0..over.len() {
+                let stretch = way
+                    .series_n_m(i)
+                    .map_or(0.0, |k| (ends[d][i] - way.friction_n[i]) / k);
+                way.friction_j += over[i] * (h * way.model.across(i, &mean) - stretch);
+            }
+            for (y, v) in way.state.y.iter_mut().zip(&mean) {
+                *y += h * v;
+            }
+            way.state.v = after;
+            way.friction_n.clone_from(&ends[d]);
+        }
+        for (slips, work_j) in self.slips.iter_mut().zip(works) {
+            *slips = work_j > 0.0;
+        }
+        Ok(())
+    }
+
+    /// Forces of all storeys at the end of the step, and the work of friction in each.
+    fn sweep(&self, free: &[Vec<f64>; 2], at_s: f64) -> Result<([Vec<f64>; 2], Vec<f64>), DynamicsError> {
+        let n = self.slips.len();
+        let mut ends = [0, 1].map(|d| self.ways[d].friction_n.clone());
+        let mut works = vec![0.0; n];
+        for _ in 0..SWEEPS_MOST {
+            let mut change = 0.0_f64;
+            for i in 0..n {
+                let limits = [0, 1].map(|d| self.limit_n(d, i));
+                if limits == [None, None] {
+                    continue;
+                }
+                let found = self.storey(i, limits, (free, &ends));
+                for d in [0, 1] {
+                    if let Some(limit_n) = limits[d] {
+                        let end_n = limit_n * found.share[d];
+                        change = change.max((end_n - ends[d][i]).abs() / limit_n);
+                        ends[d][i] = end_n;
+                    }
+                }
+                works[i] = found.work_j;
+            }
+            if change <= SWEPT {
+                return Ok((ends, works));
+            }
+        }
+        Err(DynamicsError::NoState {
+            at_s,
+            tried: SWEEPS_MOST,
+        })
+    }
+
+    /// The slip force of a storey in a direction now; `None` where it does not rub.
+    fn limit_n(&self, d: usize, storey: usize) -> Option<f64> {
+        let [fixed_n, kinetic_n] = self.ways[d].model.friction[storey].limits_n()?;
+        Some(if self.slips[storey] { kinetic_n } else { fixed_n })
+    }
+
+    /// The force of one storey, those of the others as they are.
+    ///
+    /// ```text
+    /// Coulomb:  Δ = h (c − G q⁺)                          α = h G f²,              β = h c f
+    /// Jenkins:  Δ = h (δ' + c − G (q + q⁺)/2)/2 − (q⁺ − q)/k   α = (h G/4 + 1/k) f²,  β = [h (δ' + c − G q/2)/2 + q/k] f
+    /// f Δ = β − α s = λ s
+    /// ```
+    /// c is the drift speed at the end that the storey would have without its own force, δ' that at the start, G that of a unit force.
+    fn storey(
+        &self,
+        i: usize,
+        limits: [Option<f64>; 2],
+        (free, ends): (&[Vec<f64>; 2], &[Vec<f64>; 2]),
+    ) -> Slipped {
+        let h = self.step_s;
+        let (mut alpha, mut beta) = ([1.0; 2], [0.0; 2]);
+        for d in [0, 1] {
+            let Some(limit_n) = limits[d] else { continue };
+            let way = &self.ways[d];
+            let mut c = free[d][i];
+            for (j, end_n) in ends[d].iter().enumerate().filter(|(j, _)| *j != i) {
+                c -= way.gives[(i, j)] * way.over_step_n(j, *end_n);
+            }
+            let g = way.gives[(i, i)];
+            match way.series_n_m(i) {
+                None => {
+                    alpha[d] = h * g * limit_n * limit_n;
+                    beta[d] = h * c * limit_n;
+                }
+                Some(k) => {
+                    let (before_n, speed) = (way.friction_n[i], way.model.across(i, &way.state.v));
+                    alpha[d] = (0.25 * h * g + 1.0 / k) * limit_n * limit_n;
+                    beta[d] = (0.5 * h * (speed + c - 0.5 * g * before_n) + before_n / k) * limit_n;
+                }
+            }
+        }
+        on_the_disc(alpha, beta)
+    }
+}
+
+/// β = (α + λ) s with |s| ≤ 1, and λ = 0 unless |s| = 1.
+fn on_the_disc(alpha: [f64; 2], beta: [f64; 2]) -> Slipped {
+    let share = |work_j: f64| [0, 1].map(|d| beta[d] / (alpha[d] + work_j));
+    let mut work_j = 0.0;
+    let held = share(0.0);
+    if held[0].hypot(held[1]) <= 1.0 {
+        return Slipped { share: held, work_j };
+    }
+    // |s|² − 1 falls and is convex in λ: Newton comes from the left and does not pass the root
+    for _ in 0..100 {
+        let s = share(work_j);
+        let over = s[0] * s[0] + s[1] * s[1] - 1.0;
+        let slope: f64 = [0, 1]
+            .iter()
+            .map(|&d| -2.0 * s[d] * s[d] / (alpha[d] + work_j))
+            .sum();
+        let next = work_j - over / slope;
+        if next <= work_j * (1.0 + 1e-15) {
+            break;
+        }
+        work_j = next;
+    }
+    let s = share(work_j);
+    let size = s[0].hypot(s[1]);
+    Slipped {
+        share: s.map(|s| s / size),
+        work_j,
+    }
+}

@@ -1,0 +1,105 @@
+//! Readings of a tilt that stand alone: one slipped reading is no step, and must neither hide nor feign a slope.
+
+use crate::numeric::{middle, middle_mean};
+
+/// Readings on either side that a reading is held against, and how many of them may lie with it.
+const BESIDE: usize = 3;
+const WITH_IT: usize = 1;
+/// Deviations beyond which a reading stands alone, as for frequencies, and the first one off the line of those behind it. Chosen here.
+const ALONE: f64 = 6.0;
+const ALONE_FIRST: f64 = 12.0;
+/// A deviation of normal values over their median absolute deviation.
+const OF_MEDIAN: f64 = 1.4826;
+/// Readings below which neighbours say too little.
+const READINGS_LEAST: usize = 8;
+
+/// A reading that stands alone.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TiltOutlier {
+    /// Index of the reading.
+    pub at: usize,
+    /// What those around it have there.
+    pub expected: f64,
+}
+
+/// Readings that lie beyond the six around them, or all but one of these, by more than six deviations; the first one beyond the line of those behind it,
+/// too.
+///
+/// Two slips beside each other are found; a step is none, since the readings before it lie with each other. The last reading is never one: whether the
+/// structure moved only the next one can tell.
+pub(super) fn tilt_outliers(days: &[f64], ratios: &[f64]) -> Vec<TiltOutlier> {
+    let n = days.len();
+    if n < READINGS_LEAST {
+        return Vec::new();
+    }
+    let beside: Vec<Beside> = (0..n - 1).map(|i| Beside::of(i, days, ratios)).collect();
+    let inner = beside.iter().take(n - BESIDE).skip(BESIDE);
+    let spread = OF_MEDIAN * middle(inner.map(|of| of.middle().abs()).collect());
+    // readings of coarse steps are often all alike, and one step away is none too far
+    let steps = ratios.windows(2).map(|pair| (pair[1] - pair[0]).abs());
+    let finest = steps.filter(|step| *step > 0.0).fold(f64::INFINITY, f64::min);
+    let usual = spread.max(finest.min(f64::MAX));
+    let each = beside.iter().enumerate().filter(|(i, of)| {
+        let with_it = match *i < BESIDE || i + BESIDE >= n {
+            true => 0,
+            false => WITH_IT,
+        };
+        of.is_alone(ALONE * usual, with_it)
+            && (*i > 0 || of.without_slope(days, ratios).is_alone(ALONE_FIRST * usual, 0))
+    });
+    each.map(|(at, of)| {
+        let off = match at >= BESIDE && at + BESIDE < n {
+            true => of.middle(),
+            false => of.without_slope(days, ratios).middle(),
+        };
+        TiltOutlier {
+            at,
+            expected: ratios[at] - off,
+        }
+    })
+    .collect()
+}
+
+/// How far a reading lies from those around it.
+struct Beside {
+    at: usize,
+    near: Vec<usize>,
+    off: Vec<f64>,
+}
+
+impl Beside {
+    fn of(at: usize, days: &[f64], ratios: &[f64]) -> Self {
+        let from = at.saturating_sub(BESIDE).min(days.len() - 1 - 2 * BESIDE);
+        let near: Vec<usize> = (from..=from + 2 * BESIDE).filter(|j| *j != at).collect();
+        let off = near.iter().map(|j| ratios[at] - ratios[*j]).collect();
+        Beside { at, near, off }
+    }
+
+    /// The same, the median of the slopes of all pairs of the others removed: one slip among these does not turn it (Theil 1950, Sen 1968).
+    fn without_slope(&self, days: &[f64], ratios: &[f64]) -> Self {
+        let pairs = self.near.iter().enumerate();
+        let pairs = pairs.flat_map(|(i, a)| self.near[i + 1..].iter().map(move |b| (*a, *b)));
+        let slopes = pairs.map(|(a, b)| (ratios[b] - ratios[a]) / (days[b] - days[a]));
+        let slope = middle_mean(slopes.collect());
+        let both = self.near.iter().zip(&self.off);
+        Beside {
+            at: self.at,
+            near: self.near.clone(),
+            off: both
+                .map(|(j, off)| off - slope * (days[self.at] - days[*j]))
+                .collect(),
+        }
+    }
+
+    /// Whether it lies beyond all others on one side, but for so many.
+    fn is_alone(&self, limit: f64, with_it: usize) -> bool {
+        let most = self.off.len() - with_it;
+        let above = self.off.iter().filter(|off| **off > limit).count();
+        let below = self.off.iter().filter(|off| **off < -limit).count();
+        above >= most || below >= most
+    }
+
+    fn middle(&self) -> f64 {
+        middle_mean(self.off.clone())
+    }
+}
