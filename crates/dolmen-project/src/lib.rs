@@ -1,6 +1,7 @@
 //! Project files: one TOML a structure, with its surveys, variants and the evidence of each number.
 
 mod bounds;
+mod buildable;
 mod building;
 mod chain;
 mod check;

@@ -1,6 +1,7 @@
 //! From the text of a project file to a [`Project`]: parse, check against the schema, read, judge, then the variants.
 
-use super::building::{buildable as building_buildable, building};
+use super::buildable::buildable;
+use super::building::building;
 use super::chain::{chain, lean_chain};
 use super::check::SchemaCheck;
 use super::content::{Project, Structure, Variant, Warning, WarningKind};
@@ -35,8 +36,7 @@ use super::tabled::{Tabled, tabled};
 use super::units::STANDARD_GRAVITY_M_S2;
 use super::unknown_variants::unknown_variants;
 use super::warned::Warned;
-use super::wrong::{Common, WrongFile, said};
-use dolmen::structure::StructureError;
+use super::wrong::{Common, WrongFile};
 use dolmen_records::{Files, NoFiles};
 use dolmen_words::message::Both;
 use serde::Deserialize;
@@ -356,36 +356,6 @@ fn of_raw(
     project.warnings = reader.take_warnings(text);
     project.spans = reader.take_places();
     Some(project)
-}
-
-/// What the science refuses beyond what has been checked here: storeys whose axial force grows upwards.
-fn buildable(reader: &mut Reader, structure: Option<&mut Structure>) {
-    if !reader.faults.is_empty() {
-        return;
-    }
-    let (built, path) = match structure {
-        Some(Structure::Chain(chain)) => (chain.build(&mut Quantity::nominal).map(|_| ()), "links"),
-        Some(Structure::Frame(frame)) => (frame.build(&mut Quantity::nominal).map(|_| ()), "storeys"),
-        Some(Structure::Stack(stack)) => {
-            if let Err(why) = stack.build(&mut Quantity::nominal) {
-                let path = why.path();
-                reader.fault(Fault::new(reader.place(path), path, Both::from(why.sentence())));
-            }
-            return;
-        }
-        Some(Structure::Building(part)) => {
-            building_buildable(reader, part);
-            return;
-        }
-        Some(Structure::Survey) | None => return,
-    };
-    if let Err(why) = built {
-        let path = match &why {
-            StructureError::AxialOrder { storey, .. } => format!("storeys[{storey}].axial_force"),
-            _ => path.to_owned(),
-        };
-        reader.fault(Fault::new(reader.place(&path), &path, said(&why)));
-    }
 }
 
 fn name(reader: &mut Reader, raw: At<NamesRaw>, path: &str) -> Option<Names> {

@@ -1,4 +1,4 @@
-//! What is said of two motions one after the other: the state after each, and whether the structure was at rest between them.
+//! Two motions one after the other: the state after each, and whether the structure was at rest between them.
 
 use crate::document::{
     Block, Cell, Column, Document, Finding, Table, TextStyle, Tone, document_text, findings_text,

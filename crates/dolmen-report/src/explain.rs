@@ -83,8 +83,9 @@ not been held against its text is listed; have it checked before a decision rest
         title: "A record that holds an earthquake",
         text: "\
 All channels (of four or more, a quarter may miss it) rise to eleven times their noise, by 3.5 within two seconds or to a
-hundred times, for 1.5 s at least, and to 0.02 m/s² or 1 mm/s: no spike, footfall, lorry or gust does that, and a free decay, which is at its largest when
-it begins and has all its power in a few lines, is told from it. Before and after it modes are found as in any ambient record; in
+hundred times, for 1.5 s at least, and to 0.02 m/s² or 1 mm/s: no spike or footfall does that, and a free decay is at its largest when it begins and has
+all its power in a few lines. A train or heavy lorry close by and a gust of more than ten times the wind before can look like one: look at the sensor on
+the ground, and at the time. Before and after it modes are found as in any ambient record; in
 it they are those above the channels marked as inputs, or the lowest mode is followed along its shape. A frequency that is lower in
 the earthquake says nothing of damage: stone and timber soften with the strength of motion. One that stays lower does: minutes lie
 between both, too few for the weather. The modes of the survey are those after it, else those before it. A blast, a crowd that

@@ -1,6 +1,6 @@
 // SOURCE     Statics of one rigid link on a bed of known width, written out here; frequencies of one link, ω² = (k − m g l)/I.
 // GOAL       What is known of one direction alone is never better than it was: a bed of unknown plan has no corners, a frequency belongs to its
-//            direction and swings with what hangs, a contradicted model is not called safe in a report, and a newer survey is named.
+//            direction and swings with what hangs, no report calls a contradicted model safe, and `check` names a newer survey.
 //
 // PARAMETERS a stone of 100 kN, 6 m; a bed 0.7 m wide whose depth is not given.
 // TOLERANCE  1e-6 of printed numbers.

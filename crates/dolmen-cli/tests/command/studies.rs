@@ -179,7 +179,7 @@ fn holds_ctrl_c_keeps_what_is_done() {
     let stdout = String::from_utf8_lossy(&ended.stdout);
     assert_eq!(ended.status.code(), Some(3), "{stdout}");
     assert!(stdout.contains("Not finished"), "{stdout}");
-    // what is not finished is said so once, and is not what cannot be used
+    // the answer says once what is not finished, and does not count it as what cannot be used
     assert!(
         stdout.contains("not finished") && !stdout.contains("cannot be used"),
         "{stdout}"

@@ -283,7 +283,7 @@ fn holds_a_tilt_beyond_its_drift_and_friction_of_no_weight_are_said() {
         words.contains("a storey leans by as much as counts as fallen"),
         "{words}"
     );
-    // what is in no model is said as before
+    // the words for what is in no model stay as they were
     let undated = tilted.replace("2024-01-01", "first");
     let words = with("tilt-undated", &undated)
         .briefly("check project.toml --full")

@@ -31,7 +31,7 @@ messages! {
             ko: "{survey} 조사의 진동 기록은 이 검토에서 모델과 비교하지 않았다. `dolmen identify`가 모드를 구하고, `dolmen report`가 모델과 비교한다.",
         },
         NewerUnread { survey: String, compared: String } => {
-            en: "The newest survey, {survey}, has records of vibration that a check does not read; what is said of measured frequencies is of survey {compared}. `dolmen identify` reads them, and finds an earthquake in them if there is one; `dolmen report` holds them against the model.",
+            en: "The newest survey, {survey}, has records of vibration that a check does not read; the comparison of frequencies is that of survey {compared}. `dolmen identify` reads them, and finds an earthquake in them if there is one; `dolmen report` holds them against the model.",
             ko: "최근 조사 {survey}에는 이 검토에서 읽지 않는 진동 기록이 있으며, 계측 고유진동수와의 비교는 {compared} 조사의 것이다. `dolmen identify`가 기록을 읽고 지진이 들어 있는지도 찾는다. `dolmen report`가 모델과 비교한다.",
         },
         MarkedAssumed { survey: String, evidence: Both } => {

@@ -1,11 +1,9 @@
 //! The document read back: it says what the page says, it is XML, and what a user writes stays words.
 
 use super::docx;
-use crate::document::{Numbers, document_html};
 use crate::html::tests::{gate, pole, survey};
 use crate::html::{Imprint, NotReported};
-use crate::typeset::tests::inside;
-use crate::whole::whole_document;
+use crate::paper::holds_the_page;
 use dolmen_words::Language;
 use dolmen_work::answer::ProjectReport;
 use std::collections::BTreeMap;
@@ -69,25 +67,7 @@ fn holds_what_the_page_says_stands_in_the_document() {
         for language in [Language::English, Language::Korean] {
             let bytes = written(std::slice::from_ref(&answer), &[], language, &imprint());
             let there = paragraphs(&text(&parts(&bytes), "word/document.xml"));
-            let page = document_html(&whole_document(&answer), language, &mut Numbers::alone()).into_string();
-            let said = ["td", "th", "h2", "h3", "p", "li"]
-                .map(|tag| inside(&page, tag))
-                .concat();
-            assert!(said.len() > 10, "{} of the page", said.len());
-            for words in said {
-                let words = words.replace("k_cr", "kcr").replace("k_min", "kmin");
-                assert!(there.contains(&words), "not in the document: {words}");
-            }
-            let captions = ["caption", "figcaption"].map(|tag| inside(&page, tag)).concat();
-            assert!(!captions.is_empty());
-            for caption in captions {
-                let bare = caption
-                    .replace("<b>", "")
-                    .replace("</b>", "")
-                    .replace("k_cr", "kcr");
-                let ends = |said: &String| said.ends_with(&bare) && said.len() > bare.len();
-                assert!(there.iter().any(ends), "no such caption: {bare}");
-            }
+            holds_the_page(&there, &answer, language);
         }
     }
 }

@@ -1,6 +1,8 @@
 //! A report as a word processor holds it: paragraphs, heads, tables, pictures, captions, one after another. DOCX and HWPX both write this.
 
 mod archive;
+#[cfg(test)]
+mod beside_page;
 mod body;
 mod fault;
 mod grid;
@@ -15,6 +17,8 @@ use crate::engineer::date_of;
 use crate::html::front::kind_words;
 use crate::html::{Imprint, NotReported, day, project_name};
 pub(crate) use archive::{Part, pack};
+#[cfg(test)]
+pub(crate) use beside_page::holds_the_page;
 use body::Body;
 use dolmen_words::Language;
 use dolmen_work::answer::ProjectReport;

@@ -230,7 +230,7 @@ fn holds_what_falls_alone_would_miss_is_said() {
     assert_eq!((again.entries.len(), again.left_out[0].name.as_str()), (2, "c"));
     let text = rank_text(&again, TextStyle::plain());
     assert!(
-        text.contains("Without a place, look at these yourself: 1\n"),
+        text.contains("Without a place, look at these yourself: 1 (c)\n"),
         "{text}"
     );
     assert!(text.contains("  - c: nothing is known"), "{text}");

@@ -45,7 +45,7 @@ impl Default for SensorsOptions {
     }
 }
 
-/// Sensors if nothing is said of them.
+/// Sensors where no count is given.
 const COUNT: usize = 4;
 /// Modes asked for if the file of options does not say: as many as channels, within these.
 const MODES_LEAST: usize = 3;

@@ -9,7 +9,7 @@
 use crate::assess::AssessError;
 use crate::numeric::student_two_sided;
 
-/// Fewest motions of which a slope is told. Chosen here: of fewer, one motion decides it.
+/// Fewest motions that give a slope. Chosen here: of fewer, one motion decides it.
 pub const SUFFICIENCY_MOTIONS_LEAST: usize = 10;
 
 /// The line through residuals of capacities.

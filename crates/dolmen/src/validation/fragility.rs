@@ -38,7 +38,7 @@ const ANSCOMBE: [[f64; 2]; 11] = [
     [5.0, 5.68],
 ];
 
-/// The line that sufficiency is told by, beside printed numbers.
+/// A regression beside printed numbers, as sufficiency rests on it.
 fn of_lines() -> Result<Vec<Case>, ValidationError> {
     let (x, y) = (ANSCOMBE.map(|pair| pair[0]), ANSCOMBE.map(|pair| pair[1]));
     let line = sufficiency(&y, &x)?;

@@ -1,0 +1,40 @@
+//! What the science refuses of a structure that was read without a fault.
+
+use super::building;
+use super::content::Structure;
+use super::error::Fault;
+use super::quantity::Quantity;
+use super::reader::Reader;
+use super::wrong::said;
+use dolmen::structure::StructureError;
+use dolmen_words::message::Both;
+
+/// What the science refuses beyond what has been checked here: storeys whose axial force grows upwards.
+pub(super) fn buildable(reader: &mut Reader, structure: Option<&mut Structure>) {
+    if !reader.faults.is_empty() {
+        return;
+    }
+    let (built, path) = match structure {
+        Some(Structure::Chain(chain)) => (chain.build(&mut Quantity::nominal).map(|_| ()), "links"),
+        Some(Structure::Frame(frame)) => (frame.build(&mut Quantity::nominal).map(|_| ()), "storeys"),
+        Some(Structure::Stack(stack)) => {
+            if let Err(why) = stack.build(&mut Quantity::nominal) {
+                let path = why.path();
+                reader.fault(Fault::new(reader.place(path), path, Both::from(why.sentence())));
+            }
+            return;
+        }
+        Some(Structure::Building(part)) => {
+            building::buildable(reader, part);
+            return;
+        }
+        Some(Structure::Survey) | None => return,
+    };
+    if let Err(why) = built {
+        let path = match &why {
+            StructureError::AxialOrder { storey, .. } => format!("storeys[{storey}].axial_force"),
+            _ => path.to_owned(),
+        };
+        reader.fault(Fault::new(reader.place(&path), &path, said(&why)));
+    }
+}

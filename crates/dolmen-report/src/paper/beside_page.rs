@@ -1,0 +1,30 @@
+//! Paragraphs of a document beside the page of the same answer: tests of every format hold them so.
+
+use crate::document::{Numbers, document_html};
+use crate::typeset::tests::inside;
+use crate::whole::whole_document;
+use dolmen_words::Language;
+use dolmen_work::answer::ProjectReport;
+
+/// Every heading, paragraph, cell and caption of the page stands among the paragraphs.
+pub(crate) fn holds_the_page(there: &[String], answer: &ProjectReport, language: Language) {
+    let page = document_html(&whole_document(answer), language, &mut Numbers::alone()).into_string();
+    let said = ["td", "th", "h2", "h3", "p", "li"]
+        .map(|tag| inside(&page, tag))
+        .concat();
+    assert!(said.len() > 10, "{} of the page", said.len());
+    for words in said {
+        let words = words.replace("k_cr", "kcr").replace("k_min", "kmin");
+        assert!(there.contains(&words), "not in the document: {words}");
+    }
+    let captions = ["caption", "figcaption"].map(|tag| inside(&page, tag)).concat();
+    assert!(!captions.is_empty());
+    for caption in captions {
+        let bare = caption
+            .replace("<b>", "")
+            .replace("</b>", "")
+            .replace("k_cr", "kcr");
+        let ends = |said: &String| said.ends_with(&bare) && said.len() > bare.len();
+        assert!(there.iter().any(ends), "no such caption: {bare}");
+    }
+}
