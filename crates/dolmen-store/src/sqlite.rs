@@ -49,12 +49,13 @@ impl Sqlite {
             }
             (known, _) => known?,
         };
-        // another process may have made it since
-        let known = match known == 0 && (opened.schema()? != 0 || opened.has_tables()?) {
+        // looked at once: another process may fill the file from one look to the next
+        let is_filled = known == 0 && (opened.schema()? != 0 || opened.has_tables()?);
+        let known = match is_filled {
             true => opened.whole("pragma application_id")?,
             false => known,
         };
-        if known != APPLICATION && (known != 0 || opened.schema()? != 0 || opened.has_tables()?) {
+        if known != APPLICATION && (known != 0 || is_filled) {
             return Err(StoreFault::Foreign { shown }.into());
         }
         if known != APPLICATION && access == Access::Read {

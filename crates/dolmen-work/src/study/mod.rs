@@ -27,6 +27,7 @@ mod model;
 mod motions;
 mod plan;
 mod plan_before;
+mod plan_words;
 mod results;
 mod run;
 mod scans;

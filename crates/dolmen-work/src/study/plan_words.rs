@@ -1,0 +1,36 @@
+//! Cases and scans of a study in words.
+
+use super::plan::Plan;
+
+impl Plan<'_> {
+    /// A case in words: its variant and inputs; empty if there is only one.
+    pub(super) fn case_words(&self, case: usize) -> String {
+        let Some(inputs) = self.cases.get(case).filter(|_| self.cases.len() > 1) else {
+            return String::new();
+        };
+        let mut words: Vec<String> = inputs.variant.iter().cloned().collect();
+        let each = self.inputs.iter().zip(&inputs.texts);
+        words.extend(each.map(|(input, text)| format!("{} = {text}", input.path)));
+        words.join(", ")
+    }
+
+    /// A scan in words: what its inputs are.
+    pub fn scan_words(&self, job: usize) -> String {
+        let turns = self.study.turns_rad.len();
+        let case = self.case_words(job / (self.motions.len() * turns));
+        let mut words = vec![format!(
+            "motion {}",
+            self.motions[job / turns % self.motions.len()].0
+        )];
+        if !case.is_empty() {
+            words.insert(0, case);
+        }
+        if turns > 1 {
+            words.push(format!(
+                "turned by {}°",
+                self.study.turns_rad[job % turns].to_degrees()
+            ));
+        }
+        words.join(", ")
+    }
+}
