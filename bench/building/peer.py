@@ -2,11 +2,12 @@
 
 The model of project.toml beside this file. Each floor is a node at its centre of mass; at the centre of rigidity a node on a rigid link;
 between those of neighbouring floors a zero-length element of three elastic springs. Rayleigh damping of the storeys alone. Newmark's
-average acceleration, a linear solve a step. Prints the peaks, and the processor time of the analysis loop alone.
+average acceleration, factored once; recorders keep the peaks. Prints them, and the processor time of the analysis loop.
 """
 
 import argparse
 import csv
+import tempfile
 import time
 from pathlib import Path
 
@@ -65,33 +66,22 @@ def main():
     ops.constraints("Transformation")
     ops.numberer("RCM")
     ops.system("BandGeneral")
-    ops.algorithm("Linear")
+    ops.algorithm("Linear", "-factorOnce")
     ops.integrator("Newmark", 0.5, 0.25)
     ops.analysis("Transient")
-    peak, stroke, spent = [0.0] * 3, 0.0, 0.0
-    steps = round(40 / step)
-    start = time.process_time()
-    for _ in range(steps):
-        if ops.analyze(1, step) != 0:
+    with tempfile.TemporaryDirectory() as folder:
+        top, stroke = f"{folder}/top", f"{folder}/stroke"
+        ops.recorder("EnvelopeNode", "-file", top, "-node", N, "-dof", 1, 2, 3, "disp")
+        ops.recorder("EnvelopeElement", "-file", stroke, "-ele", 9000, "deformation")
+        start = time.process_time()
+        if ops.analyze(round(40 / step), step) != 0:
             raise SystemExit("OpenSees did not converge")
-        for j in range(3):
-            peak[j] = max(peak[j], abs(ops.nodeDisp(N, j + 1)))
-        stroke = max(stroke, abs(ops.nodeDisp(2001, 2) - ops.nodeDisp(2000, 2)))
-    spent = time.process_time() - start
-    build()
-    ops.timeSeries("Path", 1, "-dt", 0.02, "-values", *record)
-    ops.pattern("UniformExcitation", 1, 2, "-accel", 1)
-    ops.wipeAnalysis()
-    ops.constraints("Transformation")
-    ops.numberer("RCM")
-    ops.system("BandGeneral")
-    ops.algorithm("Linear")
-    ops.integrator("Newmark", 0.5, 0.25)
-    ops.analysis("Transient")
-    start = time.process_time()
-    ops.analyze(steps, step)  # the loop alone, nothing read out
-    alone = time.process_time() - start
-    print(f"peer x_mm={1e3 * peak[0]:.5f} y_mm={1e3 * peak[1]:.5f} turn_mrad={1e3 * peak[2]:.6f} stroke_mm={1e3 * stroke:.5f} loop_s={alone:.6f} read_s={spent:.6f}")
+        spent = time.process_time() - start
+        ops.wipe()  # closes the recorders' files
+        # smallest, largest, largest magnitude
+        x, y, turn = (abs(float(word)) for word in open(top).read().splitlines()[2].split())
+        stroke = abs(float(open(stroke).read().splitlines()[2].split()[0]))
+    print(f"peer x_mm={1e3 * x:.5f} y_mm={1e3 * y:.5f} turn_mrad={1e3 * turn:.6f} stroke_mm={1e3 * stroke:.5f} loop_s={spent:.6f}")
 
 
 main()

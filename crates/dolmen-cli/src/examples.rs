@@ -83,15 +83,26 @@ pub(crate) fn run(options: &New, manner: &Manner) -> Result<Outcome> {
             Kind::Flagpole | Kind::Pagoda | Kind::Arch | Kind::Wall | Kind::Building => "check",
             Kind::Gate | Kind::Survey => "identify",
         };
-        lines.push(format!("    dolmen {verb} {shown}"));
+        let typed = for_a_shell(&shown.to_string());
+        lines.push(format!("    dolmen {verb} {typed}"));
         let motion = match options.kind {
             Kind::Pagoda | Kind::Arch | Kind::Wall | Kind::Building => " --motion el-centro-1940-ns",
             Kind::Flagpole | Kind::Gate | Kind::Survey => "",
         };
-        lines.push(format!(
-            "    dolmen report {shown}{motion} -o {shown}/report.html"
-        ));
+        let page = for_a_shell(&format!("{shown}/report.html"));
+        lines.push(format!("    dolmen report {typed}{motion} -o {page}"));
         say(&(lines.join("\n") + "\n"))?;
     }
     Ok(Outcome::Done)
+}
+
+/// A path as it can be pasted into a shell: in double quotes, which all shells know, where it needs any.
+fn for_a_shell(path: &str) -> String {
+    let is_plain = |c: char| c.is_alphanumeric() || "_-./\\:+,@".contains(c);
+    let is_quotable = |c: char| !"\"$`!".contains(c);
+    match (path.chars().all(is_plain), path.chars().all(is_quotable)) {
+        (true, _) => path.to_owned(),
+        (false, true) => format!("\"{path}\""),
+        (false, false) => format!("'{}'", path.replace('\'', "'\\''")),
+    }
 }

@@ -13,7 +13,7 @@ use crate::watch_call::judged;
 use crate::wrong::Noted;
 use anyhow::Result;
 use dolmen_follow::{Follow, FollowedRecord, Listener, Quarantined};
-use dolmen_report::kept::{followed_json, followed_text, quarantined_json, quarantined_text};
+use dolmen_report::kept::{JudgedRecord, followed_json, followed_text, quarantined_json, quarantined_text};
 use dolmen_words::message::Both;
 use std::path::Path;
 use std::time::Duration;
@@ -77,19 +77,33 @@ impl Listener for OnTerminal<'_> {
     }
 
     fn record(&self, of: &FollowedRecord<'_>) -> Result<()> {
-        let judged = (of.verdict, of.open_alarms);
+        let judged = JudgedRecord {
+            verdict: of.verdict,
+            open_alarms: of.open_alarms,
+            sensors: of.sensors,
+        };
         match self.manner.json {
             true => say(&format!(
                 "{}\n",
-                followed_json(of.survey, of.file, of.taken, judged)
+                followed_json(of.survey, of.file, of.taken, &judged)
             )),
             false => say(&followed_text(
                 of.survey,
                 of.file,
                 of.taken,
-                judged,
+                &judged,
                 self.manner.language(),
             )),
+        }
+    }
+
+    fn again(&self, file: &str, known_as: &str) {
+        if !self.manner.quiet {
+            let said = Noted::CameAgain {
+                file: file.to_owned(),
+                known_as: known_as.to_owned(),
+            };
+            note!("{}", said.text(self.manner));
         }
     }
 

@@ -54,7 +54,7 @@ use passwords::without_passwords;
 use std::process::ExitCode;
 use typed::Typed;
 
-/// What is said where Dolmen itself fails: the place, the version, and that nothing written before is lost.
+/// Says that Dolmen itself failed: the place, the version, and that nothing written before is lost.
 fn say_own_fault(panic: &std::panic::PanicHookInfo<'_>) {
     let place = panic
         .location()

@@ -69,7 +69,7 @@ fn range(options: &Options) -> [f64; 2] {
     options.range.or(of_structure).unwrap_or(RANGE_S)
 }
 
-/// The files, however they are named.
+/// The files, from whichever argument gives them.
 fn named_files(options: &Options) -> &[String] {
     match options.files.is_empty() {
         true => &options.motion.motion_file,

@@ -42,7 +42,7 @@ pub(crate) fn show_work(quiet: bool) {
     });
 }
 
-/// Takes the line of [`show_work`] away, for good: something is said.
+/// Takes the line of [`show_work`] away, for good: other output follows.
 pub(crate) fn end_silence() {
     let mut silence = SILENCE.lock().unwrap_or_else(PoisonError::into_inner);
     silence.is_over = true;

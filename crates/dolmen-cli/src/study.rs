@@ -64,7 +64,7 @@ fn each(
             (Ok(_), Err(fault)) => Err(fault),
             (worst, Ok(_)) => worst,
             (Err(first), Err(fault)) => {
-                tools::complain(&fault, manner); // the first is said at the end
+                tools::complain(&fault, manner); // the first comes at the end
                 Err(first)
             }
         };
@@ -100,7 +100,7 @@ fn simulated(options: &Options, plan: &Plan<'_>, folder: &StudyFolder, manner: &
     finish(plan, folder, runs, manner)
 }
 
-/// What is said at the end of a shard: its journal is its result.
+/// Ends a shard with its sentence: its journal is its result.
 fn shard_done(
     plan: &Plan<'_>,
     folder: &StudyFolder,

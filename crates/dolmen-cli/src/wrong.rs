@@ -243,6 +243,10 @@ messages! {
             en: "records that come into {folder} are taken for {structure}, with the settings of its survey {survey}",
             ko: "{folder}에 들어오는 기록을 {structure}의 조사 {survey} 설정으로 처리한다",
         },
+        CameAgain { file: String, known_as: String } => {
+            en: "{file} holds the same bytes as {known_as}, which is stored already: it is no new record, and is passed over",
+            ko: "{file}은(는) 이미 저장된 {known_as}와(과) 내용이 같다. 새 기록이 아니므로 처리하지 않았다",
+        },
         StillWritten { files: usize } => {
             en: "files that were still being written or too new: {files}; what rests by now was taken, the others are left for the next time",
             ko: "아직 쓰는 중이거나 너무 새로운 파일이 {files}개 있었다. 그사이 완료된 것은 처리하였고 나머지는 다음에 처리한다",

@@ -240,7 +240,7 @@ pub(crate) fn folder_of(file: &Path) -> &Path {
     folder.unwrap_or(Path::new("."))
 }
 
-/// Parts in the making are named so: hidden, with the process and a number.
+/// Names of parts in the making: hidden, with the process and a number.
 const PART: (&str, &str) = (".dolmen-", ".part");
 /// How often a part is begun anew that another process cleared away.
 const TRIES: usize = 20;

@@ -148,7 +148,7 @@ impl StudyFolder {
         Ok((file, runs))
     }
 
-    /// All journals of a study: in its folder, and in others that are named.
+    /// All journals of a study: in its folder, and in others that the caller names.
     pub fn journals(&self, study: &str, from: &[PathBuf]) -> Result<Vec<JournalText>> {
         let mut journals = journals_in(&self.path)?;
         for folder in from {

@@ -13,13 +13,13 @@ use dolmen_records::{Log, TABLE_BYTES_MOST, read_log};
 use dolmen_report::kept::metrics_text;
 use dolmen_store::{Act, Arrived, Arriving, Incoming, Keeper, Kept, Store};
 use dolmen_words::message::Both;
-use dolmen_work::follow::{OpenAlarm, Taken, Verdict, moment_of, open_alarms, verdict};
+use dolmen_work::follow::{OpenAlarm, Taken, Verdict, moment_of, open_alarms, sensor_change, verdict};
 use dolmen_work::sensor_alarms::SensorFault;
 use dolmen_work::watch::{SURVEYS_LEAST, watch_observed};
 use dolmen_work::watched::WatchAnswer;
 use dolmen_work::{ChangeFault, WorkError};
 use rayon::prelude::*;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
@@ -39,7 +39,8 @@ struct Following<'a> {
     quarantine: PathBuf,
     inbox: Inbox,
     state: State,
-    known: BTreeSet<String>,
+    /// Hashes of the records of the structure, and the names they came under.
+    known: BTreeMap<String, String>,
     /// Records of the structure that came by themselves, as far as `state` has them.
     arrivals: u64,
     /// What the history says after the last record.
@@ -187,7 +188,13 @@ impl<'a> Following<'a> {
         for (of, file) in some.iter().zip(read) {
             match file {
                 ReadFile::Later => {}
-                ReadFile::Known => self.put_away(of),
+                ReadFile::Known(hash) => {
+                    let name = name_of(&of.0);
+                    if let Some(known_as) = self.known.get(&hash).filter(|own| **own != name) {
+                        self.listener.again(&name, known_as);
+                    }
+                    self.put_away(of);
+                }
                 ReadFile::Unreadable(why) => {
                     if let Err(fault) = self.quarantine(&of.0, &why) {
                         self.leave(of, &fault);
@@ -255,7 +262,7 @@ impl<'a> Following<'a> {
             let arrived = self.store.arrive(&arriving, &act);
             match arrived.map_err(told)? {
                 Arrived::Stored => {
-                    self.known.insert(hash);
+                    self.known.insert(hash, name_of(path));
                     self.arrivals += 1;
                     survey.put_into(&mut self.state.history);
                     self.state.observed.faults.insert(survey.name.clone(), faults);
@@ -267,7 +274,11 @@ impl<'a> Following<'a> {
                     return Ok(Some(survey.name));
                 }
                 Arrived::There => {
-                    self.known.insert(hash);
+                    let name = name_of(path);
+                    let known_as = self.known.entry(hash).or_insert_with(|| name.clone());
+                    if *known_as != name {
+                        self.listener.again(&name, known_as);
+                    }
                     return Ok(None);
                 }
                 Arrived::NameTaken => {}
@@ -316,6 +327,10 @@ impl<'a> Following<'a> {
             taken,
             verdict: &verdict,
             open_alarms: open,
+            sensors: self
+                .answer
+                .as_ref()
+                .and_then(|answer| sensor_change(answer, survey)),
         })
     }
 

@@ -1,6 +1,7 @@
 //! Who hears what comes of each file.
 
 use anyhow::Result;
+use dolmen::monitoring::SensorChange;
 use dolmen_words::message::Both;
 use dolmen_work::follow::{Taken, Verdict};
 use std::path::Path;
@@ -18,6 +19,8 @@ pub struct FollowedRecord<'a> {
     pub verdict: &'a Verdict,
     /// Open alarms of the structure.
     pub open_alarms: usize,
+    /// That its shapes jumped while its frequencies did not: a sensor was turned, moved or exchanged.
+    pub sensors: Option<&'a SensorChange>,
 }
 
 /// A file that cannot be read.
@@ -47,6 +50,9 @@ pub trait Listener {
     /// # Errors
     /// It cannot be said.
     fn record(&self, record: &FollowedRecord<'_>) -> Result<()>;
+
+    /// A file holds the same bytes as a record that the structure has under another name.
+    fn again(&self, file: &str, known_as: &str);
 
     /// A file cannot be read and was moved.
     ///

@@ -8,7 +8,7 @@ use dolmen_store::{Keeper, Kept, StoreError, StoredFiles, hash_of_bytes};
 use dolmen_words::message::Both;
 use dolmen_work::follow::{Pattern, RecordFile, Taken};
 use dolmen_work::{WorkError, told_both};
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 
@@ -16,8 +16,8 @@ use std::path::Path;
 pub(crate) enum ReadFile {
     /// It has changed or gone since: it is left for later.
     Later,
-    /// A survey has this record already.
-    Known,
+    /// A survey has this record already: its hash.
+    Known(String),
     /// It cannot be read as the records of the structure are.
     Unreadable(Both),
     /// A record; its bytes are on disk in the store.
@@ -31,7 +31,7 @@ pub(crate) struct Reader<'a> {
     pub(crate) access: Access,
     pub(crate) pattern: &'a Pattern,
     pub(crate) files: &'a StoredFiles,
-    pub(crate) known: &'a BTreeSet<String>,
+    pub(crate) known: &'a BTreeMap<String, String>,
     pub(crate) keeper: &'a Keeper,
 }
 
@@ -55,8 +55,9 @@ impl Reader<'_> {
         if Look::at(path) != Some(look) || bytes.len() as u64 != look.bytes {
             return ReadFile::Later;
         }
-        if self.known.contains(&hash_of_bytes(&bytes)) {
-            return ReadFile::Known;
+        let hash = hash_of_bytes(&bytes);
+        if self.known.contains_key(&hash) {
+            return ReadFile::Known(hash);
         }
         let name = path.file_name().map(|name| name.to_string_lossy().into_owned());
         let file = RecordFile {

@@ -96,8 +96,8 @@ fn earthquakes_of(store: &mut Store, structure: &str) -> Result<Vec<AddedEarthqu
     Ok(all.into_iter().map(added).collect())
 }
 
-/// Every text of the project file that is the name of a file in its folder: records, motions, meshes, tables, and whatever else is
-/// named by later versions. Records must be there.
+/// Every text of the project file that is the name of a file in its folder: records, motions, meshes, tables, and whatever else later
+/// versions name. Records must be there.
 fn named_files(found: &Found) -> BTreeSet<String> {
     let mut names: BTreeSet<String> = dolmen_project::texts(&found.opened.text)
         .into_iter()

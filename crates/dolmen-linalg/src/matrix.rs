@@ -104,7 +104,11 @@ impl Matrix {
 
     /// The block of `rows` × `columns` entries whose first is at (`row`, `column`).
     pub fn block(&self, row: usize, column: usize, rows: usize, columns: usize) -> Self {
-        Self::from_fn(rows, columns, |i, j| self[(row + i, column + j)])
+        let mut data = Vec::with_capacity(rows * columns);
+        for j in column..column + columns {
+            data.extend_from_slice(&self.column(j)[row..row + rows]);
+        }
+        Matrix { rows, columns, data }
     }
 
     /// Each entry times `factor`.

@@ -487,7 +487,7 @@ fn meant_word(word: &str, fitting: &[&'static Tree]) -> Option<&'static str> {
         text.chars().map(roman).collect()
     };
     let written = plain(word);
-    // grades of KDS 41 17 00 as they are named there: 특등급, Ⅰ등급
+    // grades of KDS 41 17 00 as the code names them: 특등급, Ⅰ등급
     let grade = written.strip_suffix("등급").unwrap_or(&written).trim();
     let numeral = match grade {
         "특" => "special",

@@ -1,9 +1,9 @@
-//! What is said of patterns over a whole file that look like a slip, but may be right.
+//! What Dolmen says of patterns over a whole file that look like a slip, but may be right.
 
 use dolmen_words::{Quantity, Sentence, messages};
 
 messages! {
-    /// A probable slip that the numbers alone cannot prove: the likely fix is named, and the answer stands.
+    /// A probable slip that the numbers alone cannot prove: the sentence names the likely fix, and the answer stands.
     pub enum Doubted in "project.doubt" {
         ChainOrder { ratio: Quantity } => {
             en: "links: each is heavier per length than the one below, the top {ratio} times the lowest: is the list top first? Links are listed lowest first",

@@ -20,7 +20,7 @@ use std::f64::consts::{PI, TAU};
 
 /// Damping ratios between which structures lie with room; masonry in strong shaking reaches 0.1.
 const DAMPING: [f64; 2] = [0.001, 0.15];
-/// How near to a factor the ratio of two frequencies is named after it, in logarithms. Ours.
+/// How near to a factor the ratio of two frequencies counts as that factor, in logarithms. Ours.
 const NEAR: f64 = 0.15;
 /// Relative difference of an angle in degrees from a round part of π, below which it looks like radians. Ours: 1.57 has 5e-4.
 const ROUND: f64 = 2e-3;

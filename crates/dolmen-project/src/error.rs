@@ -266,7 +266,7 @@ impl Fault {
     }
 }
 
-/// Problems that are told of a file, our choice: more are counted.
+/// Most problems that an error lists of a file, our choice: it counts the others.
 const PROBLEMS_MOST: usize = 20;
 /// Characters of a line that are quoted.
 const QUOTED_MOST: usize = 200;

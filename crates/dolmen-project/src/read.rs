@@ -92,7 +92,7 @@ pub fn parse_project(text: &str, file: &str) -> Result<Project, ProjectError> {
 /// Reads a project file that may name others: meshes of stones, tables of spectra. `files` gives their bytes.
 ///
 /// # Errors
-/// As [`parse_project`]; what is wrong in a file is said at the key that names it.
+/// As [`parse_project`]; a fault in another file stands at the key that names the file.
 pub fn parse_project_with(text: &str, file: &str, files: &dyn Files) -> Result<Project, ProjectError> {
     read(text, files).map_err(|faults| ProjectError::of(faults, file, text))
 }
@@ -292,8 +292,10 @@ fn of_raw(
         None => None,
     };
     let loads = loads(&mut reader, &raw, structure.as_ref());
-    if let Some(Structure::Stack(part)) = &mut structure {
-        part.static_loads.clone_from(&loads.loads);
+    match &mut structure {
+        Some(Structure::Stack(part)) => part.static_loads.clone_from(&loads.loads),
+        Some(Structure::Frame(part)) => part.static_loads.clone_from(&loads.loads),
+        _ => {}
     }
     if !reader.has_wrong_units {
         judge_loads(&mut reader, &loads);

@@ -58,8 +58,10 @@ pub fn survey_like(text: &str, like: &str, own: &LikeSurvey<'_>) -> Option<Strin
 fn earthquake_text(of: EarthquakePart) -> String {
     let peak = of.peak_m_s2.map(|peak| format!("peak = \"{peak:.5} m/s2\""));
     let number = |key: &str, value: Option<f64>| value.map(|value| format!("{key} = {value:.5}"));
+    let at_least = of.is_at_least.then(|| "at_least = true".to_owned());
     let keys = [
         peak,
+        at_least,
         number("changed", of.changed),
         number("changed_sd", of.changed_sd),
     ];
@@ -97,6 +99,7 @@ channels = [{ column = "a \"b\"", direction = "x", position = [0, 0, "3 m"] }]
                 left_out: &[],
                 earthquake: file.contains('b').then_some(EarthquakePart {
                     peak_m_s2: Some(0.5),
+                    is_at_least: true,
                     changed: Some(-0.02),
                     changed_sd: None,
                 }),
@@ -115,6 +118,7 @@ channels = [{ column = "a \"b\"", direction = "x", position = [0, 0, "3 m"] }]
         assert_eq!(two.temperature_c, Some(-3.0));
         let shaken = two.earthquake.unwrap();
         assert_eq!((one.earthquake, shaken.peak_m_s2), (None, Some(0.5)));
+        assert!(shaken.is_at_least);
         assert_eq!((shaken.changed, shaken.changed_sd), (Some(-0.02), None));
         let (given, own, last) = (
             before.records.clone().unwrap(),

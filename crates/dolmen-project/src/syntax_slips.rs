@@ -120,7 +120,7 @@ fn string_length(rest: &str, quote: char) -> Option<usize> {
     }
 }
 
-/// What a sign of full width stands for; `None` of others. Quotes are told apart elsewhere.
+/// What a sign of full width stands for; `None` of others. Another function tells quotes apart.
 fn plain(sign: char) -> Option<char> {
     match sign {
         '\u{3000}' | '\u{a0}' | '\u{2007}' | '\u{202f}' | '\u{200b}' | '\u{feff}' => Some(' '),

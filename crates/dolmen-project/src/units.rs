@@ -50,7 +50,7 @@ impl Dimension {
     }
 }
 
-/// What is named in a message: the dimension in words.
+/// What a message names: the dimension in words.
 impl Dimension {
     pub(super) fn said(self) -> Both {
         let name = match self {

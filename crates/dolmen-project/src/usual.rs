@@ -16,7 +16,7 @@ const FAMILIES: [&[(&str, f64)]; 3] = [
     &[("mm", 1.0), ("cm", 10.0), ("m", 1e3)],
     &[("kg", 1.0), ("t", 1e3)],
 ];
-/// How near a unit must bring a value to what is usual before it is named.
+/// How near a unit must bring a value to what is usual before the help names the unit.
 const NEAR: f64 = 6.0;
 
 /// The unit that would bring a value, `ratio` times what is usual, back.

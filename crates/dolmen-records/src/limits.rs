@@ -19,7 +19,7 @@ const LARGE: u64 = 1 << 30;
 /// Most bytes of numbers that come out of one byte of a packed file above that. Chosen here: a quiet record of 16 bits, of which three
 /// move, packs as doubles to a twentieth.
 const EXPANSION_OF_LARGE_MOST: u64 = 20;
-/// A format is told by so many of its first bytes. Chosen here: the longest header that is looked through, 200 lines, has 15 kB.
+/// So many of its first bytes tell a format. Chosen here: the longest header that is looked through, 200 lines, has 15 kB.
 const HEAD_BYTES: usize = 1 << 16;
 
 /// More than a file may ask of its reader.

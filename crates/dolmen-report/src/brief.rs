@@ -45,7 +45,7 @@ pub(crate) fn brief_text(all: &[Finding], project: &Project, above: usize, style
             shown[i] = true;
         }
     }
-    let is_hidden = |(i, finding): (usize, &&Finding)| !shown[i] && rank(finding.tone) < rank(Tone::Plain);
+    let is_hidden = |(i, finding): (usize, &&Finding)| !shown[i] && rank(finding.tone) < rank(Tone::Good);
     let to_act_on = key.iter().enumerate().filter(|of| is_hidden(*of)).count();
     let shown: Vec<&Finding> = key
         .into_iter()
@@ -62,12 +62,13 @@ pub(crate) fn brief_text(all: &[Finding], project: &Project, above: usize, style
     findings_text(shown, style) + &more_text(project, more, style)
 }
 
-/// In what order findings are given the lines that there are: the first whatever it is, then those to act on.
+/// In what order findings are given the lines that there are: the first whatever it is, those to act on, what holds, the rest.
 fn rank(tone: Tone) -> u8 {
     match tone {
         Tone::Bad => 0,
         Tone::Warn | Tone::Unknown => 1,
-        Tone::Plain | Tone::Good => 2,
+        Tone::Good => 2,
+        Tone::Plain => 3,
     }
 }
 

@@ -211,11 +211,12 @@ mode, a machine), a mass is wrong, or the structure is not two rigid storeys.",
     },
     Explanation {
         code: "no-wind",
-        title: "The file of a pole says nothing of wind",
+        title: "The file of a pole or a frame says nothing of wind",
         text: "\
 The verdict is on weight alone. On a slender pole a gust can ask for more than its beds bear: the Naju flagpole stands with
 a load factor of 2.9 and is on the edge of its lowest beds in a gust of 30 m/s. Give the wind, `wind = { speed = \"30 m/s\",
-means = \"gust\", force_coefficient = 2.0 }`, or say that it stands out of it: `wind = \"sheltered\"`.",
+means = \"gust\", force_coefficient = 2.0 }`, or say that it stands out of it: `wind = \"sheltered\"`. A gate is pushed by its roof, which
+no load factor sees: give its `areas`, too.",
     },
     Explanation {
         code: "probability",

@@ -200,11 +200,11 @@ E_i로는 1.035~2.138이 된다).",
     },
     Explanation {
         code: "no-wind",
-        title: "기둥의 파일에 바람이 없다",
+        title: "기둥이나 골조의 파일에 바람이 없다",
         text: "\
 자중만으로 판정하였다. 가는 기둥에서는 돌풍이 접합면이 견디는 것보다 클 수 있다. 나주 당간은 하중배율이 2.9이지만
 30 m/s의 돌풍에서 가장 아래 접합면들이 한계에 있다. 바람을 `wind = { speed = \"30 m/s\", means = \"gust\", force_coefficient = 2.0 }`로
-주거나, 바람을 받지 않으면 `wind = \"sheltered\"`로 쓴다.",
+주거나, 바람을 받지 않으면 `wind = \"sheltered\"`로 쓴다. 문은 지붕이 바람에 밀리며 하중배율에는 나타나지 않으므로 `areas`도 쓴다.",
     },
     Explanation {
         code: "probability",

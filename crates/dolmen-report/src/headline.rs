@@ -4,8 +4,8 @@ use crate::document::{TextStyle, wrapped};
 use dolmen_words::message::Both;
 use dolmen_words::{Digits, Language, Quantity, Sentence, Template, Unit, messages};
 use dolmen_work::judgement::{
-    DecidedBy, Earthquake, EarthquakeFinding, Evidence, Judgement, MeasuredFrequency, VersionJudgement,
-    Weight, WindFinding, WindLimit,
+    DecidedBy, Earthquake, EarthquakeFinding, Evidence, Judgement, MeasuredFrequency, MovedBy,
+    VersionJudgement, Weight, WindFinding, WindLimit,
 };
 
 /// Digits of ratios and frequencies.
@@ -54,6 +54,8 @@ messages! {
         },
         AtOther { said: Sentence } => { en: "Earthquake: {said}", ko: "지진: {said}" },
         Wind { said: Sentence } => { en: "Wind: {said}", ko: "풍응답: {said}" },
+        StaticLoads { said: Sentence } => { en: "Static loads: {said}", ko: "정하중: {said}" },
+        WindAndLoads { said: Sentence } => { en: "Wind and static loads: {said}", ko: "풍하중·정하중: {said}" },
         WordAcceleration { word: Both, ratio: Quantity } => {
             en: "{word} (acceleration: {ratio})",
             ko: "{word}(가속도: {ratio})",
@@ -316,7 +318,15 @@ fn wind(judged: &VersionJudgement) -> Option<Sentence> {
         (Some(WindLimit::NotGiven), _) => Headline::WordNoLimit { word },
         (_, None) | (None, _) => Headline::Word { word },
     };
-    Some(Headline::Wind { said: said.into() }.into())
+    let said = said.into();
+    Some(
+        match of.by {
+            MovedBy::Wind => Headline::Wind { said },
+            MovedBy::Loads => Headline::StaticLoads { said },
+            MovedBy::Both => Headline::WindAndLoads { said },
+        }
+        .into(),
+    )
 }
 
 fn word(of: &EarthquakeFinding) -> Headline {

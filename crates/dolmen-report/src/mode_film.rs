@@ -250,7 +250,7 @@ mod tests {
             .collect()
     }
 
-    /// The blend of the two shapes is the mode at each of 24 steps, its largest displacement the one that is said.
+    /// The blend of the two shapes is the mode at each of 24 steps, its largest displacement the one that the film states.
     #[test]
     fn exact_the_shapes_blend_to_the_motion_of_the_mode() {
         let mut modes = modes();

@@ -69,6 +69,10 @@ messages! {
             en: "samples are lost: {gaps}; only the longest whole span is used, {from} to {to}: {kept} of {whole}",
             ko: "표본 누락 {gaps}; 누락이 없는 가장 긴 구간 {from}–{to}만 사용({whole} 중 {kept})",
         },
+        Bridged { gaps: Sentence } => {
+            en: "samples are lost: {gaps}; what lies on either side is used, each by itself",
+            ko: "표본 누락 {gaps}; 누락 앞뒤의 구간을 각각 사용",
+        },
         FilledGaps { gaps: Sentence, samples: usize, share: Quantity } => {
             en: "lost samples filled in by linear prediction: {samples} ({share}), {gaps}",
             ko: "누락 표본 {samples}개({share})를 선형예측으로 보간: {gaps}",
@@ -186,6 +190,9 @@ pub(crate) fn step(of: &Processing) -> Sentence {
             to: trimmed(*to_s, "s"),
             kept: trimmed(to_s - from_s, "s"),
             whole: trimmed(*whole_s, "s"),
+        },
+        Processing::Bridged { gaps } => Step::Bridged {
+            gaps: lost(gaps).into(),
         },
         Processing::FilledGaps { gaps, samples, share } => Step::FilledGaps {
             gaps: lost(gaps).into(),

@@ -108,7 +108,14 @@ fn model<'a>(whole: &mut Document<'a>, answer: &'a ProjectReport, state: &'a Sta
                 loads::Loaded::Chain(heights_m),
             ));
         }
-        (Structure::Frame(part), Check::Frame(all)) => whole.append(frame::sections(part, all)),
+        (Structure::Frame(part), Check::Frame(all)) => {
+            whole.append(frame::sections(part, all));
+            whole.append(loads::sections(
+                &answer.project.loads,
+                state.loads.as_ref(),
+                loads::Loaded::of_frame(part),
+            ));
+        }
         (_, Check::Stack(check)) => {
             let shaking = stack::peak_g(answer, check);
             whole.append(stack::sections(check, &state.spring_fits, shaking));

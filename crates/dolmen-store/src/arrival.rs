@@ -7,7 +7,7 @@ use crate::raw::{Kept, RawFiles};
 use crate::rows::{AdoptionRow, ArrivalRow, LogRow, RawRow, SurveyAnalysisRow, insert, select};
 use crate::store::{Act, Store, next, put, refuse_unknown};
 use dolmen_work::kept::StoreFault;
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// The verb of the log by which a call of the alarm is known.
@@ -92,15 +92,22 @@ impl Store {
         })
     }
 
-    /// Hashes of the records that surveys of a structure have or had.
+    /// Hashes of the records that surveys of a structure have or had, each with the name that its file came under.
     ///
     /// # Errors
     /// The database cannot be read.
-    pub fn records(&mut self, structure: &str) -> Result<BTreeSet<String>, StoreError> {
-        let sql =
-            "select distinct r.hash from survey v join record r on r.survey = v.hash where v.structure = $1";
+    pub fn records(&mut self, structure: &str) -> Result<BTreeMap<String, String>, StoreError> {
+        let sql = "select distinct r.hash, coalesce(a.came_as, r.path) from survey v join record r on r.survey = v.hash \
+            left join arrival a on a.survey = v.hash where v.structure = $1";
         let rows = all(self.database.as_mut(), sql, &[Value::Text(structure.to_owned())])?;
-        Ok(rows.into_iter().filter_map(text).collect())
+        let pairs = rows.into_iter().filter_map(|row| match row.as_slice() {
+            [Value::Text(hash), Value::Text(path)] => {
+                let name = path.rsplit(['/', '\\']).next().unwrap_or(path);
+                Some((hash.clone(), name.to_owned()))
+            }
+            _ => None,
+        });
+        Ok(pairs.collect())
     }
 
     /// Keeps a record as a survey in one transaction: when this returns [`Arrived::Stored`], it is on disk.
@@ -138,13 +145,6 @@ impl Store {
             };
             insert(database, &row).map(|_| ())
         })
-    }
-}
-
-fn text(row: Vec<Value>) -> Option<String> {
-    match row.into_iter().next() {
-        Some(Value::Text(text)) => Some(text),
-        _ => None,
     }
 }
 

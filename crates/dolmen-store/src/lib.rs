@@ -7,7 +7,7 @@
 //!
 //! The key of every row is its content or a name that people gave, and no row ever changes: what is new is another row, what is taken
 //! out of use is marked. Names and files of strangers are values of parameters and never part of a statement; a file in the folder
-//! is named by the hash of its bytes alone.
+//! takes its name from the hash of its bytes alone.
 
 mod arrival;
 mod copy;

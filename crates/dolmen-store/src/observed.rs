@@ -119,6 +119,7 @@ impl Store {
             let survey: String = row.take("survey")?;
             let part = EarthquakePart {
                 peak_m_s2: row.take("peak_m_s2")?,
+                is_at_least: false, // rows have no place for it; the table of a survey has
                 changed: row.take("changed")?,
                 changed_sd: row.take("changed_sd")?,
             };

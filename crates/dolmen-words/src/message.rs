@@ -140,7 +140,7 @@ impl<T: Argument> Argument for Vec<T> {
     }
 }
 
-/// Values of one unit, which is said once, after the last.
+/// Values of one unit, which the text gives once, after the last.
 impl Argument for Values {
     fn said(&self, language: Language) -> Vec<Run> {
         let last = self.0.len().saturating_sub(1);
@@ -222,7 +222,7 @@ impl Sentence {
     }
 }
 
-/// An argument of a sentence, as it is said in each language.
+/// An argument of a sentence, as each language writes it.
 #[derive(Clone, Debug)]
 pub struct Given {
     name: &'static str,
@@ -350,7 +350,7 @@ const fn is_one_of(sentence: &[u8], start: usize, end: usize, names: &[&str]) ->
 /// ```
 /// use dolmen_words::{Language, Quantity, Sentence, messages};
 /// messages! {
-///     /// What is said of a pole.
+///     /// Sentences about a pole.
 ///     pub enum Pole in "pole" {
 ///         Falls { link: String, factor: Quantity } => {
 ///             en: "{link} falls at {factor} times its weight.",
@@ -368,7 +368,7 @@ const fn is_one_of(sentence: &[u8], start: usize, end: usize, names: &[&str]) ->
 /// ```compile_fail
 /// use dolmen_words::{Quantity, messages};
 /// messages! {
-///     /// What is said of a pole.
+///     /// Sentences about a pole.
 ///     pub enum Pole in "pole" {
 ///         Falls { factor: Quantity } => { en: "It falls at {factor} times its weight.", ko: "전도된다." },
 ///     }

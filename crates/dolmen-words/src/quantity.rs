@@ -43,7 +43,7 @@ impl Unit {
     }
 }
 
-/// Values of one unit, which is said once.
+/// Values of one unit, which the text gives once.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Values(pub Vec<Quantity>);
 

@@ -13,6 +13,7 @@ use crate::survey_dates::date;
 use crate::wrong::Place;
 use dolmen::assess::{Sensitivity, elasticity, probability};
 use dolmen::numeric::Random;
+use dolmen::stability::Verdict;
 use dolmen_project::{Pick, Project, Quantity, Structure};
 use std::collections::BTreeMap;
 
@@ -238,6 +239,23 @@ pub(crate) fn falls_by_itself(project: &Project, pick: Pick<'_>) -> Result<Optio
     Ok(kinds::load_factor(project, pick)?.filter(|factor| *factor <= 1.0))
 }
 
+/// Whether a chain or frame that leans as surveyed leans to its fall with the inputs that `pick` chooses; a stack says it by its limits.
+pub(crate) fn leans_to_its_fall(project: &Project, pick: Pick<'_>) -> Result<bool, WorkError> {
+    let leans = match &project.structure {
+        Structure::Frame(part) => part.lean.is_some(),
+        Structure::Chain(_) => project.surveys.iter().any(|survey| !survey.tilt.is_empty()),
+        Structure::Stack(_) | Structure::Building(_) | Structure::Survey => false,
+    };
+    let Some(check) = (match leans {
+        true => kinds::check(project, pick)?,
+        false => None,
+    }) else {
+        return Ok(false);
+    };
+    let mut tilts = tilts(project, &check).into_iter();
+    Ok(tilts.any(|tilt| tilt.verdict() == Verdict::Unstable))
+}
+
 /// The load factor under inputs drawn from their distributions; `None` if no stiffness or no scatter is known.
 fn sampled(project: &Project, sampling: Sampling) -> Result<Option<Sampled>, WorkError> {
     let inputs = project.structure_inputs();
@@ -282,7 +300,7 @@ fn sampled(project: &Project, sampling: Sampling) -> Result<Option<Sampled>, Wor
                         .unwrap_or(true),
                 );
             }
-            Ok(factor <= 1.0)
+            Ok(factor <= 1.0 || leans_to_its_fall(project, &mut pick).within(|| Place::SampleImpossible)?)
         },
     )?;
     let mut overloaded = overloaded.into_iter();

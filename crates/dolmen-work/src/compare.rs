@@ -82,7 +82,10 @@ pub(crate) fn shaken(
     let own = answers
         .iter()
         .filter(|answer| both.contains(&answer.name.as_str()));
-    let each = own.filter_map(|answer| Some((answer.name.clone(), answer.earthquake()?.modes_of)));
+    let each = own.filter_map(|answer| {
+        let of = answer.earthquake()?;
+        (of.is_one() || of.is_shaken()).then(|| (answer.name.clone(), of.modes_of))
+    });
     each.collect()
 }
 

@@ -8,7 +8,8 @@ use crate::stack::frequencies::all_modes;
 use crate::state::{
     Check, DemandAnswer, Leaning, LocalMechanismAgainstSite, SpectralAt, StackAnswer, TiltCheck,
 };
-use crate::told::told;
+use crate::told::told_both;
+use crate::wrong::NotHeld;
 use crate::{building, chain, frame};
 use dolmen::assess::StackCheckOptions;
 use dolmen::assess::demand::{SiteDemand, circolare_demand, stack_against_site};
@@ -49,24 +50,23 @@ pub(crate) fn of(
                 damping_ratio,
                 acceleration_m_s2,
             }),
-            Err(why) => answer.refused = Some(told(&why)),
+            Err(why) => answer.refused = Some(told_both(&why)),
         }
     }
     match compared(project, check, &at_rest, &answer) {
         Ok(compared) => answer.compared = compared,
-        Err(why) => answer.refused = Some(told(&why)),
+        Err(why) => answer.refused = Some(told_both(&why)),
     }
     if let Check::Stack(stack) = check {
         let modes = all_modes(stack);
         if stack.check.verdict == Verdict::Unstable {
-            answer.refused = Some("it does not stand without shaking".to_owned());
+            answer.refused = Some(NotHeld::Falls.into());
         } else {
             let options = StackCheckOptions::default();
             answer.stack = stack_against_site(&stack.stack, &options, &answer.site, modes.as_deref())?;
             answer.local_mechanisms = local_mechanisms(stack, &answer.site);
             if answer.stack.is_none() {
-                let why = "the table gives no acceleration of the ground: begin it at T = 0, or write peak_ground_acceleration";
-                answer.refused = Some(why.to_owned());
+                answer.refused = Some(NotHeld::NoGround.into());
             }
         }
     }

@@ -40,7 +40,8 @@ fn of_file<'a>(
             .map(|joint| &joint.stiffness)
             .collect(),
         Structure::Frame(part) if answer.convention == Some(part.convention) => {
-            let own = part.directions.iter().find(|known| known.name == direction)?;
+            let own = part.directions.iter().find(|known| known.name == direction);
+            let own = own.filter(|own| !part.is_on_columns_alone(&own.name))?;
             own.stiffness.as_ref()?.iter().collect()
         }
         _ => return None,

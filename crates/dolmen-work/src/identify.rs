@@ -1,6 +1,7 @@
 //! `dolmen identify`: records to modes, modes to stiffness.
 
 use crate::answer::IdentifyAnswer;
+use crate::asked_modes::{drawn, options};
 use crate::building::{self, stiffness::FromModes};
 use crate::doubted::doubt;
 use crate::error::{Within as _, WorkError};
@@ -19,10 +20,10 @@ use crate::surveyed::{
 };
 use crate::wrong::Place;
 use dolmen::modal::{
-    Criteria, Identify, MergeSetups, Method, ModalAnalysis, Modes, StrongMotion, doubt_sensors,
-    identify as modes_of, joint_setups, merge_setups, strong_motion,
+    During, Identify, MergeSetups, Method, ModalAnalysis, Modes, Part, StrongMotion, doubt_sensors,
+    identify as modes_of, is_of_one_state, joint_setups, merge_setups, strong_motion,
 };
-use dolmen::signal::{Channel, Record, cut};
+use dolmen::signal::{Record, cut};
 use dolmen::structure::{StiffnessNote, directional_modes};
 use dolmen_project::{EarthquakePart, Merge, ModeKind, Project, Quantity, RecordSource, Structure, Survey};
 use dolmen_records::Files;
@@ -51,7 +52,7 @@ pub fn identify(
     })
 }
 
-/// What the surveys of a project give, all of them or the one that is named.
+/// What the surveys of a project give, all of them or the one that the user names.
 pub(crate) fn surveys(
     project: &Project,
     only: Option<&str>,
@@ -118,7 +119,7 @@ pub fn survey_modes(
         SurveyModes {
             modes,
             faults,
-            earthquake: answer.earthquake().map(Earthquake::part),
+            earthquake: answer.earthquake().filter(|of| of.is_one()).map(Earthquake::part),
         }
     }))
 }
@@ -201,7 +202,11 @@ fn of_survey(
     };
     let mut answer = found_in(survey, files, progress)?;
     let mut stiffness = Vec::new();
-    for direction in survey.modes.keys() {
+    let alone = |direction: &str| match &project.structure {
+        Structure::Frame(part) => part.is_on_columns_alone(direction),
+        _ => false,
+    };
+    for direction in survey.modes.keys().filter(|direction| !alone(direction)) {
         let modes = survey.measured_modes(direction, &mut Quantity::nominal);
         if !modes.is_empty() {
             stiffness.extend(
@@ -216,7 +221,7 @@ fn of_survey(
             .map_or_else(Vec::new, SetupsAnswer::doubtful_hz);
         let unexplained_hz = answer.unexplained_hz();
         for (direction, vector) in [("x", [1.0, 0.0, 0.0]), ("y", [0.0, 1.0, 0.0])] {
-            if !survey.modes.contains_key(direction) {
+            if !survey.modes.contains_key(direction) && !alone(direction) {
                 let answers = from_record(project, found, &doubtful, (direction, vector));
                 stiffness.extend(answers.within(context)?.into_iter().map(|answer| {
                     let highest_hz = answer.frequencies_hz.last().copied().unwrap_or(0.0);
@@ -230,7 +235,17 @@ fn of_survey(
         }
     }
     let is_sought = matches!(project.structure, Structure::Chain(_) | Structure::Frame(_));
+    let has_record = answer.modes().is_some();
+    let of_record = ["x", "y"].into_iter().filter(|_| has_record);
+    let on_columns = of_record.chain(survey.modes.keys().map(String::as_str));
+    let mut on_columns = on_columns.filter(|direction| alone(direction));
+    if let Some(direction) = on_columns.next() {
+        answer.without_stiffness = Some(WithoutStiffness::OnColumnsAlone {
+            direction: direction.to_owned(),
+        });
+    }
     if is_sought
+        && answer.without_stiffness.is_none()
         && stiffness.is_empty()
         && survey.modes.is_empty()
         && let Some((found, _)) = answer.modes()
@@ -332,7 +347,7 @@ fn of_record(
 ) -> Result<(RecordAnswer, Record), WorkError> {
     let file = source.file.clone();
     progress.begin(&Stage::Reading { file });
-    of_opened(source, record::record(source, files)?, progress)
+    of_opened(source, record::record_to_identify(source, files)?, progress)
 }
 
 /// Modes of a record that was read.
@@ -347,16 +362,28 @@ pub(crate) fn of_opened(
     let asked = drawn(source.modal.spectrogram.as_ref(), opened.record.channels());
     let asked = asked.within(|| source.file.clone())?;
     let sought = !source.modal.without_earthquake;
-    let found = sought.then(|| strong_motion(&opened.record, &options)).flatten();
+    let found = sought
+        .then(|| strong_motion(&opened.record, &options, &opened.losses))
+        .flatten();
     let Quiet {
         record,
         analysis,
         earthquake,
-    } = quiet(source, &opened.record, &options, found)?;
+    } = quiet(
+        source,
+        &opened.record,
+        &options,
+        (found, opened.losses.lost_s.is_empty()),
+    )?;
     let read_s = opened.samples as f64 / opened.sampling_rate_hz;
     let is_one_file = source.stations.is_empty();
     let seen = RecordSeen::of(&opened.record, read_s, (&analysis, asked), is_one_file)?;
     progress.end();
+    // told from the first sample of the file, not from that of the part that is used
+    let earthquake = earthquake.map(|of| Earthquake {
+        found: of.found.later(seen.time.from_s),
+        ..of
+    });
     let answer = RecordAnswer {
         file: source.file.clone(),
         channels: opened.channels,
@@ -381,13 +408,13 @@ struct Quiet {
     earthquake: Option<Earthquake>,
 }
 
-/// The modes of what followed an earthquake, else of what came before it; of the whole record where there was none, where its ground is an input,
-/// and where both are too short.
+/// The modes of what followed the last earthquake, else of what came between two or before them; of the strong phase where its ground is an input; of the
+/// whole record where there was none, where it shows one state of the structure above its ground, and where all parts are too short.
 fn quiet(
     source: &RecordSource,
     record: &Record,
     options: &Identify,
-    found: Option<StrongMotion>,
+    (found, is_whole): (Option<StrongMotion>, bool),
 ) -> Result<Quiet, WorkError> {
     let whole = |earthquake: Option<Earthquake>| -> Result<Quiet, WorkError> {
         Ok(Quiet {
@@ -397,12 +424,23 @@ fn quiet(
         })
     };
     let Some(found) = found else { return whole(None) };
-    let parts = [(ModesOf::After, &found.after), (ModesOf::Before, &found.before)];
-    let usable = parts.into_iter().filter(|_| options.method != Method::Okid);
-    let first = usable.into_iter().find_map(|(of, part)| {
-        let analysis = part.analysis.as_ref()?;
-        Some((of, part.span_s, analysis.clone()))
-    });
+    let part = |of: ModesOf, part: &Part| Some((of, part.span_s, part.analysis.clone()?));
+    let first = match (&found.strongest().during, options.method) {
+        (During::Driven(of), _) => {
+            let one_state = |whole: &ModalAnalysis| is_of_one_state(&whole.modes, &of.analysis.modes);
+            if is_whole && modes_of(record, options).is_ok_and(|whole| one_state(&whole)) {
+                return whole(Some(Earthquake {
+                    found,
+                    modes_of: ModesOf::Whole,
+                }));
+            }
+            Some((ModesOf::During, of.span_s, of.analysis.clone()))
+        }
+        (_, Method::Okid) => None,
+        _ => part(ModesOf::After, found.after())
+            .or_else(|| part(ModesOf::Between, found.between()?))
+            .or_else(|| part(ModesOf::Before, found.before())),
+    };
     let Some((modes_of_part, [from_s, to_s], analysis)) = first else {
         return whole(Some(Earthquake {
             found,
@@ -413,7 +451,7 @@ fn quiet(
     // what the file asks of the modes, and what it must not ask, is looked at by the identification itself
     let is_asked = !options.pick_hz.is_empty()
         || !options.accept_hz.is_empty()
-        || !options.inputs.is_empty()
+        || !options.inputs.is_empty() && modes_of_part != ModesOf::During
         || options.modes_wanted.is_some();
     Ok(Quiet {
         analysis: match is_asked {
@@ -426,75 +464,6 @@ fn quiet(
             modes_of: modes_of_part,
         }),
     })
-}
-
-/// How modes are sought, as the file says.
-fn options(source: &RecordSource, channels: &[Channel]) -> Result<Identify, WorkError> {
-    let defaults = Identify::default();
-    Ok(Identify {
-        method: source.modal.method.unwrap_or(defaults.method),
-        references: references(&source.modal.references, channels).within(|| source.file.clone())?,
-        inputs: inputs(&source.modal.inputs, channels).within(|| source.file.clone())?,
-        pick_hz: source.modal.pick_hz.clone(),
-        accept_hz: source.modal.accept_hz.clone(),
-        harmonics: source.modal.harmonics.unwrap_or(defaults.harmonics),
-        frequency_low_hz: source.modal.frequency_low_hz,
-        frequency_high_hz: source.modal.frequency_high_hz,
-        block_rows: source.modal.block_rows,
-        order_most: source.modal.order_most,
-        criteria: Criteria {
-            damping_ratio_least: source.modal.damping_least,
-            damping_ratio_most: source
-                .modal
-                .damping_most
-                .unwrap_or(defaults.criteria.damping_ratio_most),
-            ..defaults.criteria
-        },
-        modes_wanted: source.modal.modes_wanted,
-        ..defaults
-    })
-}
-
-/// Indices of the reference channels.
-fn references(names: &[String], channels: &[Channel]) -> Result<Vec<usize>, WorkError> {
-    places(names, channels, |name, known| WorkError::NoSuchReference {
-        name,
-        known,
-    })
-}
-
-/// Indices of the channels that drive the others.
-fn inputs(names: &[String], channels: &[Channel]) -> Result<Vec<usize>, WorkError> {
-    places(names, channels, |name, known| WorkError::NoSuchInput {
-        name,
-        known,
-    })
-}
-
-/// Index of the channel whose spectrogram is wanted.
-fn drawn(name: Option<&String>, channels: &[Channel]) -> Result<Option<usize>, WorkError> {
-    let names = name.map_or(&[][..], std::slice::from_ref);
-    let found = places(names, channels, |name, known| WorkError::NoSuchSpectrogram {
-        name,
-        known,
-    })?;
-    Ok(found.first().copied())
-}
-
-/// Indices of the channels of these names; `missing` is what to say of a name and of those there are.
-fn places(
-    names: &[String],
-    channels: &[Channel],
-    missing: fn(String, String) -> WorkError,
-) -> Result<Vec<usize>, WorkError> {
-    let place = |name: &String| {
-        let at = channels.iter().position(|channel| channel.name == *name);
-        at.ok_or_else(|| {
-            let known: Vec<&str> = channels.iter().map(|channel| channel.name.as_str()).collect();
-            missing(name.clone(), known.join(", "))
-        })
-    };
-    names.iter().map(place).collect()
 }
 
 /// Stiffness from the modes of a record that move in one direction; none if no sensor measures it.

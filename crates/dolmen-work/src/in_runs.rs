@@ -11,7 +11,7 @@ use dolmen_words::message::Both;
 pub(crate) struct LeftOutOfRuns {
     /// The wind.
     pub(crate) wind: bool,
-    /// Forces and moments of static loads on a chain; on a stack they act.
+    /// Forces and moments of static loads on a chain or frame; on a stack they act.
     pub(crate) forces: bool,
     /// A surveyed tilt.
     pub(crate) tilt: Option<TiltLeftOut>,
@@ -21,7 +21,7 @@ impl LeftOutOfRuns {
     pub(crate) fn of(project: &Project) -> Self {
         LeftOutOfRuns {
             wind: project.loads.wind().is_some(),
-            forces: matches!(project.structure, Structure::Chain(_))
+            forces: matches!(project.structure, Structure::Chain(_) | Structure::Frame(_))
                 && project.loads.loads.iter().any(LoadPart::pushes),
             tilt: match &project.structure {
                 Structure::Building(_) => TiltLeftOut::of(&project.surveys),
@@ -68,7 +68,9 @@ pub(crate) fn held_in_runs(project: &Project) -> Vec<Both> {
     let loads = &project.loads.loads;
     let loads = match &project.structure {
         Structure::Stack(_) if !loads.is_empty() => Some(OfRuns::LoadsAct),
-        Structure::Chain(_) if loads.iter().any(|load| load.weight.is_some()) => Some(OfRuns::LoadsMove),
+        Structure::Chain(_) | Structure::Frame(_) if loads.iter().any(|load| load.weight.is_some()) => {
+            Some(OfRuns::LoadsMove)
+        }
         _ => None,
     };
     let posts = (posts > 0).then_some(OfRuns::SidePosts { posts });

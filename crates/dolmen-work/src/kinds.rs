@@ -138,6 +138,9 @@ pub(crate) fn loads(
         (Structure::Chain(part), Check::Chain(check)) => {
             chain::loads::loads(part, &project.loads, check, Leaning::of(tilts), pick)
         }
+        (Structure::Frame(part), Check::Frame(checks)) => {
+            frame::loads::loads(part, &project.loads, checks, pick)
+        }
         (_, Check::Stack(answer)) => stack::loads::loads(&project.loads, answer, pick),
         _ => Ok(None),
     }

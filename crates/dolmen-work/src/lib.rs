@@ -9,6 +9,7 @@
 
 mod air;
 pub mod answer;
+mod asked_modes;
 mod at_rest;
 pub mod beside_file;
 pub mod between;

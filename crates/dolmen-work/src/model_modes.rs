@@ -38,6 +38,16 @@ pub struct ModelModes {
     pub channels: usize,
     /// Channels that do not, or whose place or direction is not known.
     pub left_out: Vec<String>,
+    /// Dampers of the structure: the modes of the model are those without them.
+    pub without_dampers: Vec<String>,
+}
+
+/// Dampers of a structure whose shapes are sought without them.
+pub(crate) fn dampers_left_out(project: &Project) -> Vec<String> {
+    match &project.structure {
+        Structure::Building(part) => part.dampers.iter().map(|damper| damper.name.clone()).collect(),
+        _ => Vec::new(),
+    }
 }
 
 /// A mode of the model, or several of one frequency.
@@ -140,6 +150,7 @@ pub(crate) fn model_modes(project: &Project, modes: &Modes) -> Option<ModelModes
         of_model,
         channels: rows.len(),
         left_out,
+        without_dampers: dampers_left_out(project),
     })
 }
 
@@ -506,7 +517,7 @@ mod tests {
             "{:?}",
             found.measured[3]
         );
-        // two channels along x tell no two of three modes apart: nothing is said
+        // two channels along x tell no two of three modes apart: no answer
         let few = measured(vec![channels[0].clone()], &[vec![[1.0, 0.0]]]);
         assert_eq!(model_modes(&opened.project, &few), None);
     }

@@ -99,6 +99,15 @@ impl PartLimit {
         }
     }
 
+    /// The same where it can drift no farther than that for another reason.
+    pub(crate) fn at_most(self, most: Option<f64>) -> Self {
+        let Some(most) = most else { return self };
+        PartLimit {
+            capacity: Some(self.capacity.map_or(most, |capacity| capacity.min(most))),
+            ..self
+        }
+    }
+
     /// The same where a lean without shaking takes some of it.
     pub(crate) fn taking(self, lean: f64) -> Self {
         PartLimit {

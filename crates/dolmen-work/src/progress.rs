@@ -55,7 +55,7 @@ impl Progress for Silent {
     }
 }
 
-/// Runs `run` as a stage of simulated time: it gets the time that is reached, and is told whether to go on.
+/// Runs `run` as a stage of simulated time: `run` reports the time that it reached, and learns whether to go on.
 pub(crate) fn simulating<T>(
     progress: &dyn Progress,
     whole_s: f64,

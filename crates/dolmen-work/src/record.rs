@@ -1,13 +1,15 @@
 //! The record of a survey: read as the project file says, looked through for faulty channels, conditioned.
 
 use crate::error::{Within as _, WorkError};
+use dolmen::modal::{Losses, earthquakes_in};
 use dolmen::signal::{
     Channel, ChannelFault, Join, Processing, Record, SignalError, Trend, band_pass, cut, decimate, detrend,
-    inspect, low_pass,
+    inspect_apart, low_pass,
 };
 use dolmen_project::{ChannelSource, Column, Conditioning, RecordSource};
 use dolmen_records::records::{
-    self, Delimiter, Pick, Reading, RecordOptions, Station, TimeColumn, Unit, join_stations, read_record,
+    self, Delimiter, LostSamples, Pick, Reading, RecordOptions, Station, TimeColumn, Unit, join_stations,
+    read_record,
 };
 use dolmen_records::{Files, RECORD_BYTES_MOST};
 use dolmen_words::message::Both;
@@ -24,7 +26,15 @@ pub(crate) struct OpenedRecord {
     pub(crate) remarks: Vec<Both>,
     pub(crate) unread_stamps: Vec<String>,
     pub(crate) faults: Vec<ChannelFault>,
+    /// What it misses.
+    pub(crate) losses: Losses,
+    /// Whether it holds a strong motion that is apart from what its faults are looked for in.
+    pub(crate) is_shaken: bool,
 }
+
+/// Seconds beside an earthquake in which sensors are not judged either.
+const BEFORE_S: f64 = 1.0;
+const BEHIND_S: f64 = 5.0;
 
 /// Reads the record file of a survey, or its several files as one record, as [`record_of`] does.
 pub(crate) fn record(source: &RecordSource, files: &dyn Files) -> Result<OpenedRecord, WorkError> {
@@ -50,6 +60,29 @@ pub(crate) fn record(source: &RecordSource, files: &dyn Files) -> Result<OpenedR
     opened(join_stations(stations, &options)?, source)
 }
 
+/// As [`record`]; but one that holds an earthquake is used on both sides of the samples that it lost, so that its times count from its first sample and
+/// what came before the loss is known.
+pub(crate) fn record_to_identify(
+    source: &RecordSource,
+    files: &dyn Files,
+) -> Result<OpenedRecord, WorkError> {
+    let read = record(source, files)?;
+    let is_cut_short = |step: &Processing| matches!(step, Processing::LongestSpan { .. });
+    let is_cut_short = read.record.history().iter().any(is_cut_short);
+    let is_sought =
+        source.stations.is_empty() && !source.modal.without_earthquake && source.conditioning.cut.is_none();
+    if !is_cut_short || !is_sought {
+        return Ok(read);
+    }
+    let all = RecordSource {
+        lost_samples: LostSamples::Bridged,
+        ..source.clone()
+    };
+    // lost samples that cannot be bridged leave the longest span
+    let bridged = record(&all, files).ok().filter(|bridged| bridged.is_shaken);
+    Ok(bridged.unwrap_or(read))
+}
+
 fn reading(bytes: &[u8], source: &RecordSource) -> Result<Reading, WorkError> {
     let mut reading = read_record(bytes, &options(source)?)?;
     let left_out: Vec<String> = source.channels.iter().filter(|c| c.leave_out).map(name).collect();
@@ -70,7 +103,22 @@ fn opened(reading: Reading, source: &RecordSource) -> Result<OpenedRecord, WorkE
     let (channels, samples) = (record.channels().len() + left_out, record.length());
     let sampling_rate_hz = record.sampling_rate_hz();
     let unit = unit_of(source, &record);
-    let mut faults = inspect(&record);
+    let losses = Losses {
+        lost_s: lost_s(&record),
+        clipped: Vec::new(),
+    };
+    let shaken_s: Vec<[f64; 2]> = match source.modal.without_earthquake {
+        true => Vec::new(),
+        false => earthquakes_in(&record, &[], &losses.lost_s)
+            .iter()
+            .map(|of| [(of.arrival_s - BEFORE_S).max(0.0), of.end_s + BEHIND_S])
+            .collect(),
+    };
+    let mut faults = inspect_apart(&record, &losses.lost_s, &shaken_s);
+    let losses = Losses {
+        clipped: clipped(&faults),
+        ..losses
+    };
     if source
         .conditioning
         .detrend_degree
@@ -89,7 +137,35 @@ fn opened(reading: Reading, source: &RecordSource) -> Result<OpenedRecord, WorkE
         remarks,
         unread_stamps,
         faults,
+        is_shaken: !shaken_s.is_empty(),
+        losses,
     })
+}
+
+/// Channels that were held at the end of their range.
+fn clipped(faults: &[ChannelFault]) -> Vec<String> {
+    let held = faults
+        .iter()
+        .filter(|fault| matches!(fault, ChannelFault::Clipped { .. }));
+    held.map(|fault| fault.channel().to_owned()).collect()
+}
+
+/// Times at which samples were lost and bridged, s from the first sample.
+fn lost_s(record: &Record) -> Vec<[f64; 2]> {
+    let step_s = 1.0 / record.sampling_rate_hz();
+    let (mut lost, mut gone_s) = (Vec::new(), 0.0);
+    for step in record.history() {
+        match step {
+            Processing::Bridged { gaps } => {
+                lost.extend(gaps.iter().map(|gap| [gap.at_s, gap.at_s + gap.lost_s + step_s]));
+            }
+            Processing::CommonTime { before_s, .. } => gone_s += before_s,
+            _ => {}
+        }
+    }
+    lost.iter()
+        .map(|span: &[f64; 2]| span.map(|at_s| at_s - gone_s))
+        .collect()
 }
 
 /// The unit as the project or the file says it.

@@ -129,7 +129,11 @@ impl RecordTime {
         let (mut lost, mut filled, mut lost_elsewhere) = (Vec::new(), Vec::new(), false);
         for step in record.history() {
             match step {
-                Processing::LongestSpan { .. } | Processing::FilledGaps { .. } if !is_one_file => {
+                Processing::LongestSpan { .. }
+                | Processing::FilledGaps { .. }
+                | Processing::Bridged { .. }
+                    if !is_one_file =>
+                {
                     lost_elsewhere = true;
                 }
                 Processing::LongestSpan {
@@ -142,6 +146,7 @@ impl RecordTime {
                     whole_s = all_s + step_s;
                     lost.extend(gaps.iter().cloned());
                 }
+                Processing::Bridged { gaps } => lost.extend(gaps.iter().cloned()),
                 Processing::FilledGaps { gaps, .. } => filled.extend(gaps.iter().cloned()),
                 Processing::Cut { from_s: first_s, .. } => from_s += first_s,
                 _ => {}

@@ -183,11 +183,11 @@ pub(crate) fn evidence(project: &Project, variant: Option<&str>) -> Result<Evide
     Ok(check.map_or_else(Evidence::none, |check| Evidence::of(project, &check)))
 }
 
-/// What a chain, frame or building is without any shaking, where that is not "stable": a chain with what acts on it beside its weight, a frame as it leans; of a stack its check says so.
+/// What a chain, frame or building is without any shaking, where that is not "stable": a chain or frame with what acts on it beside its weight, a frame as it leans; of a stack its check says so.
 fn without_shaking(project: &Project) -> Result<Option<WithoutShaking>, WorkError> {
     let asks_check = match &project.structure {
         Structure::Chain(_) => !project.loads.is_empty(),
-        Structure::Frame(part) => part.lean.is_some(),
+        Structure::Frame(part) => part.lean.is_some() || !project.loads.is_empty(),
         Structure::Stack(_) | Structure::Building(_) | Structure::Survey => false,
     };
     if asks_check {

@@ -104,7 +104,7 @@ impl Second {
 /// What came of `dolmen simulate`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SimulateAnswer {
-    /// The project file, as it was named.
+    /// The project file, as the user named it.
     pub file: String,
     /// Each run: of a frame one a direction.
     pub simulations: Vec<Simulation>,

@@ -13,6 +13,7 @@ use dolmen::stability::stack::DemandVerdict;
 use dolmen::stability::{ChainStability, Verdict};
 use dolmen::structure::stack::Stack;
 use dolmen_project::{Names, Quantity, SurveyedLean};
+use dolmen_words::message::Both;
 
 /// The result whose sensitivities are given.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -61,7 +62,7 @@ pub struct DemandAnswer {
     /// The spectrum at the first period of each direction that is known.
     pub spectral: Vec<SpectralAt>,
     /// Why nothing was compared, or a value is missing.
-    pub refused: Option<String>,
+    pub refused: Option<Both>,
 }
 
 /// The spectrum at a first period.
@@ -312,7 +313,7 @@ pub struct VariantAnswer {
 /// The load factor under inputs drawn from their distributions.
 #[derive(Clone, Debug, serde::Serialize)]
 pub struct Sampled {
-    /// Probability that the structure falls (λ ≤ 1).
+    /// Probability that the structure falls: λ ≤ 1, or a frame leans to its fall as surveyed.
     pub unstable: Probability,
     /// Probability that a combination of wind and static loads brings a joint to its limit; `None` where there are none.
     pub under_loads: Option<Probability>,
@@ -415,7 +416,7 @@ impl State {
 
     /// The worst verdict without wind and static loads.
     fn weight_verdict(&self) -> Verdict {
-        // a tilt that cannot be checked is said beside the verdict, and does not change it
+        // a tilt that cannot be checked stands beside the verdict, and does not change it
         let tilts = self
             .tilts
             .iter()

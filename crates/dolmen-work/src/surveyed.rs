@@ -26,6 +26,11 @@ pub enum WithoutStiffness {
         /// The direction.
         direction: String,
     },
+    /// The file says that nothing but columns holds a frame in a direction: its stiffness is that of their beds.
+    OnColumnsAlone {
+        /// The direction.
+        direction: String,
+    },
     /// No sensor points within 15° of x or y.
     OffTheAxes {
         /// Names of those that have a position and a direction.
@@ -83,6 +88,10 @@ impl std::fmt::Display for WithoutStiffness {
             WithoutStiffness::AllTwist { direction } => write!(
                 f,
                 "no stiffness is sought in direction {direction}: every mode measured there twists; check their kind"
+            ),
+            WithoutStiffness::OnColumnsAlone { direction } => write!(
+                f,
+                "no stiffness is sought in direction {direction}: by the file nothing but columns holds it; write stiffness = \"unknown\" to seek one"
             ),
             WithoutStiffness::OffTheAxes { channels } => write!(
                 f,
@@ -230,14 +239,14 @@ impl SurveyAnswer {
     pub fn earthquake(&self) -> Option<&Earthquake> {
         let setups = self.setups.iter().flat_map(|setups| &setups.records);
         let all = self.records.iter().chain(setups);
-        let over = |of: &&Earthquake| of.found.shaking.over_noise;
+        let over = |of: &&Earthquake| of.found.strongest().shaking.over_noise;
         let found = all.filter_map(|record| record.earthquake.as_ref());
         found.max_by(|a, b| over(a).total_cmp(&over(b)))
     }
 
     /// Whether its modes are those of a structure in an earthquake, which no ambient survey can be compared with.
     pub fn is_shaken(&self) -> bool {
-        self.earthquake().is_some_and(|of| of.modes_of == ModesOf::Whole)
+        self.earthquake().is_some_and(Earthquake::is_shaken)
     }
 
     /// What is wrong with the channels of its records.
@@ -270,11 +279,15 @@ impl SurveyAnswer {
 /// Of which part of a record that holds an earthquake its modes are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ModesOf {
-    /// Of what followed it.
+    /// Of what followed the last one.
     After,
-    /// Of what came before it, since what followed is too short.
+    /// Of what came between two of them, since what followed is too short.
+    Between,
+    /// Of what came before, since what followed is too short.
     Before,
-    /// Of all of it: with the ground as it moved, or since both are too short.
+    /// Of its strong phase, above the ground as it moved.
+    During,
+    /// Of all of the record, since every part of it is too short.
     Whole,
 }
 
@@ -288,12 +301,25 @@ pub struct Earthquake {
 }
 
 impl Earthquake {
-    /// As a survey states it: the largest acceleration, and the surest change beyond chance, else that of the lowest mode.
+    /// Whether it was one beyond doubt, or left a change beyond chance, whatever it was: else it may have been traffic, and the record shows the structure at
+    /// rest but for that.
+    pub fn is_one(&self) -> bool {
+        self.found.is_sure() || self.found.lasting().is_some()
+    }
+
+    /// Whether the modes are those of the structure in it, which no ambient survey can be compared with.
+    pub fn is_shaken(&self) -> bool {
+        matches!(self.modes_of, ModesOf::During | ModesOf::Whole)
+    }
+
+    /// As a survey states it: the largest acceleration, and the change of the lowest mode that changed beyond chance, else of the lowest.
     pub fn part(&self) -> EarthquakePart {
-        let peak = self.found.strongest().and_then(|of| of.peak_acceleration_m_s2);
-        let change = self.found.lasting().or(self.found.changes.first());
+        let largest = self.found.largest();
+        let peak = largest.strongest().and_then(|of| of.peak_acceleration_m_s2);
+        let change = self.found.lasting().or(self.found.shown().first());
         EarthquakePart {
             peak_m_s2: peak,
+            is_at_least: peak.is_some() && largest.is_at_least(),
             changed: change.map(|of| of.ratio),
             changed_sd: change.and_then(|of| of.ratio_sd),
         }

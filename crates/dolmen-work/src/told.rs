@@ -1,4 +1,4 @@
-//! What is said of an error: its causes, each with what can be done in the project file or with the command.
+//! What Dolmen says of an error: its causes, each with what can be done in the project file or with the command.
 
 use crate::change_fault::ChangeFault;
 use crate::error::WorkError;

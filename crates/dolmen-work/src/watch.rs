@@ -103,7 +103,8 @@ pub fn watch_of(
         if own.is_some_and(SurveyAnswer::is_shaken) {
             of.modes.clear();
         }
-        (of, own.and_then(|own| own.earthquake()).map(Earthquake::part))
+        let felt = own.and_then(SurveyAnswer::earthquake).filter(|of| of.is_one());
+        (of, felt.map(Earthquake::part))
     })
 }
 

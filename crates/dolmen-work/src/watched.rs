@@ -3,8 +3,8 @@
 use crate::judgement::tilt_beyond_limit;
 use crate::sensor_alarms::SensorAlarm;
 use crate::watched_log::WatchedLog;
-use dolmen::monitoring::{ANSWERED_DAYS, Track, Watched};
-use dolmen_project::{EarthquakePart, LogKind, Project, WorkPart};
+use dolmen::monitoring::{ANSWERED_DAYS, TiltSeries, Track, Watched};
+use dolmen_project::{EarthquakePart, LogKind, Project, WorkKind, WorkPart};
 use dolmen_words::message::Both;
 use std::sync::Arc;
 
@@ -151,17 +151,37 @@ impl WatchAnswer {
         Some(LeanNow::of(None, directions, &[of("x")?, of("y")?], limit))
     }
 
+    /// Whether a later series of the direction, of another mark, took its place.
+    pub fn is_replaced(&self, series: &TiltSeries) -> bool {
+        let last = |of: &TiltSeries| of.surveys.last().copied();
+        let mut others = self.watched.tilts.iter().map(|trend| &trend.series);
+        others.any(|other| other.direction == series.direction && last(other) > last(series))
+    }
+
+    /// Whether another mark took its place, and a repair came after its last reading: how it leant then says nothing of today.
+    fn is_of_the_past(&self, series: &TiltSeries) -> bool {
+        let last = series.days.last().copied().unwrap_or(f64::INFINITY);
+        let mut repairs = self
+            .works
+            .iter()
+            .filter(|(_, work)| work.kind == WorkKind::Repair);
+        self.is_replaced(series) && repairs.any(|(day, _)| *day > last && !self.is_far_ahead(*day))
+    }
+
     /// How it leans on the day of the last readings: x and y of one datum together, other directions each by itself.
     pub fn leans(&self) -> Vec<LeanNow> {
         let limit = self.project.watch.tilt_limit;
         let mut leans: Vec<(LeanNow, Vec<[f64; 2]>)> = Vec::new();
         for trend in &self.watched.tilts {
             let of = &trend.series;
-            let read = trend.slope.map(|slope| slope.now).or(of.ratios.last().copied());
-            let Some(now) = read else { continue };
+            let fitted = trend.carried.or(trend.slope).map(|slope| slope.now);
+            let read = fitted.or(of.ratios.last().copied());
+            let Some(now) = read.filter(|_| !self.is_of_the_past(of)) else {
+                continue;
+            };
             let is_plane = |direction: &str| matches!(direction, "x" | "y");
-            let per_year = trend.slope.filter(|_| trend.is_beyond_chance());
-            let part = [now, per_year.map_or(0.0, |slope| slope.per_year)];
+            let seen = trend.forecast();
+            let part = [now, seen.map_or(0.0, |slope| slope.per_year)];
             let across = leans.iter_mut().find(|(lean, _)| {
                 lean.datum == of.datum
                     && is_plane(&of.direction)

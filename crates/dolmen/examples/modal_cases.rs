@@ -15,7 +15,7 @@ use dolmen_linalg::Complex64;
 use std::error::Error;
 use std::f64::consts::PI;
 
-/// Estimates further off than this many stated deviations are named: one in 16 000 by chance.
+/// The listing names estimates further off than this many stated deviations: one in 16 000 by chance.
 const OFF_MOST: f64 = 4.0;
 
 fn main() -> Result<(), Box<dyn Error>> {

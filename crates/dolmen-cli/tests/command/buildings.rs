@@ -425,3 +425,16 @@ fn holds_dampers_are_in_the_spectrum_of_a_site_and_their_rooms_too() {
     let answer = room((1.01 * stroke_mm).round());
     assert_eq!(answer.status, 0, "{}", answer.stderr);
 }
+
+#[test]
+fn holds_a_plan_of_sensors_names_the_dampers_that_it_leaves_out() {
+    let scratch = Scratch::with_examples("planned-dampers");
+    let answer = scratch.dolmen("sensors examples/several_dampers");
+    assert!(
+        answer.words().contains("without its dampers (pair"),
+        "{}",
+        answer.stdout
+    );
+    let plain = scratch.dolmen("sensors examples/twisting_floor");
+    assert!(!plain.words().contains("without its dampers"), "{}", plain.stdout);
+}

@@ -38,7 +38,7 @@ fn holds_true_changes_lie_in_their_intervals_once_the_weather_is_out() {
             .contains("2.140 Hz")
     );
 
-    // the same without the temperatures' effect: all three seem to have changed, and the doubt is said
+    // the same without the temperatures' effect: all three seem to have changed, and the answer gives the doubt
     let text = fs::read_to_string(scratch.path().join(GATE)).unwrap();
     fs::write(
         scratch.path().join("blind.toml"),

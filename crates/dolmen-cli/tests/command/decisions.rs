@@ -164,7 +164,7 @@ fn measures_and_joints(answer: &Value, folder: &Path, runs: &[BTreeMap<String, S
     assert!(joints.iter().all(|row| row["gave_way"] == "0"));
 }
 
-/// Five samples of a slippery stone under four motions: what its friction adds to the scatter is said apart.
+/// Five samples of a slippery stone under four motions: the answer separates what its friction adds to the scatter.
 #[test]
 fn holds_the_scatter_of_inputs_is_told_from_that_of_motions() {
     let scratch = Scratch::new("scatter");
@@ -217,7 +217,7 @@ rest_s = 0.2
     assert!(again.stdout.contains("S_a(0.3 s)"), "{}", again.stdout);
 }
 
-/// A slender post that falls from a plate: what the plate would have come to is not known beyond the fall, and is told as a bracket.
+/// A slender post that falls from a plate: what the plate would have come to is not known beyond the fall, and the table gives a bracket.
 #[test]
 fn holds_a_fall_elsewhere_leaves_a_joint_open() {
     let scratch = Scratch::new("cut_short");
@@ -334,7 +334,7 @@ fn refuses_a_score_of_a_pagoda_unlike_the_designs_and_marks_it_where_forced() {
     );
 }
 
-/// Rates need the hazard of every site: where one lacks it, the order is by capacity, and that is said first.
+/// Rates need the hazard of every site: where one lacks it, the order is by capacity, and the answer says so first.
 #[test]
 fn holds_a_list_that_lacks_a_hazard_says_that_rates_do_not_order_it() {
     let scratch = Scratch::with_examples("lacking_hazard");

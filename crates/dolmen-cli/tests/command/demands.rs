@@ -413,3 +413,16 @@ fn exact_figures_of_a_stack_show_what_the_site_demands_and_what_was_run() {
             .contains("peak of the motion that was run: 0.600 g")
     );
 }
+
+#[test]
+fn holds_why_a_site_is_not_compared_stands_in_both_languages() {
+    let scratch = Scratch::with_examples("table-korean");
+    let table =
+        "\n[site]\ncode = \"table\"\nfile = \"spectrum.csv\"\nunit = \"g\"\nsource = \"Site study\"\n";
+    append(&scratch, "p10", table);
+    let csv = scratch.path().join("examples/p10/spectrum.csv");
+    fs::write(&csv, "period_s,sa_g\n0,0.1\n0.1,0.15\n").unwrap();
+    let short = scratch.dolmen("--language ko check examples/p10");
+    let said = "비교하지 못하였다(주기 0.2126 s가 표의 범위 0~0.1 s를 벗어난다. 표를 넓힌다)";
+    assert!(one_line(&short.stdout).contains(said), "{}", short.stdout);
+}

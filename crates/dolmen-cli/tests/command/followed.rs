@@ -467,3 +467,72 @@ fn refuses_a_folder_a_store_and_a_structure_that_are_not_there() {
         "no survey of the project has its vibration record in one file",
     );
 }
+
+/// The same with a second mode of 5 Hz, and the upper sensor turned round or not.
+fn two_modes(seed: u64, turned: bool) -> String {
+    let (one, two) = (
+        made_record(2.0, 12_000, seed),
+        made_record(5.0, 12_000, seed + 1000),
+    );
+    let numbers = |line: &str| -> Vec<f64> { line.split(',').map(|cell| cell.parse().unwrap()).collect() };
+    let mut text = "low,high,mid\n".to_owned();
+    for (a, b) in one.lines().zip(two.lines()).skip(1) {
+        let (a, b) = (numbers(a), numbers(b));
+        let sign = if turned { -1.0 } else { 1.0 };
+        let (low, high, mid) = (a[0] + 2.0 * b[0], sign * (a[1] - 0.8 * b[1]), a[2] + 0.2 * b[2]);
+        text += &format!("{low:.4},{high:.4},{mid:.4}\n");
+    }
+    text
+}
+
+#[test]
+fn holds_a_copy_and_a_sensor_that_was_turned_round_are_named() {
+    let scratch = Scratch::new("follow-turned");
+    fs::create_dir_all(scratch.path().join("p")).unwrap();
+    fs::create_dir_all(scratch.path().join("in")).unwrap();
+    let mut text = HEAD.to_owned();
+    for day in 1..=8 {
+        let file = format!("{day}.csv");
+        fs::write(scratch.path().join("p").join(&file), two_modes(day, false)).unwrap();
+        text += &format!("[survey.2026-01-0{day}.records]\nfile = \"{file}\"\n{RECORDS}");
+    }
+    fs::write(scratch.path().join("p/project.toml"), text).unwrap();
+    good(scratch.briefly(&format!("survey add p {STORE}")));
+    put(
+        &scratch.path().join("in/gate 2026-01-09.csv"),
+        two_modes(9, false),
+    );
+    let sound = scratch.briefly("watch --follow in --store s.db --once");
+    assert!(
+        sound.stdout.contains("2026-01-09") && !sound.stdout.contains("polarity"),
+        "{}",
+        sound.stdout
+    );
+    put(
+        &scratch.path().join("in/gate 2026-01-10.csv"),
+        two_modes(10, true),
+    );
+    put(&scratch.path().join("in/copy.csv"), two_modes(9, false));
+    let answer = scratch.briefly("watch --follow in --store s.db --once");
+    assert!(
+        answer
+            .stdout
+            .contains("its shapes are not those of the surveys before it"),
+        "{}{}",
+        answer.stdout,
+        answer.stderr
+    );
+    assert!(
+        answer
+            .stderr
+            .contains("copy.csv holds the same bytes as gate 2026-01-09.csv"),
+        "{}",
+        answer.stderr
+    );
+    // what was taken under its own name is no copy of itself
+    assert!(
+        !answer.stderr.contains("gate 2026-01-09.csv holds"),
+        "{}",
+        answer.stderr
+    );
+}

@@ -205,3 +205,37 @@ fn refuses_flags_of_another_kind_by_name() {
     let answer = scratch.dolmen(&format!("report {tower} {floor} --samples 0 -o page.html"));
     assert_eq!(answer.status, 0, "{}", answer.stderr);
 }
+
+#[test]
+fn holds_a_simulated_stack_that_a_survey_contradicts_is_not_decided() {
+    let scratch = Scratch::new("contradicted_run");
+    let stack = |hz: f64| {
+        format!(
+            "schema = 1\nkind = \"stack\"\nname = \"Stones\"\ndensity = 2600\njoint = {{ friction = 0.6 }}\n\
+             blocks = [{{ name = \"base\", width = 1.2, depth = 1.0, height = 0.5 }}, {{ name = \"cap\", width = 0.9, depth = 0.9, height = 0.3 }}]\n\
+             [survey.2020-05-01]\nfrequencies.x = [{hz}]\n\
+             [motion.ec]\nbuilt_in = \"el-centro-1940-ns\"\npeak = \"0.05 g\"\n"
+        )
+    };
+    let word = |hz: f64, command: &str| {
+        fs::write(scratch.path().join("stones.toml"), stack(hz)).unwrap();
+        let answer = scratch.dolmen(&format!("--json {command}"));
+        assert_eq!(answer.status, 0, "{}", answer.stderr);
+        let json: Value = serde_json::from_str(&answer.stdout).unwrap();
+        json["judgement"]["versions"][0]["earthquake"].clone()
+    };
+    let run = "simulate stones.toml --motion ec --law springs";
+    let modelled = {
+        fs::write(scratch.path().join("stones.toml"), stack(1.0)).unwrap();
+        let answer = scratch.dolmen("--json check stones.toml");
+        let json: Value = serde_json::from_str(&answer.stdout).unwrap();
+        json["judgement"]["versions"][0]["evidence"]["computed_hz"]
+            .as_f64()
+            .unwrap_or_else(|| panic!("{}", json["judgement"]))
+    };
+    let right = word(modelled, run);
+    assert_eq!(right["word"], "above demand", "{right}");
+    let contradicted = word(0.7 * modelled, run);
+    assert_eq!(contradicted["word"], "not decided", "{contradicted}");
+    assert_eq!(contradicted["reasons"][0]["decided_by"], "contradicted");
+}

@@ -7,7 +7,7 @@ use serde_json::Value;
 use std::collections::BTreeSet;
 use std::fs;
 
-const COMMANDS: [&str; 54] = [
+const COMMANDS: [&str; 55] = [
     "check examples/naju_flagpole/two_directions.toml",
     "check examples/naju_flagpole/side_posts.toml",
     "simulate examples/naju_flagpole/side_posts.toml --motion el-centro --duration 3",
@@ -18,6 +18,7 @@ const COMMANDS: [&str; 54] = [
     "check examples/wall/wind.toml",
     "check examples/heunginjimun_gate",
     "check examples/free_columns",
+    "check examples/free_columns/wind.toml",
     "check examples/three_storey_pagoda --sensitivity",
     "check examples/piled_blocks",
     "check examples/p10",

@@ -1,5 +1,5 @@
 // SOURCE     Our own sentences.
-// GOAL       What is wrong with a record, a motion, a mesh, a table or a flag is told in Korean, without an English sentence.
+// GOAL       Errors tell what is wrong with a record, a motion, a mesh, a table or a flag in Korean, without an English sentence.
 // TOLERANCE  Keys, file names, values, units and commands stay as they are. What another library says of a file is in its own words, and none of these has it.
 
 use super::english::english_in;
@@ -194,7 +194,7 @@ const ASKED: [&str; 26] = [
     "explain no-such-code",
 ];
 
-/// What is English in what was said, or that it is not Korean at all.
+/// What is English in the error, or that it is not Korean at all.
 fn fault_of(asked: &str, stderr: &str) -> Option<String> {
     let said: Vec<&str> = stderr.lines().filter(|line| !line.contains(" | ")).collect();
     let said = said.join(" ");

@@ -175,6 +175,18 @@ fn agrees_a_model_under_its_measured_ground_and_one_a_fifth_too_stiff_does_not()
     assert!((ratio - 1.2f64.sqrt()).abs() < 0.05, "{ratio}");
     let said = good(scratch.briefly(words)).stdout;
     assert!(said.contains("MODEL AND MEASUREMENT DIFFER"), "{said}");
+    // what does not move as the structure did does not say that it is safe
+    assert!(said.contains("not decided"), "{said}");
+    let with = |from: &str, to: &str| {
+        fs::write(&file, frame(1.0).replace(from, to)).unwrap();
+        good(scratch.briefly(words)).stdout
+    };
+    let said = with("[0, 0, 6]", "[0, 0, 9]");
+    assert!(said.contains("Not compared") && said.contains("RF"), "{said}");
+    let said = with("direction = \"-x\"", "direction = \"y\"");
+    assert!(said.contains("Not compared") && said.contains("RF"), "{said}");
+    let said = with("direction = \"-x\"", "direction = \"x\"");
+    assert!(said.contains("opposite to RF"), "{said}");
     // what is changed is not what was felt
     let changed = json(&scratch, &format!("{words} --scale 2"));
     assert!(first(&changed, "measured").unwrap().is_null());

@@ -539,3 +539,19 @@ fn holds_a_table_of_pagodas_as_korean_excel_saves_it() {
         slip.stderr
     );
 }
+
+#[test]
+fn refuses_a_work_of_an_unknown_kind_once() {
+    let scratch = Scratch::new("works-kind");
+    let text = "schema = 1\nkind = \"survey\"\nname = \"Pole\"\n\
+        watch.works = [{ date = \"2024-06-01\", kind = \"repiar\", what = \"joints\" }]\n\
+        [survey.2024-01-01]\nfrequencies.x = [2.0]\n";
+    fs::write(scratch.path().join("project.toml"), text).unwrap();
+    let answer = scratch.briefly("watch project.toml");
+    assert_eq!(answer.status, 2, "{}", answer.stdout);
+    assert!(
+        answer.stderr.contains("did you mean \"repair\"?") && !answer.stderr.contains("is missing"),
+        "{}",
+        answer.stderr
+    );
+}

@@ -1,5 +1,5 @@
 // SOURCE     Ways in which an unsafe structure could be made to look safe.
-// GOAL       Each is said, changes the verdict, or is refused.
+// GOAL       The answer names each, its verdict changes, or Dolmen refuses the input.
 // TOLERANCE  none: words and exit statuses.
 
 use super::verbs::{Answer, Scratch};

@@ -95,7 +95,7 @@ fn holds_a_store_goes_to_a_server_and_back_unchanged() {
         ],
     );
     assert_eq!(own, content(&scratch, &restored));
-    // a project comes out as it went in, and a file that was named by hand stays
+    // a project comes out as it went in, and a file that somebody named by hand stays
     good(scratch.briefly(&format!("survey export 석탑 -o out {store}")));
     let text = |of: &str| fs::read(scratch.path().join(of).join("project.toml")).unwrap();
     assert_eq!(text("examples/pagoda_over_the_years"), text("out"));

@@ -354,7 +354,7 @@ fn holds_a_refused_run_is_a_row_with_its_reason() {
     let verdicts: Vec<&str> = capacities.iter().map(|row| row["verdict"].as_str()).collect();
     assert_eq!(verdicts, ["beyond", "refused", "refused", "refused"]);
     assert!(capacities.iter().all(|row| row["first_fall_m_s2"].is_empty()));
-    // of inputs that are all refused nothing is said but why; the studies after it are run
+    // of inputs that are all refused the answer gives the reason alone; the studies after it are run
     let text = TWO_STONES.replace("[0.5, -1]", "[-1, -2]")
         + "\n[study.last]\nmotions = [\"el-centro-1940-ns\"]\nscale = [0.1]\npoints = 4\n";
     fs::write(scratch.path().join("project.toml"), text).unwrap();

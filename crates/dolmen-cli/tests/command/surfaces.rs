@@ -173,6 +173,12 @@ fn holds_supports_that_moved_leave_the_earthquake_undecided() {
     );
     let (_, words) = said("moved", &arch, CHECK);
     assert!(words.contains("before its supports moved)"), "{words}");
+    // one word for one shape
+    assert!(
+        words.contains("In its shape before the supports moved it is")
+            && !words.contains("Against the earthquake of the site it is"),
+        "{words}"
+    );
 }
 
 #[test]

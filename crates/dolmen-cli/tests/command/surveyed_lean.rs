@@ -129,7 +129,7 @@ fn holds_a_surveyed_tilt_is_said_or_why_it_is_left_out() {
         unknown.contains("must be one of \"latest\", \"none\", \"2025-09-10\""),
         "{unknown}"
     );
-    // a survey without a date counts only where it is named
+    // a survey without a date counts only where the file names it
     let undated = said("", "[survey.2025-09-10]", "[survey.before-the-repair]");
     assert!(!undated.contains("found it"), "{undated}");
     assert!(

@@ -15,7 +15,7 @@ use crate::reader::Reader;
 use crate::usual::mass_kg;
 use crate::usual_numbers::{metres, ratio};
 
-/// Links from which on an order is told. Ours.
+/// Fewest links that tell an order. Ours.
 const LINKS_LEAST: usize = 3;
 const UPWARDS: f64 = 1.5;
 const CENTROID_MEAN: f64 = 0.52;

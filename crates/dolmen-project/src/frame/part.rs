@@ -1,6 +1,7 @@
 //! The frame of a project file, and the frame of the science it builds.
 
 use crate::heaviness::Heaviness;
+use crate::loads::LoadPart;
 use crate::quantity::{Pick, Quantity};
 use dolmen::dynamics::{
     DynamicsError, FrictionActsOn, FrictionFrame, StoreyFriction, ViscousDamping, slip_forces_n,
@@ -124,7 +125,7 @@ pub struct DirectionPart {
     pub name: String,
     /// The component of a motion, and of a tilt, along it; `None` if that is not known.
     pub along: Option<Component>,
-    /// Lateral stiffness of each storey, N/m, lowest first; `None` if unknown.
+    /// Lateral stiffness of each storey, N/m, lowest first; 0 where its columns alone hold it, `None` if unknown.
     pub stiffness: Option<Vec<Quantity>>,
     /// Viscous damping ratio of every mode, if given.
     pub damping_ratio: Option<Quantity>,
@@ -173,6 +174,8 @@ pub struct FramePart {
     pub lean: Option<FrameLean>,
     /// Whether the file leaves every surveyed tilt out.
     pub takes_no_tilt: bool,
+    /// Static loads, whose weight it carries: in its masses and axial forces.
+    pub static_loads: Vec<LoadPart>,
     /// Acceleration of gravity, m/s².
     pub gravity_m_s2: f64,
 }
@@ -203,12 +206,20 @@ impl FramePart {
         self.directions.iter().find(|own| own.along == Some(component))
     }
 
-    /// The frame, the same in each direction, each input with the value that `pick` chooses.
+    /// The frame, the same in each direction, each input with the value that `pick` chooses; with what its static loads weigh.
     ///
     /// # Errors
     /// None with the file's own values, which are checked on reading; [`StructureError`] if a picked one is
     /// impossible.
     pub fn build(&self, pick: Pick<'_>) -> Result<Frame, StructureError> {
+        self.build_weighing([1.0, 1.0], pick)
+    }
+
+    /// The same with factors on the axial forces of its own weight, and on those of its static loads; the masses are as they are.
+    ///
+    /// # Errors
+    /// As [`FramePart::build`].
+    pub fn build_weighing(&self, [own, loads]: [f64; 2], pick: Pick<'_>) -> Result<Frame, StructureError> {
         let mut storeys = Vec::with_capacity(self.storeys.len());
         for part in &self.storeys {
             let mass_kg = part.heaviness.mass_kg(self.gravity_m_s2, pick);
@@ -228,14 +239,56 @@ impl FramePart {
                 storey.axial_n = above_n;
             }
         }
+        storeys.iter_mut().for_each(|storey| storey.axial_n *= own);
+        for load in &self.static_loads {
+            let Some(weight_n) = load.weight.as_ref().map(&mut *pick) else {
+                continue;
+            };
+            // at the top of its storey, carried by that and all below
+            for storey in storeys.iter_mut().take(load.part + 1) {
+                storey.axial_n += loads * weight_n;
+            }
+            if let Some(level) = storeys.get_mut(load.part) {
+                level.mass_kg += weight_n / self.gravity_m_s2;
+            }
+        }
         Frame::new(storeys, self.convention)
     }
 
+    /// The force of a static load in a direction; `None` where it has none there.
+    pub fn force_of<'a>(&self, load: &'a LoadPart, direction: &DirectionPart) -> Option<&'a Quantity> {
+        match (self.directions.len(), direction.along) {
+            (1, _) | (_, Some(Component::X)) => load.force.as_ref(),
+            (_, Some(Component::Y)) => load.force_across.as_ref(),
+            _ => None,
+        }
+    }
+
     /// Stiffness of each storey in a direction, N/m, lowest first; `None` if it is unknown or there is no such
-    /// direction.
+    /// direction. Where columns alone hold a storey, that of their beds.
     pub fn stiffness_n_m(&self, direction: &str, pick: Pick<'_>) -> Option<Vec<f64>> {
         let named = self.directions.iter().find(|d| d.name == direction)?;
-        Some(named.stiffness.as_ref()?.iter().map(pick).collect())
+        let given = named.stiffness.as_ref()?.iter().enumerate();
+        let each = given.map(|(storey, given)| match given.value == 0.0 {
+            true => self.beds_n_m(storey, pick),
+            false => Some(pick(given)),
+        });
+        each.collect()
+    }
+
+    /// Whether the columns of a storey are all that holds it in a direction: a stiffness of 0.
+    pub fn is_on_columns_alone(&self, direction: &str) -> bool {
+        let named = self.directions.iter().find(|d| d.name == direction);
+        let mut given = named.and_then(|own| own.stiffness.as_ref()).into_iter().flatten();
+        given.any(|given| given.value == 0.0)
+    }
+
+    /// What the beds of the columns of a storey give it at small drift, N/m.
+    fn beds_n_m(&self, storey: usize, pick: Pick<'_>) -> Option<f64> {
+        let frame = self.build(pick).ok()?;
+        let columns = self.storeys[storey].columns.as_ref()?;
+        let built = columns.build(frame.storeys().get(storey)?, pick).ok()?;
+        built.bed_stiffness_n_m()
     }
 
     /// The frame with its friction and damping in a direction, for time histories; `None` if the stiffness is unknown or there is
@@ -251,11 +304,10 @@ impl FramePart {
         let Some(part) = self.directions.iter().find(|d| d.name == direction) else {
             return Ok(None);
         };
-        let Some(stiffness) = &part.stiffness else {
+        let Some(whole_n_m) = self.stiffness_n_m(direction, pick) else {
             return Ok(None);
         };
         let frame = self.build(pick)?;
-        let whole_n_m: Vec<f64> = stiffness.iter().map(&mut *pick).collect();
         let Some(friction) = &part.friction else {
             let none = vec![StoreyFriction::None; whole_n_m.len()];
             return damped(FrictionFrame::new(frame, whole_n_m, none)?, part, pick);

@@ -78,7 +78,8 @@ pub(crate) fn frame(
         .map(|(i, raw)| storey(reader, raw, &format!("storeys[{}]", i + 1)))
         .collect();
     let axial = axial(reader, raw, list);
-    let directions = directions(reader, raw.direction.as_ref(), list.value.len(), surveyed);
+    let free = free(&storeys);
+    let directions = directions(reader, raw.direction.as_ref(), &free, surveyed);
     let convention = match raw.convention.as_ref().map(|convention| convention.value) {
         None | Some(ConventionRaw::Drift) => Convention::Drift,
         Some(ConventionRaw::Grounded) => Convention::Grounded,
@@ -90,13 +91,66 @@ pub(crate) fn frame(
         directions: directions?,
         lean: None,
         takes_no_tilt: false,
+        static_loads: Vec::new(),
         gravity_m_s2,
     };
     if let Some(first) = frame.storeys.iter().position(|storey| storey.columns.is_some()) {
         let path = format!("storeys[{}].columns", first + 1);
         reader.warn(WarningKind::ColumnsNotInMotion, &path, Warned::ColumnsNotInMotion);
     }
-    agree(reader, &frame).then_some(frame)
+    (agree(reader, &frame) && alone_agree(reader, &frame)).then_some(frame)
+}
+
+/// Refuses a storey of nothing but columns that the frame contradicts; whether it is sound.
+fn alone_agree(reader: &mut Reader, frame: &FramePart) -> bool {
+    let before = reader.faults.len();
+    for direction in &frame.directions {
+        let mut all = direction.stiffness.iter().flatten();
+        let Some(none) = all.find(|stiffness| stiffness.value == 0.0) else {
+            continue;
+        };
+        let path = none.path.clone();
+        let problem = match (frame.convention, &direction.friction) {
+            (Convention::Grounded, _) => Some((
+                WrongFrame::AloneGrounded { path: path.clone() },
+                WrongFrame::WriteDrift,
+            )),
+            (Convention::Drift, Some(_)) => Some((
+                WrongFrame::AloneRubs { path: path.clone() },
+                WrongFrame::TakeFrictionOut {
+                    direction: direction.name.clone(),
+                },
+            )),
+            (Convention::Drift, None) => None,
+        };
+        if let Some((message, help)) = problem {
+            reader.fault(Fault::new(reader.place(&path), &path, message).help(help));
+        }
+    }
+    reader.faults.len() == before
+}
+
+/// Whether the columns of a storey stand free.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Free {
+    /// Nobody says so.
+    No,
+    /// On beds that give way.
+    OnBeds,
+    /// On stones that do not.
+    OnRigidStones,
+}
+
+fn free(storeys: &[Option<StoreyPart>]) -> Vec<Free> {
+    let each = storeys.iter().map(|storey| {
+        let columns = storey.as_ref().and_then(|storey| storey.columns.as_ref());
+        match columns.map(|columns| columns.bed_stiffness.is_some()) {
+            None => Free::No,
+            Some(true) => Free::OnBeds,
+            Some(false) => Free::OnRigidStones,
+        }
+    });
+    each.collect()
 }
 
 /// What the axial forces are: given for all storeys and named, or for none.
@@ -192,9 +246,10 @@ fn along(
 fn directions(
     reader: &mut Reader,
     raw: Option<&BTreeMap<String, At<DirectionRaw>>>,
-    storeys: usize,
+    free: &[Free],
     surveyed: &[String],
 ) -> Option<Vec<DirectionPart>> {
+    let storeys = free.len();
     let mut given: Vec<(&String, &At<DirectionRaw>)> = raw.into_iter().flatten().collect();
     given.sort_by_key(|(_, direction)| direction.span.start);
     let mut all = Vec::new();
@@ -213,8 +268,21 @@ fn directions(
                 let mut each = Vec::with_capacity(list.len());
                 for (i, raw) in list.iter().enumerate() {
                     let path = format!("{path}[{}]", i + 1);
-                    match reader.quantity(Some(raw), &path, Measure::StoreyStiffness, Bound::Positive) {
-                        Some(quantity) => each.push(quantity),
+                    let bound = match free.get(i) {
+                        Some(Free::No) | None => Bound::Positive,
+                        Some(Free::OnBeds | Free::OnRigidStones) => Bound::NotNegative,
+                    };
+                    match reader.quantity(Some(raw), &path, Measure::StoreyStiffness, bound) {
+                        Some(quantity) => {
+                            if quantity.value == 0.0 && free.get(i) == Some(&Free::OnRigidStones) {
+                                let message = WrongFrame::NothingAtSmallDrift { path: path.clone() };
+                                let fault = Fault::new(reader.place(&path), &path, message);
+                                let place = format!("storeys[{}].columns", i + 1);
+                                reader.fault(fault.help(WrongFrame::GiveBedStiffness { place }));
+                                sound = false;
+                            }
+                            each.push(quantity);
+                        }
                         None => sound = false,
                     }
                 }

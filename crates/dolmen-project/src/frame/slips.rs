@@ -69,7 +69,9 @@ pub(crate) fn judge_frame(reader: &mut Reader, frame: &FramePart) {
         }
     }
     for direction in &frame.directions {
-        for (stiffness, mass_kg) in direction.stiffness.iter().flatten().zip(&masses) {
+        let given = direction.stiffness.iter().flatten().zip(&masses);
+        // beds of columns alone are judged by themselves
+        for (stiffness, mass_kg) in given.filter(|(stiffness, _)| stiffness.value != 0.0) {
             let frequency_hz = (stiffness.value / mass_kg).sqrt() / std::f64::consts::TAU;
             if !within(frequency_hz, STOREY_FREQUENCY_HZ) {
                 let (least, most) = STOREY_FREQUENCY_HZ;

@@ -71,7 +71,7 @@ pub(super) enum SpectrumRaw {
 #[derive(Debug, serde::Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(super) struct WindAreaRaw {
-    /// The part, by its name or as "links[2]".
+    /// The part, by its name or as "links[2]", "storeys[1]".
     #[schemars(required)]
     pub(super) part: Option<At<String>>,
     /// Area across the wind, m2 where it is a bare number. Without height it takes the place of the part's own area, spread along it.
@@ -81,6 +81,8 @@ pub(super) struct WindAreaRaw {
     pub(super) height: Option<At<QuantityRaw>>,
     /// Its force coefficient; that of the wind if not given.
     pub(super) force_coefficient: Option<At<QuantityRaw>>,
+    /// Of a frame: the direction along which the wind blows that it meets; every direction if not given.
+    pub(super) direction: Option<At<String>>,
 }
 
 /// Wind, of the gust that is given or by a code.
@@ -177,14 +179,14 @@ pub(crate) struct LoadRaw {
     /// What it is.
     #[schemars(required)]
     pub(super) name: Option<At<String>>,
-    /// The part that it acts on, by its name or as "links[2]".
+    /// The part that it acts on, by its name or as "links[2]", "storeys[1]".
     #[schemars(required)]
     pub(super) at: Option<At<String>>,
     /// Height above the ground at which it acts; the top of the part if not given.
     pub(super) height: Option<At<QuantityRaw>>,
     /// Of a stack: the point at which it acts, [x, y, z], z up from the ground; the middle of the stone at height if not given.
     pub(super) position: Option<At<Vec<At<QuantityRaw>>>>,
-    /// Force from the side; its sign is a direction. Of a chain of two directions [x, y], along and across; of a stack [x, y, z], z upwards.
+    /// Force from the side; its sign is a direction. Of a chain of two directions [x, y], along and across; of a frame of several directions [x, y]; of a stack [x, y, z], z upwards.
     pub(super) force: Option<At<ForceRaw>>,
     /// Weight that it adds.
     pub(super) weight: Option<At<QuantityRaw>>,

@@ -46,6 +46,20 @@ pub struct WindArea {
     pub height: Option<Quantity>,
     /// Its force coefficient; `None`: that of the wind.
     pub force_coefficient: Option<Quantity>,
+    /// Of a frame: which of its directions the wind blows along that it meets; `None`: all.
+    pub direction: Option<usize>,
+}
+
+impl WindArea {
+    /// Whether it stands in the place of a part's own area, in wind along one of the directions of a frame.
+    pub fn replaces(&self, part: usize, direction: usize) -> bool {
+        self.part == part && self.height.is_none() && self.is_met(direction)
+    }
+
+    /// Whether wind along one of the directions of a frame meets it.
+    pub fn is_met(&self, direction: usize) -> bool {
+        self.direction.is_none_or(|own| own == direction)
+    }
 }
 
 /// How a wind on a building is taken in time, and what limits its motion.
@@ -114,9 +128,9 @@ pub struct LoadPart {
     pub height: Option<Quantity>,
     /// The point at which it acts, m, of a stack; `None`: the middle of the stone in plan, at that height.
     pub position: Option<[Quantity; 3]>,
-    /// Force from the side, N, of a chain.
+    /// Force from the side, N, of a chain; of a frame along its one direction, of several along x.
     pub force: Option<Quantity>,
-    /// Force across, N, of a chain of two directions.
+    /// Force across, N, of a chain of two directions; of a frame of several along y.
     pub force_across: Option<Quantity>,
     /// Force along x, y and upwards, N, of a stack.
     pub components: Option<[Quantity; 3]>,

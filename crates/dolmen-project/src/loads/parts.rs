@@ -4,11 +4,13 @@ use crate::chain::LinkPart;
 use crate::content::Structure;
 use crate::error::Fault;
 use crate::file_number::At;
+use crate::frame::FramePart;
 use crate::measure::Measure;
 use crate::quantity::Quantity;
 use crate::reader::Reader;
 use crate::stack::StackPart;
 use crate::wrong::{Common, WrongLoads};
+use dolmen::signal::Component;
 use dolmen_words::message::Both;
 use dolmen_words::nearest;
 
@@ -23,6 +25,10 @@ pub(super) struct Parts {
     pub(super) have_two_axes: bool,
     /// Whether they are the floors of a building, which only wind acts on.
     pub(super) are_floors: bool,
+    /// The directions of a frame, whose storeys they are, and the component along each; `None` of others.
+    pub(super) directions: Option<Vec<(String, Option<Component>)>>,
+    /// How far above its part the middle of an area may lie, m: a roof is above the columns that carry it.
+    pub(super) above_m: f64,
     pub(super) list: &'static str,
     pub(super) names: Vec<Option<String>>,
     /// Height of the lower and upper end of each above the ground, m.
@@ -38,6 +44,8 @@ pub(super) fn parts(structure: &Structure) -> Option<Parts> {
             have_two_axes: part.has_two_axes(),
             are_stones: false,
             are_floors: false,
+            directions: None,
+            above_m: 0.0,
             list: "links",
             names: part.links.iter().map(|link| link.name.clone()).collect(),
             ends_m: {
@@ -60,12 +68,38 @@ pub(super) fn parts(structure: &Structure) -> Option<Parts> {
             have_two_axes: false,
             are_stones: false,
             are_floors: true,
+            directions: None,
+            above_m: 0.0,
             list: "floors",
             names: part.floors.iter().map(|floor| floor.name.clone()).collect(),
             ends_m: Vec::new(),
             has_width: part.floors.iter().map(|floor| floor.outline.is_some()).collect(),
         }),
-        Structure::Frame(_) | Structure::Survey => None,
+        Structure::Frame(part) => Some(storeys(part)),
+        Structure::Survey => None,
+    }
+}
+
+/// The storeys of a frame: nobody knows the width of their walls and roofs.
+fn storeys(part: &FramePart) -> Parts {
+    let mut top_m = 0.0;
+    let ends = part.storeys.iter().map(|storey| {
+        let bottom_m = top_m;
+        top_m += storey.height.value;
+        [bottom_m, top_m]
+    });
+    let ends_m: Vec<[f64; 2]> = ends.collect();
+    let directions = part.directions.iter();
+    Parts {
+        are_stones: false,
+        have_two_axes: part.directions.len() > 1,
+        are_floors: false,
+        directions: Some(directions.map(|own| (own.name.clone(), own.along)).collect()),
+        above_m: top_m,
+        list: "storeys",
+        names: part.storeys.iter().map(|storey| storey.name.clone()).collect(),
+        has_width: vec![false; ends_m.len()],
+        ends_m,
     }
 }
 
@@ -77,6 +111,8 @@ fn stones(part: &StackPart) -> Parts {
         have_two_axes: false,
         are_stones: true,
         are_floors: false,
+        directions: None,
+        above_m: 0.0,
         list: "blocks",
         names: blocks.iter().map(|block| Some(block.name.clone())).collect(),
         ends_m: blocks
@@ -134,9 +170,15 @@ pub(super) fn part_of(reader: &mut Reader, raw: &At<String>, path: &str, parts: 
     }
 }
 
-/// Refuses a height that is not on its part.
-pub(super) fn on_part(reader: &mut Reader, height: &Quantity, part: usize, parts: &Parts) -> Option<()> {
+/// Refuses a height that is not on its part, nor `above_m` its top at the most.
+pub(super) fn on_part(
+    reader: &mut Reader,
+    height: &Quantity,
+    (part, above_m): (usize, f64),
+    parts: &Parts,
+) -> Option<()> {
     let [bottom_m, top_m] = parts.ends_m[part];
+    let top_m = top_m + above_m;
     if (bottom_m - ROUNDING_M..=top_m + ROUNDING_M).contains(&height.value) {
         return Some(());
     }
@@ -154,7 +196,10 @@ pub(super) fn on_part(reader: &mut Reader, height: &Quantity, part: usize, parts
                 bottom: bottom.to_string(),
                 top: top.to_string(),
             })
-            .help(WrongLoads::HeightsCountFromLowest),
+            .help(match parts.directions {
+                Some(_) => WrongLoads::HeightsCountFromFeet,
+                None => WrongLoads::HeightsCountFromLowest,
+            }),
     );
     None
 }

@@ -15,6 +15,7 @@ use crate::quantity::Quantity;
 use crate::reader::Reader;
 use crate::written::short;
 use crate::wrong::{Common, WrongLoads};
+use dolmen::signal::Component;
 
 /// Largest factor of a combination, our choice: codes have 1.7 at the most.
 const FACTOR_MOST: f64 = 10.0;
@@ -152,13 +153,14 @@ fn load(reader: &mut Reader, raw: &At<LoadRaw>, path: &str, parts: &Parts) -> Op
         };
         let help = match parts.are_stones {
             true => WrongLoads::GiveForceOfThree,
+            false if parts.directions.is_some() => WrongLoads::GiveForceOrWeight,
             false => WrongLoads::GiveForceFromSide,
         };
         reader.fault(Fault::new(raw.span.clone(), path, message).help(help));
         return None;
     }
     if let Some(height) = &height {
-        on_part(reader, height, part?, parts)?;
+        on_part(reader, height, (part?, 0.0), parts)?;
     }
     Some(LoadPart {
         name: of.name.as_ref()?.value.clone(),
@@ -189,6 +191,10 @@ fn forces(
         (None, None)
     };
     match (&raw.value, parts.are_stones) {
+        (ForceRaw::Along(_), false) if parts.directions.is_some() && parts.have_two_axes => {
+            let message = WrongLoads::ForceOnFrameNeedsDirection { path: path.clone() };
+            refuse(reader, message, WrongLoads::GiveForceOfTwo)
+        }
         (ForceRaw::Along(value), false) => {
             let along = reader.quantity_at((value, &raw.span), &path, Measure::Force, Bound::Any);
             (Some([along, None]), None)
@@ -198,7 +204,9 @@ fn forces(
                 let (path, at) = (format!("{path}[{}]", axis + 1), &list[axis]);
                 reader.quantity_at((&at.value, &at.span), &path, Measure::Force, Bound::Any)
             };
-            (Some([of(0), of(1)]), None)
+            let both = [of(0), of(1)];
+            directed(reader, &both, parts);
+            (Some(both), None)
         }
         (ForceRaw::Components(list), true) => (
             None,
@@ -208,10 +216,42 @@ fn forces(
             let message = WrongLoads::ForceOnStoneNeedsDirection { path: path.clone() };
             refuse(reader, message, WrongLoads::GiveForceOfThree)
         }
+        (ForceRaw::Components(_), false) if parts.directions.is_some() => {
+            let message = WrongLoads::ForceOnFrame { path: path.clone() };
+            let help = match parts.have_two_axes {
+                true => WrongLoads::GiveForceOfTwo,
+                false => WrongLoads::GiveForceAlongOne,
+            };
+            refuse(reader, message, help)
+        }
         (ForceRaw::Components(_), false) => {
             let message = WrongLoads::ForceIsFromSide { path: path.clone() };
             refuse(reader, message, WrongLoads::GiveForceFromSide)
         }
+    }
+}
+
+/// Refuses a component along which a frame has no direction: nothing would bear it.
+fn directed(reader: &mut Reader, both: &[Option<Quantity>; 2], parts: &Parts) {
+    let Some(directions) = &parts.directions else {
+        return;
+    };
+    for (force, component) in both.iter().zip([Component::X, Component::Y]) {
+        let has_direction = directions.iter().any(|(_, along)| *along == Some(component));
+        let Some(force) = force
+            .as_ref()
+            .filter(|force| force.value != 0.0 && !has_direction)
+        else {
+            continue;
+        };
+        let message = WrongLoads::NothingAlong {
+            path: force.path.clone(),
+            component: component.name().to_owned(),
+        };
+        let help = WrongLoads::WriteAlong {
+            component: component.name().to_owned(),
+        };
+        reader.fault(Fault::new(reader.place(&force.path), &force.path, message).help(help));
     }
 }
 
@@ -225,6 +265,10 @@ fn foreign(reader: &mut Reader, of: &LoadRaw, path: &str, parts: &Parts) {
             ("weight", span(&of.weight), WrongLoads::WeightOfStoneIs),
             ("moment", span(&of.moment), WrongLoads::MomentOfStoneIs),
             ("position", both, WrongLoads::PositionHasHeight),
+        ],
+        false if parts.directions.is_some() => vec![
+            ("moment", span(&of.moment), WrongLoads::MomentOfStoreyIs),
+            ("position", position, WrongLoads::GiveHeightInstead),
         ],
         false => vec![("position", position, WrongLoads::GiveHeightInstead)],
     };

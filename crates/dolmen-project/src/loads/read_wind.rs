@@ -65,21 +65,25 @@ pub(super) fn wind(reader: &mut Reader, raw: &At<WindOrShelteredRaw>, parts: &Pa
 
 /// Parts that the wind meets and whose width nobody gave.
 fn widths_known(reader: &mut Reader, areas: &[WindArea], parts: &Parts) {
-    let is_given = |part: usize| {
-        areas
-            .iter()
-            .any(|area| area.part == part && area.height.is_none())
-    };
+    let ways = parts.directions.as_ref().map_or(1, Vec::len);
+    let is_given =
+        |part: usize| (0..ways).all(|direction| areas.iter().any(|area| area.replaces(part, direction)));
     let unknown: Vec<String> = (0..parts.has_width.len())
         .filter(|part| !parts.has_width[*part] && !is_given(*part))
         .map(|part| format!("{}[{}]", parts.list, part + 1))
         .collect();
     if let Some(first) = unknown.first() {
-        let message = WrongLoads::WindWidthOfIs {
-            unknown: unknown.join(", "),
-        };
-        let help = WrongLoads::GiveBreadthOrBed {
-            first: first.to_string(),
+        let unknown = unknown.join(", ");
+        let first = first.clone();
+        let (message, help) = match parts.directions {
+            None => (
+                WrongLoads::WindWidthOfIs { unknown },
+                WrongLoads::GiveBreadthOrBed { first },
+            ),
+            Some(_) => (
+                WrongLoads::WindAreaOfIs { unknown },
+                WrongLoads::GiveAreaOfStorey { first },
+            ),
         };
         reader.fault(Fault::new(reader.place("wind"), "wind", message).help(help));
     }
@@ -294,12 +298,44 @@ fn area(reader: &mut Reader, raw: &At<WindAreaRaw>, path: &str, parts: &Parts) -
         Bound::Positive,
     );
     if let Some(height) = &height {
-        on_part(reader, height, part?, parts)?;
+        on_part(reader, height, (part?, parts.above_m), parts)?;
     }
+    let before = reader.faults.len();
+    let direction = of
+        .direction
+        .as_ref()
+        .and_then(|raw| direction(reader, raw, &format!("{path}.direction"), parts));
+    (reader.faults.len() == before).then_some(())?;
     Some(WindArea {
         part: part?,
         area: area?,
         height,
         force_coefficient,
+        direction,
     })
+}
+
+/// Which direction of a frame the wind blows along; refused of others.
+fn direction(reader: &mut Reader, raw: &At<String>, path: &str, parts: &Parts) -> Option<usize> {
+    let Some(directions) = &parts.directions else {
+        let message = WrongLoads::HasNoMeaningWithout {
+            path: path.to_owned(),
+            needs: "kind = \"frame\"".into(),
+        };
+        reader.fault(Fault::new(raw.span.clone(), path, message).help(Common::TakeItOut));
+        return None;
+    };
+    let found = directions.iter().position(|(name, _)| *name == raw.value);
+    if found.is_none() {
+        let names: Vec<&str> = directions.iter().map(|(name, _)| name.as_str()).collect();
+        let message = WrongLoads::ThereIsNoDirection {
+            path: path.to_owned(),
+            written: raw.value.clone(),
+        };
+        let help = WrongLoads::DirectionsAre {
+            names: names.join(", "),
+        };
+        reader.fault(Fault::new(raw.span.clone(), path, message).help(help));
+    }
+    found
 }

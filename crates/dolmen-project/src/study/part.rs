@@ -114,7 +114,7 @@ pub struct StudyPart {
     pub set: Vec<Override>,
     /// What is varied, in the order of the file: every value with every other.
     pub vary: Vec<Axis>,
-    /// Variants of the file to take in turn; the file as it is if none is named.
+    /// Variants of the file to take in turn; the file as it is if the list is empty.
     pub variants: Vec<String>,
     /// How often uncertain inputs are drawn; `None`: each is its mean.
     pub samples: Option<usize>,

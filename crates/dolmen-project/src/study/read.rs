@@ -21,7 +21,7 @@ use std::ops::Range;
 const SAMPLES_MOST: usize = 1_000_000;
 const MADE_MOST: usize = 1000;
 const HALVINGS_MOST: usize = 20;
-/// Halvings of the bracket of the first fall if nothing else is said. Chosen here: an eighth of a step of the scan.
+/// Halvings of the bracket of the first fall if the file gives none. Chosen here: an eighth of a step of the scan.
 const HALVINGS: u32 = 3;
 /// Least ratio at which a damage state may begin: below it every stack is damaged. Chosen here.
 const RATIO_LEAST: f64 = 1e-4;

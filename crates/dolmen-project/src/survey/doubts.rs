@@ -8,6 +8,7 @@ use crate::reader::Reader;
 use crate::report::is_day;
 use crate::usual_numbers::{hertz, metres, ratio};
 use crate::wrong::{WrongRecords, WrongSurvey};
+use std::collections::BTreeMap;
 
 /// Distance of a sensor from the middle of the others, m; none stands so far away on one structure. Ours.
 const AWAY_MOST_M: f64 = 500.0;
@@ -23,6 +24,7 @@ const SURVEYS_LEAST: usize = 3;
 const RATE_HZ: [f64; 2] = [5.0, 20_000.0];
 
 pub(crate) fn doubt_surveys(reader: &mut Reader, surveys: &[Survey]) {
+    let by_number = Numbered::of(surveys);
     for survey in surveys {
         date(reader, &survey.name);
         if let Some(temperature_c) = survey.temperature_c.filter(|of| *of > WARM_MOST_C) {
@@ -60,7 +62,7 @@ pub(crate) fn doubt_surveys(reader: &mut Reader, surveys: &[Survey]) {
                 reader.doubt(&path, doubted);
             }
         }
-        modes(reader, survey, surveys);
+        modes(reader, survey, (surveys, &by_number));
     }
 }
 
@@ -199,33 +201,65 @@ fn sensors(reader: &mut Reader, source: &RecordSource, path: &str) {
 /// A frequency is known from another survey that has one so near, relative. Chosen here.
 const KNOWN_WITHIN: f64 = 0.1;
 
+/// The translations of a direction, in the order of their numbers.
+fn sways<'a>(survey: &'a Survey, direction: &str) -> impl Iterator<Item = &'a SurveyMode> {
+    let modes = survey.modes.get(direction).into_iter().flatten();
+    modes.filter(|mode| mode.kind == ModeKind::Translation)
+}
+
+/// The frequencies of all surveys by direction and number, rising, Hz.
+struct Numbered<'a>(BTreeMap<&'a str, Vec<Vec<f64>>>);
+
+impl<'a> Numbered<'a> {
+    fn of(surveys: &'a [Survey]) -> Self {
+        let mut by_direction: BTreeMap<&str, Vec<Vec<f64>>> = BTreeMap::new();
+        for survey in surveys {
+            for direction in survey.modes.keys() {
+                let numbers = by_direction.entry(direction).or_default();
+                for (number, mode) in sways(survey, direction).enumerate() {
+                    if number == numbers.len() {
+                        numbers.push(Vec::new());
+                    }
+                    numbers[number].push(mode.frequency.value);
+                }
+            }
+        }
+        let all = by_direction.values_mut().flatten();
+        all.for_each(|of| of.sort_by(f64::total_cmp));
+        Self(by_direction)
+    }
+
+    /// The median of the other surveys, if enough have the mode.
+    fn usual_hz(&self, direction: &str, number: usize, own_hz: f64) -> Option<f64> {
+        let all = &self.0[direction][number];
+        let others = all.len() - 1;
+        if others < SURVEYS_LEAST - 1 {
+            return None;
+        }
+        let own = all.partition_point(|hz| hz.total_cmp(&own_hz).is_lt());
+        let middle = others / 2;
+        Some(all[middle + usize::from(middle >= own)])
+    }
+}
+
 /// Modes of a direction by their number against those of the other surveys.
-fn modes(reader: &mut Reader, survey: &Survey, surveys: &[Survey]) {
-    let numbered = |survey: &Survey, direction: &str| -> Vec<f64> {
-        let modes = survey.modes.get(direction).into_iter().flatten();
-        let sways = modes.filter(|mode| mode.kind == ModeKind::Translation);
-        sways.map(|mode: &SurveyMode| mode.frequency.value).collect()
-    };
-    for (direction, listed) in &survey.modes {
-        let sways = listed.iter().filter(|mode| mode.kind == ModeKind::Translation);
-        for (number, mode) in sways.enumerate() {
-            let others = surveys.iter().filter(|other| other.name != survey.name);
-            let mut same: Vec<f64> = others
-                .filter_map(|other| numbered(other, direction).get(number).copied())
-                .collect();
-            same.sort_by(f64::total_cmp);
-            if same.len() < SURVEYS_LEAST - 1 {
+fn modes(reader: &mut Reader, survey: &Survey, (surveys, by_number): (&[Survey], &Numbered<'_>)) {
+    for direction in survey.modes.keys() {
+        for (number, mode) in sways(survey, direction).enumerate() {
+            let own_hz = mode.frequency.value;
+            let Some(usual) = by_number.usual_hz(direction, number, own_hz) else {
+                continue;
+            };
+            if (1.0 / UNLIKE..=UNLIKE).contains(&(own_hz / usual)) {
                 continue;
             }
-            let usual = same[same.len() / 2];
-            let against = mode.frequency.value / usual;
             // a survey that misses a mode numbers those above it anew
-            let is_near = |hz: &f64| (hz / mode.frequency.value - 1.0).abs() <= KNOWN_WITHIN;
+            let is_near = |mode: &SurveyMode| (mode.frequency.value / own_hz - 1.0).abs() <= KNOWN_WITHIN;
             let others = surveys.iter().filter(|other| other.name != survey.name);
-            let known = others.filter(|other| numbered(other, direction).iter().any(is_near));
-            if !(1.0 / UNLIKE..=UNLIKE).contains(&against) && known.count() < SURVEYS_LEAST - 1 {
+            let known = others.filter(|other| sways(other, direction).any(is_near));
+            if known.count() < SURVEYS_LEAST - 1 {
                 let path = &mode.frequency.path;
-                let (measured, others) = (hertz(mode.frequency.value), hertz(usual));
+                let (measured, others) = (hertz(own_hz), hertz(usual));
                 reader.doubt(
                     path,
                     Doubted::SurveysDiffer {

@@ -50,6 +50,8 @@ impl SurveyRaw {
 pub(super) struct EarthquakeRaw {
     /// Largest acceleration that was measured.
     pub(super) peak: Option<At<QuantityRaw>>,
+    /// Whether it may have been larger, since a sensor was clipped or the record misses part of the earthquake; false if not given.
+    pub(super) at_least: Option<At<bool>>,
     /// Lasting change of a frequency, relative: -0.02 is a fall by 2 %.
     pub(super) changed: Option<At<f64>>,
     /// Its standard deviation.

@@ -114,6 +114,8 @@ pub struct Survey {
 pub struct EarthquakePart {
     /// Largest acceleration that was measured, m/s².
     pub peak_m_s2: Option<f64>,
+    /// Whether it may have been larger: a sensor reached the end of its range, or the record misses part of the earthquake.
+    pub is_at_least: bool,
     /// Lasting change of a frequency, relative.
     pub changed: Option<f64>,
     /// Its standard deviation.

@@ -144,6 +144,7 @@ fn earthquake(reader: &mut Reader, raw: &EarthquakeRaw, path: &str) -> Earthquak
     );
     EarthquakePart {
         peak_m_s2: peak.map(|peak| peak.value),
+        is_at_least: raw.at_least.as_ref().is_some_and(|of| of.value),
         changed: reader.within(
             raw.changed.as_ref(),
             &format!("{path}.changed"),

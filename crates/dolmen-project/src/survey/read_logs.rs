@@ -175,8 +175,9 @@ fn needed<'a, T>(
     value: Option<&'a T>,
     allowed: impl Into<Both>,
 ) -> Option<&'a T> {
-    if value.is_none() {
-        let path = format!("{path}.{key}");
+    let path = format!("{path}.{key}");
+    // one that was wrong has been reported
+    if value.is_none() && !reader.is_reported(&path) {
         let wrong = WrongLog::IsMissing { path: path.clone() };
         reader.fault(Fault::new(given.span.clone(), &path, wrong).allowed(allowed));
     }

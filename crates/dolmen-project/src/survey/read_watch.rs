@@ -74,8 +74,9 @@ fn is_date(text: &str) -> bool {
 fn work(reader: &mut Reader, given: &At<WorkRaw>, path: &str) -> Option<WorkPart> {
     let raw = &given.value;
     let mut needed = |key: &str, is_there: bool, allowed: WrongSurvey| {
-        if !is_there {
-            let path = format!("{path}.{key}");
+        let path = format!("{path}.{key}");
+        // one that was wrong has been reported
+        if !is_there && !reader.is_reported(&path) {
             let fault = Fault::new(
                 given.span.clone(),
                 &path,

@@ -94,6 +94,30 @@ messages! {
             en: "write axial = \"storey\" if it is the force in the storey's columns (its own level and all above), axial = \"level\" if it is the load added at its top",
             ko: "그 층 기둥의 축력(그 층과 위층 전체)이면 axial = \"storey\", 그 층 상단에 더해지는 하중이면 axial = \"level\"로 쓴다",
         },
+        NothingAtSmallDrift { path: String } => {
+            en: "{path} = 0: columns alone on rigid stones have no stiffness at small drift, and no frequency",
+            ko: "{path} = 0: 강체 초석 위의 기둥만으로는 미소변형에서 강성과 고유진동수가 정해지지 않는다",
+        },
+        GiveBedStiffness { place: String } => {
+            en: "give {place}.bed_stiffness, or \"unknown\": `dolmen check` then says what the columns hold",
+            ko: "{place}.bed_stiffness를 입력하거나 \"unknown\"으로 쓴다. 기둥의 복원력은 `dolmen check`로 본다",
+        },
+        AloneGrounded { path: String } => {
+            en: "{path} = 0: columns resist drift, but with convention = \"grounded\" a storey is held from the ground",
+            ko: "{path} = 0: 기둥은 층간변위에 저항하나 convention = \"grounded\"에서는 층이 지반에서 지지된다",
+        },
+        WriteDrift => {
+            en: "write convention = \"drift\"",
+            ko: "convention = \"drift\"로 쓴다",
+        },
+        AloneRubs { path: String } => {
+            en: "{path} = 0: nothing but columns holds the storey, so that no joint rubs there",
+            ko: "{path} = 0: 기둥만으로 지지되는 층에는 마찰하는 접합부가 없다",
+        },
+        TakeFrictionOut { direction: String } => {
+            en: "take direction.{direction}.friction out, or give the stiffness of its joints",
+            ko: "direction.{direction}.friction을 삭제하거나 접합부의 강성을 입력한다",
+        },
         BothAlong { name: String, other: String, component: String } => {
             en: "directions {other} and {name} both lie along {component}",
             ko: "{other} 방향과 {name} 방향이 모두 {component}를 따른다",

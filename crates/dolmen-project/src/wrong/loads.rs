@@ -30,13 +30,65 @@ messages! {
             en: "heights count from the lowest joint; name the part that stands there",
             ko: "높이는 가장 아래 접합부에서 잰다. 그 높이에 있는 부재의 이름을 쓴다",
         },
+        HeightsCountFromFeet => {
+            en: "heights count from the feet of the lowest columns; name the storey that carries it, and only an area of wind may lie above its storey, as a roof does",
+            ko: "높이는 최하층 기둥의 바닥에서 잰다. 이를 지지하는 층의 이름을 쓴다. 지붕처럼 층 위에 놓일 수 있는 것은 바람을 받는 면적뿐이다",
+        },
+        ForceOnFrameNeedsDirection { path: String } => {
+            en: "{path} is one number, but the frame has several directions",
+            ko: "{path}이(가) 수 하나이나 골조에 방향이 여럿이다",
+        },
+        GiveForceOfTwo => {
+            en: "give force = [x, y]: [2, 0] pushes the direction along x alone",
+            ko: "force = [x, y]로 입력한다. [2, 0]은 x를 따르는 방향만 민다",
+        },
+        ForceOnFrame { path: String } => {
+            en: "{path} has the wrong number of components: a storey is pushed along its directions",
+            ko: "{path}의 성분 수가 맞지 않는다. 층에는 골조의 방향을 따라 힘이 작용한다",
+        },
+        GiveForceAlongOne => {
+            en: "the frame has one direction: give one number, force = \"2 kN\"",
+            ko: "골조의 방향이 하나이므로 force = \"2 kN\"처럼 수 하나를 쓴다",
+        },
+        NothingAlong { path: String, component: String } => {
+            en: "{path} pushes along {component}, but no direction of the frame lies along {component}",
+            ko: "{path}은(는) {component} 방향의 힘인데 {component}를 따르는 골조의 방향이 없다",
+        },
+        WriteAlong { component: String } => {
+            en: "write direction.NAME.along = \"{component}\" where a direction has another name, or 0 if nothing pushes there",
+            ko: "방향의 이름이 다르면 direction.이름.along = \"{component}\"를 쓰고, 힘이 없으면 0을 쓴다",
+        },
+        GiveForceOrWeight => {
+            en: "give force = … (from the side) or weight = …",
+            ko: "force = …(수평) 또는 weight = …를 입력한다",
+        },
+        MomentOfStoreyIs => {
+            en: "take it out: a storey sways on hinged columns, which a moment does not push. Give the force that makes the moment, at the level where it acts",
+            ko: "삭제한다. 층은 양단 핀 기둥 위에서 수평으로 움직이므로 모멘트는 층을 밀지 않는다. 모멘트를 만드는 힘을 그 힘이 작용하는 층에 입력한다",
+        },
+        WindAreaOfIs { unknown: String } => {
+            en: "wind: the area of {unknown} that the wind meets is not known, in every direction",
+            ko: "wind: {unknown}이(가) 바람을 받는 면적을 방향마다 알 수 없다",
+        },
+        GiveAreaOfStorey { first: String } => {
+            en: "give wind.areas = [{{ part = \"{first}\", area = … }}] for its columns and walls, 0 where the wind meets none, with direction = \"…\" where the directions differ; and a roof as an area with a height",
+            ko: "기둥과 벽체의 면적을 wind.areas = [{{ part = \"{first}\", area = … }}]로 입력하고 바람을 받지 않으면 0을 쓴다. 방향마다 다르면 direction = \"…\"을 쓰고, 지붕은 height가 있는 면적으로 쓴다",
+        },
+        ThereIsNoDirection { path: String, written: String } => {
+            en: "{path}: the frame has no direction \"{written}\"",
+            ko: "{path}: 골조에 \"{written}\" 방향이 없다",
+        },
+        DirectionsAre { names: String } => {
+            en: "its directions are {names}",
+            ko: "골조의 방향은 {names}이다",
+        },
         IsNotReadFor { key: String } => {
             en: "{key} is not read for this kind of structure",
             ko: "이 종류의 구조물에는 {key}을(를) 쓰지 않는다",
         },
         TakeItOutWind => {
-            en: "take it out: static loads are for kind = \"chain\" and kind = \"stack\", wind for these and kind = \"building\"",
-            ko: "삭제한다. 정하중은 kind = \"chain\"과 kind = \"stack\"에, 풍하중은 이 둘과 kind = \"building\"에만 쓴다",
+            en: "take it out: static loads are for kind = \"chain\", \"stack\" and \"frame\", wind for these and kind = \"building\"",
+            ko: "삭제한다. 정하중은 kind = \"chain\", \"stack\", \"frame\"에, 풍하중은 이 셋과 kind = \"building\"에만 쓴다",
         },
         WriteWindSpeedMeans => {
             en: "write wind = {{ speed, means, force_coefficient }}, or wind = \"sheltered\"",

@@ -8,6 +8,7 @@ mod project_book;
 mod project_building;
 mod project_chain_motion;
 mod project_columns;
+mod project_frame_loads;
 mod project_friction;
 mod project_keys;
 mod project_loads;

@@ -48,7 +48,7 @@ pub(crate) fn frame_with(changes: &[(&str, &str)]) -> String {
     with(FRAME, changes)
 }
 
-/// What is said of a file that is refused.
+/// The error of a file that is refused.
 pub(crate) fn refused(text: &str) -> String {
     parse_project(text, "project.toml").unwrap_err().to_string()
 }

@@ -1,4 +1,4 @@
-//! Surveys, records and setups that a project file may not have: what is said.
+//! Surveys, records and setups that a project file may not have: what the error says.
 
 use super::project::{CHAIN, refused};
 

@@ -101,7 +101,7 @@ fn raw(bytes: &[u8], options: &MotionOptions) -> Result<Vec<Raw>, MotionError> {
 /// One channel of a motion file: its only one, or the one that [`MotionOptions::channel`] names.
 ///
 /// # Errors
-/// As [`read_channels`]; [`MotionError::Channels`] for a file of several of which none is named.
+/// As [`read_channels`]; [`MotionError::Channels`] for a file of several of which the options name none.
 ///
 /// # Example
 /// ```

@@ -1,4 +1,4 @@
-//! What the reader of a motion is told about its files.
+//! What the caller tells the reader of a motion about its files.
 
 use crate::records::Column;
 use crate::unit::Unit;

@@ -1,4 +1,4 @@
-//! Text in columns: time and acceleration, or acceleration alone with a step that is told.
+//! Text in columns: time and acceleration, or acceleration alone with a step that the options give.
 
 use super::{MotionError, MotionFormat, MotionOptions, Orientation};
 use crate::records::{

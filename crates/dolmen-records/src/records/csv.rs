@@ -7,7 +7,7 @@ use super::column_units::{NamedColumn, refuse_other_units};
 use super::csv_start::{Start, TimeName, WordOfTime, time_name, unit_of_named_time};
 use super::dates::{Dates, held_against};
 use super::dialect::{holds_cells, line_at, unquoted};
-use super::lost_samples::{Kept, Spans};
+use super::lost_samples::{Kept, Spans, fill};
 use super::time_unit::{Time, UnitSaid, unit_s};
 use super::{
     Column, CsvLayout, Delimiter, Layout, RateSource, Reading, RecordError, RecordOptions, TimeColumn,
@@ -15,7 +15,7 @@ use super::{
 use crate::number::{Number, parse_cell, scan};
 use crate::quoted::shown;
 use crate::text_code::decoded;
-use dolmen::signal::{Channel, Processing, Record, SignalError, fill_lost};
+use dolmen::signal::{Channel, Processing, Record, SignalError};
 use std::ops::Range;
 
 /// Lines turned from row order into channel order at a time: few enough for a first-level cache, many enough that each
@@ -36,7 +36,7 @@ const COUNT_TOLERANCE: f64 = 1e-3;
 /// fewer cells, uneven time stamps, no rate, a column that is not there.
 ///
 /// # Limits
-/// Time stamps are numbers, not dates; where both the rate and the columns are told, the first and the last date of a column of dates are held
+/// Time stamps are numbers, not dates; where the options give both the rate and the columns, the first and the last date of a column of dates are held
 /// against the rate, and those between are passed over. In a file without a line end after its last line, the last number may have been cut
 /// short: see [`CsvLayout::last_line_ended`]. Text is UTF-8, or CP949 (EUC-KR) where all of it is; of any other code, columns whose names are
 /// not ASCII are called by their number.
@@ -57,7 +57,7 @@ pub fn read_csv(bytes: &[u8], options: &RecordOptions) -> Result<Reading, Record
     let bytes = &*text.bytes;
     let start = Start::find(bytes, options)?;
     let time = find_time(&start.columns, &options.time)?;
-    // dates: everything that stamps could tell is told
+    // dates: the options give everything that stamps could tell
     let told =
         options.time == TimeColumn::Detect && options.sampling_rate_hz.is_some() && !options.picks.is_empty();
     let time = time.filter(|t| start.numeric[t.column] || !told);
@@ -363,7 +363,7 @@ fn with_filled(series: &[f64], length: usize, lost: &[Range<usize>]) -> Result<V
             rest = after;
         }
         all.extend_from_slice(rest);
-        fill_lost(&mut all[begin..], lost)?;
+        fill(&mut all[begin..], lost)?;
     }
     Ok(all)
 }

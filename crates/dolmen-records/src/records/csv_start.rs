@@ -392,7 +392,7 @@ mod tests {
             },
         );
         assert_eq!(record.unwrap().record.channels().len(), 4096);
-        // one wide line among others is told with its number of cells
+        // the error gives one wide line among others with its number of cells
         let ragged = format!("1,2\n3,4\n{}1\n", "1,".repeat(9999));
         assert!(
             refusal(ragged.as_bytes()).starts_with("line 3 holds 10000 cells, but"),

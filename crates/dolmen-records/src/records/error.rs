@@ -70,7 +70,7 @@ pub enum RecordError {
         /// What stands there.
         text: String,
     },
-    /// A column is named that is not there.
+    /// The options name a column that is not there.
     UnknownColumn {
         /// The name asked for.
         given: String,

@@ -1,4 +1,5 @@
-//! Records that lost samples: the longest span that is whole in all channels, or whole but for short runs that are filled in.
+//! Records that lost samples: the longest span that is whole in all channels, or whole but for short runs that are filled in; or all of it, with
+//! the mean where samples are lost.
 //!
 //! A step of one and a half steps or more is a gap; anything smaller is an uneven clock, which is refused, and so is a step back.
 
@@ -18,6 +19,8 @@ const ROUNDED_DIGITS: f64 = 1.5;
 const SHARE_LEAST: f64 = 0.1;
 /// Share of a step by which a gap may miss a whole number of steps and be filled in. Chosen here: stamps of milliseconds at 250 Hz.
 const WHOLE_STEPS: f64 = 0.25;
+/// Time that is bridged over the time that is there, at most. Chosen here: with more, it is several records.
+const BRIDGED_MOST: f64 = 1.0;
 /// Share of a step by which the ends of two channels may differ and be one time.
 const SAME_TIME_STEPS: f64 = 1e-3;
 
@@ -122,7 +125,8 @@ impl Spans {
 
     /// The longest span, short gaps within it to be filled in; refuses where it is a small part.
     pub(super) fn longest(mut self) -> Result<Kept, RecordError> {
-        self.done.push((self.now_from..self.rows, self.now));
+        let now = std::mem::replace(&mut self.now, Stamps::new(self.unit_s, self.given_hz));
+        self.done.push((self.now_from..self.rows, now));
         let first_s = self.done.first().map_or(0.0, |(_, stamps)| stamps.first_s());
         let to_s = self.last.map_or(0.0, |(number, _)| number.value * self.unit_s);
         // the first of equals
@@ -137,6 +141,9 @@ impl Spans {
             .iter()
             .map(|gap| short(gap.lost_s / step_s).filter(|_| is_filling))
             .collect();
+        if self.lost_samples == LostSamples::Bridged && !self.gaps.is_empty() {
+            return self.bridged(stamps, first_s);
+        }
         let lengths: Vec<usize> = self.done.iter().map(|(rows, _)| rows.len()).collect();
         let spans = longest_filled(&lengths, &missing);
         let rows = self.done[spans.start].0.start..self.done[spans.end - 1].0.end;
@@ -185,6 +192,71 @@ impl Spans {
             filled,
             steps,
         })
+    }
+}
+
+impl Spans {
+    /// All rows, with as many samples between two spans as time is lost there.
+    fn bridged(mut self, stamps: Stamps, first_s: f64) -> Result<Kept, RecordError> {
+        let step_s = stamps.step_s();
+        let missing = |gap: &LostSpan| ((gap.lost_s / step_s).round() as usize).max(1);
+        let mut filled = Vec::new();
+        let mut lost = 0;
+        for (gap, (rows, _)) in self.gaps.iter().zip(&self.done[1..]) {
+            let from = rows.start + lost;
+            filled.push(from..from + missing(gap));
+            lost += missing(gap);
+        }
+        if let Some(fault) = self.fault
+            && lost as f64 > BRIDGED_MOST * self.rows as f64
+        {
+            return Err(fault);
+        }
+        for gap in &mut self.gaps {
+            gap.at_s -= first_s;
+        }
+        Ok(Kept {
+            rows: 0..self.rows,
+            stamps,
+            steps: bridges(self.gaps, step_s, self.rows),
+            filled,
+        })
+    }
+}
+
+/// What was filled in and what was bridged of channels that are `there` samples long.
+fn bridges(gaps: Vec<LostSpan>, step_s: f64, there: usize) -> Vec<Processing> {
+    let is_short = |gap: &LostSpan| (gap.lost_s / step_s).round() as usize <= LOST_RUN_MOST;
+    let (short, long): (Vec<LostSpan>, Vec<LostSpan>) = gaps.into_iter().partition(is_short);
+    let samples: usize = short
+        .iter()
+        .map(|gap| ((gap.lost_s / step_s).round() as usize).max(1))
+        .sum();
+    let mut steps = Vec::new();
+    if !long.is_empty() {
+        steps.push(Processing::Bridged { gaps: long });
+    }
+    if !short.is_empty() {
+        steps.push(Processing::FilledGaps {
+            gaps: short,
+            samples,
+            share: samples as f64 / (there + samples) as f64,
+        });
+    }
+    steps
+}
+
+/// Fills in lost samples, which hold zeros: short runs by linear prediction, longer ones with the mean of what is there.
+pub(super) fn fill(samples: &mut [f64], lost: &[Range<usize>]) -> Result<(), SignalError> {
+    let (short, long): (Vec<Range<usize>>, Vec<Range<usize>>) =
+        lost.iter().cloned().partition(|run| run.len() <= LOST_RUN_MOST);
+    // lost samples hold zeros so far
+    let there = samples.len() - lost.iter().map(Range::len).sum::<usize>();
+    let mean = samples.iter().sum::<f64>() / there.max(1) as f64;
+    long.into_iter().for_each(|run| samples[run].fill(mean));
+    match short.is_empty() {
+        true => Ok(()),
+        false => fill_lost(samples, &short),
     }
 }
 
@@ -284,6 +356,9 @@ pub(super) fn keep_longest(
         return Err(gap);
     }
     let mut steps = Vec::new();
+    if lost_samples == LostSamples::Bridged {
+        return bridge(series, clocked, &gap);
+    }
     if lost_samples == LostSamples::Fill {
         steps.extend(fill_short(series)?);
         if series.iter().all(|one| one.breaks.is_empty()) {
@@ -351,6 +426,51 @@ pub(super) fn keep_longest(
         gaps,
     });
     Ok(steps)
+}
+
+/// Leaves all samples of each channel, and fills in as many where time is lost; refuses with `fault` where more is lost than is there.
+fn bridge(
+    series: &mut [&mut Series],
+    clocked: bool,
+    fault: &RecordError,
+) -> Result<Vec<Processing>, RecordError> {
+    let begins_s = |one: &Series| one.begins_s.filter(|_| clocked).unwrap_or(0.0) + one.offset_s;
+    let first_s = series
+        .iter()
+        .map(|one| begins_s(one))
+        .fold(f64::INFINITY, f64::min);
+    let (mut gaps, mut there, mut least_s) = (Vec::new(), 0, f64::INFINITY);
+    for one in series.iter_mut() {
+        let step_s = one.sampling_rate_hz.map_or(f64::NAN, |rate_hz| 1.0 / rate_hz);
+        let spans = one.spans(begins_s(one), step_s);
+        let mut samples = Vec::with_capacity(one.samples.len());
+        let mut lost = Vec::new();
+        for (at, span) in spans.iter().enumerate() {
+            if let Some(before) = at.checked_sub(1).map(|at| spans[at]) {
+                let lost_s = span.from_s - before.to_s - step_s;
+                let missing = (lost_s / step_s).round();
+                let most = BRIDGED_MOST * one.samples.len() as f64;
+                if !(1.0..=most).contains(&missing) {
+                    return Err(fault.clone());
+                }
+                lost.push(samples.len()..samples.len() + missing as usize);
+                samples.resize(samples.len() + missing as usize, 0.0);
+                gaps.push(LostSpan {
+                    channel: Some(one.name.clone()),
+                    at_s: before.to_s - first_s,
+                    lost_s,
+                });
+            }
+            samples.extend_from_slice(&one.samples[span.first..span.end]);
+        }
+        fill(&mut samples, &lost)?;
+        one.samples = samples;
+        one.breaks.clear();
+        there += one.samples.len();
+        least_s = least_s.min(step_s);
+    }
+    gaps.sort_by(|a, b| a.at_s.total_cmp(&b.at_s));
+    Ok(bridges(gaps, least_s, there))
 }
 
 /// Fills in the short gaps of each channel, where they are few, and says where.

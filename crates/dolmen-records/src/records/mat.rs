@@ -1,7 +1,7 @@
 //! MAT version 5 (MATLAB's `-v7` and `-v6`) and version 7.3 (HDF5): numeric matrices, plain or compressed.
 //!
 //! The longest side of all numeric matrices is time. Each vector or matrix with that side is read, `acc` or `acc(:,1)`, `acc(:,2)`; a
-//! vector `t` or `time` is time stamps; a number `fs`, `sampling_rate` … is the rate, `dt` the step. The others are named in a note.
+//! vector `t` or `time` is time stamps; a number `fs`, `sampling_rate` … is the rate, `dt` the step. A note names the others.
 
 use super::hdf5;
 use super::mat_elements::{Matrix, matrices};

@@ -7,7 +7,7 @@ use crate::wrong::DiffersFromATable;
 use dolmen_words::message::{Argument, Run};
 use dolmen_words::{Language, Sentence};
 
-/// A text that is no table of numbers. A project may name any file of whoever opens it, so that nothing of the text is told.
+/// A text that is no table of numbers. A project may name any file of whoever opens it, so that the error quotes nothing of the text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NotATable {
     /// Lines looked at.

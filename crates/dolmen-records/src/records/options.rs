@@ -1,4 +1,4 @@
-//! What the reader of a record is told about its file.
+//! What the caller tells the reader of a record about its file.
 
 use super::{Decimal, Delimiter, RecordFormat};
 use crate::unit::Unit;
@@ -90,4 +90,7 @@ pub enum LostSamples {
     Longest,
     /// It is refused.
     Refuse,
+    /// All of it is used: runs of eight samples at most are filled in, and longer ones hold the mean of their channel, for who knows where they are.
+    #[serde(skip)]
+    Bridged,
 }

@@ -81,7 +81,7 @@ fn channels(bytes: &[u8], options: &RecordOptions) -> Option<Result<Found, Recor
     } else if let Some(found) = seismic::read(bytes) {
         Some(found)
     } else if options.format == Some(RecordFormat::Gcf) {
-        // a header of a block is little to tell the format by: where it is none, the file may be any, and none of its numbers is told
+        // a header of a block is little to tell the format by: where it is none, the file may be any, and no error quotes its numbers
         gcf::has_header(bytes).then(|| gcf::read(bytes))
     } else if options.format.is_none() && gcf::is_gcf(bytes) {
         Some(gcf::read(bytes))

@@ -32,7 +32,7 @@ pub(super) struct Time {
 /// Whether the name of a time column says its unit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum UnitSaid {
-    /// It does, or the column was named and counts seconds.
+    /// It does, or the user named the column, which counts seconds.
     Clearly,
     /// It says nothing: seconds, if its steps can be those of a vibration.
     Not,

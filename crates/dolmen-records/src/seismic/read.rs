@@ -1,4 +1,4 @@
-//! Any seismic file: what begins with a mark is told by it, alphanumeric SAC by its rows.
+//! Any seismic file: a mark at the beginning tells the format, rows tell alphanumeric SAC.
 
 use super::lines::refuse_long_lines;
 use super::{Raw, SeismicError, at2, cosmos, csmip, esm, knet, miniseed, sac};

@@ -311,7 +311,7 @@ fn refuses_a_rate_that_dates_contradict() {
             "{said}"
         );
     }
-    // what cannot be read confirms nothing, and that is said
+    // what cannot be read confirms nothing, and a note says so
     let reading = read_csv(written(&|i| format!("tick {i}"), 200).as_bytes(), &at(200.0)).unwrap();
     assert_eq!(
         said_of(&reading),

@@ -75,7 +75,7 @@ fn refuses_uneven_time_stamps_with_line_step_and_expectation() {
     assert!(refusal(&text).contains("samples are missing or the clock jumped"));
 }
 
-/// Rows that are used, the first sample of them, and what is said.
+/// Rows that are used, the first sample of them, and the notes.
 fn kept(rows: impl Iterator<Item = usize>) -> (usize, f64, String) {
     let text = rows.fold("t,x\n".to_string(), |text, i| {
         text + &format!("{:.3},{i}.{}\n", 7.0 + i as f64 / 100.0, 7 * i % 10)

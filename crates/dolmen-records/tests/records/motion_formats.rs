@@ -1,6 +1,6 @@
 // SOURCE     tests/data/motions: El Centro 1940 NS, its first 240 samples in millionths of g, written by ObsPy 1.5.1 in each encoding
 //            (bench/formats/make.py). tests/data/peers.csv: what ObsPy 1.5.1 and gmprocess 2.8.0 read from measured files.
-// GOAL       Every format of motions is told from its content and read to the bit; what is damaged is refused.
+// GOAL       Dolmen tells every format of motions from its content and reads it to the bit; what is damaged is refused.
 // TOLERANCE  none for integers; the last bits of a sum of doubles otherwise.
 
 use super::motion_networks::{KNET, cosmos, csmip, esm, knet, tiny, written_cosmos};

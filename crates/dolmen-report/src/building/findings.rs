@@ -11,7 +11,7 @@ use dolmen_words::{Quantity, Sentence, Unit, messages};
 use dolmen_work::building::{BuildingAnswer, BuildingSpectral, StandingBuilding};
 use dolmen_work::state::{Check, VariantAnswer};
 
-/// Share of the energy in rotation, in a mode that sways, from which the building is said to twist. Our choice.
+/// Share of the energy in rotation, in a mode that sways, from which a finding says that the building twists. Our choice.
 const TWISTS: f64 = 0.02;
 
 messages! {

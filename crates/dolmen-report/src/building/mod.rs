@@ -1,4 +1,4 @@
-//! What is said of a building that twists: findings, and the sections of its check.
+//! What an answer says of a building that twists: findings, and the sections of its check.
 
 mod dampers;
 mod findings;

@@ -81,7 +81,7 @@ struct Moved<'a> {
     displacement_m: &'a [[f64; 2]],
     edge_drift_m: &'a [Option<[f64; 2]>],
     points_m: &'a [(String, [f64; 2])],
-    /// What the floors are said to show, and the points.
+    /// Captions of the floors, and of the points.
     captions: ([Spectrum; 2], Spectrum),
 }
 

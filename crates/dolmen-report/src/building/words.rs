@@ -1,4 +1,4 @@
-//! Words and units that are said of buildings and of their dampers.
+//! Words and units for buildings and their dampers.
 
 use dolmen_words::message::Run;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};

@@ -1,4 +1,4 @@
-//! What is said of a building under a motion: how it moved, floors, dampers, points, in time.
+//! What an answer says of a building under a motion: how it moved, floors, dampers, points, in time.
 
 mod moved;
 mod shown;

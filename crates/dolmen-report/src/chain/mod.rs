@@ -1,4 +1,4 @@
-//! What is said of a chain of links: findings, and the sections of its check.
+//! What an answer says of a chain of links: findings, and the sections of its check.
 
 mod across;
 mod centroids;

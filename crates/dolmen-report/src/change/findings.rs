@@ -49,9 +49,13 @@ messages! {
             en: "The record of survey {survey} holds an earthquake; what follows it is too short, and its modes are those of what came BEFORE it.",
             ko: "{survey} 조사의 기록에 지진이 들어 있다. 지진 이후 구간이 너무 짧아 모드는 지진 이전 구간의 것이다.",
         },
+        BetweenEarthquakes { survey: String } => {
+            en: "The record of survey {survey} holds earthquakes; what follows them is too short, and its modes are those of what came between two of them.",
+            ko: "{survey} 조사의 기록에 지진이 여러 번 들어 있다. 지진 이후 구간이 너무 짧아 모드는 지진 사이 구간의 것이다.",
+        },
         InEarthquake { survey: String } => {
-            en: "The record of survey {survey} holds an earthquake, and its modes are those of the whole record: in strong shaking every frequency is lower, so that a change shown here may be of the shaking and not of the structure. Compare an ambient survey.",
-            ko: "{survey} 조사의 기록에 지진이 들어 있고 모드는 기록 전체의 것이다. 강한 진동 중에는 고유진동수가 낮아지므로 여기에 나타난 변화는 구조물이 아니라 진동 세기에 의한 것일 수 있다. 상시진동 조사와 비교한다.",
+            en: "The record of survey {survey} holds an earthquake, and its modes are those of the structure in it: in strong shaking every frequency is lower, so that a change shown here may be of the shaking and not of the structure. Compare an ambient survey.",
+            ko: "{survey} 조사의 기록에 지진이 들어 있고 모드는 지진 중의 것이다. 강한 진동 중에는 고유진동수가 낮아지므로 여기에 나타난 변화는 구조물이 아니라 진동 세기에 의한 것일 수 있다. 상시진동 조사와 비교한다.",
         },
         OneRatio => { en: "1 damping ratio", ko: "감쇠비 1개" },
         Ratios { count: usize } => { en: "{count} damping ratios", ko: "감쇠비 {count}개" },
@@ -71,7 +75,8 @@ fn shaken(surveys: &[(String, ModesOf)]) -> Vec<Finding> {
         let said = match of {
             ModesOf::After => Found::AfterEarthquake { survey },
             ModesOf::Before => Found::BeforeEarthquake { survey },
-            ModesOf::Whole => Found::InEarthquake { survey },
+            ModesOf::Between => Found::BetweenEarthquakes { survey },
+            ModesOf::During | ModesOf::Whole => Found::InEarthquake { survey },
         };
         Finding::key(Tone::Warn, said).with_code("earthquake")
     });

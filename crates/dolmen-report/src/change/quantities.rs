@@ -5,7 +5,7 @@ use dolmen::assess::Evidence;
 use dolmen::modal::ObservedMode;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, Values};
 
-/// A smaller probability is said to be below this.
+/// Of a smaller probability the answer says that it is below this.
 const PROBABILITY_LEAST: f64 = 1e-4;
 
 pub(super) fn hertz(frequency_hz: f64) -> Quantity {

@@ -48,7 +48,7 @@ pub(super) fn remarks(change: &SurveyChange) -> Vec<Remarks> {
     if untested > 0 && untested < all {
         said.push(Remarks::Untested { untested, all });
     }
-    // those that are named in the findings are not named again
+    // what the findings name stands here no second time
     let said_first = |mode: &ObservedMode| change.not_compared.iter().any(|lost| lost.from == *mode);
     let others: Vec<ObservedMode> = change.lost.iter().filter(|m| !said_first(m)).cloned().collect();
     match (others.is_empty(), change.lost.is_empty()) {

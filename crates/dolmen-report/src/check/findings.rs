@@ -66,7 +66,9 @@ pub(super) fn of_state(project: &Project, state: &State) -> Vec<Finding> {
         _ => found,
     }));
     all.extend(loads::findings(project, state));
-    all.extend(demand::findings(state.demand.as_ref()));
+    let has_moved =
+        matches!(&state.check, Check::Stack(answer) if !answer.stack.support_movements().is_empty());
+    all.extend(demand::findings(state.demand.as_ref(), has_moved));
     all.extend(unusual(state));
     all.extend(marked_assumed(project, state));
     all.extend(next(project, state));

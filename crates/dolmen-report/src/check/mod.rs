@@ -1,4 +1,4 @@
-//! What is said of a check, whatever the kind: findings, versions side by side, scatter, assumptions.
+//! What an answer says of a check, whatever the kind: findings, versions side by side, scatter, assumptions.
 
 mod agreement;
 mod assumed;

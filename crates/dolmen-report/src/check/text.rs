@@ -184,6 +184,7 @@ fn sections_text(project: &Project, state: &State, style: TextStyle) -> String {
     let asked = state.demand.as_ref().map(demand::sections).unwrap_or_default();
     let of = match (structure, &state.check) {
         (Structure::Chain(part), _) => Some(loads::Loaded::Chain(chain::joint_heights_m(part))),
+        (Structure::Frame(part), Check::Frame(_)) => Some(loads::Loaded::of_frame(part)),
         (_, Check::Stack(answer)) => Some(loads::Loaded::Stack(&answer.stack)),
         _ => None,
     };

@@ -8,6 +8,7 @@ use crate::document::{Finding, Tone};
 use crate::limits;
 use dolmen::assess::demand::{StackDemandCheck, StackDemandRow};
 use dolmen::stability::stack::DemandVerdict;
+use dolmen_words::message::Both;
 use dolmen_words::{Digits, Quantity, Sentence, messages};
 use dolmen_work::part_limit::{NotCompared, WhyNotCompared};
 use dolmen_work::state::DemandAnswer;
@@ -21,6 +22,10 @@ messages! {
         Compared { verdict: Sentence, moves: Sentence, ground: Sentence, joints: Sentence } => {
             en: "Against the earthquake of the site it is {verdict}: {moves}; {ground}{joints}. Below demand means that something tips or slides, not that it falls.",
             ko: "부지의 지진에 대한 판정은 ‘{verdict}’이다. {moves} {ground}{joints}. ‘기준 불만족’은 돌이 들리거나 미끄러지기 시작한다는 뜻이며 붕괴를 뜻하지 않는다.",
+        },
+        ComparedBefore { verdict: Sentence, moves: Sentence, ground: Sentence, joints: Sentence } => {
+            en: "In its shape before the supports moved it is {verdict} against the earthquake of the site: {moves}; {ground}{joints}. After the movement it is weaker, and nothing is decided of that shape. Below demand means that something tips or slides, not that it falls.",
+            ko: "지점이 움직이기 전의 모양에서 부지의 지진과 비교하면 ‘{verdict}’이다. {moves} {ground}{joints}. 지점이 움직인 뒤에는 이보다 약하며, 그 모양에 대하여는 판정하지 않았다. ‘기준 불만족’은 돌이 들리거나 미끄러지기 시작한다는 뜻이며 붕괴를 뜻하지 않는다.",
         },
         Moves { left: Quantity } => {
             en: "it begins to move at {left} with the vertical acceleration of the site",
@@ -75,20 +80,25 @@ messages! {
             ko: "마찰이 있는 접합부는 자유로운 경우와 고착되어 전체가 지반과 함께 움직이는 경우 중 큰 모멘트로 부지의 지진과 비교하였다. 일부만 고착된 경우는 검토하지 않았다.",
         },
         BySpectrum => { en: "by the spectrum of the site", ko: "부지 스펙트럼에 대하여" },
-        NotCompared { why: String } => {
+        NotCompared { why: Both } => {
             en: "The demand of the site is not compared: {why}.",
-            ko: "부지의 요구 수준과 비교하지 못하였다 [{why}].",
+            ko: "부지의 요구 수준과 비교하지 못하였다({why}).",
         },
     }
 }
 
 /// The comparison, and what of the code is not verified.
-pub(crate) fn findings(answer: Option<&DemandAnswer>) -> Vec<Finding> {
+///
+/// `has_moved`: the supports of the structure moved, and the comparison is of its shape before.
+pub(crate) fn findings(answer: Option<&DemandAnswer>, has_moved: bool) -> Vec<Finding> {
     let Some(answer) = answer else {
         return Vec::new();
     };
     let source = &answer.site.spectrum.source;
-    let compared = answer.stack.as_ref().and_then(|stack| compared(stack, source));
+    let compared = answer
+        .stack
+        .as_ref()
+        .and_then(|stack| compared(stack, source, has_moved));
     let refused = answer.refused.clone();
     let refused = refused.map(|why| Finding::key(Tone::Unknown, Found::NotCompared { why }));
     let parts = limits::findings(
@@ -122,8 +132,9 @@ pub(super) fn not_compared(of: &NotCompared) -> Found {
     }
 }
 
-fn compared(stack: &StackDemandCheck, source: &str) -> Option<Finding> {
+fn compared(stack: &StackDemandCheck, source: &str, has_moved: bool) -> Option<Finding> {
     let tone = match stack.verdict {
+        DemandVerdict::Above if has_moved => Tone::Warn,
         DemandVerdict::Above => Tone::Good,
         DemandVerdict::Near => Tone::Warn,
         DemandVerdict::Below => Tone::Bad,
@@ -141,11 +152,21 @@ fn compared(stack: &StackDemandCheck, source: &str) -> Option<Finding> {
         source: source.to_owned(),
         ground: acceleration(rigid.demand_m_s2),
     };
-    let found = Found::Compared {
-        verdict: verdict_words(stack.verdict),
-        moves: moves.into(),
-        ground: ground.into(),
-        joints: elastic_joints(row),
+    let (verdict, moves, ground) = (verdict_words(stack.verdict), moves.into(), ground.into());
+    let joints = elastic_joints(row);
+    let found = match has_moved {
+        true => Found::ComparedBefore {
+            verdict,
+            moves,
+            ground,
+            joints,
+        },
+        false => Found::Compared {
+            verdict,
+            moves,
+            ground,
+            joints,
+        },
     };
     Some(Finding::key(tone, found))
 }

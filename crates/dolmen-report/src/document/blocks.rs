@@ -25,7 +25,7 @@ pub(crate) enum Block<'a> {
     Note(Sentence),
     /// Points of a kind.
     List(Vec<Sentence>),
-    /// What is said of each of a few things, a row each; the cells name their units.
+    /// A value for each of a few things, a row each; the cells name their units.
     KeyValues(Vec<(Sentence, Cell)>),
     /// A table.
     Table(Table),

@@ -45,7 +45,7 @@ pub(crate) struct Finding {
     pub(crate) is_key: bool,
     /// The code that `dolmen explain` knows, if there is a longer answer.
     pub(crate) code: Option<&'static str>,
-    /// What is said.
+    /// What the finding says.
     pub(crate) sentence: Sentence,
 }
 

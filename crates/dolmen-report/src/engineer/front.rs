@@ -6,7 +6,7 @@ use dolmen_project::Names;
 use dolmen_words::message::Both;
 use dolmen_words::{Sentence, messages};
 use dolmen_work::answer::ProjectReport;
-use dolmen_work::judgement::{Colour, Earthquake, Evidence, WindWord, judge};
+use dolmen_work::judgement::{Colour, Earthquake, Evidence, MovedBy, WindFinding, WindWord, judge};
 
 messages! {
     /// Signatures and the three questions.
@@ -15,6 +15,7 @@ messages! {
         Weight => { en: "Does it stand under its own weight and the static loads?", ko: "자중과 정하중을 견디는가" },
         Earthquake => { en: "Does it meet what the earthquake asks?", ko: "지진에 대한 기준을 만족하는가" },
         Wind => { en: "Does it move no more in the wind than is allowed?", ko: "풍응답이 허용값 이내인가" },
+        Loads => { en: "Does it move no more under its loads than is allowed?", ko: "하중에 의한 변위가 허용값 이내인가" },
         Evidence => { en: "Is the model the structure?", ko: "모델이 실제와 일치하는가" },
         Word { word: Both } => { en: "{word}", ko: "{word}" },
         ToDo => { en: "What to do", ko: "보수·보강 방안" },
@@ -89,7 +90,11 @@ fn answers(answer: &ProjectReport) -> Option<Block<'static>> {
     let wind = headline.wind_word();
     let of_wind = (wind != WindWord::NotAsked).then(|| {
         let word = Both::of(|language| wind.word(language));
-        answered(Front::Wind, tone(wind.colour()), word)
+        let asks = match WindFinding::deciding(&headline.wind).map(|of| of.by) {
+            Some(MovedBy::Loads | MovedBy::Both) => Front::Loads,
+            Some(MovedBy::Wind) | None => Front::Wind,
+        };
+        answered(asks, tone(wind.colour()), word)
     });
     let mut all = vec![
         answered(

@@ -6,7 +6,7 @@ use super::modal::WIDTH_PX;
 use super::plot::{Key, Plot};
 use super::words::{Axes, Titles, say};
 use dolmen::known::STANDARD_GRAVITY_M_S2;
-use dolmen::modal::{During, Part, StrongChannel, StrongMotion};
+use dolmen::modal::{During, Mode, Part, Shaking, StrongChannel, StrongMotion};
 use dolmen_words::Language;
 
 /// Channels drawn; the numbers of all stand in the CSV beside the figure.
@@ -47,54 +47,72 @@ pub(crate) fn spectra_of_channels(channels: &[StrongChannel], language: Language
     plot.svg(say(Titles::ResponseSpectrum { percent }, language))
 }
 
+/// The lowest frequency of each part of a record, and its deviation: of one earthquake that of the lowest mode found both before and after it, of several
+/// the mode of each part that is nearest to that.
+pub(crate) fn lowest_of_parts(found: &StrongMotion) -> Vec<Option<(f64, Option<f64>)>> {
+    let shown = found.shown().first();
+    let nearest = |part: &Part| {
+        let modes = &part.analysis.as_ref()?.modes.modes;
+        let off = |mode: &&Mode| shown.map_or(0.0, |of| (mode.frequency_hz / of.before_hz).ln().abs());
+        let mode = modes.iter().min_by(|a, b| off(a).total_cmp(&off(b)))?;
+        Some((mode.frequency_hz, mode.frequency_sd_hz))
+    };
+    let mut all: Vec<Option<(f64, Option<f64>)>> = found.quiet.iter().map(nearest).collect();
+    if let (Some([from, to]), Some(of)) = (found.compared, shown) {
+        all[from] = Some((of.before_hz, of.before_sd_hz));
+        all[to] = Some((of.after_hz, of.after_sd_hz));
+    }
+    all
+}
+
 /// The lowest frequency before, in and after, with 95 % intervals.
 pub(crate) fn frequency_through(found: &StrongMotion, language: Language) -> String {
-    let lowest = |part: &Part| {
-        let mode = part.analysis.as_ref()?.modes.modes.first()?;
-        Some([mode.frequency_hz, HALF_95 * mode.frequency_sd_hz.unwrap_or(0.0)])
-    };
-    let of = |change: usize| {
-        let found = found.changes.first()?;
-        let [hz, sd] = [
-            [Some(found.before_hz), found.before_sd_hz],
-            [Some(found.after_hz), found.after_sd_hz],
-        ][change];
-        Some([hz?, HALF_95 * sd.unwrap_or(0.0)])
-    };
-    let shaking = &found.shaking;
-    let end_s = found.after.span_s[1].max(shaking.end_s);
-    let mut points: Vec<([f64; 2], [f64; 2])> = Vec::new();
-    let before = of(0).or_else(|| lowest(&found.before));
-    points.extend(before.map(|at| (found.before.span_s, at)));
-    let after = of(1).or_else(|| lowest(&found.after));
-    points.extend(after.map(|at| (found.after.span_s, at)));
-    let strong = [shaking.strong_from_s, shaking.strong_to_s];
+    let half = |sd: Option<f64>| HALF_95 * sd.unwrap_or(0.0);
+    let lowest = lowest_of_parts(found);
+    let parts = found.quiet.iter().zip(lowest);
+    let mut points: Vec<([f64; 2], [f64; 2])> = parts
+        .filter_map(|(part, of)| of.map(|(hz, sd)| (part.span_s, [hz, half(sd)])))
+        .collect();
     let mut windows: Vec<[f64; 3]> = Vec::new();
-    match &found.during {
-        During::Driven { modes, .. } => points.extend(modes.first().map(|mode| {
-            let half = HALF_95 * mode.frequency_sd_hz.unwrap_or(0.0);
-            (strong, [mode.frequency_hz, half])
-        })),
-        During::Tracked(track) => windows.extend(
-            track
-                .points
-                .iter()
-                .map(|of| [of.at_s, of.frequency_hz, HALF_95 * of.frequency_sd_hz]),
-        ),
-        During::Unknown => {}
+    for event in &found.events {
+        match &event.during {
+            During::Driven(of) => points.extend(
+                of.analysis
+                    .modes
+                    .modes
+                    .first()
+                    .map(|mode| (of.span_s, [mode.frequency_hz, half(mode.frequency_sd_hz)])),
+            ),
+            During::Tracked(track) => windows.extend(
+                track
+                    .points
+                    .iter()
+                    .map(|of| [of.at_s, of.frequency_hz, HALF_95 * of.frequency_sd_hz]),
+            ),
+            During::Unknown => {}
+        }
     }
+    let last = found.events.last().map_or(0.0, |of| of.shaking.end_s);
+    let (start_s, end_s) = (found.before().span_s[0], found.after().span_s[1].max(last));
     let spans = points.iter().flat_map(|(_, [hz, half])| [hz - half, hz + half]);
     let all: Vec<f64> = spans
         .chain(windows.iter().flat_map(|[_, hz, half]| [hz - half, hz + half]))
         .collect();
-    let x = Axis::linear(say(Axes::Time, language), 0.0, end_s, 8);
+    let x = Axis::linear(say(Axes::Time, language), start_s.min(0.0), end_s, 8);
     let y = match all.is_empty() {
         true => Axis::linear(say(Axes::Frequency, language), 0.0, 1.0, 5),
         false => Axis::around(say(Axes::Frequency, language), &all, 6),
     };
     let [low, high] = [y.from, y.to];
     let mut plot = Plot::new([WIDTH_PX, 260.0], x, y);
-    plot.block([strong[0], low], [strong[1], high], GREY, 0.25);
+    for event in &found.events {
+        let Shaking {
+            strong_from_s,
+            strong_to_s,
+            ..
+        } = event.shaking;
+        plot.block([strong_from_s, low], [strong_to_s, high], GREY, 0.25);
+    }
     for ([from, to], [hz, half]) in points {
         plot.line(vec![[from, hz], [to, hz]], Line::new(BLUE, 2.0));
         let middle = 0.5 * (from + to);

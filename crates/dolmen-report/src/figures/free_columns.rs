@@ -68,7 +68,7 @@ pub fn free_columns(columns: &StoreyColumns, language: Language) -> String {
 }
 
 /// A rising line as far as a height, its last point on it.
-fn cut_above(points: &[[f64; 2]], most: f64) -> Vec<[f64; 2]> {
+pub(super) fn cut_above(points: &[[f64; 2]], most: f64) -> Vec<[f64; 2]> {
     let mut all: Vec<[f64; 2]> = Vec::with_capacity(points.len());
     for point in points {
         if point[1] > most {

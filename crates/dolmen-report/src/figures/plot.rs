@@ -157,7 +157,7 @@ impl Plot {
         self.legend.push((key, text.into()));
     }
 
-    /// The SVG. `title` is what a reader who cannot see it is told.
+    /// The SVG. `title` describes it to a reader who cannot see it.
     pub(crate) fn svg(&self, title: impl AsRef<str>) -> String {
         let title = title.as_ref();
         let view = [self.width * FINE, self.height * FINE];

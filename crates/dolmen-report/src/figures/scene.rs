@@ -188,7 +188,7 @@ impl Scene {
         put(&mut self.body, format_args!("</g>"));
     }
 
-    /// The whole drawing. `title` is what a reader who cannot see it is told.
+    /// The whole drawing. `title` describes it to a reader who cannot see it.
     pub(crate) fn svg(&self, title: impl AsRef<str>) -> String {
         let title = title.as_ref();
         wrapped(

@@ -164,7 +164,7 @@ fn spread(wanted: &[f64], least: f64, most: f64) -> Vec<f64> {
     places
 }
 
-/// How many of so many are named.
+/// How many of so many the figure names.
 fn named(count: usize) -> usize {
     if count > NAMED_MOST { 0 } else { count }
 }
@@ -295,7 +295,7 @@ fn class(joint: &JointHistory) -> usize {
     CLASSES_M.iter().filter(|least| most >= **least).count()
 }
 
-/// A stack at the end of a simulation, at true scale and beside it with its displacements enlarged so many times as is said;
+/// A stack at the end of a simulation, at true scale and beside it with its displacements enlarged so many times as the figure says;
 /// joints coloured by the larger of their peak opening and slip, which stand beside them.
 pub fn stack_after(simulation: &StackSimulation, language: Language) -> String {
     let (stack, history) = (&simulation.stack, &simulation.history);

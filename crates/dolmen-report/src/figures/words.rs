@@ -94,7 +94,7 @@ messages! {
 }
 
 messages! {
-    /// What a reader who cannot see a figure is told.
+    /// What describes a figure to a reader who cannot see it.
     pub(crate) enum Titles in "figure.title" {
         DistributionOfTheLoadFactor => { en: "Distribution of the load factor", ko: "하중배율의 분포" },
         VariantsCompared => { en: "Variants compared", ko: "대안 비교" },
@@ -122,6 +122,7 @@ messages! {
         Fragility => { en: "Fragility", ko: "취약도" },
         SketchOfTheFrame => { en: "Sketch of the frame", ko: "골조 모식도" },
         DisplacementAtTheTopOfEachStorey => { en: "Displacement at the top of each storey", ko: "각 층 상단의 변위" },
+        ForceOfStorey => { en: "Resistance of a storey against drift", ko: "층의 저항력-층간변위 곡선" },
         ForceOfColumns => { en: "Force of free-standing columns against drift", ko: "자립 기둥의 복원력-층간변위 곡선" },
         DriftInPlan => { en: "Drift in plan", ko: "평면상 층간변위" },
         ForceAgainstDrift => { en: "Force against drift", ko: "층 전단력-층간변위 이력곡선" },
@@ -193,6 +194,9 @@ messages! {
         },
         WindMean { axis: String } => { en: "wind along {axis}, mean", ko: "{axis} 방향 바람, 평균" },
         WindPeak { axis: String } => { en: "wind along {axis}, peak", ko: "{axis} 방향 바람, 최댓값" },
+        StoreyResists => { en: "the storey resists with", ko: "층의 저항력" },
+        PushedWith => { en: "pushed with", ko: "작용 전단력" },
+        HeldHere => { en: "in balance", ko: "평형점" },
         ColumnsAlone => { en: "columns", ko: "기둥" },
         SpringsBeside => { en: "joints and walls, linear", ko: "접합부·벽체(선형)" },
         ColumnsAndSprings => { en: "both", ko: "합계" },

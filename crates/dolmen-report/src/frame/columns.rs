@@ -21,6 +21,10 @@ messages! {
             en: "the columns of storey {storey} ({count}) do not stand by their weight alone: their bed has {given}, and {least} is the least. Joints, walls and braces hold them up.",
             ko: "{storey}층의 자립 기둥 {count}개는 자중만으로 서 있지 못한다. 지반반력계수가 {given}(으)로 한계값 {least} 이하이다. 접합부·벽체·가새가 기둥을 지지한다.",
         },
+        Alone { storey: usize, beds: Quantity } => {
+            en: "nothing but these columns holds storey {storey}: its stiffness is that of their beds, {beds}, and is less as soon as the feet lift off.",
+            ko: "{storey}층은 이 기둥만으로 지지된다. 층강성은 주각 지압면의 {beds}이며 주각이 들리면 감소한다.",
+        },
         LessThanBeds { storey: usize, given: Quantity, beds: Quantity } => {
             en: "storey {storey} has a stiffness of {given}, less than the beds of its columns alone would give, {beds}: the bed stiffness is too high, or the columns do not bear on their whole feet.",
             ko: "{storey}층의 강성은 {given}(으)로 기둥의 주각 지압면만으로 얻어지는 {beds}보다 작다. bed_stiffness가 너무 크거나 기둥이 전면 접촉하지 않은 것이다.",
@@ -105,6 +109,12 @@ pub(super) fn findings(columns: &StoreyColumns) -> Vec<Finding> {
             Finding::key(Tone::Warn, found)
         }
     }];
+    if let (Springs::Beside { stiffness_n_m }, Some(beds_n_m)) = (columns.springs, columns.bed_stiffness_n_m)
+        && stiffness_n_m == 0.0
+    {
+        let beds = Quantity::engineering(beds_n_m, "N/m", FEW);
+        all.push(Finding::key(Tone::Plain, Found::Alone { storey, beds }));
+    }
     if let (Springs::LessThanBeds { stiffness_n_m }, Some(beds_n_m)) =
         (columns.springs, columns.bed_stiffness_n_m)
     {

@@ -1,4 +1,4 @@
-//! What is said of a frame of rigid storeys: findings, and the sections of its check.
+//! What an answer says of a frame of rigid storeys: findings, and the sections of its check.
 
 mod columns;
 mod findings;

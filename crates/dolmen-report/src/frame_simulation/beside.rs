@@ -33,8 +33,12 @@ messages! {
             ko: "차이는 계측값에 대한 제곱평균제곱근의 비이다. 모든 센서에서 상관계수가 {correlation} 이상이고 최댓값 차이가 {peak} 이내이면 모델이 실제처럼 움직인 것으로 본다. 강한 진동에서는 구조물이 평상시보다 유연하므로 평상시 강성의 모델은 더 높은 진동수로 응답한다.",
         },
         LeftOut { channels: Vec<String> } => {
-            en: "Not compared, for want of a place, a direction along the run or a unit of acceleration: {channels}.",
-            ko: "위치, 해석 방향의 성분 또는 가속도 단위가 없어 비교하지 않은 채널: {channels}.",
+            en: "Not compared, for want of a place within the height, a direction along the run or a unit of acceleration: {channels}.",
+            ko: "골조 높이 안의 위치, 해석 방향의 성분 또는 가속도 단위가 없어 비교하지 않은 채널: {channels}.",
+        },
+        Turned { channels: Vec<String> } => {
+            en: "The model moves opposite to {channels} and else alike: is the sensor turned by 180°? Then change the sign of its `direction`.",
+            ko: "모델이 {channels}과(와) 반대로, 그 밖에는 같게 움직인다. 센서가 180° 돌아가 있는지 확인하고, 그렇다면 `direction`의 부호를 바꾼다.",
         },
         Sensor => { en: "Sensor", ko: "센서" },
         Name { name: String } => { en: "{name}", ko: "{name}" },
@@ -70,12 +74,33 @@ fn ratio(value: f64) -> Quantity {
     Quantity::new(value, Unit::ratio(), Digits::Fixed(2))
 }
 
-/// Whether the model moved as the structure did, at its highest sensor; `title` is of the run.
-pub(super) fn finding(simulation: &FrameSimulation, title: Sentence) -> Option<Finding> {
-    let of = simulation.beside.as_ref()?;
+/// Whether the model moved as the structure did, and which sensors say nothing of it or may be turned; `title` is of the run.
+pub(super) fn findings(simulation: &FrameSimulation, title: Sentence) -> Vec<Finding> {
+    let Some(of) = simulation.beside.as_ref() else {
+        return Vec::new();
+    };
+    let mut all = vec![moves(of, title)];
+    let turned: Vec<String> = of.turned().map(|sensor| sensor.channel.clone()).collect();
+    if !turned.is_empty() {
+        all.push(Finding::key(Tone::Warn, Beside::Turned { channels: turned }));
+    }
+    if !of.left_out.is_empty() && !of.sensors.is_empty() {
+        all.push(Finding::key(Tone::Warn, left_out(of)));
+    }
+    all
+}
+
+fn left_out(of: &FrameBeside) -> Beside {
+    Beside::LeftOut {
+        channels: of.left_out.clone(),
+    }
+}
+
+/// Whether the model moved as the structure did, at its highest sensor.
+fn moves(of: &FrameBeside, title: Sentence) -> Finding {
     let survey = of.survey.clone();
     let Some(sensor) = worst(of) else {
-        return Some(Finding::new(Tone::Unknown, Beside::NoSensor { survey }));
+        return Finding::new(Tone::Unknown, Beside::NoSensor { survey });
     };
     let beside = &sensor.beside;
     let hz = match (beside.frequency_measured_hz, beside.frequency_simulated_hz) {
@@ -91,7 +116,7 @@ pub(super) fn finding(simulation: &FrameSimulation, title: Sentence) -> Option<F
         acceleration(beside.peak_measured),
         acceleration(beside.peak_simulated),
     );
-    Some(match of.follows() {
+    match of.follows() {
         true => Finding::key(
             Tone::Good,
             Beside::Follows {
@@ -116,7 +141,7 @@ pub(super) fn finding(simulation: &FrameSimulation, title: Sentence) -> Option<F
                 hz,
             },
         ),
-    })
+    }
 }
 
 /// The highest sensor; where the model does not follow at it, or at another, the one with the least correlation of those.
@@ -151,9 +176,7 @@ pub(super) fn table(of: &FrameBeside) -> Table {
         correlation: Quantity::new(SensorBeside::CORRELATION_LEAST, Unit::ratio(), Digits::Trimmed(2)),
         peak: Quantity::percent(SensorBeside::PEAK_WITHIN, 2),
     };
-    let left_out = (!of.left_out.is_empty()).then(|| Beside::LeftOut {
-        channels: of.left_out.clone(),
-    });
+    let left_out = (!of.left_out.is_empty()).then(|| left_out(of));
     let survey = of.survey.clone();
     Table {
         caption: std::iter::once(Beside::Caption { survey })

@@ -4,9 +4,10 @@ use super::beside;
 use crate::document::{Finding, Tone};
 use crate::limits;
 use crate::simulated::{
-    Simulated, capitalised, cut, left, milli, millimetres, milliradians, seconds, undamped, under,
+    Simulated, capitalised, cut, kilo, left, milli, millimetres, milliradians, seconds, undamped, under,
     version_name,
 };
+use dolmen::assess::demand::DRIFT_RATIO_MOST;
 use dolmen::dynamics::{FrameOutcome, RockingOutcome, StoreyFriction};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::TiltLeftOut;
@@ -27,6 +28,10 @@ messages! {
         DriftLimit { name: String, most: Quantity, at: Quantity } => {
             en: "‘{name}’ leaned by more than {most} of its height at {at}, beyond what small drifts can tell of: count it as fallen.",
             ko: "‘{name}’의 층간변위가 {at}에 층고의 {most}을(를) 넘었다. 미소변형 모델의 범위를 벗어났으므로 붕괴로 본다.",
+        },
+        DriftLimitLeaning { name: String, most: Quantity, at: Quantity } => {
+            en: "the drift of ‘{name}’ and its lean as surveyed came to more than {most} of its height at {at}, beyond what small drifts can tell of: count it as fallen.",
+            ko: "‘{name}’의 층간변위와 조사한 기울기의 합이 {at}에 층고의 {most}을(를) 넘었다. 미소변형 모델의 범위를 벗어났으므로 붕괴로 본다.",
         },
         Within { most: Quantity } => {
             en: "No storey leaned by more than {most} of its height.",
@@ -79,6 +84,14 @@ messages! {
             en: "The frame starts plumb: the tilt of survey {survey} ({tilt}) is not in it, and what leans drifts further to that side.",
             ko: "골조는 연직 상태에서 시작하며 {survey} 조사의 실측 기울기({tilt})를 반영하지 않았다. 기울어진 골조는 그 방향으로 더 변위한다.",
         },
+        Carries { weight: Quantity } => {
+            en: "It carries the weight of its static loads, {weight}, which swings with it.",
+            ko: "정하중의 중량 {weight}이(가) 함께 진동하는 것으로 해석하였다.",
+        },
+        ForcesLeftOut => {
+            en: "Forces of static loads and the wind of the file do not act in this run: `dolmen check` judges them.",
+            ko: "이 해석에는 정하중의 힘과 바람을 반영하지 않았다. `dolmen check`에서 판정한다.",
+        },
         AtRest => { en: "At the end it is at rest.", ko: "종료 시 정지 상태이다." },
         Moving => {
             en: "At the end it is still moving: what is left is where it comes to rest if nothing slips any more.",
@@ -98,11 +111,12 @@ pub(crate) fn findings(simulations: &[&FrameSimulation]) -> Vec<Finding> {
 /// How one ended, and its storeys against their limit.
 pub(super) fn own(simulation: &FrameSimulation) -> Vec<Finding> {
     let mut all = vec![finding(simulation)];
-    all.extend(beside::finding(simulation, title(simulation)));
+    all.extend(beside::findings(simulation, title(simulation)));
     all.extend(undamped(simulation.undamped.as_ref()));
     all.extend(columns(simulation));
     all.extend(leans(simulation));
     all.extend(tilt_left_out(simulation));
+    all.extend(loads(simulation));
     all.extend(together(simulation));
     // what fell has said so
     if !simulation.falls() {
@@ -233,6 +247,17 @@ pub(super) fn tilt_left_out(simulation: &FrameSimulation) -> Option<Finding> {
     Some(Finding::key(Tone::Warn, said))
 }
 
+/// What of the static loads and the wind is in the run, and what is not.
+pub(super) fn loads(simulation: &FrameSimulation) -> Vec<Finding> {
+    let carries = (simulation.carried_n != 0.0).then(|| Ending::Carries {
+        weight: Quantity::new(simulation.carried_n, kilo("N"), Digits::Significant(3)),
+    });
+    let carries = carries.map(|said| Finding::key(Tone::Plain, said));
+    let left_out = simulation.loads_left_out.then_some(Ending::ForcesLeftOut);
+    let left_out = left_out.map(|said| Finding::key(Tone::Warn, said));
+    carries.into_iter().chain(left_out).collect()
+}
+
 fn limits(simulation: &FrameSimulation) -> Vec<Finding> {
     limits::findings(
         &simulation.parts(),
@@ -292,9 +317,15 @@ fn until_the_end(simulation: &FrameSimulation) -> Sentence {
             }
             .into()
         }
+        FrameOutcome::DriftLimit { storey, at_s } if simulation.lean.is_some() => Ending::DriftLimitLeaning {
+            name: name(storey),
+            most: drift_most(),
+            at: seconds(at_s),
+        }
+        .into(),
         FrameOutcome::DriftLimit { storey, at_s } => Ending::DriftLimit {
             name: name(storey),
-            most: drift_most(simulation),
+            most: drift_most(),
             at: seconds(at_s),
         }
         .into(),
@@ -302,10 +333,9 @@ fn until_the_end(simulation: &FrameSimulation) -> Sentence {
     }
 }
 
-/// The largest drift of a storey of which small drifts can tell.
-fn drift_most(simulation: &FrameSimulation) -> Quantity {
-    let most = simulation.options.drift_ratio_most;
-    Quantity::new(most, Unit::percent(), Digits::Trimmed(3))
+/// The largest lean of a storey of which small drifts can tell.
+fn drift_most() -> Quantity {
+    Quantity::new(DRIFT_RATIO_MOST, Unit::percent(), Digits::Trimmed(3))
 }
 
 /// Whether joints slipped, and whether it still moves.
@@ -317,7 +347,7 @@ pub(super) fn state(simulation: &FrameSimulation) -> Vec<Sentence> {
     let mut each = simulation.frame.friction().iter();
     let can_slip = each.any(|friction| *friction != StoreyFriction::None);
     let stuck = (can_slip && history.slips.is_empty()).then_some(Ending::Stuck);
-    let most = drift_most(simulation);
+    let most = drift_most();
     let moves = match history.at_rest {
         true => Ending::AtRest,
         false => Ending::Moving,

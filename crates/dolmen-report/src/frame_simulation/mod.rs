@@ -95,6 +95,7 @@ fn ended(document: &mut Document<'_>, simulation: &FrameSimulation) {
         .chain(ending::columns(simulation))
         .chain(ending::leans(simulation))
         .chain(ending::tilt_left_out(simulation))
+        .chain(ending::loads(simulation))
         .chain(ending::together(simulation));
     document
         .blocks

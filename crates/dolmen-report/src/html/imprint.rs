@@ -17,7 +17,7 @@ pub(crate) fn day(date: Option<&str>) -> Option<[u16; 3]> {
 /// A project that could not be reported on.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NotReported {
-    /// Its file or folder, as it was named.
+    /// Its file or folder, as the user named it.
     pub file: String,
     /// Why.
     pub why: String,

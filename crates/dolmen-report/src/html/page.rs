@@ -17,7 +17,7 @@ use maud::{DOCTYPE, Markup, PreEscaped, html as markup};
 /// The report on one or more projects as a page that needs nothing else: no script, no font, no picture from outside.
 ///
 /// Several projects begin on a page of their own in print, and a list of them stands at the top. What an answer does
-/// not hold is left out or called unknown. Projects that could not be reported on are named before all others.
+/// not hold is left out or called unknown. The page names projects that could not be reported on before all others.
 pub fn html(
     answers: &[ProjectReport],
     others: &[NotReported],

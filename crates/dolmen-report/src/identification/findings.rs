@@ -31,6 +31,10 @@ messages! {
             en: "No stiffness is sought in direction {direction}: every mode measured there twists. Check their kind; the lowest mode of translation gives the stiffness.",
             ko: "{direction} 방향에서 계측된 모드가 모두 비틀림 모드여서 강성을 추정하지 않았다. 모드의 kind를 확인해야 하며, 강성은 최저 병진 모드에서 구한다.",
         },
+        OnColumnsAlone { direction: String } => {
+            en: "No stiffness is sought in direction {direction}: the file gives 0, so that nothing but the beds of its columns holds it, and they give its frequency. Write stiffness = \"unknown\" where joints may hold it.",
+            ko: "{direction} 방향은 파일의 stiffness가 0으로, 기둥의 지압면만으로 지지되어 고유진동수가 정해지므로 강성을 추정하지 않았다. 접합부가 지지할 수 있으면 stiffness = \"unknown\"으로 쓴다.",
+        },
         OffTheAxes { channels: Vec<String> } => {
             en: "No stiffness is sought: no sensor points within 15° of x or y ({channels} do not); turn the axes of the project with the sensors, or give the direction in which each measures.",
             ko: "x 또는 y축에서 15° 이내를 향하는 센서가 없어({channels}) 강성을 추정하지 않았다. 프로젝트의 축을 센서에 맞추어 돌리거나 각 센서의 계측 방향을 주어야 한다.",
@@ -154,7 +158,7 @@ fn found(project: &Project, all: &[SurveyAnswer], shown: &[&SurveyAnswer]) -> Ve
         .filter_map(|survey| Some((survey, survey.factors.as_ref()?)));
     let joint_by_joint = joint_by_joint.flat_map(|(survey, answer)| joints::findings(&survey.name, answer));
     let hangs = match &project.structure {
-        Structure::Chain(_) => project.loads.weight_n(&mut Input::nominal),
+        Structure::Chain(_) | Structure::Frame(_) => project.loads.weight_n(&mut Input::nominal),
         _ => 0.0,
     };
     let hangs = (hangs != 0.0 && each().next().is_some()).then(|| {
@@ -206,6 +210,10 @@ fn without(why: &WithoutStiffness) -> Finding {
     let said: Sentence = match why {
         WithoutStiffness::NoPlace => Found::NoPlace.into(),
         WithoutStiffness::AllTwist { direction } => Found::AllTwist {
+            direction: direction.clone(),
+        }
+        .into(),
+        WithoutStiffness::OnColumnsAlone { direction } => Found::OnColumnsAlone {
             direction: direction.clone(),
         }
         .into(),

@@ -166,10 +166,12 @@ pub(super) fn findings(survey: &str, answer: &PlanAnswer) -> Vec<Finding> {
         survey: survey.to_owned(),
         said,
     };
-    let mut all = vec![Finding {
+    // what explains a refusal stands before it
+    let mut all = Vec::from_iter(plan_centre::off_floor(survey, answer));
+    all.push(Finding {
         code,
         ..Finding::key(tone, found)
-    }];
+    });
     all.extend(plan_centre::findings(survey, answer));
     if let Some(one) = the_one(answer)
         && one.amplification > AMPLIFIED

@@ -103,28 +103,26 @@ fn range(bounds: &PlanBounds, units: &Units, at: usize) -> Sentence {
     Centre::Range { least, most }.into()
 }
 
+/// That sensors stand outside the sides of the floor.
+pub(super) fn off_floor(survey: &str, answer: &PlanAnswer) -> Option<Finding> {
+    let sides = answer.sides_m().filter(|_| !answer.off_floor.is_empty())?;
+    let [x, y] = sides.map(|[least, most]| {
+        let [least, most] = [least, most].map(|m| Quantity::new(m, Unit::si("m"), Digits::Fixed(2)));
+        Centre::Range { least, most }.into()
+    });
+    let said = Centre::OffFloor {
+        survey: survey.to_owned(),
+        sensors: answer.off_floor.clone(),
+        x,
+        y,
+    };
+    Some(Finding::key(Tone::Warn, said))
+}
+
 /// Where twists are from, and what is to be known of it.
 pub(super) fn findings(survey: &str, answer: &PlanAnswer) -> Vec<Finding> {
     let survey = survey.to_owned();
     let mut all = Vec::new();
-    if let Some([x, y]) = answer.sides_m()
-        && !answer.off_floor.is_empty()
-    {
-        let (survey, sensors) = (survey.clone(), answer.off_floor.clone());
-        let [x, y] = [x, y].map(|[least, most]| {
-            let [least, most] = [least, most].map(|m| Quantity::new(m, Unit::si("m"), Digits::Fixed(2)));
-            Centre::Range { least, most }.into()
-        });
-        all.push(Finding::key(
-            Tone::Warn,
-            Centre::OffFloor {
-                survey,
-                sensors,
-                x,
-                y,
-            },
-        ));
-    }
     if answer.found.accepted().any(|one| one.roots_meet) {
         let survey = survey.clone();
         all.push(Finding::key(Tone::Warn, Centre::Meet { survey }));

@@ -1,7 +1,7 @@
 //! `dolmen compare` as JSON.
 
 use super::check::project;
-use super::identify::modes_of;
+use super::earthquake::modes_of;
 use crate::engineer::damage_words;
 use dolmen::assess::{ModeChange, SurveyChange, TemperatureKnowledge};
 use dolmen_words::Language;

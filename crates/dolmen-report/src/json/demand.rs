@@ -23,7 +23,7 @@ pub(super) fn demand(answer: &DemandAnswer) -> Value {
         "limits": parts_json(&answer.compared.parts, answer.drift_limit.as_ref()),
         "not_compared": answer.compared.not_compared.iter().map(not_compared).collect::<Vec<_>>(),
         "spectral": answer.spectral,
-        "refused": answer.refused,
+        "refused": answer.refused.as_ref().map(|why| &why.english),
         "stack": answer.stack.as_ref().map(stack),
         "local_mechanisms": local_mechanisms_demand(&answer.local_mechanisms),
         "near_below": DemandVerdict::NEAR_BELOW,

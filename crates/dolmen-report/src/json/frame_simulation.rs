@@ -41,6 +41,8 @@ pub fn frame_simulation_json(simulation: &FrameSimulation) -> Value {
         "output_step_s": options.output_step_s,
         "undamped": simulation.undamped.is_some(),
         "measured": simulation.beside.as_ref().map(beside),
+        "carried_weight_n": simulation.carried_n,
+        "loads_left_out": simulation.loads_left_out,
         "leaves_columns_out": simulation.columns != ColumnsInMotion::Absent,
         "columns_alone": columns_alone(&simulation.columns),
         "together": simulation.together.as_ref().map(together),

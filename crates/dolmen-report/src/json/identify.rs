@@ -1,14 +1,14 @@
 //! `dolmen identify` as JSON.
 
 use super::check::project;
+use super::earthquake::earthquake;
+use super::identified::identified;
 use super::with::with;
 use crate::modal::{decay_remarks, setup_remarks};
 use dolmen::blocks::JointFactor;
 use dolmen::modal::{
-    Accepted, Agreement, AtAmplitude, Decay, Driven, DrivenMode, During, MergedMode, Method, Mode, ModeDecay,
-    Modes, Part, RefusedPeak, Settings, StrongChannel, TrackPoint,
+    Agreement, AtAmplitude, Decay, Driven, DrivenMode, MergedMode, ModeDecay, Modes, Settings,
 };
-use dolmen::signal::Channel;
 use dolmen::structure::building::{PlanMode, PlanSolution};
 use dolmen::structure::{ChannelChange, ShapeDoubt};
 use dolmen_words::advice::Advice;
@@ -19,9 +19,7 @@ use dolmen_work::building::PlanAnswer;
 use dolmen_work::model_modes::{BesideModel, ModelMode, ModelModes, WhichMode};
 use dolmen_work::record_seen::{ChannelSeen, RecordSeen, SpectrogramSeen};
 use dolmen_work::stack::FactorsAnswer;
-use dolmen_work::surveyed::{
-    Earthquake, ModesOf, RecordAnswer, SetupsAnswer, StiffnessAnswer, StiffnessDoubt, SurveyAnswer,
-};
+use dolmen_work::surveyed::{RecordAnswer, SetupsAnswer, StiffnessAnswer, StiffnessDoubt, SurveyAnswer};
 use serde_json::{Value, json};
 
 /// What was identified from every survey.
@@ -93,6 +91,7 @@ fn model(model: &ModelModes) -> Value {
         "measured": model.measured.iter().map(measured).collect::<Vec<_>>(),
         "channels": model.channels,
         "left_out": model.left_out,
+        "without_dampers": model.without_dampers,
         "far_off": model.far_off().iter().map(|at| at + 1).collect::<Vec<_>>(),
     })
 }
@@ -167,82 +166,6 @@ fn record(record: &RecordAnswer) -> Value {
     })
 }
 
-/// Of which part of a record that holds an earthquake the modes are.
-pub(super) fn modes_of(of: ModesOf) -> &'static str {
-    match of {
-        ModesOf::After => "after",
-        ModesOf::Before => "before",
-        ModesOf::Whole => "whole",
-    }
-}
-
-/// An earthquake in a record; times from the first sample that was used.
-fn earthquake(of: &Earthquake) -> Value {
-    let found = &of.found;
-    let shaking = &found.shaking;
-    let channel = |of: &StrongChannel| {
-        json!({
-            "name": of.name,
-            "peak_acceleration_m_s2": of.peak_acceleration_m_s2,
-            "peak_at_s": of.peak_at_s,
-            "peak_velocity_m_s": of.peak_velocity_m_s,
-            "velocity_band_hz": of.velocity_band_hz,
-            "arias_intensity_m_s": of.arias_intensity_m_s,
-            "noise": of.noise,
-            "spectrum": of.spectrum.iter().map(|of| [of.period_s, of.pseudo_acceleration_m_s2()]).collect::<Vec<_>>(),
-        })
-    };
-    let part = |of: &Part| {
-        json!({
-            "from_s": of.span_s[0],
-            "to_s": of.span_s[1],
-            "modes": of.analysis.as_ref().map(|of| identified(&of.modes)),
-        })
-    };
-    let window = |of: &TrackPoint| json!({ "at_s": of.at_s, "frequency_hz": of.frequency_hz, "frequency_sd_hz": of.frequency_sd_hz });
-    let mode = |hz: f64, sd: Option<f64>, zeta: Option<f64>, zeta_sd: Option<f64>| json!({ "frequency_hz": hz, "frequency_sd_hz": sd, "damping_ratio": zeta, "damping_ratio_sd": zeta_sd });
-    let (how, modes, windows) = match &found.during {
-        During::Driven { modes, .. } => {
-            let each = modes.iter().map(|of| {
-                mode(
-                    of.frequency_hz,
-                    of.frequency_sd_hz,
-                    of.damping_ratio,
-                    of.damping_ratio_sd,
-                )
-            });
-            ("inputs", each.collect(), Vec::new())
-        }
-        During::Tracked(of) => {
-            let one = mode(of.frequency_hz, Some(of.frequency_sd_hz), None, None);
-            ("tracked", vec![one], of.points.iter().map(window).collect())
-        }
-        During::Unknown => ("unknown", Vec::new(), Vec::new()),
-    };
-    json!({
-        "arrival_s": shaking.arrival_s,
-        "strong_from_s": shaking.strong_from_s,
-        "strong_to_s": shaking.strong_to_s,
-        "end_s": shaking.end_s,
-        "over_noise": shaking.over_noise,
-        "growth": shaking.growth,
-        "modes_of": modes_of(of.modes_of),
-        "channels": found.channels.iter().map(channel).collect::<Vec<_>>(),
-        "before": part(&found.before),
-        "during": { "how": how, "modes": modes, "windows": windows },
-        "after": part(&found.after),
-        "changes": found.changes.iter().map(|of| json!({
-            "before_hz": of.before_hz,
-            "before_sd_hz": of.before_sd_hz,
-            "after_hz": of.after_hz,
-            "after_sd_hz": of.after_sd_hz,
-            "change_ratio": of.ratio,
-            "sd": of.ratio_sd,
-            "beyond_chance": of.is_beyond_chance(),
-        })).collect::<Vec<_>>(),
-    })
-}
-
 /// The record as it was used.
 fn seen(seen: &RecordSeen) -> Value {
     let channel = |of: &ChannelSeen| json!({ "name": of.name, "mean": of.mean, "deviation": of.deviation, "largest": of.largest, "largest_at_s": of.largest_at_s });
@@ -301,52 +224,6 @@ fn decay(decay: &Decay) -> Value {
         "left_peaks_hz": decay.left_peaks_hz,
         "modes": decay.modes.iter().map(mode).collect::<Vec<_>>(),
         "notes": english(decay_remarks(decay)),
-    })
-}
-
-/// Why a mode is one that the user insists on.
-fn accepted(frequency_hz: f64, of: &Accepted) -> Value {
-    let refused = RefusedPeak {
-        frequency_hz,
-        refusal: of.refusal,
-    };
-    json!({ "asked_hz": of.asked_hz, "refused": refused.to_string() })
-}
-
-/// Identified modes; shapes as [re, im] a channel.
-fn identified(modes: &Modes) -> Value {
-    let finite = |x: f64| x.is_finite().then_some(x);
-    // the floor is that of ambient vibration
-    let has_floor = !matches!(modes.method, Method::Era | Method::Okid);
-    let mode = |mode: &Mode| {
-        json!({
-            "frequency_hz": mode.frequency_hz,
-            "frequency_sd_hz": mode.frequency_sd_hz,
-            "damping_ratio": mode.damping_ratio,
-            "damping_ratio_sd": mode.damping_ratio_sd,
-            "shape": mode.shape.iter().map(|z| [z.re, z.im]).collect::<Vec<_>>(),
-            "shape_sd": mode.shape_sd,
-            "phase_collinearity": mode.phase_collinearity,
-            "cycles": mode.cycles,
-            "frequency_floor_hz": finite(mode.frequency_floor_hz()).filter(|_| has_floor),
-            "damping_ratio_floor": finite(mode.damping_ratio.unwrap_or(f64::NAN) * mode.damping_floor()).filter(|_| has_floor),
-            "orders": mode.orders,
-            "kurtosis": mode.kurtosis.map(|k| k.kurtosis),
-            "kurtosis_sd": mode.kurtosis.map(|k| k.deviation),
-            "wander": mode.wander.map(|of| of.along),
-            "wander_sd": mode.wander.map(|of| of.deviation),
-            "harmonic": mode.harmonic(),
-            "window_bias": mode.window_bias,
-            "accepted": mode.accepted.map(|of| accepted(mode.frequency_hz, &of)),
-        })
-    };
-    let channel =
-        |c: &Channel| json!({ "name": c.name, "position_m": c.position_m, "direction": c.direction });
-    json!({
-        "method": modes.method.name(),
-        "duration_s": modes.duration_s,
-        "channels": modes.channels.iter().map(channel).collect::<Vec<_>>(),
-        "modes": modes.modes.iter().map(mode).collect::<Vec<_>>(),
     })
 }
 

@@ -3,7 +3,8 @@
 use crate::headline::headline;
 use dolmen_words::Language;
 use dolmen_work::judgement::{
-    DecidedBy, EarthquakeFinding, Evidence, Judgement, VersionJudgement, Weight, WindFinding, WindLimit,
+    DecidedBy, EarthquakeFinding, Evidence, Judgement, MovedBy, VersionJudgement, Weight, WindFinding,
+    WindLimit,
 };
 use serde_json::{Value, json};
 
@@ -88,6 +89,11 @@ fn in_wind(finding: &WindFinding) -> Value {
     json!({
         "word": finding.word.word(Language::English),
         "decided_by": finding.limit.map(WindLimit::key),
+        "moved_by": match finding.by {
+            MovedBy::Wind => "wind",
+            MovedBy::Loads => "loads",
+            MovedBy::Both => "wind and loads",
+        },
         "part": finding.part,
         "limit_over_peak": finding.ratio,
     })

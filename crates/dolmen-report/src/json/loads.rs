@@ -20,6 +20,7 @@ pub(super) fn loads(answer: &LoadsAnswer) -> Value {
         "load_factor": answer.factor().filter(|factor| factor.is_finite()),
         "wind": wind,
         "wind_across": answer.wind_across,
+        "wind_along": answer.frame_winds,
         "wind_refused": refused,
         "tilt_rad": answer.tilt_rad,
         "combinations": answer.combinations.iter().map(combination).collect::<Vec<_>>(),
@@ -42,7 +43,13 @@ fn combination(of: &CombinationAnswer) -> Value {
             "under": chain.under,
             "across": chain.across,
         }),
+        Combined::Frame(frame) => json!({
+            "weight_factor": frame.weight_factor.filter(|factor| factor.is_finite()),
+            "directions": frame.directions,
+            "directions_unknown": frame.unknown,
+        }),
         Combined::Stack(stack) => json!({
+            "dilating_factor": stack.dilating_factor.filter(|factor| factor.is_finite()),
             "at_least": Some(stack.found.at_least).filter(|factor| factor.is_finite()),
             "grows": stack.grows,
             "wind_to": stack.wind_to,

@@ -42,6 +42,7 @@ pub fn sensors_json(answer: &SensorsAnswer) -> Value {
         "sensors": sensors.collect::<Vec<_>>(),
         "modes": modes.collect::<Vec<_>>(),
         "mac": answer.likeness,
+        "without_dampers": answer.without_dampers,
     })
 }
 

@@ -122,6 +122,7 @@ pub fn watch_json(answer: &WatchAnswer) -> Value {
         "earthquakes": answer.earthquakes.iter().map(|of| json!({
             "survey": of.survey,
             "peak_acceleration_m_s2": of.part.peak_m_s2,
+            "peak_at_least": of.part.is_at_least,
             "change_ratio": of.part.changed,
             "sd": of.part.changed_sd,
             "answered": of.is_answered,
@@ -181,6 +182,8 @@ fn mode(mode: &WatchedMode, answer: &WatchAnswer) -> Value {
         "seen_from_ratio": mode.seen_from_ratio,
         "last_off": mode.last_off.map(|off| json!({ "from": off.from, "surveys": off.surveys, "ratio": off.ratio, "sd": off.sd })),
         "outliers": names(&mode.outliers),
+        "not_searched": names(&mode.strange),
+        "temperature_of_season": names(&mode.guessed),
         "works": mode.works.iter().map(|effect| json!({
             "work": effect.work + 1,
             "change_ratio": effect.ratio,
@@ -218,6 +221,7 @@ fn tilt(trend: &TiltTrend, answer: &WatchAnswer) -> Value {
     };
     let slope = trend.slope.as_ref();
     let reach = slope.and_then(|slope| slope.reach);
+    let carried = trend.carried.and_then(|slope| slope.reach);
     json!({
         "direction": trend.series.direction,
         "datum": trend.series.datum,
@@ -236,6 +240,8 @@ fn tilt(trend: &TiltTrend, answer: &WatchAnswer) -> Value {
         "works": trend.works.iter().map(|of| json!({ "work": of.work + 1, "change": of.size, "sd": of.sd })).collect::<Vec<_>>(),
         "seen_from_per_year": slope.map(|slope| slope.seen_from_per_year),
         "now": slope.map(|slope| slope.now),
+        "sign_in_question": trend.is_sign_in_question(),
+        "years_to_limit_as_mark_before": carried.and_then(|reach| reach.years),
         "limit": reach.map(|reach| reach.limit),
         "years_to_limit": reach.and_then(|reach| reach.years),
         "years_to_limit_earliest": reach.and_then(|reach| reach.years_earliest),

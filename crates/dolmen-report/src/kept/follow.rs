@@ -2,7 +2,7 @@
 
 use crate::modal::fault_words;
 use dolmen::modal::LastingChange;
-use dolmen::monitoring::NotJudged;
+use dolmen::monitoring::{NotJudged, SensorChange};
 use dolmen_words::message::Both;
 use dolmen_words::{Digits, Language, Quantity, Sentence, Unit, Values, messages};
 use dolmen_work::follow::{OpenAlarm, RecordTime, Taken, TimeSource, Verdict};
@@ -24,6 +24,7 @@ messages! {
             ko: "지진: {survey}({source}), {file}: {peak}, {change}. 상시진동 조사와 구분하여 저장하였다{open}.",
         },
         PeakOf { peak: Quantity } => { en: "peak {peak}", ko: "최대가속도 {peak}" },
+        PeakAtLeast { peak: Quantity } => { en: "peak at least {peak}", ko: "최대가속도 {peak} 이상" },
         NoPeak { over: Quantity } => { en: "{over} times the noise", ko: "잡음의 {over}배" },
         Lasting { frequency: Quantity, by: Quantity } => {
             en: "LASTING CHANGE of {frequency} by {by}",
@@ -46,6 +47,18 @@ messages! {
         OfFileName => { en: "as its name says", ko: "파일 이름의 날짜" },
         OfFileTime => { en: "as the file's time says", ko: "파일의 수정 시각" },
         Sensor { fault: Sentence } => { en: "  sensor: {fault}", ko: "  센서: {fault}" },
+        ShapesJumped { assurance: Quantity } => {
+            en: "  sensor: its shapes are not those of the surveys before it (MAC {assurance}) though its frequencies are: a sensor was turned, moved, exchanged, or its polarity is reversed",
+            ko: "  센서: 고유진동수는 이전 조사와 같으나 모드형상이 다르다(MAC {assurance}). 센서의 방향·위치가 바뀌었거나 교체되었거나 극성이 반대이다",
+        },
+        ShapesJumpedAt { assurance: Quantity, channel: String } => {
+            en: "  sensor: its shapes are not those of the surveys before it (MAC {assurance}) though its frequencies are; without {channel} they are: it was turned, moved, exchanged, or its polarity is reversed",
+            ko: "  센서: 고유진동수는 이전 조사와 같으나 모드형상이 다르며(MAC {assurance}) {channel}을(를) 빼면 같다. 그 센서의 방향·위치가 바뀌었거나 교체되었거나 극성이 반대이다",
+        },
+        Traffic { from: Quantity, to: Quantity, peak: Sentence } => {
+            en: "  strong shaking, {from} to {to} ({peak}): an earthquake, traffic close by or a gust; the modes are those of the rest of the record",
+            ko: "  강한 진동 {from}–{to}({peak}): 지진, 가까운 교통 또는 돌풍. 모드는 나머지 구간의 것이다",
+        },
         LeftOut { channels: Vec<String> } => {
             en: "  left out of the identification: {channels}",
             ko: "  식별에서 제외함: {channels}",
@@ -131,11 +144,15 @@ fn verdict_words(verdict: &Verdict) -> Sentence {
 
 fn peak_of(of: &Earthquake) -> Sentence {
     match of.part().peak_m_s2 {
-        Some(peak) => Followed::PeakOf {
-            peak: Quantity::new(peak, Unit::si("m/s²"), Digits::Significant(3)),
-        },
+        Some(peak) => {
+            let peak = Quantity::new(peak, Unit::si("m/s²"), Digits::Significant(3));
+            match of.found.largest().is_at_least() {
+                true => Followed::PeakAtLeast { peak },
+                false => Followed::PeakOf { peak },
+            }
+        }
         None => Followed::NoPeak {
-            over: Quantity::ratio(of.found.shaking.over_noise, 2),
+            over: Quantity::ratio(of.found.strongest().shaking.over_noise, 2),
         },
     }
     .into()
@@ -149,7 +166,7 @@ fn change_of(of: &Earthquake) -> Sentence {
             Quantity::new(of.ratio, Unit::percent(), Digits::Significant(2)),
         )
     };
-    match (of.found.lasting().map(parts), of.found.changes.first().map(parts)) {
+    match (of.found.lasting().map(parts), of.found.shown().first().map(parts)) {
         (Some((frequency, by)), _) => Followed::Lasting { frequency, by },
         (None, Some((frequency, by))) => Followed::NothingLasts { frequency, by },
         (None, None) => Followed::CannotTell,
@@ -157,14 +174,39 @@ fn change_of(of: &Earthquake) -> Sentence {
     .into()
 }
 
+/// What a history says of a record.
+#[derive(Clone, Copy, Debug)]
+pub struct JudgedRecord<'a> {
+    /// Of its modes.
+    pub verdict: &'a Verdict,
+    /// Alarms that are open on its day.
+    pub open_alarms: usize,
+    /// Of its sensors, by their shapes.
+    pub sensors: Option<&'a SensorChange>,
+}
+
+fn jumped(of: &SensorChange) -> Followed {
+    let assurance = Quantity::ratio(of.assurance, 2);
+    match &of.channel {
+        None => Followed::ShapesJumped { assurance },
+        Some(channel) => Followed::ShapesJumpedAt {
+            assurance,
+            channel: channel.clone(),
+        },
+    }
+}
+
 /// A record that was stored, in a line, and a line for each sensor that is in doubt.
 pub fn followed_text(
     survey: &str,
     file: &str,
     taken: &Taken,
-    (verdict, open_alarms): (&Verdict, usize),
+    judged: &JudgedRecord<'_>,
     language: Language,
 ) -> String {
+    let JudgedRecord {
+        verdict, open_alarms, ..
+    } = *judged;
     let (survey, file) = (survey.to_owned(), file.to_owned());
     let RecordTime {
         source,
@@ -223,6 +265,18 @@ pub fn followed_text(
         }
         .into()
     }));
+    lines.extend(judged.sensors.map(|of| jumped(of).into()));
+    lines.extend(taken.shaking.as_ref().map(|of| {
+        let shaking = &of.found.largest().shaking;
+        let [from, to] = [shaking.arrival_s, shaking.end_s];
+        let time = |at_s: f64| Quantity::new(at_s, Unit::si("s"), Digits::Significant(4));
+        Followed::Traffic {
+            from: time(from),
+            to: time(to),
+            peak: peak_of(of),
+        }
+        .into()
+    }));
     if !taken.left_out.is_empty() {
         let channels = taken.left_out.clone();
         lines.push(Followed::LeftOut { channels }.into());
@@ -231,17 +285,13 @@ pub fn followed_text(
 }
 
 /// The same as JSON, in one line.
-pub fn followed_json(
-    survey: &str,
-    file: &str,
-    taken: &Taken,
-    (verdict, open_alarms): (&Verdict, usize),
-) -> Value {
+pub fn followed_json(survey: &str, file: &str, taken: &Taken, judged: &JudgedRecord<'_>) -> Value {
     let modes = taken.modes.as_ref().ok();
     json!({
         "file": file,
         "survey": survey,
-        "open_alarms": open_alarms,
+        "open_alarms": judged.open_alarms,
+        "shapes_jumped": judged.sensors.map(|of| json!({ "mac": of.assurance, "channel": of.channel })),
         "date_from": taken.time.source,
         "modes": modes.map_or_else(Vec::new, |modes| modes.modes.iter().map(|mode| json!({
             "frequency_hz": mode.frequency_hz, "frequency_sd_hz": mode.frequency_sd_hz.filter(|sd| sd.is_finite()),
@@ -255,11 +305,14 @@ pub fn followed_json(
                 "peak_acceleration_m_s2": part.peak_m_s2,
                 "change_ratio": part.changed,
                 "sd": part.changed_sd,
+                "peak_at_least": of.found.largest().is_at_least(),
+                "events": of.found.events.len(),
                 "lasts": of.found.lasting().is_some(),
-                "over_noise": of.found.shaking.over_noise,
+                "over_noise": of.found.strongest().shaking.over_noise,
             })
         }),
-        "verdict": match verdict {
+        "strong_shakings": taken.shaking.as_ref().map_or(0, |of| of.found.events.len()),
+        "verdict": match judged.verdict {
             Verdict::Alarm { .. } => "alarm",
             Verdict::Outside { .. } => "outside",
             Verdict::AsPredicted { .. } => "as_predicted",

@@ -11,7 +11,9 @@ mod show;
 
 pub use done::{added_text, exported_text, imported_text, marked_text, verified_text};
 pub use fault::store_fault;
-pub use follow::{followed_json, followed_text, metrics_text, quarantined_json, quarantined_text};
+pub use follow::{
+    JudgedRecord, followed_json, followed_text, metrics_text, quarantined_json, quarantined_text,
+};
 pub use formats::{ListFormat, Listing};
 pub use inventory::{inventory_csv, inventory_json, inventory_text};
 pub use list::{StructureList, SurveyList};

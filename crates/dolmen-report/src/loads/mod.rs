@@ -1,8 +1,10 @@
 //! Wind and static loads in a report: findings, and the section of their combinations.
 
 mod findings;
+mod on_frames;
 mod on_stones;
 mod section;
+mod words;
 
 pub(crate) use findings::findings;
 pub(crate) use section::{Loaded, as_given, sections};
@@ -10,9 +12,10 @@ pub(crate) use section::{Loaded, as_given, sections};
 use dolmen_words::Template;
 
 /// The sentences on wind and static loads as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 4] = [
-    findings::Found::TEMPLATES,
+pub(crate) const TEMPLATES: [&[Template]; 5] = [
+    words::Found::TEMPLATES,
     findings::WhyNot::TEMPLATES,
     section::Shown::TEMPLATES,
     on_stones::OnStones::TEMPLATES,
+    on_frames::OnFrames::TEMPLATES,
 ];

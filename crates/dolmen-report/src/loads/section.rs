@@ -1,14 +1,15 @@
 //! The section of wind and static loads: combinations side by side, and the joints under the worst.
 
-use super::findings::{what, why_not};
-use super::on_stones;
+use super::findings::why_not;
+use super::words::what;
+use super::{on_frames, on_stones};
 use crate::document::{Block, Cell, Column, Document, Table};
 use crate::figures::chain_moments;
 use crate::stack::direction;
 use dolmen::stability::{ChainUnderLoads, JointUnderLoads, Verdict};
 use dolmen::structure::stack::Stack;
 use dolmen::structure::wind::{EurocodeTerrain, Kds41Exposure};
-use dolmen_project::{LoadPart, LoadsPart, WindGiven, WindPart, WindSpeed};
+use dolmen_project::{FramePart, LoadPart, LoadsPart, WindGiven, WindPart, WindSpeed};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::loads::{ChainCombination, CombinationAnswer, Combined, LoadsAnswer, WindMet};
 
@@ -148,12 +149,19 @@ pub(crate) enum Loaded<'a> {
     Chain(Vec<f64>),
     /// A stack.
     Stack(&'a Stack),
+    /// A frame, with the names of its storeys.
+    Frame(Vec<Option<String>>),
 }
 
 impl<'a> Loaded<'a> {
+    /// A frame.
+    pub(crate) fn of_frame(part: &FramePart) -> Self {
+        Loaded::Frame(part.storeys.iter().map(|storey| storey.name.clone()).collect())
+    }
+
     fn stack(&self) -> Option<&'a Stack> {
         match self {
-            Loaded::Chain(_) => None,
+            Loaded::Chain(_) | Loaded::Frame(_) => None,
             Loaded::Stack(stack) => Some(stack),
         }
     }
@@ -191,6 +199,10 @@ pub(crate) fn sections<'a>(
         Some(Err(why)) => document.note(Shown::NotKnown {
             why: why_not(why, of.stack().is_some()),
         }),
+        Some(Ok(_)) if !answer.frame_winds.is_empty() => {
+            let each = answer.frame_winds.iter();
+            each.for_each(|of| document.paragraph(on_frames::wind(of)));
+        }
         Some(Ok(met)) => document.paragraph(wind(met, answer)),
         None => {}
     }
@@ -216,7 +228,10 @@ pub(crate) fn sections<'a>(
             (Combined::Stack(under), Loaded::Stack(stack)) => {
                 on_stones::section(&mut document, what(answer, worst), under, stack, given);
             }
-            (Combined::Chain(_), Loaded::Stack(_)) | (Combined::Stack(_), Loaded::Chain(_)) => {}
+            (Combined::Frame(frame), Loaded::Frame(names)) => {
+                on_frames::section(&mut document, &what(answer, worst), frame, &names);
+            }
+            (Combined::Chain(_) | Combined::Stack(_) | Combined::Frame(_), _) => {}
         }
     }
     document
@@ -395,6 +410,7 @@ fn combinations(answer: &LoadsAnswer) -> Table {
                         .governing_joint
                         .map(|joint| Quantity::new(joint as f64, Unit::ratio(), Digits::Fixed(0))),
                 ),
+                Combined::Frame(frame) => on_frames::governs(frame),
                 Combined::Stack(under) => {
                     Cell::words(under.wind_to.map_or_else(|| Sentence::of_symbol("–"), direction))
                 }
@@ -402,15 +418,21 @@ fn combinations(answer: &LoadsAnswer) -> Table {
         ]
     };
     let of_stack = answer.combinations.iter().any(|of| of.stack().is_some());
-    let (meaning, last) = match of_stack {
-        true => (Shown::StackCombinationsMeaning, Column::words(Shown::WindTowards)),
-        false => (
-            Shown::CombinationsMeaning,
-            Column::numbers(Shown::Governs, Unit::ratio()),
+    let of_frame = answer.combinations.iter().any(|of| of.frame().is_some());
+    let numbers = |head: Sentence| Column::numbers(head, Unit::ratio());
+    let (meaning, last): (Sentence, Column) = match (of_stack, of_frame) {
+        (true, _) => (
+            Shown::StackCombinationsMeaning.into(),
+            Column::words(Shown::WindTowards),
         ),
+        (_, true) => (
+            on_frames::OnFrames::CombinationsMeaning.into(),
+            numbers(on_frames::OnFrames::Governs.into()),
+        ),
+        _ => (Shown::CombinationsMeaning.into(), numbers(Shown::Governs.into())),
     };
     Table {
-        caption: vec![Shown::Combinations.into(), meaning.into()],
+        caption: vec![Shown::Combinations.into(), meaning],
         columns: vec![
             Column::words(Shown::Combination),
             Column::words(Shown::VerdictHead),

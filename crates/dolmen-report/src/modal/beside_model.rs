@@ -44,6 +44,10 @@ messages! {
             en: "Doubtful: measured mode {modes} looks like a mode of the model whose frequency is more than {times} times as high or as low. Either the model is not this structure, or these channels do not tell its modes apart; more sensors, or better places (`dolmen sensors`), decide it.",
             ko: "의심되는 결과: 계측 모드 {modes}은(는) 형상이 비슷한 모델 모드와 진동수가 {times}배 넘게 다르다. 모델이 이 구조물과 다르거나, 이 채널들로는 모델 모드를 판별할 수 없다. 센서를 늘리거나 더 좋은 위치(`dolmen sensors`)에 두어 가린다.",
         },
+        WithoutDampers { dampers: Vec<String> } => {
+            en: "The modes of the model are those of the structure without its dampers ({dampers}): near the frequency of one that is tuned, two modes of like shape are measured where the model has one.",
+            ko: "모델 모드는 제진장치({dampers})를 뺀 구조물의 것이다. 동조한 제진장치의 진동수 부근에서는 모델의 모드 하나가 형상이 비슷한 두 모드로 계측된다.",
+        },
         OfMode { number: usize } => { en: "MAC with mode {number} of the model", ko: "모델 모드 {number}와의 MAC" },
     }
 }
@@ -95,6 +99,10 @@ pub(super) fn section<'a>(document: &mut Document<'a>, survey: &str, model: &'a 
             }
             .into(),
         ));
+    }
+    if !model.without_dampers.is_empty() {
+        let dampers = model.without_dampers.clone();
+        document.put(Block::Warning(Beside::WithoutDampers { dampers }.into()));
     }
     if !model.left_out.is_empty() {
         document.note(Beside::LeftOut {

@@ -309,9 +309,24 @@ fn still(note: &Note) -> Option<Finding> {
     }
 }
 
+/// Whether a channel that stands still in the modes moved in an earthquake of the record as one of its unit does: then it is connected, and stands on the
+/// ground.
+fn has_felt(record: &RecordAnswer, note: &Note) -> bool {
+    let Note::StandsStill { channel, .. } = note else {
+        return false;
+    };
+    let events = record.earthquake.iter().flat_map(|of| &of.found.events);
+    events.into_iter().any(|event| {
+        let most = event.channels.iter().map(|of| of.peak).fold(0.0, f64::max);
+        let own = event.channels.iter().find(|of| of.name == *channel);
+        own.is_some_and(|own| own.peak > OTHER_UNIT * most)
+    })
+}
+
 /// Lost samples and faults of channels.
 fn doubts(record: &RecordAnswer) -> Vec<Finding> {
-    let lost = |step: &Processing| matches!(step, Processing::LongestSpan { .. });
+    let lost =
+        |step: &Processing| matches!(step, Processing::LongestSpan { .. } | Processing::Bridged { .. });
     let steps = record.analysis.modes.history.iter().filter(|step| lost(step));
     let mut all: Vec<Finding> = steps
         .map(|step| {
@@ -341,7 +356,12 @@ fn doubts(record: &RecordAnswer) -> Vec<Finding> {
             .iter()
             .map(|doubt| Finding::key(Tone::Warn, sensor(doubt)).with_code("sensor-slip")),
     );
-    all.extend(record.analysis.notes.iter().filter_map(still));
+    let still = record
+        .analysis
+        .notes
+        .iter()
+        .filter(|note| !has_felt(record, note));
+    all.extend(still.filter_map(self::still));
     let driven = record.analysis.driven.iter().flat_map(|of| &of.modes);
     all.extend(driven.filter_map(follows_little));
     // channels that were left out: what is found is of the others alone; and modes that are a machine's

@@ -6,6 +6,8 @@ mod decay;
 mod decay_remarks;
 mod driven;
 mod earthquake;
+mod earthquake_section;
+mod earthquake_words;
 mod faults;
 mod findings;
 mod joint;
@@ -61,7 +63,7 @@ pub(crate) const TEMPLATES: [&[Template]; 21] = [
     decay::Decays::TEMPLATES,
     decay_remarks::Remarks::TEMPLATES,
     driven::Drivens::TEMPLATES,
-    earthquake::Quake::TEMPLATES,
+    earthquake_words::Quake::TEMPLATES,
     setups::Setups::TEMPLATES,
     joint::Joint::TEMPLATES,
     setup_remarks::Remarks::TEMPLATES,

@@ -2,7 +2,7 @@
 
 use super::decay;
 use super::driven;
-use super::earthquake;
+use super::earthquake_section;
 use super::faults::fault_words;
 use super::notes::note_words;
 use super::seen::{spectrogram_figure, time_figure};
@@ -29,6 +29,10 @@ messages! {
         Shaken { survey: Sentence } => {
             en: "Record of an earthquake: {survey}",
             ko: "지진 기록: {survey}",
+        },
+        Traffic { survey: Sentence } => {
+            en: "Record with strong shaking: {survey}",
+            ko: "강한 진동이 있는 기록: {survey}",
         },
         Decay { survey: Sentence } => {
             en: "Modes from a free decay: {survey}",
@@ -79,12 +83,15 @@ pub(super) fn section<'a>(document: &mut Document<'a>, survey: Sentence, record:
     document.heading(match (is_decay, &analysis.driven) {
         (true, _) => Record::Decay { survey },
         (false, Some(_)) => Record::Driven { survey },
-        (false, None) if record.earthquake.is_some() => Record::Shaken { survey },
-        (false, None) => Record::Ambient { survey },
+        (false, None) => match &record.earthquake {
+            Some(of) if of.is_one() => Record::Shaken { survey },
+            Some(_) => Record::Traffic { survey },
+            None => Record::Ambient { survey },
+        },
     });
     read(document, record);
     time_figure(document, &record.seen);
-    earthquake::section(document, record);
+    earthquake_section::section(document, record);
     figures(document, analysis);
     spectrogram_figure(document, &record.seen, &analysis.modes);
     match analysis.modes.modes.is_empty() {

@@ -62,6 +62,10 @@ messages! {
             en: "samples are lost, {gaps}: only the longest whole span is used, {from} to {to}, {kept} of {whole}",
             ko: "표본 누락 {gaps}: 누락이 없는 가장 긴 구간 {from}–{to}만 사용({whole} 중 {kept})",
         },
+        Bridged { gaps: Vec<Sentence> } => {
+            en: "samples are lost, {gaps}: what lies on either side is used, each by itself",
+            ko: "표본 누락 {gaps}: 누락 앞뒤의 구간을 각각 사용",
+        },
         FilledGaps { gaps: Vec<Sentence>, samples: usize, share: Quantity } => {
             en: "lost samples filled in by linear prediction: {samples} ({share}), {gaps}",
             ko: "누락 표본 {samples}개({share})를 선형예측으로 보간 {gaps}",
@@ -169,6 +173,9 @@ pub(super) fn step_words(step: &Processing) -> Sentence {
             to: seconds(to_s),
             kept: seconds(to_s - from_s),
             whole: seconds(whole_s),
+        },
+        Processing::Bridged { gaps } => Steps::Bridged {
+            gaps: gaps_words(&gaps),
         },
         Processing::FilledGaps { gaps, samples, share } => Steps::FilledGaps {
             gaps: gaps_words(&gaps),

@@ -1,4 +1,4 @@
-//! What is said of a ground motion: its files, measures, match and spectra.
+//! What an answer says of a ground motion: its files, measures, match and spectra.
 
 mod files;
 mod matched;

@@ -7,7 +7,7 @@ use dolmen_words::message::Both;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::motion::{NotTaken, SuiteAnswer, SuiteMember};
 
-/// A mean that lies further above the demand is said. Chosen here.
+/// The answer names a mean that lies further above the demand. Chosen here.
 const ABOVE_SAID: f64 = 0.3;
 
 messages! {

@@ -77,7 +77,7 @@ fn brief(report: &MotionReport, style: TextStyle) -> String {
     }
     brief.blocks(measures::drifts(&report.series).into_iter().map(Block::Note));
     let measures = measures::table(&report.series);
-    // how near a matched motion is to its spectrum is said above
+    // the lines above say how near a matched motion is to its spectrum
     let spectra = match report.matched {
         Some(_) => None,
         None => spectra::table(&report.series, STEP_BRIEF),

@@ -1,4 +1,4 @@
-//! What is said of a ranked portfolio.
+//! What an answer says of a ranked portfolio.
 
 mod remarks;
 mod sections;

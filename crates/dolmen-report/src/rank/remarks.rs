@@ -9,11 +9,11 @@ use dolmen_work::portfolio::{
     FallsApart, LeftOut, PortfolioAnswer, falls_first, hazards_replaced, misjudged, without_hazard,
 };
 
-/// Structures without a hazard that are named.
+/// Most structures without a hazard that a remark names.
 const NAMED: usize = 5;
-/// Structures without a place that are named in the head.
+/// Most structures without a place that the head names.
 const LEFT_OUT_NAMED: usize = 12;
-/// Structures whose place by falls alone is another that are named.
+/// Most structures that a remark names because falls alone give them another place.
 const APART_SHOWN: usize = 10;
 
 messages! {

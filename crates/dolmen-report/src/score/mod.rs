@@ -1,4 +1,4 @@
-//! What is said of the six-factor score: of one pagoda, and what the score is worth.
+//! What an answer says of the six-factor score: of one pagoda, and what the score is worth.
 
 mod effects;
 mod form;

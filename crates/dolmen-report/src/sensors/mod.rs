@@ -106,6 +106,10 @@ fn findings(answer: &SensorsAnswer) -> Vec<Block<'static>> {
         };
         all.push(Block::Paragraph(vec![found.into()]));
     }
+    if !answer.without_dampers.is_empty() {
+        let dampers = answer.without_dampers.clone();
+        all.push(Block::Warning(Planned::WithoutDampers { dampers }.into()));
+    }
     all
 }
 

@@ -40,6 +40,10 @@ messages! {
             en: "The shapes are the model's. Once a first record is identified, compare them, mend the model and plan anew.",
             ko: "모드형상은 모델의 것이다. 첫 기록을 분석하면 비교하여 모델을 고치고 다시 배치한다.",
         },
+        WithoutDampers { dampers: Vec<String> } => {
+            en: "The shapes are those of the structure without its dampers ({dampers}): near the frequency of one that is tuned, two modes of like shape stand where the plan has one. Put a sensor on the damper, too, or block it.",
+            ko: "모드형상은 제진장치({dampers})를 뺀 구조물의 것이다. 동조한 제진장치의 진동수 부근에서는 배치에 쓴 모드 하나가 형상이 비슷한 두 모드로 나뉜다. 제진장치에도 센서를 두거나 제진장치를 고정한다.",
+        },
         Setups => {
             en: "The sensors that stay bring the setups to one scale: they were chosen first, to see every mode. The others go from the top down.",
             ko: "그대로 두는 센서가 여러 배치의 크기를 맞춘다. 모든 모드를 보도록 먼저 골랐다. 나머지는 위에서 아래로 옮긴다.",

@@ -1,4 +1,4 @@
-//! What is said alike of all simulations: names, the motion, units.
+//! What answers say alike of all simulations: names, the motion, units.
 
 mod motion;
 mod names;

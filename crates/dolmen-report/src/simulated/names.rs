@@ -1,4 +1,4 @@
-//! How simulations are named, and what heads them.
+//! Names of simulations, and what heads them.
 
 use super::units::seconds;
 use dolmen::known::STANDARD_GRAVITY_M_S2;

@@ -2,7 +2,7 @@
 
 use dolmen_words::{Digits, Quantity, Unit};
 
-/// From so many joules on energies are told in kJ.
+/// From so many joules on answers give energies in kJ.
 const KILOJOULES_FROM_J: f64 = 1e3;
 /// What is left below this part of the largest is rounding.
 const ROUNDING: f64 = 1e-9;

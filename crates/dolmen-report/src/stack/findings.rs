@@ -78,7 +78,12 @@ fn noted(of: &StackNote, stack: &Stack) -> Finding {
         StackNote::AnalysisFalls | StackNote::FrictionFell { .. } => Finding::key(Tone::Bad, said),
         StackNote::FrictionStood => Finding::key(Tone::Plain, said),
         StackNote::FrictionNoRest | StackNote::FrictionNotRun { .. } => Finding::key(Tone::Unknown, said),
-        StackNote::FrictionCarries => Finding::key(Tone::Warn, said),
+        StackNote::FrictionCarries
+        | StackNote::WithoutDilatancy { .. }
+        | StackNote::UpperBound
+        | StackNote::BondCarries
+        | StackNote::KineticFalls
+        | StackNote::Gaps { .. } => Finding::key(Tone::Warn, said),
         StackNote::LoadsWithoutMass { with_g, without_g } if is_less(*without_g, *with_g) => {
             Finding::key(Tone::Warn, said)
         }
@@ -91,6 +96,7 @@ fn noted(of: &StackNote, stack: &Stack) -> Finding {
         | StackNote::CohesionCounted
         | StackNote::TensionLeftOut
         | StackNote::KineticLess { .. }
+        | StackNote::KineticShared { .. }
         | StackNote::TiesLeftOut
         | StackNote::PeriodUnknown => Finding::new(Tone::Warn, said),
     }

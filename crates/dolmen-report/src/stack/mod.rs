@@ -1,4 +1,4 @@
-//! What is said of a stack of stones: findings, and the sections of its check.
+//! What an answer says of a stack of stones: findings, and the sections of its check.
 
 mod beside;
 mod findings;
@@ -18,6 +18,7 @@ pub(crate) use beside::beside;
 pub(crate) use findings::findings;
 pub(crate) use lean::lean;
 pub(crate) use mechanism::{joint_rows, joints_moving, moving_columns};
+pub(crate) use notes::widest;
 pub(crate) use supports::movements;
 pub(crate) use variants::comparison;
 pub(crate) use verdict::{banner, thresholds};

@@ -1,9 +1,9 @@
 //! What to know of the numbers of a stack.
 
-use super::words::in_g;
-use dolmen::assess::StackNote;
+use super::words::{in_g, place, value};
+use dolmen::assess::{Gaps, StackNote};
 use dolmen::structure::stack::{Body, Stack};
-use dolmen_words::{Quantity, Sentence, messages};
+use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 
 messages! {
     /// Notes on the limits of a stack.
@@ -80,6 +80,42 @@ messages! {
             en: "Sliding is found with the static friction; a joint that moves once has the kinetic one, and with that in every joint sliding begins at {slides_at}.",
             ko: "미끄러짐은 정지마찰로 구하였다. 한번 움직인 접합면에는 운동마찰이 작용하며, 모든 접합면에 운동마찰을 적용하면 {slides_at}에서 미끄러진다.",
         },
+        WithoutDilatancy { dilating: Quantity, without: Quantity } => {
+            en: "Upright joints slide as it begins to move. Friction that lets them rise would hold {dilating}, which is an upper bound; without friction in them {without} is held, and that counts.",
+            ko: "움직이기 시작할 때 연직 접합면이 미끄러진다. 미끄러지며 벌어지는 것으로 보는 마찰(연합 흐름)로는 {dilating}(상한값)이나, 그 마찰을 뺀 {without}으로 판정한다.",
+        },
+        UpperBound => {
+            en: "The acceleration is an upper bound: joints slide while others open, and the limit analysis lets sliding joints rise, which real ones do not.",
+            ko: "이 가속도는 상한값이다. 다른 접합면이 벌어질 때 미끄러지는 접합면이 있는데, 한계해석은 미끄러지는 접합면이 들리는 것으로 가정하나 실제는 그렇지 않다.",
+        },
+        BondCarries => {
+            en: "Held by bond: without the cohesion of its joints no forces balance the weight. A bond breaks brittle and one joint after the other, so the verdict is no better than marginal.",
+            ko: "부착으로 지탱된다: 접합면의 점착력이 없으면 자중과 평형을 이루는 힘이 존재하지 않는다. 부착은 취성으로 하나씩 파괴되므로 판정은 '여유 부족'을 넘지 않는다.",
+        },
+        GapClosed { widest: Sentence, joints: usize } => {
+            en: "Taken as closed: {widest}, the widest gap (joints drawn with one: {joints}), for a stone would float without them. Mortar or shims must fill them.",
+            ko: "닫힌 것으로 보았다: {widest}(간격을 두고 입력한 접합면 {joints}개 중 가장 넓은 것). 그렇지 않으면 부재가 떠 있게 된다. 모르타르나 쐐기로 채워져 있어야 한다.",
+        },
+        GapFalls { widest: Sentence, joints: usize } => {
+            en: "Taken as closed: {widest}, the widest gap (joints drawn with one: {joints}). With them open it does not stand, so the verdict is no better than marginal: see whether they are filled.",
+            ko: "닫힌 것으로 보았다: {widest}(간격을 두고 입력한 접합면 {joints}개 중 가장 넓은 것). 벌어진 것으로 보면 서 있지 못하므로 판정은 '여유 부족'을 넘지 않는다. 채워져 있는지 확인한다.",
+        },
+        GapOpen { widest: Sentence, joints: usize, closed: Sentence } => {
+            en: "Left open: {widest}, the widest gap (joints drawn with one: {joints}). Closed they would let it begin to move at {closed}. If they are filled, draw the stones touching.",
+            ko: "벌어진 것으로 보았다: {widest}(간격을 두고 입력한 접합면 {joints}개 중 가장 넓은 것). 닫혀 있으면 {closed}에서 움직이기 시작한다. 채워져 있으면 부재를 맞닿게 입력한다.",
+        },
+        Gap { lower: Sentence, upper: String, width: Quantity } => {
+            en: "{lower} – {upper}, {width} apart",
+            ko: "{lower} – {upper}, 간격 {width}",
+        },
+        KineticShared { moves_at: Quantity } => {
+            en: "With the kinetic friction in every joint, which a joint that moves once has, it begins to move at {moves_at}.",
+            ko: "한번 움직인 접합면에는 운동마찰이 작용한다. 모든 접합면에 운동마찰을 적용하면 {moves_at}에서 움직이기 시작한다.",
+        },
+        KineticFalls => {
+            en: "With the kinetic friction in every joint, which a joint that moves once has, it does not stand: no forces balance the weight.",
+            ko: "한번 움직인 접합면에는 운동마찰이 작용한다. 모든 접합면에 운동마찰을 적용하면 자중과 평형을 이루는 힘이 없어 서 있지 못한다.",
+        },
         NoTies => {
             en: "Ties are left out of the capacity, which is on the safe side; thresholds with ties at their strength stand beside it.",
             ko: "연결재는 저항 가속도에 포함하지 않았으며(안전측), 강도까지 작용할 때의 값을 함께 제시한다.",
@@ -102,6 +138,20 @@ pub(super) fn is_less(without_g: Option<f64>, with_g: Option<f64>) -> bool {
 
 /// By how much less before the answer gives both: what the solver loses is 1e-8.
 const LESS: f64 = 1e-3;
+
+/// The joint with the widest gap.
+pub(crate) fn widest(lower: &str, upper: String, gap_m: f64) -> Sentence {
+    let lower = match lower {
+        "ground" => place("the ground"),
+        name => place(name),
+    };
+    Notes::Gap {
+        lower,
+        upper,
+        width: Quantity::new(gap_m, Unit::si("m"), Digits::Fixed(4)),
+    }
+    .into()
+}
 
 /// A note of the check.
 pub(super) fn note(of: &StackNote, stack: &Stack) -> Sentence {
@@ -155,6 +205,38 @@ pub(super) fn note(of: &StackNote, stack: &Stack) -> Sentence {
         StackNote::KineticLess { slides_at_g } => Notes::KineticLess {
             slides_at: in_g(*slides_at_g),
         },
+        StackNote::WithoutDilatancy {
+            dilating_g,
+            without_g,
+        } => Notes::WithoutDilatancy {
+            dilating: in_g(*dilating_g),
+            without: in_g(*without_g),
+        },
+        StackNote::UpperBound => Notes::UpperBound,
+        StackNote::BondCarries => Notes::BondCarries,
+        StackNote::KineticShared { moves_at_g } => Notes::KineticShared {
+            moves_at: in_g(*moves_at_g),
+        },
+        StackNote::KineticFalls => Notes::KineticFalls,
+        StackNote::Gaps {
+            lower,
+            upper,
+            gap_m,
+            joints,
+            gaps,
+        } => {
+            let upper = stack.name(Body::Block(*upper)).to_owned();
+            let (widest, joints) = (widest(stack.name(*lower), upper, *gap_m), *joints);
+            match gaps {
+                Gaps::Closed => Notes::GapClosed { widest, joints },
+                Gaps::FallsOpen => Notes::GapFalls { widest, joints },
+                Gaps::Open { closed_g } => Notes::GapOpen {
+                    widest,
+                    joints,
+                    closed: closed_g.map_or_else(|| Sentence::of_symbol("–"), |at| value(in_g(at))),
+                },
+            }
+        }
         StackNote::TiesLeftOut => Notes::NoTies,
         StackNote::PeriodUnknown => Notes::NoPeriod,
     };

@@ -43,6 +43,11 @@ pub(super) fn in_g(acceleration_g: f64) -> Quantity {
     Quantity::new(acceleration_g, Unit::si("g"), Digits::Significant(DIGITS))
 }
 
+/// A number alone.
+pub(super) fn value(value: Quantity) -> Sentence {
+    Words::Value { value }.into()
+}
+
 /// An acceleration over gravity, with ∞ for what no acceleration reaches.
 pub(super) fn at(threshold: &Threshold) -> Sentence {
     match threshold.acceleration_g.is_finite() {

@@ -16,6 +16,18 @@ messages! {
             en: "The static loads of the file act all the time, as they are; they have no mass.",
             ko: "입력한 정하중은 계수 없이 전 시간 동안 작용하며 질량은 없다.",
         },
+        TiltLeftOut { survey: String, tilt: String } => {
+            en: "The run starts plumb: the tilt of survey {survey} ({tilt}) is not in it, and what leans falls sooner. Give the stones as they lean (`tilt`, `offset`, `points`).",
+            ko: "이 해석은 연직 상태에서 시작하며 {survey} 조사의 실측 기울기({tilt})를 반영하지 않았다. 기울어진 구조물은 더 일찍 전도된다. 부재를 기울어진 대로 입력한다(`tilt`, `offset`, `points`).",
+        },
+        GapsOpen { widest: Sentence, joints: usize } => {
+            en: "Joints drawn with a gap start open: {widest}, the widest of {joints}.",
+            ko: "간격을 두고 입력한 접합면은 벌어진 상태에서 시작한다: {widest}, {joints}개 중 가장 넓은 것.",
+        },
+        GapsClosed { widest: Sentence, joints: usize } => {
+            en: "Joints drawn with a gap are taken as closed: {widest}, the widest of {joints}.",
+            ko: "간격을 두고 입력한 접합면을 닫힌 것으로 보았다: {widest}, {joints}개 중 가장 넓은 것.",
+        },
         NoWind => {
             en: "The wind of the file does not blow during the motion.",
             ko: "지진동이 작용하는 동안 입력한 풍하중은 고려하지 않았다.",

@@ -4,7 +4,7 @@ use super::ending::Ending;
 use super::run::{Run, made_too_much};
 use super::{laws, repeats, sliding};
 use crate::document::{Finding, Tone};
-use crate::stack::lean;
+use crate::stack::{lean, widest};
 use dolmen::assess::DamageState;
 use dolmen::blocks::{ContactLaw, Outcome};
 use dolmen_words::{Digits, Quantity, Unit};
@@ -28,6 +28,19 @@ pub(crate) fn findings(runs: &StackRuns) -> Vec<Finding> {
     all.extend(sliding::finding(runs));
     all.extend(runs.repeats.as_ref().map(repeats::finding));
     all.extend(simulation.lean.as_ref().map(lean));
+    all.extend(simulation.tilt_left_out.clone().map(|of| {
+        let (survey, tilt) = (of.survey, of.written);
+        Finding::key(Tone::Warn, Ending::TiltLeftOut { survey, tilt })
+    }));
+    all.extend(simulation.gaps.as_ref().map(|of| {
+        let (gap, joints) = (&of.gap, of.gap.joints);
+        let widest = widest(&gap.lower, gap.upper.clone(), gap.gap_m);
+        let said = match of.are_open {
+            true => Ending::GapsOpen { widest, joints },
+            false => Ending::GapsClosed { widest, joints },
+        };
+        Finding::key(Tone::Warn, said)
+    }));
     if !simulation.stack.static_loads().is_empty() {
         all.push(Finding::key(Tone::Plain, Ending::LoadsAct));
     }

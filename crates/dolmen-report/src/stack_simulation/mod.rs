@@ -1,4 +1,4 @@
-//! What is said of a stack under a motion: how it ended, joint by joint, in time.
+//! What an answer says of a stack under a motion: how it ended, joint by joint, in time.
 
 mod ending;
 mod findings;

@@ -6,7 +6,7 @@ use crate::document::{Block, Document};
 use dolmen_words::{Quantity, Sentence, messages};
 use dolmen_work::study::{CapacityOf, ScanVerdict, StudyAnswer, StudyKind};
 
-/// Scans that are named; the others are in capacities.csv.
+/// Most scans that a doubt names; the others are in capacities.csv.
 const NAMED_MOST: usize = 10;
 
 messages! {
@@ -61,7 +61,7 @@ pub(super) fn section(document: &mut Document<'_>, answer: &StudyAnswer) {
 /// What must not be overlooked.
 pub(super) fn doubts(answer: &StudyAnswer) -> Vec<Sentence> {
     let mut said = Vec::new();
-    let out = answer.left_out().saturating_sub(answer.missing.len()); // those are said to be unfinished
+    let out = answer.left_out().saturating_sub(answer.missing.len()); // another sentence calls those unfinished
     if out > 0 {
         let jobs = scans(answer.jobs());
         said.push(LeftOut::Unusable { out, jobs }.into());

@@ -48,6 +48,18 @@ messages! {
             en: "None of {scans} drifted beyond the allowable {limit} of a storey that the file sets ([limits]), up to {largest}.",
             ko: "{scans} 모두 {largest}까지 파일에서 정한 허용 층간변위 {limit}([limits]) 이내이다.",
         },
+        FirstBeyond { before: usize, limit: Quantity } => {
+            en: "In {before} scans more the motion before drifts beyond the allowable {limit} by itself.",
+            ko: "그 밖의 증분해석 {before}건에서는 앞선 지반운동만으로 허용 층간변위 {limit}을(를) 넘는다.",
+        },
+        FellBefore { alone: usize, scans: Sentence } => {
+            en: "{alone} of {scans} fall under their own weight or in the motion before: nothing is left of them. They count with a capacity of 0.",
+            ko: "{scans} 중 {alone}건은 자중으로 또는 앞선 지반운동에서 붕괴하여 남은 내력이 없으며, 내력 0으로 계산하였다.",
+        },
+        LeanCounted { drift: Sentence, lean: Quantity } => {
+            en: "{drift} The lean as surveyed takes {lean} of it.",
+            ko: "{drift} 그중 {lean}은(는) 조사한 기울기이다.",
+        },
         Median { state: Sentence, theta: Quantity, beta: Quantity } => {
             en: "The curve fitted to them (lognormal) has its median for “{state}” at {theta}, scatter of the logarithm β = {beta}.",
             ko: "적합한 대수정규 취약도 곡선에서 ‘{state}’ 상태의 중앙값은 {theta}, 대수 표준편차는 β = {beta}이다.",
@@ -99,11 +111,13 @@ pub(crate) fn findings(answer: &StudyAnswer) -> Vec<Finding> {
 }
 
 /// The scans against the allowable drift of the file.
-fn allowed_drift(answer: &StudyAnswer) -> Option<Finding> {
-    let found = answer.allowed_drift()?;
+fn allowed_drift(answer: &StudyAnswer) -> Vec<Finding> {
+    let Some(found) = answer.allowed_drift() else {
+        return Vec::new();
+    };
     let scans = words::scans(found.scans);
     let limit = Quantity::percent(found.limit, 3);
-    Some(match found.least_m_s2 {
+    let (tone, said) = match found.least_m_s2 {
         Some(least) => {
             let said = Found::DriftBeyond {
                 beyond: found.beyond,
@@ -111,7 +125,7 @@ fn allowed_drift(answer: &StudyAnswer) -> Option<Finding> {
                 limit,
                 least: g(answer, least),
             };
-            Finding::key(Tone::Warn, said)
+            (Tone::Warn, said)
         }
         None => {
             let largest = g(answer, found.largest_m_s2);
@@ -120,9 +134,24 @@ fn allowed_drift(answer: &StudyAnswer) -> Option<Finding> {
                 limit,
                 largest,
             };
-            Finding::key(Tone::Plain, said)
+            (Tone::Plain, said)
         }
-    })
+    };
+    let said: Sentence = match found.lean > 0.0 {
+        true => Found::LeanCounted {
+            drift: said.into(),
+            lean: Quantity::percent(found.lean, 3),
+        }
+        .into(),
+        false => said.into(),
+    };
+    let mut all = vec![Finding::key(tone, said)];
+    if found.before > 0 {
+        let limit = Quantity::percent(found.limit, 3);
+        let before = found.before;
+        all.push(Finding::key(Tone::Warn, Found::FirstBeyond { before, limit }));
+    }
+    all
 }
 
 /// How many fall without shaking.
@@ -148,6 +177,7 @@ fn fell_alone(answer: &StudyAnswer) -> Option<Finding> {
     let interval = clopper_pearson(fallen, all, words::CONFIDENCE).ok();
     let drawn = answer.study.samples.is_some_and(|samples| samples > 1) && answer.study.combinations() == 1;
     let said = match interval.filter(|_| drawn) {
+        _ if answer.study.after.is_some() => Found::FellBefore { alone, scans },
         Some(interval) => Found::FellAlone {
             alone,
             scans,

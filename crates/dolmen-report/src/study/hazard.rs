@@ -6,7 +6,7 @@ use dolmen_project::HazardSource;
 use dolmen_words::{Quantity, Sentence, messages};
 use dolmen_work::study::{StudyAnswer, YEARS};
 
-/// Share of a rate from beyond the points of the hazard that is said. Chosen here.
+/// Least share of a rate from beyond the points of the hazard that the answer gives. Chosen here.
 const BEYOND_SAID: f64 = 0.1;
 
 messages! {

@@ -1,4 +1,4 @@
-//! What is said of a study: findings, and its section.
+//! What an answer says of a study: findings, and its section.
 
 mod before;
 mod capacities;

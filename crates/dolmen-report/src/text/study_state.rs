@@ -2,7 +2,7 @@
 
 use dolmen_work::study::Plan;
 
-/// Missing scans that are named; more are counted.
+/// Most missing scans that the text names; it counts the others.
 const MISSING_SHOWN: usize = 20;
 
 /// A shard that ended: its journal is its result.

@@ -1,4 +1,4 @@
-//! What is said of dampers beside the rule and the best: findings, a section a damper, and all of them together.
+//! What an answer says of dampers beside the rule and the best: findings, a section a damper, and all of them together.
 
 mod choices;
 mod findings;

@@ -1,4 +1,4 @@
-//! Words that are said of dampers beside the rule and the best.
+//! Words for dampers beside the rule and the best.
 
 use crate::building::direction_words;
 use dolmen::damper::{Choice, Goal};

@@ -90,7 +90,7 @@ impl Parts {
         ));
     }
 
-    /// All that is said of one project.
+    /// All that the report says of one project.
     pub(super) fn project(&mut self, answer: &ProjectReport, imprint: &Imprint, alone: bool) {
         let language = self.language;
         self.cover(answer, imprint);

@@ -18,6 +18,7 @@ messages! {
             ko: "{survey}의 지진{peak}{changed} 이후 보수나 점검이 있었다.",
         },
         PeakOf { peak: Quantity } => { en: ", peak acceleration {peak}", ko: "(최대가속도 {peak})" },
+        AtLeast { peak: Quantity } => { en: ", peak acceleration at least {peak}", ko: "(최대가속도 {peak} 이상)" },
         ChangedBy { by: Quantity } => { en: ", a frequency changed by {by}", ko: "(고유진동수 변화 {by})" },
         NoMore => { en: "", ko: "" },
     }
@@ -27,8 +28,12 @@ messages! {
 pub(super) fn earthquakes(answer: &WatchAnswer) -> Vec<Finding> {
     let said = |of: &WatchedEarthquake| {
         let survey = of.survey.clone();
-        let peak = of.part.peak_m_s2.map_or(Felt::NoMore, |peak| Felt::PeakOf {
-            peak: Quantity::new(peak, Unit::si("m/s²"), Digits::Significant(3)),
+        let peak = of.part.peak_m_s2.map_or(Felt::NoMore, |peak| {
+            let peak = Quantity::new(peak, Unit::si("m/s²"), Digits::Significant(3));
+            match of.part.is_at_least {
+                true => Felt::AtLeast { peak },
+                false => Felt::PeakOf { peak },
+            }
         });
         let is_beyond = |by: &f64| {
             of.part

@@ -1,5 +1,6 @@
 //! What a history says in plain words.
 
+use super::cause::{Cause, cause};
 use super::earthquakes::earthquakes;
 use super::failing::failing;
 use super::last::{far_off, last_off, last_survey};
@@ -7,10 +8,10 @@ use super::logs::logs;
 use super::lost::{last_apart, lost, wandering};
 use super::numbers::{HALF_95, bare_percent, hertz, name, percent, plain};
 use super::tilts::{changed, leans, stands_alone, tilt, worked};
+use super::unsearched::{is_far, unsearched};
 use crate::document::{Finding, Tone};
 use dolmen::monitoring::{ChangeForm, StructureAlarm, WatchedChange, WatchedMode, WeatherKnown, WorkEffect};
 use dolmen::numeric::quantile;
-use dolmen_project::WorkKind;
 use dolmen_words::message::Both;
 use dolmen_words::{Language, Quantity, Sentence, Values, messages};
 use dolmen_work::watched::WatchAnswer;
@@ -119,15 +120,6 @@ messages! {
     }
 }
 
-messages! {
-    /// Why, or what stands near in time.
-    pub(crate) enum Cause in "watch.cause" {
-        Nothing => { en: "", ko: "" },
-        Sensors { number: usize, what: String } => { en: ", and work {number} on the sensors fell into that time ({what})", ko: ", 이 기간에 센서 작업 {number}({what})이 있었다" },
-        Event { number: usize, what: String } => { en: ", as event {number} fell into that time ({what})", ko: ", 이 기간에 사건 {number}({what})이 있었다" },
-    }
-}
-
 pub(super) fn chance(p: f64) -> Sentence {
     match p < 0.001 {
         true => Found::ChanceBelow.into(),
@@ -152,6 +144,7 @@ pub(crate) fn findings(answer: &WatchAnswer) -> Vec<Finding> {
     all.extend(last_survey(answer));
     all.extend(changes(answer));
     all.extend(after);
+    all.extend(unsearched(answer));
     all.extend(weather(answer));
     all.extend(leans(answer));
     let tilts = &answer.watched.tilts;
@@ -314,6 +307,7 @@ fn changes(answer: &WatchAnswer) -> Vec<Finding> {
         let unchanged = match off.is_empty()
             && wandering.is_empty()
             && !is_doubtful(answer)
+            && !is_far(answer)
             && !answer.has_unanswered_change()
         {
             true => Finding::key(Tone::Good, said),
@@ -379,20 +373,6 @@ fn told(answer: &WatchAnswer, mode: &WatchedMode, change: &WatchedChange) -> Fou
 fn event(answer: &WatchAnswer, change: &WatchedChange) -> Cause {
     let day = |survey: usize| answer.surveys.get(survey).map_or(f64::NAN, |survey| survey.day);
     cause(answer, [day(change.after), day(change.before)])
-}
-
-/// The work between two days that may be the cause of what was found: an event before work on the sensors.
-pub(super) fn cause(answer: &WatchAnswer, [from, to]: [f64; 2]) -> Cause {
-    let within = |kind: WorkKind| {
-        let mut all = answer.works.iter().enumerate();
-        let found = all.find(|(_, (when, work))| work.kind == kind && (from..=to).contains(when));
-        found.map(|(i, (_, work))| (i + 1, work.what.clone().unwrap_or_else(|| work.date.clone())))
-    };
-    match (within(WorkKind::Event), within(WorkKind::Sensors)) {
-        (Some((number, what)), _) => Cause::Event { number, what },
-        (None, Some((number, what))) => Cause::Sensors { number, what },
-        (None, None) => Cause::Nothing,
-    }
 }
 
 /// That what inspections found is not watched, where there are several.

@@ -61,7 +61,7 @@ messages! {
     }
 }
 
-/// Days that are named.
+/// Most days that a cell names.
 const NAMED_MOST: usize = 6;
 
 /// The tables, and notes on what was left out.

@@ -1,5 +1,6 @@
 //! The structure over the years: findings, and the section on its surveys in time.
 
+mod cause;
 mod earthquakes;
 mod failing;
 mod findings;
@@ -10,6 +11,7 @@ mod lost;
 mod numbers;
 mod tables;
 mod tilts;
+mod unsearched;
 
 pub(crate) use findings::findings;
 pub(crate) use logs::label;
@@ -56,7 +58,7 @@ messages! {
 }
 
 /// The sentences on a history as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 12] = [
+pub(crate) const TEMPLATES: [&[Template]; 13] = [
     earthquakes::Felt::TEMPLATES,
     logs::Logged::TEMPLATES,
     log_table::LogTable::TEMPLATES,
@@ -66,7 +68,8 @@ pub(crate) const TEMPLATES: [&[Template]; 12] = [
     last::Unjudged::TEMPLATES,
     lost::Missing::TEMPLATES,
     tilts::Tilted::TEMPLATES,
-    findings::Cause::TEMPLATES,
+    cause::Cause::TEMPLATES,
+    unsearched::Unsearched::TEMPLATES,
     failing::Failing::TEMPLATES,
     tables::Listed::TEMPLATES,
 ];

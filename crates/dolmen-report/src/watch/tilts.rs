@@ -1,9 +1,10 @@
 //! What the tilts of a structure say: beyond their limit, jumped, growing.
 
+use super::cause::cause;
 use super::numbers::{HALF_95, name, plain, slope};
 use crate::document::{Finding, Tone};
 use dolmen::monitoring::{ChangeForm, TiltSeries, TiltTrend};
-use dolmen_words::{Quantity, messages};
+use dolmen_words::{Quantity, Sentence, messages};
 use dolmen_work::watched::{LeanNow, WatchAnswer};
 
 messages! {
@@ -29,9 +30,21 @@ messages! {
             en: "With the repair of {date} the tilt along {direction} changed by {by} ± {half} mm/m.",
             ko: "{date} 보수 전후로 {direction} 방향 기울기가 {by} ± {half} mm/m 변하였다.",
         },
-        TiltJumped { direction: String, by: Quantity, half: Quantity, after: String, before: String } => {
-            en: "The tilt along {direction} jumped by {by} ± {half} mm/m between {after} and {before}: look at the structure and at the marks.",
-            ko: "{direction} 방향 기울기가 {after}~{before} 사이에 {by} ± {half} mm/m 급변하였다. 구조물과 측정 기준점을 점검한다.",
+        TiltJumped { direction: String, by: Quantity, half: Quantity, after: String, before: String, cause: Sentence } => {
+            en: "The tilt along {direction} jumped by {by} ± {half} mm/m between {after} and {before}{cause}: look at the structure and at the marks.",
+            ko: "{direction} 방향 기울기가 {after}~{before} 사이에 {by} ± {half} mm/m 급변하였다{cause}. 구조물과 측정 기준점을 점검한다.",
+        },
+        TiltTurned { direction: String, by: Quantity, half: Quantity, after: String, before: String } => {
+            en: "The tilt along {direction} changed its sign between {after} and {before}, by {by} ± {half} mm/m, and hardly its size: was the sign written the other way round? Correct the readings that have it wrong; if it is right, look at the structure.",
+            ko: "{direction} 방향 기울기가 {after}~{before} 사이에 크기는 거의 그대로이면서 부호가 바뀌었다({by} ± {half} mm/m). 부호를 반대로 적은 것은 아닌가? 잘못 적은 값을 고치고, 값이 맞다면 구조물을 점검한다.",
+        },
+        TiltEitherSign { direction: String, yearly: Quantity, limit: Quantity, years: Quantity } => {
+            en: "Along {direction} no year of the limit is given until that sign is settled. If the tilt grows in size by {yearly} mm/m a year, it reaches its limit of {limit} mm/m in {years} years.",
+            ko: "부호가 확인될 때까지 {direction} 방향 기울기가 한계에 이르는 해를 정하지 않는다. 크기가 해마다 {yearly} mm/m씩 커진다면 {years}년 뒤에 한계 {limit} mm/m에 이른다.",
+        },
+        TiltCarried { direction: String, since: String, yearly: Quantity, half: Quantity, limit: Quantity, years: Quantity, earliest: Quantity, latest: Quantity } => {
+            en: "The tilt along {direction} has another mark since {since}, which shows no slope of its own yet. If it goes on at the {yearly} ± {half} mm/m a year of the mark before, it reaches its limit of {limit} mm/m in {years} years ({earliest} to {latest}).",
+            ko: "{direction} 방향 기울기는 {since}부터 다른 기준점을 쓰며 그 측정값만으로는 아직 변화 속도를 알 수 없다. 이전 기준점의 속도 해마다 {yearly} ± {half} mm/m가 이어지면 {years}년({earliest}~{latest}년) 뒤에 한계 {limit} mm/m에 이른다.",
         },
         TiltBeyond { direction: String, now: Quantity, limit: Quantity } => {
             en: "The tilt along {direction} is {now} mm/m, beyond its limit of {limit} mm/m.",
@@ -52,31 +65,39 @@ messages! {
     }
 }
 
-/// Leans beyond their limit, where no trend of one direction says so already.
+/// Leans beyond their limit, which the exit status and every list count alike; and when several directions together reach it.
 pub(super) fn leans(answer: &WatchAnswer) -> Vec<Finding> {
-    let told = |lean: &LeanNow| {
-        let mut own = answer.watched.tilts.iter().filter(|trend| {
-            trend.series.datum == lean.datum && lean.directions.contains(&trend.series.direction)
-        });
-        own.any(|trend| {
-            trend
-                .slope
-                .and_then(|slope| slope.share_of_limit())
-                .is_some_and(|share| share >= 1.0)
-        })
-    };
     let each = answer.leans().into_iter().filter_map(|lean| {
         let (now, limit) = (slope(lean.size, 2), slope(lean.limit?.abs(), 2));
+        let own: Vec<&TiltTrend> = trends(answer, &lean).collect();
         if lean.is_beyond() {
-            let directions = lean.directions.clone();
-            let said = Tilted::LeansBeyond {
-                directions,
-                now,
-                limit,
+            let mut directions = lean.directions.clone();
+            own.iter()
+                .zip(&mut directions)
+                .for_each(|(trend, to)| *to = direction_of(answer, trend));
+            let said = match own.as_slice() {
+                [alone] => {
+                    let side = alone
+                        .slope
+                        .map(|slope| slope.now)
+                        .or(alone.series.ratios.last().copied());
+                    let signed = |size: f64| slope(size.copysign(side.unwrap_or(size)), 2);
+                    Tilted::TiltBeyond {
+                        direction: direction_of(answer, alone),
+                        now: signed(lean.size),
+                        limit: signed(lean.limit?.abs()),
+                    }
+                }
+                _ => Tilted::LeansBeyond {
+                    directions,
+                    now,
+                    limit,
+                },
             };
-            return (!told(&lean)).then(|| Finding::key(Tone::Bad, said));
+            return Some(Finding::key(Tone::Bad, said));
         }
-        let years = lean.years.filter(|_| lean.directions.len() > 1)?;
+        let is_replaced = own.iter().any(|trend| answer.is_replaced(&trend.series));
+        let years = lean.years.filter(|_| lean.directions.len() > 1 && !is_replaced)?;
         let said = Tilted::LeansReach {
             directions: lean.directions,
             now,
@@ -86,6 +107,14 @@ pub(super) fn leans(answer: &WatchAnswer) -> Vec<Finding> {
         Some(Finding::key(Tone::Warn, said))
     });
     each.collect()
+}
+
+/// The trends of a lean, in its order.
+fn trends<'a>(answer: &'a WatchAnswer, lean: &'a LeanNow) -> impl Iterator<Item = &'a TiltTrend> {
+    lean.directions.iter().filter_map(|direction| {
+        let mut all = answer.watched.tilts.iter();
+        all.find(|trend| trend.series.datum == lean.datum && trend.series.direction == *direction)
+    })
 }
 
 /// Whether the limit holds for this direction together with another one.
@@ -105,16 +134,6 @@ fn direction_of(answer: &WatchAnswer, trend: &TiltTrend) -> String {
         Some(datum) if others.clone().any(is_other) => format!("{} ({datum})", own.direction),
         _ => own.direction.clone(),
     }
-}
-
-/// Whether a later series of the direction, of another datum, took its place.
-fn is_ended(answer: &WatchAnswer, trend: &TiltTrend) -> bool {
-    let own = &trend.series;
-    let others = answer.watched.tilts.iter().map(|other| &other.series);
-    let last = |of: &TiltSeries| of.surveys.last().copied();
-    others
-        .filter(|other| other.direction == own.direction)
-        .any(|other| last(other) > last(own))
 }
 
 /// The survey of a reading.
@@ -144,13 +163,22 @@ pub(super) fn changed(answer: &WatchAnswer, trend: &TiltTrend) -> Vec<Finding> {
         let bends = later.filter(|of| of.form == ChangeForm::Slope);
         now - bends.map(|of| of.size).sum::<f64>()
     };
+    let day = |reading: usize| trend.series.days.get(reading).copied().unwrap_or(f64::NAN);
     let each = trend.changes.iter().enumerate().map(|(i, of)| match of.form {
+        ChangeForm::Step if trend.turns_sign(of) => Tilted::TiltTurned {
+            direction: direction.clone(),
+            by: slope(of.size, 3),
+            half: slope(HALF_95 * of.sd, 3),
+            after: survey(answer, trend, of.after),
+            before: survey(answer, trend, of.before),
+        },
         ChangeForm::Step => Tilted::TiltJumped {
             direction: direction.clone(),
             by: slope(of.size, 3),
             half: slope(HALF_95 * of.sd, 3),
             after: survey(answer, trend, of.after),
             before: survey(answer, trend, of.before),
+            cause: cause(answer, [day(of.after), day(of.before)]).into(),
         },
         ChangeForm::Slope => Tilted::TiltBends {
             direction: direction.clone(),
@@ -161,7 +189,45 @@ pub(super) fn changed(answer: &WatchAnswer, trend: &TiltTrend) -> Vec<Finding> {
             since: slope(since(i), 3),
         },
     });
-    each.map(|said| Finding::key(Tone::Warn, said)).collect()
+    let all = each.chain(either_sign(trend, &direction));
+    all.map(|said| Finding::key(Tone::Warn, said)).collect()
+}
+
+/// When a tilt whose sign is in question reaches its limit, if it goes away from the vertical.
+fn either_sign(trend: &TiltTrend, direction: &str) -> Option<Tilted> {
+    let found = trend
+        .slope
+        .filter(|_| trend.is_sign_in_question() && trend.is_beyond_chance())?;
+    let (limit, yearly) = (found.reach?.limit.abs(), found.per_year.abs());
+    // the fit takes the readings behind the step along the slope before it
+    let last = trend.series.ratios.last().map_or(0.0, |ratio| ratio.abs());
+    let left = limit - found.now.abs().max(last);
+    let years = left / yearly;
+    (left > 0.0).then(|| Tilted::TiltEitherSign {
+        direction: direction.to_owned(),
+        yearly: slope(yearly, 3),
+        limit: slope(limit, 2),
+        years: plain(years, usize::from(years < 10.0)),
+    })
+}
+
+/// When a tilt whose mark is new reaches its limit, at the slope of the mark before it.
+fn carried(answer: &WatchAnswer, trend: &TiltTrend) -> Option<Finding> {
+    let found = trend.carried.filter(|_| !is_of_several(answer, trend))?;
+    let reach = found.reach?;
+    let (years, earliest) = (reach.years?, reach.years_earliest?);
+    let decimals = usize::from(years < 10.0);
+    let said = Tilted::TiltCarried {
+        direction: direction_of(answer, trend),
+        since: survey(answer, trend, 0),
+        yearly: slope(found.per_year, 3),
+        half: slope(HALF_95 * found.sd_per_year, 3),
+        limit: slope(reach.limit, 2),
+        years: plain(years, decimals),
+        earliest: plain(earliest, decimals),
+        latest: plain(reach.years_latest.unwrap_or(f64::INFINITY), decimals),
+    };
+    Some(Finding::key(Tone::Warn, said))
 }
 
 /// What repairs did to a tilt.
@@ -181,39 +247,28 @@ pub(super) fn worked(answer: &WatchAnswer, trend: &TiltTrend) -> Vec<Finding> {
 
 /// What the readings of a tilt say of its years.
 pub(super) fn tilt(answer: &WatchAnswer, trend: &TiltTrend) -> Option<Finding> {
+    if let Some(said) = carried(answer, trend) {
+        return Some(said);
+    }
     let found = trend.slope.as_ref()?;
     let direction = direction_of(answer, trend);
-    let is_ended = is_ended(answer, trend) || is_of_several(answer, trend);
+    let is_ended = answer.is_replaced(&trend.series) || is_of_several(answer, trend);
     let (yearly, half) = (slope(found.per_year, 3), slope(HALF_95 * found.sd_per_year, 3));
     // the datum that took its place says what will be; so do both directions together, where the limit holds for both
-    if let Some(reach) = found.reach.filter(|_| !is_ended) {
-        if found.share_of_limit().is_some_and(|share| share >= 1.0) {
-            let (now, limit) = (
-                slope(found.now, 2),
-                slope(reach.limit.abs().copysign(found.now), 2),
-            );
-            return Some(Finding::key(
-                Tone::Bad,
-                Tilted::TiltBeyond {
-                    direction,
-                    now,
-                    limit,
-                },
-            ));
-        }
-        if let (Some(years), Some(earliest)) = (reach.years, reach.years_earliest) {
-            let decimals = usize::from(years < 10.0);
-            let said = Tilted::TiltReaches {
-                direction,
-                yearly,
-                half,
-                limit: slope(reach.limit, 2),
-                years: plain(years, decimals),
-                earliest: plain(earliest, decimals),
-                latest: plain(reach.years_latest.unwrap_or(f64::INFINITY), decimals),
-            };
-            return Some(Finding::key(Tone::Warn, said));
-        }
+    if let Some(reach) = found.reach.filter(|_| !is_ended)
+        && let (Some(years), Some(earliest)) = (reach.years, reach.years_earliest)
+    {
+        let decimals = usize::from(years < 10.0);
+        let said = Tilted::TiltReaches {
+            direction,
+            yearly,
+            half,
+            limit: slope(reach.limit, 2),
+            years: plain(years, decimals),
+            earliest: plain(earliest, decimals),
+            latest: plain(reach.years_latest.unwrap_or(f64::INFINITY), decimals),
+        };
+        return Some(Finding::key(Tone::Warn, said));
     }
     Some(match trend.is_beyond_chance() {
         true => Finding::key(

@@ -1,4 +1,4 @@
-//! What is said of a building in histories of the wind: how it moved, beside the mean square.
+//! What an answer says of a building in histories of the wind: how it moved, beside the mean square.
 
 mod said;
 mod shown;

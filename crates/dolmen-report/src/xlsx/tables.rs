@@ -94,7 +94,7 @@ fn rows_table(head: &Sentence, block: Block<'_>) -> Option<Table> {
     })
 }
 
-/// What is said of each of a few things: each number with the unit beside it.
+/// A value for each of a few things: each number with the unit beside it.
 fn key_values(head: &Sentence, rows: Vec<(Sentence, Cell)>) -> Table {
     let row = |(key, cell): (Sentence, Cell)| {
         let unit = match &cell {

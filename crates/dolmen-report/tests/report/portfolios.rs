@@ -223,7 +223,7 @@ fn holds_what_falls_alone_would_miss_is_said() {
         ("at_least", "", "")
     );
     assert_eq!(SCORE_STATES.len(), 4);
-    // a structure of which the state is not known is named, not dropped
+    // the answer names a structure of which the state is not known, and does not drop it
     let mut entries = answer.entries.clone();
     entries[2].states[2] = None;
     let again = PortfolioAnswer::of("list.csv".to_owned(), 2, entries, Vec::new(), 100).unwrap();

@@ -1,5 +1,5 @@
 // SOURCE     glTF 2.0 specification (Khronos, 2021), sec. 3 and 4: binary container, accessors, animations.
-// GOAL       A simulation is told alike in words, JSON, figures and film; the film is valid and moves as the history does.
+// GOAL       Words, JSON, figures and film tell a simulation alike; the film is valid and moves as the history does.
 // PARAMETERS Two blocks of 0.3 × 0.2 × 0.1 m under a pulse of 0.6 g along x, μ .3.
 // TOLERANCE  single precision in the film (6e-8 of a place); none elsewhere.
 
@@ -42,6 +42,8 @@ fn simulation() -> StackSimulation {
     let limits = stack_limits(&stack, &StackLimits::default()).unwrap();
     StackSimulation {
         without_wind: false,
+        tilt_left_out: None,
+        gaps: None,
         lean: None,
         damage: stack_damage(&stack, &limits, &history, &DamageThresholds::default()),
         limits,

@@ -46,7 +46,7 @@ fn standing(project: &Project, part: &BuildingPart, pick: Pick<'_>) -> Result<St
     let mut spectral_refused = None;
     let mut spectral = None;
     let (mut damped, mut damped_refused) = (None, None);
-    // a site that is refused is said with its demand
+    // the section on the demand gives the reason of a site that is refused
     if let Some(site) = project.site.as_ref().and_then(|site| site.demand().ok()) {
         let read = spectrum_of(&site);
         match spectral_analysis(&vibrating, &read) {

@@ -84,7 +84,7 @@ impl BeyondRoom {
 /// A simulation of a building, and its inputs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BuildingSimulation {
-    /// The project file, as it was named.
+    /// The project file, as the user named it.
     pub file: String,
     /// Name of the structure.
     pub name: Names,

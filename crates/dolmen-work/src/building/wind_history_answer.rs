@@ -10,7 +10,7 @@ use dolmen_project::{BuiltDamper, Names, strokes_of};
 /// What `dolmen simulate --wind` found.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WindSimulation {
-    /// The project file, as it was named.
+    /// The project file, as the user named it.
     pub file: String,
     /// Name of the structure.
     pub name: Names,

@@ -53,6 +53,7 @@ pub(crate) fn loads(
         combinations: Vec::new(),
         wind: None,
         wind_across: None,
+        frame_winds: Vec::new(),
     };
     let mut met = Vec::new();
     for wind in winds {

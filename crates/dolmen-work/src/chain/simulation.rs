@@ -78,7 +78,7 @@ impl ChainTogether {
 /// A simulation of a chain in one plane, and its inputs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ChainSimulation {
-    /// The project file, as it was named.
+    /// The project file, as the user named it.
     pub file: String,
     /// Name of the structure.
     pub name: Names,

@@ -7,5 +7,5 @@ mod when;
 
 pub use alarms::{AlarmSort, OpenAlarm, open_alarms};
 pub use taken::{Pattern, RecordFile, Taken, TakenSurvey};
-pub use verdict::{Verdict, verdict};
+pub use verdict::{Verdict, sensor_change, verdict};
 pub use when::{RecordTime, TimeSource, moment_of, record_time};

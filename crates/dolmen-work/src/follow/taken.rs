@@ -55,6 +55,8 @@ pub struct Taken {
     pub left_out: Vec<String>,
     /// The earthquake that it holds; its modes are then none of an ambient survey, and none are kept.
     pub earthquake: Option<Earthquake>,
+    /// Strong shaking that it holds, which may have been traffic; its modes are those of the rest of the record.
+    pub shaking: Option<Earthquake>,
     /// Its modes, or why there are none.
     pub modes: Result<Modes, WorkError>,
     came_as: String,
@@ -172,7 +174,7 @@ impl Pattern {
             name: &came_as,
             bytes: file.bytes,
         };
-        let read = record::record(&source, &files)?;
+        let read = record::record_to_identify(&source, &files)?;
         let time = record_time(read.begins_s, file.name, file.modified_s, now_s);
         let duration_s = read.samples as f64 / read.sampling_rate_hz;
         let faults = read.faults.clone();
@@ -181,17 +183,22 @@ impl Pattern {
         // a sensor that fails must not blind the others
         while let Some(failed) = found.as_ref().err().and_then(|why| without(why, &mut source)) {
             left_out.extend(failed);
-            found = identify::of_opened(&source, record::record(&source, &files)?, &Silent);
+            found = identify::of_opened(&source, record::record_to_identify(&source, &files)?, &Silent);
         }
         let (modes, doubts, earthquake) = match found {
             Ok((answer, _)) => {
                 let mut modes = answer.analysis.modes;
-                if answer.earthquake.is_some() {
+                let is_one = answer.earthquake.as_ref().is_some_and(Earthquake::is_one);
+                if is_one || answer.earthquake.as_ref().is_some_and(Earthquake::is_shaken) {
                     modes.modes.clear();
                 }
                 (Ok(modes), answer.doubts, answer.earthquake)
             }
             Err(why) => (Err(why), Vec::new(), None),
+        };
+        let (earthquake, shaking) = match earthquake {
+            Some(of) if !of.is_one() => (None, Some(of)),
+            of => (of, None),
         };
         Ok(Taken {
             time,
@@ -200,6 +207,7 @@ impl Pattern {
             doubts,
             left_out,
             earthquake,
+            shaking,
             modes,
             came_as,
             ending,

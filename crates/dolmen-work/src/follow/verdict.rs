@@ -2,7 +2,7 @@
 
 use crate::survey_dates::day_of_a_record;
 use crate::watched::WatchAnswer;
-use dolmen::monitoring::NotJudged;
+use dolmen::monitoring::{NotJudged, SensorChange};
 
 /// What a history says of a survey: of its day, where several are of one day.
 #[derive(Clone, Debug, PartialEq)]
@@ -44,11 +44,22 @@ pub enum Verdict {
 /// Scores beyond this are outside: one in 370.
 const OUTSIDE: f64 = 3.0;
 
-/// What a history says of one of its surveys.
-pub fn verdict(answer: &WatchAnswer, survey: &str) -> Verdict {
+/// Place of the survey, or of its day, in a history.
+fn place(answer: &WatchAnswer, survey: &str) -> Option<usize> {
     let day = day_of_a_record(survey);
     let is_it = |name: &str| name == survey || day.is_some_and(|day| name == day);
-    let Some(at) = answer.surveys.iter().position(|of| is_it(&of.name)) else {
+    answer.surveys.iter().position(|of| is_it(&of.name))
+}
+
+/// The sensor that was turned, moved or exchanged before a survey, by its shapes.
+pub fn sensor_change<'a>(answer: &'a WatchAnswer, survey: &str) -> Option<&'a SensorChange> {
+    let at = place(answer, survey)?;
+    answer.watched.tracked.sensors.iter().find(|of| of.survey == at)
+}
+
+/// What a history says of one of its surveys.
+pub fn verdict(answer: &WatchAnswer, survey: &str) -> Verdict {
+    let Some(at) = place(answer, survey) else {
         return Verdict::NoMode;
     };
     let modes = &answer.watched.modes;

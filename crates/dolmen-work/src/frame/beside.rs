@@ -51,9 +51,20 @@ impl SensorBeside {
 }
 
 impl FrameBeside {
+    /// Sensors at which the model moved the other way, else alike: they may be turned.
+    pub fn turned(&self) -> impl Iterator<Item = &SensorBeside> {
+        let is_turned = |of: &&SensorBeside| of.beside.correlation <= -SensorBeside::CORRELATION_LEAST;
+        self.sensors.iter().filter(is_turned)
+    }
+
     /// Whether the model moved as the structure did at every sensor.
     pub fn follows(&self) -> bool {
         !self.sensors.is_empty() && self.sensors.iter().all(SensorBeside::follows)
+    }
+
+    /// Whether the model moved otherwise at a sensor.
+    pub fn differs(&self) -> bool {
+        !self.sensors.iter().all(SensorBeside::follows)
     }
 
     /// The highest sensor.
@@ -113,7 +124,12 @@ pub(super) fn beside(
         .collect();
     sensors.sort_by(|a, b| a.height_m.total_cmp(&b.height_m));
     let of_axis = measured.channels.iter().filter(|of| of.component == component);
-    let misplaced = of_axis.filter(|of| !fits(of)).map(|of| of.name.clone());
+    let elsewhere = measured
+        .channels
+        .iter()
+        .filter(|of| !motion.motion.has(of.component));
+    let misplaced = of_axis.filter(|of| !fits(of)).chain(elsewhere);
+    let misplaced = misplaced.map(|of| of.name.clone());
     Some(FrameBeside {
         survey: measured.survey.clone(),
         step_s: measured.step_s,

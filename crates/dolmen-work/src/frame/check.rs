@@ -22,7 +22,7 @@ pub(crate) fn check(part: &FramePart, pick: Pick<'_>) -> Result<Vec<DirectionChe
         let columns = columns(part, &frame, stiffness.as_deref(), pick)?;
         checks.push(DirectionCheck {
             direction: direction.name.clone(),
-            lean: DirectionLean::of(part, &frame, direction, &columns)?,
+            lean: DirectionLean::of(part, &frame, direction, &columns, pick)?,
             columns,
             check,
             slipping,

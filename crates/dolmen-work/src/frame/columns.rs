@@ -105,6 +105,30 @@ pub(super) fn columns(
     Ok(all)
 }
 
+/// Drift over height at which the columns of each storey resist most, where they are all that holds it in a direction; `None` of other storeys. On springs as
+/// stiff as their beds nothing beyond it can be told.
+pub(super) fn alone_most(
+    part: &FramePart,
+    direction: &str,
+    pick: Pick<'_>,
+) -> Result<Vec<Option<f64>>, WorkError> {
+    let frame = part.build(pick)?;
+    let own = part.directions.iter().find(|own| own.name == direction);
+    let stiffness = own.and_then(|own| own.stiffness.as_ref());
+    let mut all = Vec::with_capacity(part.storeys.len());
+    for (i, (given, storey)) in part.storeys.iter().zip(frame.storeys()).enumerate() {
+        let is_alone = stiffness.is_some_and(|all| all[i].value == 0.0);
+        let Some(columns) = given.columns.as_ref().filter(|_| is_alone) else {
+            all.push(None);
+            continue;
+        };
+        let standing = columns.build(storey, pick)?.standing()?;
+        let most = standing.map_or(0.0, |standing| standing.greatest.drift_m / storey.height_m);
+        all.push(Some(most));
+    }
+    Ok(all)
+}
+
 fn springs(stiffness_n_m: Option<f64>, convention: Convention, beds_n_m: Option<f64>) -> Springs {
     match (stiffness_n_m, convention, beds_n_m) {
         (None, _, _) => Springs::Unknown,

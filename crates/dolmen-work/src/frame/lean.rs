@@ -5,7 +5,7 @@ use crate::error::WorkError;
 use dolmen::assess::demand::DRIFT_RATIO_MOST;
 use dolmen::stability::frame_lean_at_rest;
 use dolmen::structure::Frame;
-use dolmen_project::{DirectionPart, FramePart, Quantity};
+use dolmen_project::{DirectionPart, FramePart, Pick};
 
 /// A direction of a frame that leans as surveyed.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,9 +25,10 @@ impl DirectionLean {
         frame: &Frame,
         direction: &DirectionPart,
         columns: &[StoreyColumns],
+        pick: Pick<'_>,
     ) -> Result<Option<Self>, WorkError> {
         let tilt = part.tilt(&direction.name);
-        let at_rest = leaning(part, frame, direction)?.filter(|_| tilt != 0.0);
+        let at_rest = leaning(part, frame, direction, pick)?.filter(|_| tilt != 0.0);
         let falls = |storey: usize| {
             let own = columns.iter().find(|own| own.storey == storey + 1)?;
             Some(own.standing.map_or(0.0, |standing| standing.falls.drift_m) / own.height_m)
@@ -58,16 +59,17 @@ pub(super) fn leaning(
     part: &FramePart,
     frame: &Frame,
     direction: &DirectionPart,
+    pick: Pick<'_>,
 ) -> Result<Option<Vec<f64>>, WorkError> {
     let tilt = part.tilt(&direction.name);
-    let known = part.stiffness_n_m(&direction.name, &mut Quantity::nominal);
+    let known = part.stiffness_n_m(&direction.name, pick);
     let Some(stuck) = known.filter(|_| tilt != 0.0) else {
         return Ok(None);
     };
     let Some(mut leans) = frame_lean_at_rest(frame, &stuck, tilt)? else {
         return Ok(None);
     };
-    if let Some(slipping) = part.slipping_stiffness_n_m(&direction.name, &mut Quantity::nominal) {
+    if let Some(slipping) = part.slipping_stiffness_n_m(&direction.name, pick) {
         for (lean, slipped) in leans
             .iter_mut()
             .zip(frame_lean_at_rest(frame, &slipping, tilt)?.into_iter().flatten())

@@ -1,7 +1,9 @@
 //! Storeys of a frame against their allowable drift.
 
 use super::FrameSimulation;
+use super::columns::alone_most;
 use super::lean::leaning;
+use super::loads::with_loads;
 use super::simulate::storey_names;
 use crate::error::WorkError;
 use crate::part_limit::{Compared, NotCompared, Part, PartLimit, WhyNotCompared};
@@ -10,13 +12,14 @@ use dolmen::structure::Frame;
 use dolmen_project::{DirectionPart, FramePart, Quantity};
 
 /// The elastic drifts by the spectrum of the site, in each direction that stands: with every joint stuck or every joint slipping, whichever
-/// drifts further; the lean as surveyed, at rest, takes its part of what is allowed.
+/// drifts further; the lean as surveyed, at rest, of all directions together, takes its part of what is allowed.
 pub(crate) fn by_spectrum(
     part: &FramePart,
     site: &SiteDemand,
     limit: Option<&DriftLimit>,
 ) -> Result<Compared, WorkError> {
     let frame = part.build(&mut Quantity::nominal)?;
+    let lean = resultant_lean(part, &frame)?;
     let mut compared = Compared::default();
     for direction in &part.directions {
         let name = &direction.name;
@@ -29,14 +32,37 @@ pub(crate) fn by_spectrum(
             }
         };
         let storeys = storey_names(part).into_iter().zip(frame.storeys());
-        let leans = leaning(part, &frame, direction)?;
-        let leans = leans.unwrap_or_else(|| vec![0.0; frame.storeys().len()]);
-        let each = storeys.zip(drifts).zip(leans);
-        compared.parts.extend(each.map(|(((storey, of), drift_m), lean)| {
-            PartLimit::of_drift(Part::Storey(storey), name, drift_m / of.height_m, limit).taking(lean)
-        }));
+        let Some(leans) = with_loads(part, &frame, direction, lean.clone())? else {
+            let direction = Some(name.clone());
+            let why = WhyNotCompared::Falls;
+            compared.not_compared.push(NotCompared { direction, why });
+            continue;
+        };
+        let alone = alone_most(part, name, &mut Quantity::nominal)?;
+        let each = storeys.zip(drifts).zip(leans).zip(alone);
+        compared
+            .parts
+            .extend(each.map(|((((storey, of), drift_m), lean), most)| {
+                PartLimit::of_drift(Part::Storey(storey), name, drift_m / of.height_m, limit)
+                    .at_most(most)
+                    .taking(lean)
+            }));
     }
     Ok(compared)
+}
+
+/// How far each storey leans at rest, all directions together: a drift in any of them comes on top.
+fn resultant_lean(part: &FramePart, frame: &Frame) -> Result<Vec<f64>, WorkError> {
+    let mut squares = vec![0.0; frame.storeys().len()];
+    for direction in &part.directions {
+        let tilt = part.tilt(&direction.name);
+        let leans = leaning(part, frame, direction, &mut Quantity::nominal)?;
+        let leans = leans.unwrap_or_else(|| vec![tilt; squares.len()]);
+        for (square, lean) in squares.iter_mut().zip(leans) {
+            *square += lean * lean;
+        }
+    }
+    Ok(squares.into_iter().map(f64::sqrt).collect())
 }
 
 /// The drift of each storey in one direction, m, or why there is none.
@@ -69,17 +95,20 @@ impl FrameSimulation {
     /// Each storey against its allowable drift, of which the lean as surveyed takes its part; under two components also both directions together.
     pub fn parts(&self) -> Vec<PartLimit> {
         let limit = self.drift_limit.as_ref();
+        let tilt = self.lean.as_ref().map_or(0.0, |lean| lean.together);
         let storeys = self.frame.frame().storeys();
         let heights_m: Vec<f64> = storeys.iter().map(|storey| storey.height_m).collect();
         let each = self.storeys.iter().zip(&heights_m).zip(&self.history.drift_peaks);
         let mut all: Vec<PartLimit> = each
-            .map(|((name, height_m), peak)| {
+            .zip(self.static_drifts.iter().zip(&self.columns_most))
+            .map(|(((name, height_m), peak), (pushed, most))| {
                 let part = Part::Storey(name.clone());
-                PartLimit::of_drift(part, &self.direction, peak.value_m / height_m, limit).taking(self.tilt)
+                PartLimit::of_drift(part, &self.direction, peak.value_m / height_m, limit)
+                    .at_most(*most)
+                    .taking(tilt + pushed)
             })
             .collect();
         if let Some(together) = self.together_once() {
-            let tilt = self.lean.as_ref().map_or(0.0, |lean| lean.together);
             all.extend(together.parts((&self.storeys, &heights_m), tilt, limit));
         }
         all

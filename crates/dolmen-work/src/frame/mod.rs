@@ -6,12 +6,14 @@ mod columns;
 mod columns_alone;
 mod lean;
 pub(crate) mod limits;
+pub(crate) mod loads;
 pub(crate) mod simulate;
 mod simulation;
 pub(crate) mod stiffness;
 pub(crate) mod study;
 pub(crate) mod tilts;
 pub(crate) mod together;
+mod wind;
 
 pub use beside::{FrameBeside, SensorBeside};
 pub use columns::{ColumnSwing, Springs, StoreyColumns};

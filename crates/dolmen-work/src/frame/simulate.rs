@@ -1,8 +1,10 @@
 //! A frame under a ground motion, in its directions of known stiffness.
 
 use super::beside::beside;
+use super::columns::alone_most;
 use super::columns_alone::columns_in_motion;
-use super::together::{Plane, both_directions, has_both, horizontal};
+use super::loads::static_drifts;
+use super::together::{Plane, both_directions, has_both, horizontal, lean_together};
 use super::{FrameSimulation, FrameTogether};
 use crate::error::WorkError;
 use crate::in_runs::LeftOutOfRuns;
@@ -98,6 +100,10 @@ pub(crate) fn simulate(
                 (run_s, output_step_s),
             )?);
         }
+        let tilt = part.lean.as_ref().map_or(0.0, |lean| lean.together);
+        if let [((x, _), first), ((y, _), second)] = runs.as_mut_slice() {
+            lean_together([(first, part.tilt(x)), (second, part.tilt(y))], tilt);
+        }
         if let [(_, x), (_, y)] = runs.as_slice() {
             let moved = simulating(progress, run_s, |reached| {
                 simulate_frame_in_plan(
@@ -121,6 +127,7 @@ pub(crate) fn simulate(
             )?);
         }
     }
+    let left_out = LeftOutOfRuns::of(version.project);
     let (together, moved) = together.map_or((None, None), |(of, moved)| (Some(of), Some(moved)));
     let mut moved: Vec<Option<FrameHistory>> = match moved {
         Some(moved) => moved.into_iter().map(Some).collect(),
@@ -148,7 +155,11 @@ pub(crate) fn simulate(
             storeys: storey_names(part),
             undamped: (!is_damped(part, &direction, &frame))
                 .then(|| Undamped::of(&version.project.surveys, Some(&direction))),
-            tilt_left_out: LeftOutOfRuns::of(version.project).tilt,
+            carried_n: version.project.loads.weight_n(&mut Quantity::nominal),
+            columns_most: alone_most(part, &direction, &mut Quantity::nominal)?,
+            static_drifts: static_drifts(part, &direction)?,
+            loads_left_out: left_out.wind || left_out.forces,
+            tilt_left_out: left_out.tilt.clone(),
             beside: beside((motion, component), &direction, &frame, &history),
             columns: columns_in_motion(part, ground, run_s, options.output_step_s, &mut Quantity::nominal)?,
             direction,

@@ -13,7 +13,7 @@ use dolmen_project::{FrameLean, Names};
 /// A simulation of a frame in one direction, and its inputs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FrameSimulation {
-    /// The project file, as it was named.
+    /// The project file, as the user named it.
     pub file: String,
     /// Name of the structure.
     pub name: Names,
@@ -43,6 +43,14 @@ pub struct FrameSimulation {
     pub undamped: Option<Undamped>,
     /// The free-standing columns of the file: their restoring moment is not in the motion, but may be moved alone.
     pub columns: ColumnsInMotion,
+    /// What its static loads weigh, N: it swings with them.
+    pub carried_n: f64,
+    /// Drift over height at which columns that are all that holds a storey resist most; `None` of other storeys.
+    pub columns_most: Vec<Option<f64>>,
+    /// Drift of each storey over its height by forces of static loads at rest, which they take of what is allowed; infinite where it does not bear them.
+    pub static_drifts: Vec<f64>,
+    /// Whether the file has wind, or forces of static loads, which do not act in the run.
+    pub loads_left_out: bool,
     /// A surveyed tilt that the run does not start from.
     pub tilt_left_out: Option<TiltLeftOut>,
     /// Options of the run.

@@ -2,14 +2,14 @@
 
 use super::FrameTogether;
 use super::simulate::storey_names;
-use super::together::{Plane, both_directions, has_both, is_in_plan};
+use super::together::{Leaning, Plane, both_directions, has_both, is_in_plan, lean_together};
 use crate::at_rest::AtRest;
 use crate::error::WorkError;
 use crate::progress::Progress;
 use crate::study::{FrameMeasures, Run, RunMeasures, RunOutcome, SWING_REST_S, acting_component};
 use crate::told::{told, told_both};
 use crate::wrong::CaseRefused;
-use dolmen::dynamics::{FrameHistory, FrameOutcome, FrictionFrame, simulate_frame, simulate_frame_in_plan};
+use dolmen::dynamics::{FrameHistory, FrameOutcome, simulate_frame, simulate_frame_in_plan};
 use dolmen::signal::{Component, GroundMotion};
 use dolmen_project::{FramePart, Pick, StudyPart};
 use dolmen_words::message::Both;
@@ -17,16 +17,14 @@ use dolmen_words::message::Both;
 /// Time between the samples that a run is judged by, s.
 const SAMPLE_S: f64 = 0.02;
 
-/// A frame in one direction, and how it leans there, horizontal over vertical.
-type Leaning = (FrictionFrame, f64);
-
 /// A frame in the direction that is shaken.
 pub(crate) struct FrameModel {
     /// In that direction; where the study names none of two, in that along x.
-    pub(crate) frame: FrictionFrame,
-    tilt: f64,
+    pub(crate) first: Leaning,
     /// In the direction along y, where both are shaken.
     across: Option<Leaning>,
+    /// How it leans in both directions together.
+    together: f64,
     directions: [String; 2],
     pub(crate) storeys: Vec<String>,
     heights_m: Vec<f64>,
@@ -53,12 +51,9 @@ pub(crate) fn model(study: &StudyPart, part: &FramePart, pick: Pick<'_>) -> Resu
         }
     };
     let mut leaning = |direction: &str| -> Result<Option<Leaning>, Both> {
-        let frame = part
-            .with_friction(direction, pick)
-            .map_err(|why| told_both(&why))?;
-        Ok(frame.map(|frame| (frame, part.tilt(direction))))
+        Leaning::of(part, direction, pick).map_err(|why| told_both(&why))
     };
-    let Some((frame, tilt)) = leaning(direction)? else {
+    let Some(first) = leaning(direction)? else {
         return Err(CaseRefused::DirectionUnknown {
             direction: direction.to_owned(),
         }
@@ -70,16 +65,17 @@ pub(crate) fn model(study: &StudyPart, part: &FramePart, pick: Pick<'_>) -> Resu
     };
     Ok(FrameModel {
         storeys: storey_names(part),
-        heights_m: frame
+        heights_m: first
+            .frame
             .frame()
             .storeys()
             .iter()
             .map(|storey| storey.height_m)
             .collect(),
         directions: both.unwrap_or([direction; 2]).map(str::to_owned),
-        frame,
-        tilt,
+        first,
         across,
+        together: part.lean.as_ref().map_or(0.0, |lean| lean.together),
     })
 }
 
@@ -106,30 +102,30 @@ pub(crate) fn row_and_rest(
         motion.duration_s() + study.rest_s.unwrap_or(SWING_REST_S),
         SAMPLE_S,
     );
-    let plane = |(frame, tilt): (&FrictionFrame, f64), component| {
-        Plane::moving(frame.clone(), tilt, (motion, component), span_s)
-    };
+    let plane = |of: &Leaning, component| Plane::moving(of.clone(), (motion, component), span_s);
     let refused = |why: &WorkError| Run {
         outcome: RunOutcome::Refused,
         why: told(why),
         ..run.clone()
     };
     let both = has_both(motion);
-    let first = (&model.frame, model.tilt);
+    let first = &model.first;
     let (along, across) = match (&model.across, both) {
         (None, _) => (acting_component(motion), None),
         (Some(across), true) => (Component::X, Some((across, Component::Y))),
         (Some(across), false) => (acting_component(motion), Some((across, acting_component(motion)))),
     };
     let planes = plane(first, along).and_then(|first| {
-        let second = across.map(|((frame, tilt), component)| plane((frame, *tilt), component));
+        let second = across.map(|(across, component)| plane(across, component));
         Ok((first, second.transpose()?))
     });
-    let (first, second) = match planes {
+    let (mut first, mut second) = match planes {
         Ok(planes) => planes,
         Err(why) => return Some((refused(&why), None)),
     };
-    if let (Some(second), true) = (&second, both) {
+    let tilt_y = model.across.as_ref().map_or(0.0, |across| across.tilt);
+    if let (Some(second), true) = (&mut second, both) {
+        lean_together([(&mut first, model.first.tilt), (second, tilt_y)], model.together);
         let moved = simulate_frame_in_plan(
             [&first.frame, &second.frame],
             [&first.load, &second.load],
@@ -143,15 +139,19 @@ pub(crate) fn row_and_rest(
         let directions = model.directions.each_ref().map(String::as_str);
         let together = FrameTogether::of(directions, [&first, second], &moved);
         let [x, y] = &moved.histories;
-        let each = [measured(run.clone(), model, x)?, measured(run.clone(), model, y)?];
+        let each = [
+            measured(run.clone(), (model, model.first.tilt), x)?,
+            measured(run.clone(), (model, tilt_y), y)?,
+        ];
         let rest = AtRest::of_frame(x).worse(AtRest::of_frame(y));
         return Some((joined(each, model, Some(&together)), Some(rest)));
     }
     let (mut all, mut rest) = (Vec::new(), None);
-    for plane in [Some(first), second].into_iter().flatten() {
+    let tilts = [model.first.tilt, tilt_y];
+    for (plane, tilt) in [Some(first), second].into_iter().flatten().zip(tilts) {
         match simulate_frame(&plane.frame, &plane.load, &plane.run, &mut goes_on) {
             Ok(history) => {
-                all.push(measured(run.clone(), model, &history)?);
+                all.push(measured(run.clone(), (model, tilt), &history)?);
                 let own = AtRest::of_frame(&history);
                 rest = Some(rest.map_or(own, |other: AtRest| other.worse(own)));
             }
@@ -179,6 +179,7 @@ fn joined([a, b]: [Run; 2], model: &FrameModel, together: Option<&FrameTogether>
         peak_displacement_m: one.peak_displacement_m.max(other.peak_displacement_m),
         peak_drift_m: one.peak_drift_m.max(other.peak_drift_m),
         peak_drift_ratio: one.peak_drift_ratio.max(other.peak_drift_ratio),
+        peak_lean_ratio: one.peak_lean_ratio.max(other.peak_lean_ratio),
         residual_displacement_m: one.residual_displacement_m.max(other.residual_displacement_m),
         residual_drift_m: one.residual_drift_m.max(other.residual_drift_m),
         slipping_share: one.slipping_share.max(other.slipping_share),
@@ -190,7 +191,9 @@ fn joined([a, b]: [Run; 2], model: &FrameModel, together: Option<&FrameTogether>
         .flat_map(|together| together.storeys.iter().zip(&model.heights_m))
     {
         measures.peak_drift_m = measures.peak_drift_m.max(of.drift_m);
-        measures.peak_drift_ratio = measures.peak_drift_ratio.max(of.drift_m / height_m);
+        let drift = of.drift_m / height_m;
+        measures.peak_drift_ratio = measures.peak_drift_ratio.max(drift);
+        measures.peak_lean_ratio = measures.peak_lean_ratio.max(drift + model.together);
     }
     if let Some(together) = together {
         measures.residual_displacement_m = one.residual_displacement_m.hypot(other.residual_displacement_m);
@@ -202,8 +205,8 @@ fn joined([a, b]: [Run; 2], model: &FrameModel, together: Option<&FrameTogether>
     worse
 }
 
-/// What a history says; `None` if it was stopped.
-fn measured(mut run: Run, model: &FrameModel, history: &FrameHistory) -> Option<Run> {
+/// What a history in a direction of this tilt says; `None` if it was stopped.
+fn measured(mut run: Run, (model, tilt): (&FrameModel, f64), history: &FrameHistory) -> Option<Run> {
     match history.outcome {
         FrameOutcome::Finished => run.outcome = RunOutcome::Stood,
         FrameOutcome::DriftLimit { storey, at_s } => {
@@ -218,10 +221,13 @@ fn measured(mut run: Run, model: &FrameModel, history: &FrameHistory) -> Option<
     let residual = |level: usize| history.rest_m.get(level).copied().unwrap_or(0.0);
     let below = |level: usize| level.checked_sub(1).map_or(0.0, residual);
     let top = model.heights_m.len() - 1;
+    let peak_drift_ratio =
+        most(&|storey| history.drift_peaks[storey].value_m.abs() / model.heights_m[storey]);
     run.measures = RunMeasures::Frame(FrameMeasures {
         peak_displacement_m: history.displacement_peaks[top].value_m.abs(),
         peak_drift_m: most(&|storey| history.drift_peaks[storey].value_m.abs()),
-        peak_drift_ratio: most(&|storey| history.drift_peaks[storey].value_m.abs() / model.heights_m[storey]),
+        peak_drift_ratio,
+        peak_lean_ratio: peak_drift_ratio + tilt.abs(),
         residual_displacement_m: residual(top).abs(),
         residual_drift_m: most(&|storey| (residual(storey) - below(storey)).abs()),
         slipping_share: most(&|storey| history.slipping_share(storey)),

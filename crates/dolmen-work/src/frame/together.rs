@@ -1,10 +1,11 @@
 //! Both directions of a frame under one motion: which component acts where, and what they do together.
 
+use super::columns::alone_most;
 use crate::error::WorkError;
 use crate::motion::MotionAnswer;
 use crate::part_limit::{Part, PartLimit};
 use crate::wrong::Place;
-use dolmen::assess::demand::DriftLimit;
+use dolmen::assess::demand::{DRIFT_RATIO_MOST, DriftLimit};
 use dolmen::dynamics::{
     FrameHistory, FrameInPlan, FrameLoad, FrameResultant, FrameRun, FrictionFrame, SharedFriction,
     TimeFunction, resultant_drifts, storeys_that_rub_both_ways,
@@ -31,11 +32,51 @@ pub struct FrameTogether {
     pub path_m: [Vec<f64>; 2],
 }
 
+/// What a tilt leaves of the drift over its height at which a storey counts as fallen: both come to it.
+fn left(most: f64, tilt: f64) -> f64 {
+    (most - tilt.abs()).max(f64::MIN_POSITIVE)
+}
+
+/// Two planes that move together: the tilt of both together takes its part of the drift at which either counts as fallen.
+pub(crate) fn lean_together(planes: [(&mut Plane, f64); 2], together: f64) {
+    let most = |(plane, tilt): &(&mut Plane, f64)| plane.run.drift_ratio_most + tilt.abs();
+    let most = most(&planes[0]).min(most(&planes[1]));
+    for (plane, _) in planes {
+        plane.run.drift_ratio_most = left(most, together);
+    }
+}
+
 /// A frame in one direction, ready to be run.
 pub(crate) struct Plane {
     pub(crate) frame: FrictionFrame,
     pub(crate) load: FrameLoad,
     pub(crate) run: FrameRun,
+}
+
+/// A frame in one direction before it is shaken.
+#[derive(Clone)]
+pub(crate) struct Leaning {
+    pub(crate) frame: FrictionFrame,
+    /// How it leans there, horizontal over vertical.
+    pub(crate) tilt: f64,
+    /// Drift over height beyond which the frame tells of nothing.
+    pub(crate) drift_ratio_most: f64,
+}
+
+impl Leaning {
+    /// In a direction, as surveyed; `None` if its stiffness is not known.
+    pub(crate) fn of(part: &FramePart, direction: &str, pick: Pick<'_>) -> Result<Option<Self>, WorkError> {
+        let Some(frame) = part.with_friction(direction, pick)? else {
+            return Ok(None);
+        };
+        let alone = alone_most(part, direction, pick)?.into_iter().flatten();
+        let tilt = part.tilt(direction);
+        Ok(Some(Leaning {
+            frame,
+            tilt,
+            drift_ratio_most: left(alone.fold(DRIFT_RATIO_MOST, f64::min), tilt),
+        }))
+    }
 }
 
 impl Plane {
@@ -47,23 +88,19 @@ impl Plane {
         (duration_s, output_step_s): (f64, f64),
         pick: Pick<'_>,
     ) -> Result<Option<Self>, WorkError> {
-        let frame = part.with_friction(direction, pick)?;
-        frame
-            .map(|frame| {
-                Plane::moving(
-                    frame,
-                    part.tilt(direction),
-                    (motion, component),
-                    (duration_s, output_step_s),
-                )
-            })
+        let leaning = Leaning::of(part, direction, pick)?;
+        leaning
+            .map(|leaning| Plane::moving(leaning, (motion, component), (duration_s, output_step_s)))
             .transpose()
     }
 
-    /// A frame that leans by `tilt`, under a component of a motion.
+    /// A frame that leans, under a component of a motion.
     pub(crate) fn moving(
-        frame: FrictionFrame,
-        tilt: f64,
+        Leaning {
+            frame,
+            tilt,
+            drift_ratio_most,
+        }: Leaning,
         (motion, component): (&GroundMotion, Component),
         (duration_s, output_step_s): (f64, f64),
     ) -> Result<Self, WorkError> {
@@ -75,6 +112,7 @@ impl Plane {
         let mut run = FrameRun {
             duration_s: Some(duration_s),
             output_step_s,
+            drift_ratio_most,
             ..FrameRun::default()
         };
         if let Some(leaning) = leaning {

@@ -118,7 +118,15 @@ impl EarthquakeFinding {
 impl EarthquakeFinding {
     /// The same of a stack whose supports moved, where it is of the shape before: what was enough there is not known to be. What was too little stays.
     pub(super) fn before_supports_moved(self) -> Self {
-        self.not_known_to_be_enough(DecidedBy::SupportsMoved)
+        let is_of_code = self.word == Earthquake::BelowDemand && self.decided_by == DecidedBy::CodeDemand;
+        let of_before = self.not_known_to_be_enough(DecidedBy::SupportsMoved);
+        match is_of_code {
+            true => EarthquakeFinding {
+                decided_by: DecidedBy::SupportsMoved,
+                ..of_before
+            },
+            false => of_before,
+        }
     }
 
     /// The same of a stack that loads without mass press together.

@@ -11,6 +11,7 @@ use super::weight::Weight;
 use super::wind::of_wind_histories;
 use crate::answer::{Answer, CheckAnswer};
 use crate::building::{TogetherAnswer, TogetherChoice, TuneAnswer};
+use crate::frame::FrameBeside;
 use crate::identify::lowest_of_records;
 use crate::inventory::InventoryLine;
 use crate::simulation::{SimulateAnswer, Simulation};
@@ -71,14 +72,27 @@ impl Judgement {
         let evidence = &checked
             .filter(Evidence::is_contradicted)
             .unwrap_or_else(|| of.evidence.clone());
-        // a stack rests on shapes and friction, and a variant has no survey of its own
-        if evidence.is_contradicted() && is_as_it_is && !matches!(run, Simulation::Stack(_)) {
+        // a run rests on stiffness, that of a stack, too; a variant has no survey of its own
+        if evidence.is_contradicted() && is_as_it_is {
+            let of_model = found.into_iter();
+            found = of_model.map(EarthquakeFinding::if_model_were_right).collect();
+        }
+        if let Simulation::Frame(run) = run
+            && run.beside.as_ref().is_some_and(FrameBeside::differs)
+        {
             let of_model = found.into_iter();
             found = of_model.map(EarthquakeFinding::if_model_were_right).collect();
         }
         self.add(run.variant(), found);
         let mut versions = self.versions.iter_mut();
         if let Some(version) = versions.find(|of| of.variant.as_deref() == run.variant()) {
+            if let Simulation::Stack(runs) = run {
+                version.tilt_left_out = runs
+                    .deciding
+                    .tilt_left_out
+                    .clone()
+                    .or(version.tilt_left_out.take());
+            }
             version.leans = leaning(run).or(version.leans.take());
             version.after = after_motion(of);
             let is_contradicted = evidence.is_contradicted() && is_as_it_is;

@@ -25,4 +25,4 @@ pub use tilt_limit::{TiltAgainstLimit, last_tilt, tilt_against_limit, tilt_beyon
 pub(crate) use version::governing;
 pub use version::{AfterMotion, AssumedInputs, Leaning, VersionJudgement};
 pub use weight::Weight;
-pub use wind::{WindFinding, WindLimit, WindWord};
+pub use wind::{MovedBy, WindFinding, WindLimit, WindWord};

@@ -4,7 +4,7 @@ use super::colour::Colour;
 use super::earthquake::{Earthquake, EarthquakeFinding, of_site};
 use super::evidence::Evidence;
 use super::weight::Weight;
-use super::wind::{WindFinding, WindWord, of_wind};
+use super::wind::{MovedBy, WindFinding, WindWord, of_wind};
 use crate::loads::Governing;
 use crate::simulation::Simulation;
 use crate::state::{Check, State};
@@ -158,8 +158,8 @@ impl VersionJudgement {
         }
     }
 
-    /// The headline: the fixed words, the worst first, of equals in the order of the questions. Nothing is said of an earthquake
-    /// that was not asked for, nor of evidence that does not contradict.
+    /// The headline: the fixed words, the worst first, of equals in the order of the questions. It says nothing of an earthquake
+    /// that nobody asked for, nor of evidence that does not contradict.
     pub fn words(&self, language: Language) -> Vec<String> {
         let earthquake = self.earthquake_word();
         let mut words = Vec::new();
@@ -172,7 +172,18 @@ impl VersionJudgement {
         let wind = self.wind_word();
         if wind != WindWord::NotAsked {
             let word = wind.word(language);
-            let said = language.pick(format!("{word} in wind"), format!("풍응답 {word}"));
+            let by = WindFinding::deciding(&self.wind).map_or(MovedBy::Wind, |of| of.by);
+            let said = match by {
+                MovedBy::Wind => language.pick(format!("{word} in wind"), format!("풍응답 {word}")),
+                MovedBy::Loads => language.pick(
+                    format!("{word} under its static loads"),
+                    format!("정하중 변위 {word}"),
+                ),
+                MovedBy::Both => language.pick(
+                    format!("{word} under wind and static loads"),
+                    format!("풍하중·정하중 변위 {word}"),
+                ),
+            };
             words.push((wind.colour(), said));
         }
         if self.evidence.is_contradicted() {

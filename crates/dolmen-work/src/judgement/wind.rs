@@ -1,9 +1,11 @@
-//! Wind: does it move no more than the user allows?
+//! Wind and static loads: does it move no more than the user allows?
 
 use super::colour::Colour;
 use crate::building::{StandingBuilding, WindSimulation};
+use crate::loads::{CombinationAnswer, LoadedStorey, LoadsAnswer};
 use crate::state::{Check, State};
-use dolmen_project::{BuiltDamper, Project, strokes_of};
+use dolmen::assess::demand::DriftLimit;
+use dolmen_project::{BuiltDamper, FramePart, Project, Structure, strokes_of};
 use dolmen_words::Language;
 
 /// The fixed words, from the best to the worst.
@@ -32,11 +34,24 @@ pub enum WindLimit {
     NotGiven,
 }
 
+/// What moves it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MovedBy {
+    /// Wind.
+    Wind,
+    /// Static loads.
+    Loads,
+    /// Both.
+    Both,
+}
+
 /// A word, what decided it, and by how much.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WindFinding {
     /// The word.
     pub word: WindWord,
+    /// What moves it.
+    pub by: MovedBy,
     /// What is limited; `None`: nothing could be compared.
     pub limit: Option<WindLimit>,
     /// The floor above the storey, or the damper.
@@ -91,6 +106,7 @@ impl WindFinding {
     fn without_limit() -> Self {
         WindFinding {
             word: WindWord::NotDecided,
+            by: MovedBy::Wind,
             limit: Some(WindLimit::NotGiven),
             part: None,
             ratio: None,
@@ -103,6 +119,7 @@ impl WindFinding {
                 true => WindWord::Within,
                 false => WindWord::Beyond, // and where it is not a number
             },
+            by: MovedBy::Wind,
             limit: Some(limit),
             part,
             ratio: Some(ratio),
@@ -110,8 +127,14 @@ impl WindFinding {
     }
 }
 
-/// The motion of a building in its wind against what the file allows; empty where it allows what it may, and of other kinds.
+/// The motion of a building in its wind, and of a frame under wind and static loads, against what the file allows; empty where it allows what it may, and of
+/// other kinds.
 pub(super) fn of_wind(project: &Project, state: &State, is_contradicted: bool) -> Vec<WindFinding> {
+    if let (Structure::Frame(part), Some(loads)) = (&project.structure, &state.loads) {
+        // a gust as given says nothing of how it makes a soft frame swing
+        let is_in_doubt = is_contradicted || loads.lacks_resonance_at_hz().is_some();
+        return if_model_is_right(of_frame(part, project, loads), is_in_doubt);
+    }
     let Check::Building(answer) = &state.check else {
         return Vec::new();
     };
@@ -123,6 +146,7 @@ pub(super) fn of_wind(project: &Project, state: &State, is_contradicted: bool) -
         let is_limited = given.is_some_and(|of| of.acceleration_limit.is_some() || of.drift_limit.is_some());
         let not_decided = WindFinding {
             word: WindWord::NotDecided,
+            by: MovedBy::Wind,
             limit: None,
             part: None,
             ratio: None,
@@ -134,6 +158,78 @@ pub(super) fn of_wind(project: &Project, state: &State, is_contradicted: bool) -
         all.push(WindFinding::without_limit());
     }
     if_model_is_right(all, is_contradicted)
+}
+
+/// The lean of each storey of a frame under each combination against the drift that the file allows as a number, the least in hand of each combination; a limit
+/// of a code is for earthquakes. Empty without one.
+fn of_frame(part: &FramePart, project: &Project, loads: &LoadsAnswer) -> Vec<WindFinding> {
+    let Some(limit @ DriftLimit::Given { .. }) = &project.drift_limit else {
+        return Vec::new();
+    };
+    let numbered = part.storeys.iter().enumerate();
+    let names: Vec<String> = numbered
+        .map(|(i, storey)| storey.name.clone().unwrap_or_else(|| format!("storey {}", i + 1)))
+        .collect();
+    let moved_by = |of: &CombinationAnswer| match (
+        loads.has_wind && of.wind != 0.0,
+        loads.has_loads && of.loads != 0.0,
+    ) {
+        (true, true) => Some(MovedBy::Both),
+        (true, false) => Some(MovedBy::Wind),
+        (false, true) => Some(MovedBy::Loads),
+        (false, false) => None,
+    };
+    if matches!(loads.wind, Some(Err(_))) {
+        return vec![WindFinding {
+            word: WindWord::NotDecided,
+            by: MovedBy::Wind,
+            limit: None,
+            part: None,
+            ratio: None,
+        }];
+    }
+    let mut all = Vec::new();
+    for combination in &loads.combinations {
+        let (Some(by), Some(frame)) = (moved_by(combination), combination.frame()) else {
+            continue;
+        };
+        let storeys = frame
+            .directions
+            .iter()
+            .flat_map(|own| own.storeys.iter().zip(&names));
+        let ratios = storeys.filter_map(|(storey, name)| Some((in_hand(storey, limit.ratio())?, name)));
+        let least = ratios.min_by(|a, b| a.0.total_cmp(&b.0));
+        all.extend(least.map(|(ratio, name)| WindFinding {
+            by,
+            ..WindFinding::of(WindLimit::Drift, Some(name.clone()), ratio)
+        }));
+        if !frame.unknown.is_empty() {
+            all.push(WindFinding {
+                word: WindWord::NotDecided,
+                by,
+                limit: None,
+                part: None,
+                ratio: None,
+            });
+        }
+    }
+    all
+}
+
+/// What is allowed over what the loads add to the lean of a storey, the lean without them taken off; 0 where it does not bear them, `None` where nothing
+/// pushes it.
+fn in_hand(storey: &LoadedStorey, allowed: f64) -> Option<f64> {
+    if storey.under.shear_n == 0.0 {
+        return None;
+    }
+    let (Some(at_rest), Some(drift_m)) = (storey.under.lean_at_rest, storey.under.drift_m) else {
+        return Some(0.0);
+    };
+    let left = (allowed - at_rest).max(0.0);
+    Some(match drift_m == 0.0 {
+        true if left > 0.0 => f64::INFINITY,
+        _ => left / (drift_m / storey.height_m),
+    })
 }
 
 /// Histories against the same limits: the mean of their peaks, or the mean square where that is larger, so that there is one answer to one question. A

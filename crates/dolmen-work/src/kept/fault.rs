@@ -3,7 +3,7 @@
 /// Why a store cannot answer.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum StoreFault {
-    /// No store is named.
+    /// The user names no store.
     Unnamed,
     /// There is no file.
     NoStore {

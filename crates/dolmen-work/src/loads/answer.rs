@@ -1,7 +1,7 @@
 //! The answer on wind and static loads.
 
 use dolmen::assess::StackUnderLoads;
-use dolmen::stability::{ChainUnderLoads, Verdict};
+use dolmen::stability::{ChainUnderLoads, StoreyUnderLoads, Verdict};
 use dolmen::structure::wind::{Resonance, WindError};
 
 /// Natural frequency below which gusts near it add to what a gust as given says, Hz: 5 Hz in EN 1991-1-4, 1 Hz in KDS 41 12 00.
@@ -18,12 +18,25 @@ pub struct LoadsAnswer {
     pub wind: Option<Result<WindMet, WindError>>,
     /// The same blowing across a chain of two directions; `None` of others, and where `wind` is not known.
     pub wind_across: Option<WindMet>,
+    /// The wind along each direction of a frame; empty of others, and where `wind` is not known.
+    pub frame_winds: Vec<FrameWind>,
     /// A chain with what its static loads weigh; `None` if they weigh nothing, or its stiffness is not known.
     pub carried: Option<Carried>,
     /// Tilt as surveyed that is counted with every combination, rad.
     pub tilt_rad: f64,
     /// Each combination; empty where the wind is not known.
     pub combinations: Vec<CombinationAnswer>,
+}
+
+/// The wind along a direction of a frame.
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+pub struct FrameWind {
+    /// The direction.
+    pub direction: String,
+    /// The wind; its links are the storeys.
+    pub met: WindMet,
+    /// Force that reaches each level, lowest first, N: what meets a storey is shared by the levels above and below it.
+    pub levels_n: Vec<f64>,
 }
 
 /// A chain with the weight of its static loads as they are.
@@ -96,6 +109,96 @@ pub enum Combined {
     Chain(Box<ChainCombination>),
     /// To a stack, with the wind from its worst side.
     Stack(Box<StackUnderLoads>),
+    /// To a frame, a direction at a time.
+    Frame(Box<FrameCombination>),
+}
+
+/// A frame under a combination, each storey in the worse of the two ways of the wind, joints sticking or slipping.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FrameCombination {
+    /// Each direction whose stiffness is known.
+    pub directions: Vec<DirectionUnderLoads>,
+    /// Those whose stiffness is not.
+    pub unknown: Vec<String>,
+    /// Factor on the weight of the combination, static loads included, at which it falls; `None` where no stiffness is known.
+    pub weight_factor: Option<f64>,
+}
+
+/// A direction of a frame under a combination.
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+pub struct DirectionUnderLoads {
+    /// The direction.
+    pub direction: String,
+    /// Its storeys, lowest first.
+    pub storeys: Vec<LoadedStorey>,
+}
+
+/// A storey of a frame in the worst of its cases.
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+pub struct LoadedStorey {
+    /// What it bears.
+    pub under: StoreyUnderLoads,
+    /// Its height, m.
+    pub height_m: f64,
+    /// How it leans as surveyed, horizontal over vertical; the loads push that way.
+    pub tilt: f64,
+    /// Whether the wind blows against the positive direction of the static loads.
+    pub wind_reversed: bool,
+    /// Whether its joints slip.
+    pub slips: bool,
+}
+
+impl LoadedStorey {
+    /// Lean under the loads, horizontal over vertical; `None` where it does not bear them.
+    pub fn lean(&self) -> Option<f64> {
+        Some(self.under.lean_at_rest? + self.under.drift_m? / self.height_m)
+    }
+}
+
+impl DirectionUnderLoads {
+    /// The storey with the least factor, 0 the lowest.
+    pub fn governing(&self) -> Option<(usize, &LoadedStorey)> {
+        let each = self.storeys.iter().enumerate();
+        each.min_by(|a, b| a.1.under.factor.total_cmp(&b.1.under.factor))
+    }
+}
+
+impl FrameCombination {
+    /// The direction and the storey, 0 the lowest, that have the least factor.
+    pub fn governing(&self) -> Option<(&DirectionUnderLoads, usize, &LoadedStorey)> {
+        let each = self.directions.iter().filter_map(|own| {
+            let (storey, of) = own.governing()?;
+            Some((own, storey, of))
+        });
+        each.min_by(|a, b| a.2.under.factor.total_cmp(&b.2.under.factor))
+    }
+
+    /// Least factor on the loads at which a storey falls; `None` where no stiffness is known.
+    pub fn factor(&self) -> Option<f64> {
+        Some(self.governing()?.2.under.factor)
+    }
+
+    /// By the factor on what it weighs.
+    pub fn weight_verdict(&self) -> Verdict {
+        self.weight_factor
+            .map_or(Verdict::Unknown, Verdict::of_load_factor)
+    }
+
+    /// By the factors on loads and on weight; a direction that is not known leaves it unknown, unless another falls.
+    pub fn verdict(&self) -> Verdict {
+        let by_loads = match self.factor() {
+            Some(f64::INFINITY) => Verdict::Stable,
+            Some(factor) => Verdict::of_load_factor(factor),
+            None => Verdict::Unknown,
+        };
+        match (by_loads, self.weight_verdict()) {
+            (Verdict::Unstable, _) | (_, Verdict::Unstable) => Verdict::Unstable,
+            _ if !self.unknown.is_empty() => Verdict::Unknown,
+            (Verdict::Unknown, _) | (_, Verdict::Unknown) => Verdict::Unknown,
+            (Verdict::Marginal, _) | (_, Verdict::Marginal) => Verdict::Marginal,
+            (Verdict::Stable, Verdict::Stable) => Verdict::Stable,
+        }
+    }
 }
 
 /// A chain under a combination, in the worse of the two directions of the wind.
@@ -121,27 +224,36 @@ pub struct AcrossCombination {
 }
 
 impl CombinationAnswer {
-    /// What it does to a chain; `None` of a stack.
+    /// What it does to a chain; `None` of others.
     pub fn chain(&self) -> Option<&ChainCombination> {
         match &self.of {
             Combined::Chain(chain) => Some(chain),
-            Combined::Stack(_) => None,
+            Combined::Stack(_) | Combined::Frame(_) => None,
         }
     }
 
-    /// What it does to a stack; `None` of a chain.
+    /// What it does to a stack; `None` of others.
     pub fn stack(&self) -> Option<&StackUnderLoads> {
         match &self.of {
-            Combined::Chain(_) => None,
+            Combined::Chain(_) | Combined::Frame(_) => None,
             Combined::Stack(stack) => Some(stack),
         }
     }
 
-    /// Least factor on wind and loads at which a joint reaches its limit, or stones move; `None` where no limit is known.
+    /// What it does to a frame; `None` of others.
+    pub fn frame(&self) -> Option<&FrameCombination> {
+        match &self.of {
+            Combined::Chain(_) | Combined::Stack(_) => None,
+            Combined::Frame(frame) => Some(frame),
+        }
+    }
+
+    /// Least factor on wind and loads at which a joint reaches its limit, stones move, or a storey falls; `None` where no limit is known.
     pub fn factor(&self) -> Option<f64> {
         match &self.of {
             Combined::Chain(chain) => chain.under.factor,
             Combined::Stack(stack) => Some(stack.found.factor),
+            Combined::Frame(frame) => frame.factor(),
         }
     }
 
@@ -150,6 +262,7 @@ impl CombinationAnswer {
         match &self.of {
             Combined::Chain(chain) => chain.verdict(),
             Combined::Stack(stack) => stack.verdict(),
+            Combined::Frame(frame) => frame.verdict(),
         }
     }
 }
@@ -223,7 +336,9 @@ impl LoadsAnswer {
     pub fn lacks_resonance_at_hz(&self) -> Option<f64> {
         let along = self.wind.as_ref()?.as_ref().ok()?;
         let blows = self.combinations.iter().any(|of| of.wind != 0.0);
+        let of_frame = self.frame_winds.iter().map(|of| &of.met);
         let lacking = [Some(along), self.wind_across.as_ref()].into_iter().flatten();
+        let lacking = lacking.chain(of_frame);
         let lacking = lacking.filter(|met| met.resonance == Resonance::NotCounted && blows);
         let swinging = lacking.filter_map(|met| met.frequency_hz);
         swinging

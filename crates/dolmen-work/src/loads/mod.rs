@@ -4,7 +4,7 @@ mod answer;
 mod words;
 
 pub use answer::{
-    AcrossCombination, Carried, ChainCombination, CombinationAnswer, Combined, LoadsAnswer, WindMet,
-    WindOnLink,
+    AcrossCombination, Carried, ChainCombination, CombinationAnswer, Combined, DirectionUnderLoads,
+    FrameCombination, FrameWind, LoadedStorey, LoadsAnswer, WindMet, WindOnLink,
 };
 pub use words::{Governed, Governing};

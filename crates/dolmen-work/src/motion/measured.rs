@@ -15,7 +15,7 @@ use dolmen_records::motions::read_channels;
 /// Periods of a spectrum: so many, evenly spaced in their logarithm, s. Chosen here.
 const PERIODS: usize = 200;
 const PERIODS_S: [f64; 2] = [0.02, 4.0];
-/// Periods on each side of the matched ones at which the misfit is told.
+/// Periods on each side of the matched ones at which the answer gives the misfit.
 const OUTSIDE: usize = 40;
 /// They go at least so many times as far.
 const OUTSIDE_LEAST: f64 = 4.0 / 3.0;

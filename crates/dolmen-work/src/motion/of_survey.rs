@@ -5,7 +5,7 @@ use super::error::MotionRequestError;
 use super::measured_response::{MeasuredChannel, MeasuredResponse};
 use crate::error::{Within as _, WorkError};
 use crate::record::record;
-use dolmen::modal::earthquake_in;
+use dolmen::modal::{Shaking, earthquakes_in};
 use dolmen::signal::{Channel, Component, GroundMotion, Quantity, Record, cut};
 use dolmen_project::{Project, Survey};
 use dolmen_records::Files;
@@ -42,7 +42,8 @@ pub(super) fn of_survey(name: &str, project: &Project, files: &dyn Files) -> Res
     let at: Vec<usize> = (0..whole.channels().len())
         .filter(|c| grounds.contains(&whole.channels()[*c].name))
         .collect();
-    let shaking = earthquake_in(&whole, &at);
+    let over = |a: &Shaking, b: &Shaking| a.over_noise.total_cmp(&b.over_noise);
+    let shaking = earthquakes_in(&whole, &at, &[]).into_iter().max_by(over);
     let whole_s = whole.duration_s();
     let [from_s, to_s] = match &shaking {
         Some(of) => [

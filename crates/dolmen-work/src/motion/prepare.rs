@@ -40,7 +40,7 @@ struct Wanted {
     /// Scaled before it is turned, as studies do for what moves in plan: turning then leaves the strength of the shaking as it is.
     is_sized_first: bool,
     size: Option<MotionSize>,
-    /// What else is told of the files, and done to what they hold: typed only.
+    /// What else the options say of the files, and what is done to what they hold: typed only.
     read: MotionOptions,
     x_azimuth_deg: Option<f64>,
     baseline: Option<usize>,
@@ -243,7 +243,7 @@ fn of_files(motion: GroundMotion, files: Vec<(Component, String)>) -> MotionAnsw
     }
 }
 
-/// What is told of the files.
+/// What the request says of the files.
 pub(crate) fn motion_options(options: &MotionRequest) -> Result<MotionOptions, WorkError> {
     Ok(MotionOptions {
         unit: match &options.unit {

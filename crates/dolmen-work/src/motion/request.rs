@@ -47,7 +47,7 @@ pub struct MotionRequest {
 pub struct GivenFile {
     /// The component that it holds; by its place among the files if it is not said.
     pub component: Option<Component>,
-    /// The file as it was named.
+    /// The file as the user named it.
     pub name: String,
     /// Its bytes.
     pub bytes: Vec<u8>,

@@ -8,9 +8,9 @@ use dolmen::signal::Component;
 /// A file of a motion.
 pub(super) struct WantedFile {
     pub(super) component: Component,
-    /// As it was named.
+    /// As the project or the user named it.
     pub(super) name: String,
-    /// Its column or channel, if it is said.
+    /// Its column or channel, if given.
     pub(super) channel: Option<String>,
     /// Its bytes if they are here already; else the project's files have them.
     pub(super) bytes: Option<Vec<u8>>,

@@ -82,7 +82,7 @@ pub struct LeftOut {
 /// Everything `dolmen rank` found.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PortfolioAnswer {
-    /// The table or folder, as it was named.
+    /// The table or folder, as the user named it.
     pub source: String,
     /// The state ranked by, 0 to 3.
     pub state: usize,

@@ -30,7 +30,7 @@ pub struct StateScore {
 /// The score of one pagoda.
 #[derive(Clone, Debug)]
 pub struct ScoreAnswer {
-    /// The project file, as it was named.
+    /// The project file, as the user named it.
     pub file: String,
     /// Name of the structure.
     pub name: Names,

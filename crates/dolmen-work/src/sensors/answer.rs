@@ -80,4 +80,6 @@ pub struct SensorsAnswer {
     pub of: SensorsOf,
     /// How alike each two modes are at all sensors (MAC).
     pub likeness: Vec<Vec<f64>>,
+    /// Dampers of the structure: the shapes are those without them.
+    pub without_dampers: Vec<String>,
 }

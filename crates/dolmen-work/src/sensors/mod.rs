@@ -10,6 +10,7 @@ pub use error::SensorsError;
 pub use sites::{Axis, Side, Site};
 
 use crate::error::{Within as _, WorkError};
+use crate::model_modes::dampers_left_out;
 use crate::opened::Opened;
 use crate::wrong::Place;
 use dolmen::modal::{PlacedSensors, SensorPlacement};
@@ -128,6 +129,7 @@ pub fn sensors(opened: &Opened, options: &SensorsOptions) -> Result<SensorsAnswe
         sensors,
         of,
         likeness,
+        without_dampers: dampers_left_out(&opened.project),
     })
 }
 

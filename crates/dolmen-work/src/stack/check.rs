@@ -3,14 +3,15 @@
 use super::frequencies;
 use crate::error::WorkError;
 use crate::state::{StackAnswer, StackFrequencies};
-use dolmen::assess::{StackCheckOptions, check_stack, with_settle_run};
+use dolmen::assess::{StackCheckOptions, check_stack_with_gaps, with_settle_run};
 use dolmen::blocks::beside_in_small_motion;
+use dolmen::structure::stack::Stack;
 use dolmen_project::{Pick, StackPart};
 
 /// What is known of a stack, each input with the value that `pick` chooses.
 pub(crate) fn check(part: &StackPart, pick: Pick<'_>) -> Result<StackAnswer, WorkError> {
-    let stack = part.build(pick)?;
-    let check = with_settle_run(&stack, check_stack(&stack, &StackCheckOptions::default())?);
+    let (stack, check) = check_stack_with_gaps(part.build(pick)?, &StackCheckOptions::default())?;
+    let check = with_settle_run(&stack, check);
     let frequencies = frequencies::of(&stack, &check);
     let beside = match frequencies {
         Some(StackFrequencies::Known { .. }) => beside_in_small_motion(&stack, frequencies::RULE)?,
@@ -33,6 +34,14 @@ pub(crate) fn check(part: &StackPart, pick: Pick<'_>) -> Result<StackAnswer, Wor
 
 /// Horizontal acceleration at which it begins to move, m/s²; `None` where no direction has one.
 pub(crate) fn first_motion_m_s2(part: &StackPart, pick: Pick<'_>) -> Result<Option<f64>, WorkError> {
-    let check = check_stack(&part.build(pick)?, &StackCheckOptions::default())?;
+    let (_, check) = check_stack_with_gaps(part.build(pick)?, &StackCheckOptions::default())?;
     Ok(check.capacity.map(|first| first.acceleration_m_s2))
+}
+
+/// A stack with the gaps of its joints open, as a check takes them.
+pub(crate) fn with_gaps(stack: Stack) -> Result<Stack, WorkError> {
+    match stack.joints_drawn_open().is_empty() {
+        true => Ok(stack),
+        false => Ok(check_stack_with_gaps(stack, &StackCheckOptions::default())?.0),
+    }
 }

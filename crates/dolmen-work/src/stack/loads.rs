@@ -32,6 +32,7 @@ pub(crate) fn loads(
         carried: None,
         tilt_rad: 0.0,
         wind_across: None,
+        frame_winds: Vec::new(),
         combinations: Vec::new(),
         wind: None,
     };

@@ -19,6 +19,6 @@ pub use factors_answer::FactorsAnswer;
 pub use repeats::{Repeat, Repeating, Repeats, Spread};
 pub use runs::{LeftOut, StackRuns};
 pub use simulate::Law;
-pub use simulation::StackSimulation;
+pub use simulation::{DrawnGaps, StackSimulation};
 pub use sliding::{SlidingMode, SlidingRun};
 pub use supports::{RefusedRun, SupportsRun, SupportsSimulation};

@@ -1,8 +1,9 @@
 //! A stack under a ground motion.
 
+use super::check::with_gaps;
 use super::repeats::{Repeating, repeats};
 use super::sliding::sliding;
-use super::{LeftOut, StackRuns, StackSimulation};
+use super::{DrawnGaps, LeftOut, StackRuns, StackSimulation};
 use crate::error::WorkError;
 use crate::in_runs::LeftOutOfRuns;
 use crate::judgement::is_worse_stack_run;
@@ -64,7 +65,14 @@ pub(crate) fn simulate(
     options: &StackOptions,
     progress: &dyn Progress,
 ) -> Result<Shaken, WorkError> {
-    let stack = part.build(&mut Quantity::nominal)?;
+    let drawn = part.build(&mut Quantity::nominal)?;
+    let gaps = drawn.widest_gap();
+    let joints = drawn.joints().len();
+    let stack = with_gaps(drawn)?;
+    let gaps = gaps.map(|gap| DrawnGaps {
+        gap,
+        are_open: stack.joints().len() < joints,
+    });
     let limits = stack_limits(&stack, &StackLimits::default())?;
     if !limits.standing.stands() {
         return Ok(Shaken::DoesNotStand(limits.standing));
@@ -73,6 +81,7 @@ pub(crate) fn simulate(
         version,
         part,
         stack,
+        gaps,
         limits,
         motion,
     };
@@ -110,6 +119,7 @@ struct Shakable<'a> {
     version: &'a Version<'a>,
     part: &'a StackPart,
     stack: Stack,
+    gaps: Option<DrawnGaps>,
     limits: StackLimitStates,
     motion: MotionAnswer,
 }
@@ -122,6 +132,7 @@ impl Shakable<'_> {
             simulate_stack(stack, Some(motion), &law, reached)
         })?;
         let version = self.version;
+        let left_out = LeftOutOfRuns::of(version.project);
         Ok(StackSimulation {
             damage: stack_damage(stack, &self.limits, &history, &DamageThresholds::default()),
             limits: self.limits.clone(),
@@ -130,7 +141,9 @@ impl Shakable<'_> {
             variant: version.variant.map(str::to_owned),
             stack: stack.clone(),
             lean: self.part.lean.clone(),
-            without_wind: LeftOutOfRuns::of(version.project).wind,
+            without_wind: left_out.wind,
+            tilt_left_out: left_out.tilt,
+            gaps: self.gaps.clone(),
             motion: self.motion.clone(),
             law,
             history,

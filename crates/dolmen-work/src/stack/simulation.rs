@@ -1,17 +1,27 @@
 //! What `dolmen simulate` found of a stack, with what went in.
 
 use crate::motion::MotionAnswer;
+use crate::tilt_left_out::TiltLeftOut;
 use dolmen::assess::{DamageState, DamageThresholds, JointDamage, StackDamage};
 use dolmen::blocks::{ContactLaw, Outcome, Pose, StackHistory};
 use dolmen::signal::Component;
 use dolmen::stability::stack::StackLimitStates;
-use dolmen::structure::stack::{Body, Stack};
+use dolmen::structure::stack::{Body, Stack, WidestGap};
 use dolmen_project::{Names, SurveyedLean};
+
+/// Joints of a stack that are drawn with a gap, and how they were run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DrawnGaps {
+    /// The widest, and how many there are.
+    pub gap: WidestGap,
+    /// Whether those are open in the run without which every stone is still carried.
+    pub are_open: bool,
+}
 
 /// A simulation of a stack and its inputs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StackSimulation {
-    /// The project file, as it was named.
+    /// The project file, as the user named it.
     pub file: String,
     /// Name of the structure.
     pub name: Names,
@@ -23,6 +33,10 @@ pub struct StackSimulation {
     pub lean: Option<SurveyedLean>,
     /// Whether the file gives a wind, which does not blow during a motion.
     pub without_wind: bool,
+    /// A measured tilt that the runs do not start from.
+    pub tilt_left_out: Option<TiltLeftOut>,
+    /// Joints that are drawn with a gap.
+    pub gaps: Option<DrawnGaps>,
     /// The motion of its base.
     pub motion: MotionAnswer,
     /// The law of contact, with the options of the run.

@@ -18,7 +18,7 @@ pub struct SupportsRun {
 /// A stack whose supports move slowly, and its inputs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SupportsSimulation {
-    /// The project file, as it was named.
+    /// The project file, as the user named it.
     pub file: String,
     /// Name of the structure.
     pub name: Names,

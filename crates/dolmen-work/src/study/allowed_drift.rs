@@ -3,15 +3,20 @@
 use super::answer::StudyAnswer;
 use super::measures::RunMeasures;
 use super::run::Run;
+use std::collections::BTreeSet;
 
 /// Scans against the allowable drift of a storey.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AllowedDrift {
     /// The allowable drift over the height of the storey.
     pub limit: f64,
+    /// What the lean as surveyed takes of it, at most; 0 where the structure takes no tilt over.
+    pub lean: f64,
+    /// Scans in which the motion before drifts beyond it already, not among the others.
+    pub before: usize,
     /// Scans of which a drift is known.
     pub scans: usize,
-    /// How many of them drift farther in some run, or fall under their own weight.
+    /// How many of them drift farther in some run, the lean as surveyed counted, or fall under their own weight.
     pub beyond: usize,
     /// The least peak of the ground at which one that stands does, m/s²; `None` where none does.
     pub least_m_s2: Option<f64>,
@@ -19,12 +24,20 @@ pub struct AllowedDrift {
     pub largest_m_s2: f64,
 }
 
-/// The largest drift of a run over the height of its storey.
-fn drift(run: &Run) -> Option<f64> {
-    match run.measures {
-        RunMeasures::Frame(of) => Some(of.peak_drift_ratio),
+/// What a run takes of the allowable drift over the height of a storey: of a frame that leans as surveyed its lean, too.
+fn drift(measures: &RunMeasures) -> Option<f64> {
+    match measures {
+        RunMeasures::Frame(of) => Some(of.peak_lean_ratio),
         RunMeasures::Building(of) => Some(of.peak_corner_drift_ratio),
         RunMeasures::None | RunMeasures::Stack(_) | RunMeasures::Chain(_) => None,
+    }
+}
+
+/// What of that is the lean as surveyed.
+fn lean(run: &Run) -> f64 {
+    match run.measures {
+        RunMeasures::Frame(of) => of.peak_lean_ratio - of.peak_drift_ratio,
+        RunMeasures::None | RunMeasures::Stack(_) | RunMeasures::Chain(_) | RunMeasures::Building(_) => 0.0,
     }
 }
 
@@ -32,11 +45,21 @@ impl StudyAnswer {
     /// The scans against the allowable drift of the file; `None` where it sets none, varies it, or nothing was run.
     pub fn allowed_drift(&self) -> Option<AllowedDrift> {
         let limit = self.drift_limit?;
-        let known: Vec<(&Run, f64)> = self
+        let is_beyond = |drift: f64| drift > limit || drift.is_nan();
+        let beyond_before: BTreeSet<usize> = self
+            .before
+            .iter()
+            .filter(|state| drift(&state.measures).is_some_and(is_beyond))
+            .map(|state| state.case)
+            .collect();
+        let is_beyond_before = |run: &Run| beyond_before.contains(&self.case_of(run.job));
+        let all: Vec<(&Run, f64)> = self
             .runs
             .iter()
-            .filter_map(|run| Some((run, drift(run)?)))
+            .filter_map(|run| Some((run, drift(&run.measures)?)))
             .collect();
+        let (before, known): (Vec<_>, Vec<_>) = all.into_iter().partition(|one| is_beyond_before(one.0));
+        let before: BTreeSet<usize> = before.iter().map(|one| one.0.job).collect();
         let jobs = |of: &dyn Fn(f64) -> bool| {
             let mut jobs: Vec<usize> = known
                 .iter()
@@ -51,11 +74,12 @@ impl StudyAnswer {
             let chosen = known.iter().filter(|one| of(one.1));
             chosen.map(|one| one.0.peak_ground_acceleration_m_s2).collect()
         };
-        let is_beyond = |drift: f64| drift > limit || drift.is_nan();
         let largest_m_s2 = peaks(&|_| true).into_iter().reduce(f64::max)?;
         let alone = self.runs.iter().filter(|run| run.fell_alone()).count();
         Some(AllowedDrift {
             limit,
+            before: before.len(),
+            lean: known.iter().map(|one| lean(one.0)).fold(0.0, f64::max),
             scans: alone + jobs(&|_| true),
             beyond: alone + jobs(&is_beyond),
             least_m_s2: peaks(&is_beyond).into_iter().reduce(f64::min),

@@ -43,7 +43,7 @@ pub struct CaseInputs {
 /// A study with everything that was run.
 #[derive(Clone, Debug)]
 pub struct StudyAnswer {
-    /// The project file, as it was named.
+    /// The project file, as the user named it.
     pub file: String,
     /// Name of the structure.
     pub name: Names,
@@ -91,7 +91,7 @@ pub struct StudyAnswer {
     pub fitted: Fitted,
 }
 
-/// What is said of an expected trend.
+/// The verdict on an expected trend.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TrendVerdict {
     /// Seen, beyond chance.
@@ -122,7 +122,7 @@ pub struct TrendAnswer {
     pub of_pairs: Trend,
     /// τ of each motion, direction and sample by itself.
     pub of_each: Vec<f64>,
-    /// What was expected of it, with what is said of that.
+    /// What was expected of it, with the verdict on that.
     pub expected: Option<(ExpectedTrend, TrendVerdict)>,
 }
 

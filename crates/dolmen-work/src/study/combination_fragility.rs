@@ -6,7 +6,7 @@ use dolmen::assess::{
     bootstrap_fragility_of_motions, crossing, motions_needed,
 };
 
-/// Years of the probability that is said.
+/// Years of the probability that the answer gives.
 pub const YEARS: f64 = 50.0;
 /// Standard error of ln θ that counts as enough. Chosen here: a median that is known to a tenth.
 const ERROR_WANTED: f64 = 0.1;

@@ -99,6 +99,13 @@ pub fn run(
                 journal.append(&run)?;
                 scan.runs.push(run);
             }
+            // what has fallen does not rise: it stands at no size of a second motion
+            if let (Ok(_), true, Some(Before::Fell(state))) = (&scan.model, scan.runs.is_empty(), scan.before)
+            {
+                let run = state.fallen(scan.job);
+                journal.append(&run)?;
+                scan.runs.push(run);
+            }
         }
         loop {
             let wanted = wanted(plan, &scans)?;
@@ -199,7 +206,8 @@ fn trial(run: &Run) -> ScaleTrial {
 /// Scans (indices) and scales to run next: what is missing of the grids; when they are whole, the middle of each bracket.
 fn wanted(plan: &Plan<'_>, scans: &[Job<'_>]) -> Result<Vec<(usize, f64)>, WorkError> {
     let mut wanted = Vec::new();
-    for (index, scan) in scans.iter().enumerate().filter(|(_, scan)| scan.model.is_ok()) {
+    let is_shaken = |scan: &Job<'_>| scan.model.is_ok() && !matches!(scan.before, Some(Before::Fell(_)));
+    for (index, scan) in scans.iter().enumerate().filter(|(_, scan)| is_shaken(scan)) {
         let is_done = |scale: f64| scan.runs.iter().any(|run| run.scale == scale);
         let open: Vec<f64> = scan
             .grid
@@ -251,13 +259,8 @@ fn run_batch(
             ..Run::empty(scan.job)
         };
         let acting = match scan.before {
-            // what has fallen does not rise
-            Some(Before::Fell(state)) => {
-                keep(index, Some(state.fallen(run)))?;
-                continue;
-            }
             Some(Before::Left(left)) => left.then(&acting)?,
-            Some(Before::Unshaken(_) | Before::Refused { .. }) | None => acting,
+            Some(Before::Unshaken(_) | Before::Refused { .. } | Before::Fell(_)) | None => acting,
         };
         match &scan.model {
             Ok(Model::Stack(model)) => of_stacks.push((index, run, model, acting)),

@@ -42,12 +42,15 @@ fn of_case(plan: &Plan<'_>, case: usize, progress: &dyn Progress) -> Result<Opti
     match model {
         Model::Frame(model) => {
             maps.harmonic = mapped(plan, |[frequencies_hz, accelerations_m_s2]| {
-                harmonic_map(&model.frame, frequencies_hz, accelerations_m_s2, &mut |_| {
-                    !progress.is_cancelled()
-                })
+                harmonic_map(
+                    &model.first.frame,
+                    frequencies_hz,
+                    accelerations_m_s2,
+                    &mut |_| !progress.is_cancelled(),
+                )
             })?;
             if let Some(displacement_m) = plan.study.release_m {
-                maps.release = amplitude_dependence(&model.frame, displacement_m)?;
+                maps.release = amplitude_dependence(&model.first.frame, displacement_m)?;
             }
             maps.parts = model.storeys;
         }

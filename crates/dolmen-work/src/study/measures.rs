@@ -64,6 +64,8 @@ measures! {
         peak_drift_m,
         /// Largest drift over the height of its storey, –.
         peak_drift_ratio,
+        /// Largest drift over the height of its storey and the lean as surveyed together, –.
+        peak_lean_ratio,
         /// Displacement of the top that is left, m.
         residual_displacement_m,
         /// Largest drift left, m.

@@ -9,7 +9,7 @@ use dolmen_project::LawPart;
 use dolmen_words::Language;
 use dolmen_words::number::trimmed;
 
-/// Time after the motion in which a frame or a chain swings on if nothing else is said, s, in a study and a single
+/// Time after the motion in which a frame or a chain swings on if the file gives no other, s, in a study and a single
 /// simulation alike: with a damping ratio of 2 % a swing of 1 Hz dies down to a tenth. Chosen here.
 pub const SWING_REST_S: f64 = 20.0;
 

@@ -1,8 +1,9 @@
 //! Structures of a study, ready to be shaken.
 
 use super::inputs::Drawn;
-use crate::check::falls_by_itself;
+use crate::check::{falls_by_itself, leans_to_its_fall};
 use crate::in_runs::no_capacity;
+use crate::stack::check::with_gaps;
 use crate::told::told_both;
 use crate::wrong::CaseRefused;
 use crate::{building, chain, frame};
@@ -49,9 +50,16 @@ pub(super) fn model_of(study: &StudyPart, project: &Project, sample: &Drawn) -> 
         Ok(None) => {}
         Err(why) => return Err(NoModel::Refused(told_both(&why))),
     }
+    match leans_to_its_fall(project, pick) {
+        Ok(true) => return Err(NoModel::FallsAlone(CaseRefused::LeansToItsFall.into())),
+        Ok(false) => {}
+        Err(why) => return Err(NoModel::Refused(told_both(&why))),
+    }
     let model = match &project.structure {
         Structure::Stack(part) => match part.build(pick) {
-            Ok(stack) => return stack_model(stack),
+            Ok(stack) => {
+                return stack_model(with_gaps(stack).map_err(|why| NoModel::Refused(told_both(&why)))?);
+            }
             Err(why) => Err(told_both(&why)),
         },
         Structure::Frame(part) => {

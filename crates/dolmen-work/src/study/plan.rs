@@ -234,7 +234,7 @@ impl<'o> Plan<'o> {
     }
 
     /// Whether the structure meets the components of a motion along x and along y.
-    fn meets_both(&self, project: &Project) -> bool {
+    pub(super) fn meets_both(&self, project: &Project) -> bool {
         match &project.structure {
             Structure::Chain(part) => part.has_two_axes(),
             Structure::Frame(part) => is_in_plan(self.study, part),
@@ -316,7 +316,7 @@ impl<'o> Plan<'o> {
         let Structure::Stack(part) = &project.structure else {
             return None;
         };
-        let stack = part.build(&mut Quantity::nominal).ok()?;
+        let stack = stack::check::with_gaps(part.build(&mut Quantity::nominal).ok()?).ok()?;
         let limits = stack_limits(&stack, &StackLimits::default()).ok()?;
         let names = stack.joints().iter();
         let names = names.map(|joint| stack::study::joint_words(&stack, joint));
@@ -522,9 +522,4 @@ fn in_one_line(problem: &Problem, file: &str, language: Language) -> String {
         beside("; ", &problem.help),
         language.pick(format!("line {line} of {file}"), format!("{file} {line}행"))
     )
-}
-
-/// Whether a project is a chain of two directions.
-pub(super) fn has_two_axes(project: &Project) -> bool {
-    matches!(&project.structure, Structure::Chain(part) if part.has_two_axes())
 }

@@ -6,7 +6,7 @@ use super::inputs::{Drawn, drawn};
 use super::kind::StudyKind;
 use super::model::{NoModel, model_of};
 use super::motions::{PreparedMotion, prepared};
-use super::plan::{Plan, has_two_axes};
+use super::plan::Plan;
 use super::state_before::StateBefore;
 use crate::error::WorkError;
 use crate::motion::refuse_other_components;
@@ -31,7 +31,7 @@ impl Plan<'_> {
         let first = prepared(&self.opened.project, self.files, self.study, &after.motion)?;
         for (_, second) in &self.motions {
             motion_sequence(&first.motion, 0.0, &second.motion)?;
-            if self.kind == StudyKind::Chain && has_two_axes(&self.opened.project) {
+            if self.meets_both(&self.opened.project) {
                 refuse_other_components(&first.motion, &second.motion)?;
             }
         }
@@ -86,7 +86,7 @@ impl Plan<'_> {
     ) -> Result<(PreparedMotion, bool), WorkError> {
         let motion = prepared(project, self.files, self.study, &after.motion)?;
         Ok(match self.kind {
-            StudyKind::Chain if has_two_axes(project) => (motion, false),
+            StudyKind::Chain | StudyKind::Frame if self.meets_both(project) => (motion, false),
             StudyKind::Frame | StudyKind::Chain => (motion.in_plane(0.0)?, true),
             StudyKind::Stack | StudyKind::Building => (motion, false),
         })

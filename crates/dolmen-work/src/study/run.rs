@@ -97,7 +97,7 @@ impl Run {
         self.scale == 0.0 && self.outcome == RunOutcome::Refused
     }
 
-    /// Whether nothing was run because the structure falls under its own weight.
+    /// Whether nothing was run because the structure falls under its own weight, or fell in the motion before.
     pub fn fell_alone(&self) -> bool {
         self.scale == 0.0 && self.outcome == RunOutcome::Fell
     }

@@ -7,7 +7,7 @@ use dolmen::assess::{
 };
 use dolmen_words::Language;
 
-/// Fewest scans of which 5 % and 95 % are said: of fewer they would be the least and the largest. Chosen here.
+/// Fewest scans of which the answer gives 5 % and 95 %: of fewer they would be the least and the largest. Chosen here.
 pub const SCANS_OF_TAILS: usize = 20;
 
 /// How far a scan can be used.

@@ -51,7 +51,7 @@ impl StateBefore {
     }
 
     /// The row of a run of what has fallen before it.
-    pub(super) fn fallen(&self, run: Run) -> Run {
+    pub(super) fn fallen(&self, job: usize) -> Run {
         Run {
             outcome: RunOutcome::Fell,
             damage_state: self.damage_state,
@@ -59,8 +59,7 @@ impl StateBefore {
             at_s: self.at_s,
             part: self.part.clone(),
             gave_way: self.gave_way.clone(),
-            measures: self.measures,
-            ..run
+            ..Run::empty(job)
         }
     }
 }

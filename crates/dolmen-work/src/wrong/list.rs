@@ -2,7 +2,7 @@
 
 use super::flag::FlagWords;
 use super::pieces::{
-    CaseRefused, DesignNeeds, JournalDiffers, KnownNames, NoPlace, OfRuns, Place, RowLacks, RowNeeds,
+    CaseRefused, DesignNeeds, JournalDiffers, KnownNames, NoPlace, NotHeld, OfRuns, Place, RowLacks, RowNeeds,
 };
 use crate::change_fault::ChangeFault;
 use crate::error::WorkError;
@@ -21,7 +21,7 @@ use dolmen_words::{Template, sayable};
 use std::error::Error;
 
 /// All sentences of the errors of this crate.
-pub const ERRORS: [&[Template]; 19] = [
+pub const ERRORS: [&[Template]; 20] = [
     WorkError::TEMPLATES,
     ChangeFault::TEMPLATES,
     MotionRequestError::TEMPLATES,
@@ -38,6 +38,7 @@ pub const ERRORS: [&[Template]; 19] = [
     OfRuns::TEMPLATES,
     JournalDiffers::TEMPLATES,
     NoPlace::TEMPLATES,
+    NotHeld::TEMPLATES,
     RowLacks::TEMPLATES,
     RowNeeds::TEMPLATES,
     DesignNeeds::TEMPLATES,

@@ -43,6 +43,20 @@ messages! {
 }
 
 messages! {
+    /// Why a structure is not held against its site.
+    pub(crate) enum NotHeld in "work.not_held" {
+        Falls => {
+            en: "it does not stand without shaking",
+            ko: "지진이 없어도 서 있지 못한다",
+        },
+        NoGround => {
+            en: "the table gives no acceleration of the ground: begin it at T = 0, or write peak_ground_acceleration",
+            ko: "표에 지반가속도가 없다. T = 0부터 입력하거나 peak_ground_acceleration을 쓴다",
+        },
+    }
+}
+
+messages! {
     /// Why the structure of a case cannot be shaken.
     pub(crate) enum CaseRefused in "work.case" {
         JointsUnknown => {
@@ -65,6 +79,10 @@ messages! {
         FallsAlone { load_factor: String } => {
             en: "it falls under its own weight, load factor {load_factor}",
             ko: "자중으로 쓰러진다(하중배율 {load_factor})",
+        },
+        LeansToItsFall => {
+            en: "under its own weight it leans, as surveyed, beyond what counts as fallen",
+            ko: "조사한 기울기에서 자중으로 붕괴로 보는 한계를 넘어 기운다",
         },
         Falls { verdict: Both } => {
             en: "it does not stand without shaking: {verdict}",

@@ -67,7 +67,7 @@ fn request(slip: &Slip) -> MotionRequest {
     request
 }
 
-/// All that is said of a project with a slip in it.
+/// All that Dolmen says of a project with a slip in it.
 fn said(slip: &Slip) -> String {
     let path = root().join(&slip.file);
     let text = edited(&std::fs::read_to_string(&path).unwrap(), slip);

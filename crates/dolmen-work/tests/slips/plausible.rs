@@ -192,7 +192,7 @@ fn building(draw: &mut Draw) -> String {
     text
 }
 
-/// What is said of a drawn file that is none of a true remark.
+/// What Dolmen says of a drawn file, of which it should say nothing.
 fn alarm(text: &str) -> Option<String> {
     let doubts = |project: &Project| -> Option<String> {
         let doubt = project

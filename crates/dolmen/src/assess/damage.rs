@@ -108,7 +108,7 @@ impl StackDamage {
 ///
 /// # Limits
 /// Where several joints carry one part, or none is cut through alone, α of the cut that holds the joint and fewest blocks is taken.
-/// Of a run that was ended early only what happened until then counts: after a stone has fallen nothing is said of the others.
+/// Of a run that was ended early only what happened until then counts: after a stone has fallen the result says nothing of the others.
 pub fn stack_damage(
     stack: &Stack,
     limits: &StackLimitStates,

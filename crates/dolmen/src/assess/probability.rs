@@ -3,7 +3,7 @@
 use super::AssessError;
 use crate::numeric::{Random, clopper_pearson, mean, quantile, variance};
 
-/// Confidence of an interval if nothing else is said: the custom of the field.
+/// Confidence of an interval if the caller gives none: the custom of the field.
 const CONFIDENCE: f64 = 0.95;
 
 /// How often something happened among independent samples.
@@ -20,7 +20,7 @@ pub struct Probability {
     pub lower: f64,
     /// Upper end of it.
     pub upper: f64,
-    /// Confidence of the interval, 0.95 if nothing else is said.
+    /// Confidence of the interval, 0.95 by default.
     pub confidence: f64,
     /// Seed of the samples.
     pub seed: u64,

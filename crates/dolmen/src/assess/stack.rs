@@ -1,13 +1,14 @@
 //! A whole check of a stack of stones: whether it stands, at what acceleration it begins to move, what is asked of it.
 
 use super::AssessError;
-use super::stack_notes::{SettleRun, StackNote};
+use super::stack_notes::{Gaps, SettleRun, StackNote};
 use crate::stability::Verdict;
 use crate::stability::stack::{
     DemandComparison, Holding, LimitAnalysis, LimitAnalysisResult, LimitAnalysisStatus, MovedSupports,
     MovementEnding, PeriodOfThumb, RockingBlock, Shaking, StackDemand, StackLimitStates, StackLimits,
     StackLoads, SupportMovementOptions, Threshold, compare_with_demand, follow_support_movement,
-    limit_analysis, period_of_thumb, rocking_blocks, stack_limits, stands_by_limit_analysis,
+    limit_analysis, limit_analysis_undilated, period_of_thumb, rocking_blocks, stack_limits,
+    stands_by_limit_analysis,
 };
 use crate::structure::stack::Stack;
 
@@ -52,9 +53,9 @@ pub const MARGINAL_BELOW_G: f64 = 0.02;
 /// Part of the friction without which forces that balance the weight must still be found, or friction carries. Chosen here: a bed
 /// that leans by 3.4° needs a tenth of the usual 0.6, an arch a third and more.
 const FRICTION_SPARE: f64 = 0.1;
-/// By how much the limit analysis may be lower before it is said; what the solver loses is 1e-8. Chosen here.
+/// By how much the limit analysis may be lower before a note says so; what the solver loses is 1e-8. Chosen here.
 const LOWER: f64 = 1e-4;
-/// By how much both bounds of the limit analysis may differ before it is said: three digits are printed. Chosen here.
+/// By how much both bounds of the limit analysis may differ before a note says so: the answer prints three digits. Chosen here.
 const BETWEEN: f64 = 1e-3;
 
 /// Checks a stack: whether it stands, what moves first and at what acceleration, against a demand.
@@ -136,6 +137,54 @@ pub fn check_stack(stack: &Stack, options: &StackCheckOptions) -> Result<StackCh
     Ok(check)
 }
 
+/// Checks a stack with the gaps of its joints closed, and open as drawn: what bears less, and the stack of that. Without a joint that is
+/// open a stone may float, and the stack may not stand: then it counts as closed.
+///
+/// # Errors
+/// As [`check_stack`].
+pub fn check_stack_with_gaps(
+    stack: Stack,
+    options: &StackCheckOptions,
+) -> Result<(Stack, StackCheck), AssessError> {
+    let mut closed = check_stack(&stack, options)?;
+    let drawn_open = stack.joints_drawn_open();
+    let joints = drawn_open.iter().map(|&joint| &stack.joints()[joint]);
+    let Some(widest) = joints.max_by(|a, b| a.gap_m.total_cmp(&b.gap_m)) else {
+        return Ok((stack, closed));
+    };
+    let (lower, upper, gap_m) = (widest.lower, widest.upper, widest.gap_m);
+    let note = |gaps: Gaps| StackNote::Gaps {
+        lower,
+        upper,
+        gap_m,
+        joints: drawn_open.len(),
+        gaps,
+    };
+    let Some(open) = stack
+        .with_gaps_open()
+        .filter(|_| closed.verdict != Verdict::Unstable)
+    else {
+        closed.notes.push(note(Gaps::Closed));
+        return Ok((stack, closed));
+    };
+    let mut opened = check_stack(&open, options)?;
+    let least = |check: &StackCheck| check.capacity.map_or(f64::INFINITY, |least| least.acceleration_g);
+    if opened.verdict == Verdict::Unstable {
+        closed.notes.push(note(Gaps::FallsOpen));
+        closed.verdict = closed.verdict.max(Verdict::Marginal);
+        return Ok((stack, closed));
+    }
+    // as drawn, unless that bears more
+    if least(&opened) > (1.0 + LOWER) * least(&closed) {
+        closed.notes.push(note(Gaps::Closed));
+        return Ok((stack, closed));
+    }
+    opened.notes.push(note(Gaps::Open {
+        closed_g: closed.capacity.map(|least| least.acceleration_g),
+    }));
+    Ok((open, opened))
+}
+
 fn note_what_is_left_out(stack: &Stack, options: &StackCheckOptions, check: &mut StackCheck) {
     if !check.limits.statically_determinate {
         check.notes.push(StackNote::SharedLoad);
@@ -167,15 +216,11 @@ fn note_kinetic_friction(
     options: &StackCheckOptions,
     check: &mut StackCheck,
 ) -> Result<(), AssessError> {
-    let mut moving = stack.clone();
-    let mut less = false;
-    for (index, joint) in stack.joints().iter().enumerate() {
-        let mut material = joint.material;
-        less |= material.friction_kinetic < material.friction_static;
-        material.friction_static = material.friction_kinetic;
-        moving = moving.with_material(index, material)?;
-    }
-    if less && check.limits.sliding.is_some() {
+    let Some(moving) = with_kinetic_friction(stack)? else {
+        return Ok(());
+    };
+    // where stones share their load each joint alone says nothing of that
+    if check.limits.statically_determinate && check.limits.sliding.is_some() {
         let sliding = stack_limits(&moving, &options.limits)?.sliding;
         check.notes.push(StackNote::KineticLess {
             slides_at_g: sliding.map_or(0.0, |sliding| sliding.threshold.acceleration_g),
@@ -196,7 +241,7 @@ fn analyse(stack: &Stack, options: &StackCheckOptions, check: &mut StackCheck) -
     };
     // with the shaking the soil's rotation acts as a factor
     let loads = loads_on_soil(options, check);
-    let analysis = limit_analysis(
+    let found = limit_analysis_undilated(
         stack,
         &LimitAnalysis {
             loads,
@@ -205,6 +250,7 @@ fn analyse(stack: &Stack, options: &StackCheckOptions, check: &mut StackCheck) -
             ..LimitAnalysis::default()
         },
     )?;
+    let analysis = found.analysis;
     let status = analysis.status;
     let at_least_g = analysis.at_least_g * check.limits.soil_factor;
     check.analysis = Some(analysis);
@@ -244,10 +290,24 @@ fn analyse(stack: &Stack, options: &StackCheckOptions, check: &mut StackCheck) -
         });
     }
     check.capacity = least;
+    if let (Some(dilating_g), Some(least)) = (found.dilating_g, least) {
+        check.notes.push(StackNote::WithoutDilatancy {
+            dilating_g: dilating_g * check.limits.soil_factor,
+            without_g: least.acceleration_g,
+        });
+    }
+    if found.is_upper_bound && !check.limits.statically_determinate {
+        check.notes.push(StackNote::UpperBound);
+    }
+    note_kinetic_friction_shared(stack, options, check)?;
     // forces were found that balance the weight: it stands
     let carries = !check.limits.statically_determinate && friction_carries(stack, options, check)?;
     if carries {
         check.notes.push(StackNote::FrictionCarries);
+    }
+    let bonded = joint_bonds(stack) && bond_carries(stack, options, check)?;
+    if bonded {
+        check.notes.push(StackNote::BondCarries);
     }
     let by_margins = by_margins(check);
     check.verdict = match carries {
@@ -255,6 +315,61 @@ fn analyse(stack: &Stack, options: &StackCheckOptions, check: &mut StackCheck) -
         false => by_margins,
     };
     Ok(())
+}
+
+fn joint_bonds(stack: &Stack) -> bool {
+    stack
+        .joints()
+        .iter()
+        .any(|joint| joint.material.cohesion_pa > 0.0)
+}
+
+/// Whether it does not stand without the bond of its joints.
+fn bond_carries(stack: &Stack, options: &StackCheckOptions, check: &StackCheck) -> Result<bool, AssessError> {
+    let direction = check.capacity.map_or([1.0, 0.0], |capacity| capacity.direction);
+    let loads = loads_on_soil(options, check);
+    Ok(!stands_by_limit_analysis(stack, &loads, direction)?)
+}
+
+/// Where stones share their load, the limit analysis with the kinetic friction in every joint: what slides once has that.
+fn note_kinetic_friction_shared(
+    stack: &Stack,
+    options: &StackCheckOptions,
+    check: &mut StackCheck,
+) -> Result<(), AssessError> {
+    if check.limits.statically_determinate {
+        return Ok(());
+    }
+    let Some(moving) = with_kinetic_friction(stack)? else {
+        return Ok(());
+    };
+    let analysis = LimitAnalysis {
+        loads: loads_on_soil(options, check),
+        holding: Holding::Cohesion,
+        ..LimitAnalysis::default()
+    };
+    let note = match limit_analysis(&moving, &analysis)?.status {
+        LimitAnalysisStatus::DoesNotStand => StackNote::KineticFalls,
+        LimitAnalysisStatus::Unlimited => return Ok(()),
+        LimitAnalysisStatus::Limited(threshold) => StackNote::KineticShared {
+            moves_at_g: threshold.acceleration_g * check.limits.soil_factor,
+        },
+    };
+    check.notes.push(note);
+    Ok(())
+}
+
+/// The stack with the kinetic friction in every joint; `None` if it is less in none.
+fn with_kinetic_friction(stack: &Stack) -> Result<Option<Stack>, AssessError> {
+    let mut moving = stack.clone();
+    let mut less = false;
+    for (index, joint) in stack.joints().iter().enumerate() {
+        let mut material = joint.material;
+        less |= material.friction_kinetic < material.friction_static;
+        material.friction_static = material.friction_kinetic;
+        moving = moving.with_material(index, material)?;
+    }
+    Ok(less.then_some(moving))
 }
 
 /// A verdict, with what supports that move make of it.
@@ -280,10 +395,20 @@ pub(super) fn by_margins(check: &StackCheck) -> Verdict {
         .limits
         .gravity_margin
         .map_or(Verdict::Stable, Verdict::of_gravity_margin);
+    let is_doubted = check.notes.iter().any(|note| {
+        let falls_open = matches!(
+            note,
+            StackNote::Gaps {
+                gaps: Gaps::FallsOpen,
+                ..
+            }
+        );
+        falls_open || *note == StackNote::BondCarries
+    });
     let is_near = check
         .capacity
         .is_some_and(|least| least.acceleration_g < MARGINAL_BELOW_G);
-    match is_near {
+    match is_near || is_doubted {
         true => by_joints.max(Verdict::Marginal),
         false => by_joints,
     }

@@ -1,6 +1,7 @@
 //! What to know of a check of a stack, and what its run under its own weight found.
 
 use crate::blocks::BlocksError;
+use crate::structure::stack::Body;
 use std::fmt;
 
 /// What came of a run of a stack under its own weight.
@@ -33,6 +34,20 @@ pub enum SettleRun {
 impl SettleRun {
     /// Most stones of a stack that is run in a check. Chosen here: they take a second or two.
     pub const STONES_MOST: usize = 200;
+}
+
+/// What became of joints that are drawn with a gap.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Gaps {
+    /// They count as closed, without which a stone would float, or more would be borne.
+    Closed,
+    /// They count as closed, but with them open it does not stand.
+    FallsOpen,
+    /// They are open, as drawn.
+    Open {
+        /// Acceleration with them closed, over gravity.
+        closed_g: Option<f64>,
+    },
 }
 
 /// What to know of a check of a stack. `Display` says it as a sentence.
@@ -84,6 +99,37 @@ pub enum StackNote {
     },
     /// The limit analysis knows no compressive strength, so of the stack that shares its load this is an upper bound.
     StrengthNotInAnalysis,
+    /// Friction that is taken as associated would hold more: it lets joints that slide rise, which real ones do not.
+    WithoutDilatancy {
+        /// What it would hold, over gravity.
+        dilating_g: f64,
+        /// What is held without friction in the upright joints that slide, over gravity.
+        without_g: f64,
+    },
+    /// Joints slide while others open, or hold only by sliding: the limit analysis gives an upper bound.
+    UpperBound,
+    /// It does not stand without the bond of its joints.
+    BondCarries,
+    /// Joints are drawn with a gap.
+    Gaps {
+        /// The body below the widest.
+        lower: Body,
+        /// The block above it.
+        upper: usize,
+        /// Its gap, m.
+        gap_m: f64,
+        /// How many there are.
+        joints: usize,
+        /// What became of them.
+        gaps: Gaps,
+    },
+    /// With the kinetic friction in every joint, stones that share their load begin to move here.
+    KineticShared {
+        /// Over gravity.
+        moves_at_g: f64,
+    },
+    /// With the kinetic friction in every joint it does not stand.
+    KineticFalls,
     /// Side supports are left out.
     SideSupportsLeftOut,
     /// Cohesion counts in full in every joint at once, although a bond breaks brittle and one by one.
@@ -181,6 +227,40 @@ impl fmt::Display for StackNote {
                 "sliding is found with the static friction; a joint that moves once has the kinetic one, and with that in every \
                  joint sliding begins at {slides_at_g:.3} g"
             ),
+            StackNote::WithoutDilatancy {
+                dilating_g,
+                without_g,
+            } => write!(
+                f,
+                "friction that lets sliding joints rise would hold {dilating_g:.3} g; without it in upright joints that slide \
+                 {without_g:.3} g is held"
+            ),
+            StackNote::UpperBound => write!(
+                f,
+                "joints slide while others open: the limit analysis, which lets sliding joints rise, gives an upper bound"
+            ),
+            StackNote::BondCarries => write!(
+                f,
+                "held by bond: without the cohesion of its joints it does not stand"
+            ),
+            StackNote::Gaps {
+                gap_m, joints, gaps, ..
+            } => write!(
+                f,
+                "{joints} joints are drawn with a gap, the widest of {gap_m:.4} m: {}",
+                match gaps {
+                    Gaps::Closed => "taken as closed",
+                    Gaps::FallsOpen => "taken as closed; open it does not stand",
+                    Gaps::Open { .. } => "left open",
+                }
+            ),
+            StackNote::KineticShared { moves_at_g } => write!(
+                f,
+                "with the kinetic friction in every joint it begins to move at {moves_at_g:.3} g"
+            ),
+            StackNote::KineticFalls => {
+                write!(f, "with the kinetic friction in every joint it does not stand")
+            }
             StackNote::TiesLeftOut => write!(
                 f,
                 "ties are left out of the capacity, which is on the safe side; thresholds with ties at their strength stand \

@@ -7,7 +7,8 @@
 use super::AssessError;
 use crate::stability::Verdict;
 use crate::stability::stack::{
-    BlownBlock, LoadFactor, SteadyLoads, WindSurfaces, blown_blocks, growth, load_factor,
+    BlownBlock, LoadFactor, ROUNDS, SteadyLoads, WindSurfaces, blown_blocks, growth, load_factor,
+    without_sliding_friction,
 };
 use crate::structure::stack::{Stack, StaticLoad};
 use crate::structure::wind::WindPressure;
@@ -60,6 +61,9 @@ pub enum Grows {
 pub struct StackUnderLoads {
     /// The load factor and how it begins to move there.
     pub found: LoadFactor,
+    /// The factor with the friction of all joints taken as associated, where that is more: it lets upright joints rise as they
+    /// slide, and `found` has them slide without friction.
+    pub dilating_factor: Option<f64>,
     /// Which loads grow.
     pub grows: Grows,
     /// Where the wind blows to at the worst, a unit vector in plan; `None` without wind.
@@ -89,10 +93,37 @@ impl StackUnderLoads {
 /// [`AssessError`] for a factor on the weight that is not positive, and a programme that was not solved.
 ///
 /// # Limits
-/// Those of [`load_factor`] and [`blown_blocks`]. Of the wind the directions of x and y and those halfway between are tried: the faces and
+/// Those of [`load_factor`] and [`blown_blocks`], but for upright joints that slide: they count without friction where that bears less. Of the wind the directions of x and y and those halfway between are tried: the faces and
 /// corners of square stones that stand so. Of stones that stand otherwise the outline between face and corner may be met, with the same
 /// coefficient: up to 1.21 times what the face takes.
 pub fn stack_under_loads(
+    stack: &Stack,
+    combination: &StackCombination<'_>,
+) -> Result<StackUnderLoads, AssessError> {
+    let mut least = with_associated_friction(stack, combination)?;
+    let all_friction = least.found.factor;
+    let mut smoother = without_sliding_friction(stack, least.found.mechanism.as_ref());
+    for _ in 0..ROUNDS {
+        let Some(next) = smoother.filter(|_| all_friction > 0.0) else {
+            break;
+        };
+        let lesser = with_associated_friction(&next, combination)?;
+        smoother = without_sliding_friction(&next, lesser.found.mechanism.as_ref());
+        // what needs that friction to stand has an upper bound alone
+        if lesser.found.factor <= 0.0 {
+            break;
+        }
+        if lesser.found.factor < (1.0 - WORSE) * least.found.factor {
+            least = StackUnderLoads {
+                dilating_factor: Some(all_friction),
+                ..lesser
+            };
+        }
+    }
+    Ok(least)
+}
+
+fn with_associated_friction(
     stack: &Stack,
     combination: &StackCombination<'_>,
 ) -> Result<StackUnderLoads, AssessError> {
@@ -207,6 +238,7 @@ impl Case<'_> {
         };
         Ok(StackUnderLoads {
             found: load_factor(self.stack, &steady, &growing)?,
+            dilating_factor: None,
             grows,
             wind_to: pushed.wind_to,
             blown: pushed.blown,

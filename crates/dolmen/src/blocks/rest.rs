@@ -21,6 +21,8 @@ const LEFT_MOST: f64 = 1e-12;
 const LEFT_ROUNDING: f64 = 1e-7;
 /// Rounds of damped steps and Newton steps after them: many loose stones take turns to open and close.
 const ROUNDS: usize = 12;
+/// Newton steps of every other round that are halved: what closes in one whole step and opens in the next takes turns for ever.
+const HALF_STEPS: usize = 15;
 /// Damped steps a round, and the part of the velocity that each takes. Chosen here.
 const DAMPED_STEPS: usize = 400;
 const DAMPED_PART: f64 = 0.1;
@@ -77,7 +79,7 @@ pub(super) fn settle(assembly: &mut Assembly, stack: &Stack) -> Result<(), Block
             relax(assembly, &mut forces, h);
         }
         let mut least = f64::INFINITY;
-        for _ in 0..NEWTON_STEPS {
+        for number in 0..NEWTON_STEPS {
             let left = left(assembly, &mut forces);
             if left.largest < LEFT_MOST || (left.largest < LEFT_ROUNDING && left.largest > 0.5 * least) {
                 return check_standing(assembly, stack);
@@ -93,9 +95,13 @@ pub(super) fn settle(assembly: &mut Assembly, stack: &Stack) -> Result<(), Block
             let Some(step) = step else {
                 break;
             };
+            let share = match !round.is_multiple_of(2) && number < HALF_STEPS {
+                true => 0.5,
+                false => 1.0,
+            };
             for (body, step) in assembly.bodies.iter_mut().skip(1).zip(step.chunks_exact(6)) {
-                body.position += DVec3::new(step[0], step[1], step[2]);
-                body.turn_by(DVec3::new(step[3], step[4], step[5]));
+                body.position += share * DVec3::new(step[0], step[1], step[2]);
+                body.turn_by(share * DVec3::new(step[3], step[4], step[5]));
             }
         }
     }

@@ -15,7 +15,7 @@ use crate::dynamics::{DirectionalCombination, SpectralMode, VibratingBuilding};
 use dolmen_linalg::{Complex64, Matrix, eigen, solve};
 use std::f64::consts::TAU;
 
-/// A mode is said not to swing if the imaginary part of its λ is below this part of it. Our choice: damped to .999 995 of critical.
+/// A mode counts as not swinging if the imaginary part of its λ is below this part of it. Our choice: damped to .999 995 of critical.
 const SWINGS: f64 = 3e-3;
 /// The modes must give back the first push of the ground to this part of it, and their parts may cancel by no more than this factor: two
 /// that have become one do neither. Our choice.

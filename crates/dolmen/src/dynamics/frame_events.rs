@@ -117,6 +117,8 @@ impl<'a> Motion<'a> {
             pile_at_s: f64::NEG_INFINITY,
         };
         motion.unsettled = Some(motion.state.slider.clone());
+        let drift_m = |storey: usize| motion.model.across(storey, &motion.state.y).abs();
+        motion.leaned = (0..n).find(|storey| drift_m(*storey) >= motion.drift_most_m[*storey]);
         Ok(motion)
     }
 

@@ -49,6 +49,10 @@ pub fn simulate_frame(
     let step_most_s = motion.model.step_most_s().min(load_step_most_s(load));
     let mut outcome = FrameOutcome::Finished;
     let mut reported = 0;
+    if let Some(storey) = motion.leaned {
+        let outcome = FrameOutcome::DriftLimit { storey, at_s: 0.0 };
+        return Ok(recorder.finish(&motion.model, &motion.state, 0.0, outcome));
+    }
     'run: for end_s in ends_s(load, duration_s) {
         while end_s - motion.at_s > TOGETHER_S {
             let h = step_most_s.min(end_s - motion.at_s);

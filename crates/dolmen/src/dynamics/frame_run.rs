@@ -6,7 +6,7 @@ use super::frame_friction::FrictionFrame;
 
 /// Longest run, s: a day and some more. Chosen here: a frame of two storeys takes a minute or two for it.
 pub(super) const DURATION_MOST_S: f64 = 1e5;
-/// What is said of a longer one.
+/// What the error gives as allowed for a longer one.
 pub(super) const DURATION_ALLOWED: &str = "at most 100 000 s, which is more than a day";
 /// Samples of a history: above, it is a mistaken unit rather than a wish, and memory ends. Chosen here.
 pub(super) const SAMPLES_MOST: f64 = 1e7;
@@ -23,7 +23,7 @@ pub struct FrameRun {
     /// Velocities at the start, m/s; empty, the default, for none.
     pub start_velocity_m_s: Vec<f64>,
     /// Drift of a storey over its height at which the run ends: the model knows small drifts only. Default 0.1 (our choice):
-    /// sin and tan of it differ from it by .2 and .3 %.
+    /// sin and tan of it differ from it by 0.2 and 0.3 %. What leans already reaches it earlier: give what is left.
     pub drift_ratio_most: f64,
 }
 

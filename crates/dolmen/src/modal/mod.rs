@@ -53,8 +53,9 @@ pub use setups::{
 };
 pub use spectrum::{Efdd, Fdd, FddResult, MatrixFraction, Plscf, SingularSpectrum, efdd, fdd, plscf};
 pub use strong::{
-    During, DuringMode, LastingChange, MadeEarthquake, Part, Shaking, StrongChannel, StrongMotion,
-    TrackPoint, Tracked, earthquake_in, strong_motion,
+    AtLeast, DrivenPart, During, LastingChange, Losses, MadeEarthquake, Part, Shaking, ShakingKind,
+    StrongChannel, StrongEvent, StrongMotion, TrackPoint, Tracked, earthquake_in, earthquakes_in,
+    is_of_one_state, strong_motion,
 };
 pub use subspace::{
     Cluster, Clustering, Criteria, Fate, JudgedPole, Pole, PoleDeviation, Propagation, Ssi, Stability,

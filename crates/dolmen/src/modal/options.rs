@@ -8,9 +8,9 @@ use super::subspace::Criteria;
 /// What becomes of a mode that looks like a machine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Harmonics {
-    /// It stays and is named in a note.
+    /// It stays, and a note names it.
     Flag,
-    /// It is left out and named in a note.
+    /// It is left out, and a note names it.
     Remove,
 }
 

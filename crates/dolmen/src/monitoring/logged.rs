@@ -13,7 +13,8 @@ use super::daily::DailyReadings;
 use super::logged_faults::{LoggedJump, jump, spikes, stuck};
 use super::scan::ChangeForm;
 use super::series::Series;
-use super::tilt::{SEASON_YEARS_LEAST, SlopeLimit, TiltSlope, season, slope_of};
+use super::tilt::{SEASON_YEARS_LEAST, SlopeLimit, TiltSlope, slope_of};
+use super::wave::{amplitude, yearly_wave};
 use super::weather::YEAR_DAYS;
 use crate::numeric::{middle_mean, student_two_sided};
 
@@ -133,7 +134,7 @@ pub struct LoggedTrend {
     pub slope: Result<TiltSlope, NoSlope>,
     /// Days of the medians that the slope rests on.
     pub block_days: f64,
-    /// Half of the height of the wave of one year.
+    /// Half of the height of the wave of one year; `None` where the days do not tell it.
     pub season: Option<f64>,
     /// Change per °C and its standard deviation, where temperatures are known.
     pub per_c: Option<(f64, f64)>,
@@ -233,7 +234,7 @@ pub fn logged_trend(series: &LoggedSeries, options: &LoggedOptions) -> Result<Lo
         trend.now = worst.slope.now;
     }
     trend.block_days = worst.block_days;
-    trend.season = Some(worst.season);
+    trend.season = worst.season;
     trend.per_c = worst.per_c;
     trend.levels = worst.levels;
     trend.changes = worst.changes;
@@ -351,7 +352,7 @@ impl Blocks {
 struct Told {
     slope: TiltSlope,
     block_days: f64,
-    season: f64,
+    season: Option<f64>,
     per_c: Option<(f64, f64)>,
     levels: Vec<LoggedLevel>,
     changes: Vec<LoggedChange>,
@@ -419,7 +420,8 @@ impl Blocks {
             vec![1.0; n],
             self.days.iter().map(|day| (day - last) / YEAR_DAYS).collect(),
         ];
-        columns.extend(season(&self.days));
+        let wave = yearly_wave(&self.days, &columns);
+        columns.extend(wave);
         if !self.temperatures_c.is_empty() {
             let mean = self.temperatures_c.iter().sum::<f64>() / n as f64;
             columns.push(self.temperatures_c.iter().map(|t| t - mean).collect());
@@ -466,6 +468,7 @@ fn told(
     let has_temperature = !blocks.temperatures_c.is_empty();
     let first_level = columns.len() - works.len();
     let first_break = columns.len();
+    let wave = 2..first_level - usize::from(has_temperature);
     let breaks: Vec<&MonthBreak> = breaks
         .iter()
         .filter(|of| {
@@ -535,8 +538,8 @@ fn told(
     let told = Told {
         line: line.collect(),
         block_days: 1.0,
-        season: fit.coefficients[2].hypot(fit.coefficients[3]),
-        per_c: has_temperature.then(|| (fit.coefficients[4], fit.sd[4])),
+        season: amplitude(&fit.coefficients[wave]),
+        per_c: has_temperature.then(|| (fit.coefficients[first_level - 1], fit.sd[first_level - 1])),
         changes: changes.collect(),
         slope,
         levels,

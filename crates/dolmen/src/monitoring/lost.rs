@@ -73,7 +73,7 @@ pub(super) fn lost(
             before.any(|mode| mode.direction.as_deref() == Some(direction))
         };
         let fits = |other: Option<&str>| match (track.direction.as_deref(), other) {
-            // of another name than any before: the directions were named anew, or others measured
+            // of another name than any before: somebody renamed the directions, or measured others
             (Some(own), Some(other)) => own == other || !is_known(other),
             _ => true,
         };

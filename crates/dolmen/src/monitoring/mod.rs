@@ -24,10 +24,14 @@ mod series;
 mod t_squared;
 mod table;
 mod tilt;
+mod tilt_marks;
 mod tilt_outliers;
+mod tilt_signs;
 mod tracking;
+mod unknown_temperatures;
 mod watch;
 mod watched_mode;
+mod wave;
 mod weather;
 mod whitening;
 

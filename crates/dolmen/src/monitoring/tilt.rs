@@ -7,9 +7,9 @@ use super::regression::Fit;
 use super::scan::ChangeForm;
 use super::series::Series;
 use super::tilt_outliers::{TiltOutlier, tilt_outliers};
+use super::wave::yearly_wave;
 use super::weather::YEAR_DAYS;
 use crate::numeric::{student_detectable, student_two_sided, student_two_sided_quantile};
-use std::f64::consts::TAU;
 
 /// Readings that a slope needs; a season beside it needs so many, over so many years. Chosen here.
 const READINGS_LEAST: usize = 4;
@@ -40,6 +40,10 @@ pub struct TiltTrend {
     pub outliers: Vec<TiltOutlier>,
     /// The slope from the last change of slope on; `None` with fewer than four readings of one level.
     pub slope: Option<TiltSlope>,
+    /// The slope of the mark before it, with the tilt now and the reach of its own readings, where this mark is new and has no slope beyond chance.
+    pub carried: Option<TiltSlope>,
+    /// Standard deviation of the readings about the fit; 0 without one.
+    pub scatter: f64,
     /// Steps and changes of slope beyond chance, by time; the slope leaves the steps out.
     pub changes: Vec<TiltChange>,
     /// What works did to it.
@@ -123,7 +127,8 @@ pub struct TiltSlope {
     pub p_value: f64,
     /// The slope that would have been seen with 80 % probability.
     pub seen_from_per_year: f64,
-    /// Tilt on the day of the last reading, the season removed.
+    /// Tilt on the day of the last reading, without the wave of one year about its mean over the last year: of the season of the readings where they do not
+    /// lie round the year.
     pub now: f64,
     /// When it reaches the limit; `None` without a limit.
     pub reach: Option<TiltReach>,
@@ -167,6 +172,8 @@ pub(super) fn tilt_trend(
         series,
         outliers,
         slope: None,
+        carried: None,
+        scatter: 0.0,
         changes: Vec::new(),
         works: Vec::new(),
         significance: how.significance,
@@ -193,7 +200,8 @@ pub(super) fn tilt_trend(
         }
     }
     if n >= SEASON_READINGS_LEAST && last - first >= SEASON_YEARS_LEAST * YEAR_DAYS {
-        columns.extend(season(&days));
+        let wave = yearly_wave(&days, &columns);
+        columns.extend(wave);
     }
     if n < READINGS_LEAST.max(columns.len() + 2) {
         return Ok(trend);
@@ -219,9 +227,15 @@ pub(super) fn tilt_trend(
     let breaks = Break::of(&found);
     let dated: Vec<DatedBreak> = breaks.iter().map(|of| of.dated(&days)).collect();
     columns.extend(dated.iter().map(|of| of.column(&days)));
-    let Some(BentFit { fit, degrees, .. }) = bent_fit(&readings, &columns, &days, &dated) else {
+    let Some(BentFit {
+        fit,
+        degrees,
+        disturbance,
+    }) = bent_fit(&readings, &columns, &days, &dated)
+    else {
         return Ok(trend);
     };
+    trend.scatter = disturbance.sd;
     for (i, work) in works.iter().enumerate() {
         trend.works.push(TiltWork {
             work: work.work,
@@ -305,14 +319,6 @@ pub(super) fn slope_of(
     })
 }
 
-/// A wave of one year: its two columns.
-pub(super) fn season(days: &[f64]) -> [Vec<f64>; 2] {
-    [0.0, -0.25 * TAU].map(|shift| {
-        let wave = |day: &f64| (TAU * day / YEAR_DAYS + shift).cos();
-        days.iter().map(wave).collect()
-    })
-}
-
 /// When a line with the fitted tilt now and slope has gone so far: the ends of the interval that holds the truth with the probability of the quantile.
 ///
 /// ```text
@@ -345,6 +351,7 @@ fn fieller(fit: &Fit, left: f64, quantile: f64) -> Option<[f64; 2]> {
 mod tests {
     use super::*;
     use crate::numeric::Random;
+    use std::f64::consts::TAU;
 
     fn seeking(limit: Option<f64>) -> TiltSeeking {
         TiltSeeking {

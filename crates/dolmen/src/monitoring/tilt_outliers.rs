@@ -25,8 +25,9 @@ pub struct TiltOutlier {
 /// Readings that lie beyond the six around them, or all but one of these, by more than six deviations; the first one beyond the line of those behind it,
 /// too.
 ///
-/// Two slips beside each other are found; a step is none, since the readings before it lie with each other. The last reading is never one: whether the
-/// structure moved only the next one can tell.
+/// Two slips beside each other are found; a step is none, since the readings before it lie with each other, and neither is the first one behind a step,
+/// nor the last before it, that lies on the line of the three on its side. The last reading is never one: whether the structure moved only the next one
+/// can tell.
 pub(super) fn tilt_outliers(days: &[f64], ratios: &[f64]) -> Vec<TiltOutlier> {
     let n = days.len();
     if n < READINGS_LEAST {
@@ -45,6 +46,7 @@ pub(super) fn tilt_outliers(days: &[f64], ratios: &[f64]) -> Vec<TiltOutlier> {
             false => WITH_IT,
         };
         of.is_alone(ALONE * usual, with_it)
+            && !of.is_on_a_side(ALONE * usual, days, ratios)
             && (*i > 0 || of.without_slope(days, ratios).is_alone(ALONE_FIRST * usual, 0))
     });
     each.map(|(at, of)| {
@@ -97,6 +99,24 @@ impl Beside {
         let above = self.off.iter().filter(|off| **off > limit).count();
         let below = self.off.iter().filter(|off| **off < -limit).count();
         above >= most || below >= most
+    }
+
+    /// Whether it lies on the line of the three readings before it, or of the three behind it.
+    fn is_on_a_side(&self, limit: f64, days: &[f64], ratios: &[f64]) -> bool {
+        let sides = [
+            self.at.checked_sub(BESIDE).map(|from| from..self.at),
+            (self.at + BESIDE < days.len()).then(|| self.at + 1..self.at + 1 + BESIDE),
+        ];
+        sides.into_iter().flatten().any(|side| {
+            let near: Vec<usize> = side.collect();
+            let off = near.iter().map(|j| ratios[self.at] - ratios[*j]).collect();
+            let own = Beside {
+                at: self.at,
+                near,
+                off,
+            };
+            own.without_slope(days, ratios).middle().abs() <= limit
+        })
     }
 
     fn middle(&self) -> f64 {

@@ -9,7 +9,10 @@ use super::outliers::outliers;
 use super::scan::ChangeForm;
 use super::t_squared::{SurveyTSquared, t_squared};
 use super::tilt::{Level, SlopeLimit, TiltSeeking, TiltSeries, TiltTrend, tilt_trend};
+use super::tilt_marks::carry;
+use super::tilt_signs::without_forecast;
 use super::tracking::{Track, Tracked, Tracking, track};
+use super::unknown_temperatures::{filled, with_temperature};
 use super::watched_mode::{LastOff, WatchedChange, WatchedMode, WeatherEffect, WorkEffect};
 use super::weather::{ModeSeries, WeatherKnown, YEAR_DAYS, columns, earned, has_temperature, knows_frost};
 use crate::numeric::middle;
@@ -302,10 +305,33 @@ fn watched_mode(
         last_off: None,
         outliers: Vec::new(),
         strange: Vec::new(),
+        guessed: Vec::new(),
         judged: judge(&series, &levels, alarm)?,
     };
     let frost = knows_frost(&series, alarm.frost_below_c);
     let by_temperature = has_temperature(&series);
+    let steps = |of: &ModeSeries| {
+        let mut steps: Vec<(usize, Vec<f64>)> = Vec::new();
+        for work in &works {
+            let from = level(of, *work).unwrap_or(of.len());
+            let step = super::scan::column(&of.series.at, ChangeForm::Step, from);
+            if step.contains(&1.0) && step.contains(&0.0) && steps.iter().all(|(_, known)| *known != step) {
+                steps.push((*work, step));
+            }
+        }
+        steps
+    };
+    let read = series;
+    let series = match by_temperature {
+        true => {
+            let levels: Vec<Vec<f64>> = steps(&with_temperature(&read))
+                .into_iter()
+                .map(|of| of.1)
+                .collect();
+            filled(&read, &levels, alarm.frost_below_c)
+        }
+        false => read.clone(),
+    };
     let is_strange = |i: usize| {
         let t = series.temperatures_c[i];
         by_temperature && (t.is_nan() || (!frost && t < alarm.frost_below_c))
@@ -313,6 +339,10 @@ fn watched_mode(
     let alone = outliers(&series);
     mode.strange = (0..series.len())
         .filter(|i| is_strange(*i))
+        .map(|i| series.surveys[i])
+        .collect();
+    mode.guessed = (0..series.len())
+        .filter(|i| by_temperature && read.temperatures_c[*i].is_nan() && !is_strange(*i))
         .map(|i| series.surveys[i])
         .collect();
     mode.outliers = alone.iter().map(|i| series.surveys[*i]).collect();
@@ -330,19 +360,7 @@ fn watched_mode(
         known.iter().sum::<f64>() / known.len().max(1) as f64,
         alarm.frost_below_c,
     );
-    let mut dated: Vec<usize> = Vec::new();
-    let mut extra: Vec<Vec<f64>> = Vec::new();
-    for work in works {
-        let step = super::scan::column(
-            &kept.series.at,
-            ChangeForm::Step,
-            level(&kept, work).unwrap_or(kept.len()),
-        );
-        if step.contains(&1.0) && step.contains(&0.0) && !extra.contains(&step) {
-            dated.push(work);
-            extra.push(step);
-        }
-    }
+    let (dated, extra): (Vec<usize>, Vec<Vec<f64>>) = steps(&kept).into_iter().unzip();
     let weather = earned(&kept, &extra, at);
     let mut all = columns(&kept, weather, at);
     let of_weather = all.len();
@@ -492,8 +510,12 @@ fn tilts(history: &History, options: &WatchOptions) -> Result<Vec<TiltTrend>, Mo
         replicates: options.replicates,
         seed: options.seed.wrapping_add(i as u64),
     };
-    all.into_iter()
+    let mut trends: Vec<TiltTrend> = all
+        .into_iter()
         .enumerate()
         .map(|(i, series)| tilt_trend(series, &levels, &seeking(i)))
-        .collect()
+        .collect::<Result<_, _>>()?;
+    trends.iter_mut().for_each(without_forecast);
+    carry(&mut trends, seeking(0).limit)?;
+    Ok(trends)
 }

@@ -85,8 +85,10 @@ pub struct WatchedMode {
     pub seen_from_ratio: Option<f64>,
     /// Surveys that stand alone: left out of the search.
     pub outliers: Vec<usize>,
-    /// Surveys at temperatures that too few others had: left out of the search.
+    /// Surveys at temperatures that too few others had, or at an unknown one at a time of the year of which too few are known: left out of the search.
     pub strange: Vec<usize>,
+    /// Surveys without a temperature that take part with that of their time of the year, and with the scatter of its weather as their error.
+    pub guessed: Vec<usize>,
     /// Each survey against those before it.
     pub judged: JudgedMode,
 }

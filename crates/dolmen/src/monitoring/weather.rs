@@ -74,7 +74,7 @@ pub enum Wave {
 
 /// Variance of the wave of one year over the surveys below which it is not told from the level: surveys within some two weeks of one day, or of two
 /// days, of the year. Chosen here.
-const WAVE_VARIANCE_LEAST: f64 = 0.05;
+pub(super) const WAVE_VARIANCE_LEAST: f64 = 0.05;
 
 /// What of the wave of one year the days of a series tell from the level.
 fn season(days: &[f64]) -> WeatherKnown {

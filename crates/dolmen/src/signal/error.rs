@@ -84,7 +84,7 @@ pub enum SignalError {
         /// Second channel of that name, counted from 1.
         second: usize,
     },
-    /// A channel is named that the record does not have.
+    /// The options name a channel that the record does not have.
     #[error("there is no channel \"{given}\"; the record has {}", .names.join(", "))]
     UnknownChannel {
         /// The name asked for.

@@ -12,11 +12,11 @@ const STUCK_BESIDE: usize = 5;
 /// counts. Chosen here.
 const COARSE_STEPS: f64 = 4.0;
 const COARSE_SHARE: f64 = 0.2;
-/// Blocks of time in which strength is compared, fewest channels beside one, and the change that is named. Chosen here.
+/// Blocks of time in which strength is compared, fewest channels beside one, and the least change that counts as a fault. Chosen here.
 const FADED_BLOCKS: usize = 10;
 const FADED_OTHERS: usize = 2;
 const FADED_FROM: f64 = 10.0;
-/// Rise over the record that is named, in standard deviations of the motion. Chosen here.
+/// Least rise over the record that counts as a fault, in standard deviations of the motion. Chosen here.
 const DRIFT_FROM: f64 = 10.0;
 /// Samples that are compared between channels, and 1 less the correlation of their steps below which they are one signal: noise of a
 /// hundredth. Chosen here.
@@ -76,25 +76,53 @@ pub(super) struct Faded {
     pub(super) to: usize,
 }
 
+/// Largest steps of a block that do not count: of a spike or a knock. Chosen here.
+const FADED_LEAVES_OUT: usize = 100;
+
+/// How strongly a channel moves in each block of time.
+pub(super) struct BlockStrengths {
+    block: usize,
+    strengths: [f64; FADED_BLOCKS],
+}
+
+impl BlockStrengths {
+    /// `None` for a record too short to tell.
+    pub(super) fn of(x: &[f64]) -> Option<Self> {
+        let block = x.len() / FADED_BLOCKS;
+        if block < STUCK_LEAST {
+            return None;
+        }
+        let mut squares = Vec::with_capacity(block);
+        let strengths = std::array::from_fn(|k| {
+            let steps = x[k * block..(k + 1) * block].windows(2);
+            squares.clear();
+            squares.extend(steps.map(|pair| (pair[1] - pair[0]).powi(2)));
+            let kept = squares.len() - squares.len() / FADED_LEAVES_OUT - 1;
+            squares.select_nth_unstable_by(kept, f64::total_cmp);
+            let usual: f64 = squares[..=kept].iter().sum();
+            let all = || squares.iter().sum::<f64>();
+            // a coarse digitiser may step seldom
+            if usual > 0.0 { usual.sqrt() } else { all().sqrt() }
+        });
+        Some(Self { block, strengths })
+    }
+}
+
 /// Steps of the channel over the median of the others', block by block.
-pub(super) fn faded(x: &[f64], others: &[&[f64]]) -> Option<Faded> {
-    let block = x.len() / FADED_BLOCKS;
-    if others.len() < FADED_OTHERS || block < STUCK_LEAST {
+pub(super) fn faded(x: &BlockStrengths, others: &[&BlockStrengths]) -> Option<Faded> {
+    if others.len() < FADED_OTHERS {
         return None;
     }
-    let strength = |x: &[f64], k: usize| -> f64 {
-        let steps = x[k * block..(k + 1) * block].windows(2);
-        steps.map(|pair| (pair[1] - pair[0]).powi(2)).sum::<f64>().sqrt()
-    };
+    let block = x.block;
     let (mut most, mut least, mut at) = (0.0_f64, f64::INFINITY, 0);
     for k in 0..FADED_BLOCKS {
-        let mut beside: Vec<f64> = others.iter().map(|other| strength(other, k)).collect();
+        let mut beside: Vec<f64> = others.iter().map(|other| other.strengths[k]).collect();
         beside.sort_by(f64::total_cmp);
         let median = 0.5 * (beside[(beside.len() - 1) / 2] + beside[beside.len() / 2]);
         if median <= 0.0 {
             return None;
         }
-        let own = strength(x, k) / median;
+        let own = x.strengths[k] / median;
         most = most.max(own);
         if own < least {
             (least, at) = (own, k);
@@ -200,13 +228,23 @@ mod tests {
         assert_eq!(stuck(&coarse, 100.0), None);
     }
 
+    fn faded_beside(x: &[f64], others: [&[f64]; 2]) -> Option<Faded> {
+        let [own, a, b] = [x, others[0], others[1]].map(|x| BlockStrengths::of(x).unwrap());
+        faded(&own, &[&a, &b])
+    }
+
     #[test]
     fn exact_which_block_faded() {
         let (a, b) = (noise(3, 10_000), noise(4, 10_000));
         let mut x = noise(5, 10_000);
-        assert!(faded(&x, &[&a, &b]).is_none());
+        assert!(faded_beside(&x, [&a, &b]).is_none());
+        // one knock is no loose contact
+        x[7500] += 900.0;
+        assert!(faded_beside(&x, [&a, &b]).is_none());
+        assert!(faded_beside(&a, [&x, &b]).is_none());
+        x[7500] -= 900.0;
         x[7000..8000].iter_mut().for_each(|x| *x *= 0.02);
-        let found = faded(&x, &[&a, &b]).unwrap();
+        let found = faded_beside(&x, [&a, &b]).unwrap();
         assert_eq!((found.from, found.to), (7000, 8000));
         assert!((found.factor / 50.0 - 1.0).abs() < 0.2, "{}", found.factor);
         // all fade together: the wind fell
@@ -219,7 +257,7 @@ mod tests {
                     .collect()
             })
             .to_vec();
-        assert!(faded(&all[0], &[&all[1], &all[2]]).is_none());
+        assert!(faded_beside(&all[0], [&all[1], &all[2]]).is_none());
     }
 
     #[test]

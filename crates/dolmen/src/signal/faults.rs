@@ -1,7 +1,7 @@
 //! What is wrong with a channel that is all numbers and yet no measurement.
 
 use super::Record;
-use super::fault_runs::{alike, drifts, faded, spikes, stuck};
+use super::fault_runs::{BlockStrengths, alike, drifts, faded, spikes, stuck};
 use crate::numeric::middle;
 use std::fmt;
 
@@ -104,6 +104,36 @@ pub enum ChannelFault {
         /// Second over first.
         factor: f64,
     },
+}
+
+impl ChannelFault {
+    /// The channel; of two the first.
+    pub fn channel(&self) -> &str {
+        match self {
+            Self::Constant { channel, .. }
+            | Self::Faint { channel, .. }
+            | Self::Stuck { channel, .. }
+            | Self::Faded { channel, .. }
+            | Self::Alike { channel, .. }
+            | Self::Drifts { channel, .. }
+            | Self::Spikes { channel, .. }
+            | Self::Clipped { channel, .. }
+            | Self::Duplicated { channel, .. } => channel,
+        }
+    }
+
+    /// Its times, s from the start.
+    pub(super) fn times_s_mut(&mut self) -> Vec<&mut f64> {
+        match self {
+            Self::Stuck { from_s, to_s, .. } | Self::Faded { from_s, to_s, .. } => vec![from_s, to_s],
+            Self::Spikes { first_s, .. } | Self::Clipped { first_s, .. } => vec![first_s],
+            Self::Constant { .. }
+            | Self::Faint { .. }
+            | Self::Alike { .. }
+            | Self::Drifts { .. }
+            | Self::Duplicated { .. } => Vec::new(),
+        }
+    }
 }
 
 impl fmt::Display for ChannelFault {
@@ -218,6 +248,9 @@ pub fn inspect(record: &Record) -> Vec<ChannelFault> {
     let strengths: Vec<Strength> = (0..record.channels().len())
         .map(|c| Strength::of(record.samples(c)))
         .collect();
+    let blocks: Vec<Option<BlockStrengths>> = (0..record.channels().len())
+        .map(|c| BlockStrengths::of(record.samples(c)))
+        .collect();
     let mut faults = Vec::new();
     for (c, channel) in record.channels().iter().enumerate() {
         let x = record.samples(c);
@@ -267,11 +300,12 @@ pub fn inspect(record: &Record) -> Vec<ChannelFault> {
             });
         }
         let same_kind = |other: usize| record.channels()[other].quantity == channel.quantity;
-        let others: Vec<&[f64]> = (0..record.channels().len())
+        let others: Vec<&BlockStrengths> = (0..record.channels().len())
             .filter(|other| *other != c && same_kind(*other) && strengths[*other].largest_step > 0.0)
-            .map(|other| record.samples(other))
+            .filter_map(|other| blocks[other].as_ref())
             .collect();
-        if let Some(faded) = faded(x, &others).filter(|_| !is_stuck) {
+        let own = blocks[c].as_ref().filter(|_| !is_stuck);
+        if let Some(faded) = own.and_then(|own| faded(own, &others)) {
             faults.push(ChannelFault::Faded {
                 channel: name(),
                 factor: faded.factor,
@@ -296,7 +330,7 @@ pub fn inspect(record: &Record) -> Vec<ChannelFault> {
                     other: name(),
                     factor,
                 });
-                break; // a third copy is named with the first only
+                break; // the fault of a third copy names the first only
             }
             if let Some(correlation) = alike(record.samples(other), x) {
                 faults.push(ChannelFault::Alike {
@@ -464,7 +498,7 @@ mod tests {
                  part within range, or leave the channel out"
             )]
         );
-        // where it does as it is told, the fault is gone
+        // cut as the fault proposes, the record has no fault
         let part = cut(record(vec![shaken(0), clipped]), 0.0, first).unwrap();
         assert_eq!(inspect(&part), []);
     }

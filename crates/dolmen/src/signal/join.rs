@@ -16,7 +16,7 @@ const HALF_LENGTH: f64 = 18.0;
 const SHAPE: f64 = 10.06;
 /// Phases of the filter that are kept to be used again. Chosen here: ratios of rates in use have fewer.
 const PHASES_MOST: usize = 4096;
-/// Parts of a step to which phases are told apart.
+/// Parts of a step to which the join rounds phases.
 const PHASE_STEPS: f64 = 1e9;
 
 /// How channels are joined.

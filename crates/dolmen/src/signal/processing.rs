@@ -125,6 +125,11 @@ pub enum Processing {
         /// What is lost, by time.
         gaps: Vec<LostSpan>,
     },
+    /// Lost samples hold the mean of their channel, so that what lies on either side keeps its time.
+    Bridged {
+        /// What is lost, by time.
+        gaps: Vec<LostSpan>,
+    },
     /// Short runs of lost samples filled in by linear prediction.
     FilledGaps {
         /// Where, by time.
@@ -155,7 +160,7 @@ pub struct LostSpan {
 }
 
 impl LostSpan {
-    /// How many are named where a record lost many: a list of hundreds would hide the rest.
+    /// How many a note names where a record lost many: a list of hundreds would hide the rest.
     pub const NAMED_MOST: usize = 3;
 }
 
@@ -254,6 +259,13 @@ impl std::fmt::Display for Processing {
                     "samples are lost: {}; only the longest whole span is used, {from_s:.3} to {to_s:.3} s: {:.3} of {whole_s:.3} s",
                     first_gaps(gaps),
                     to_s - from_s
+                )
+            }
+            Processing::Bridged { gaps } => {
+                write!(
+                    f,
+                    "samples are lost: {}; the mean of the channel stands there, and what lies on either side is used each by itself",
+                    first_gaps(gaps)
                 )
             }
             Processing::FilledGaps { gaps, samples, share } => write!(

@@ -16,7 +16,7 @@ const RICKER_PERIODS: f64 = 1.5;
 /// Samples of a pulse at most.
 const SAMPLES_MOST: f64 = 1e7;
 
-/// The shape of a pulse. What is left of velocity and displacement after it is told with each.
+/// The shape of a pulse. Each variant gives what is left of velocity and displacement after it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum PulseShape {
     /// A sin(πt/(T_p/2)) for half a period: leaves the velocity A T_p/π. The pulse of Housner.

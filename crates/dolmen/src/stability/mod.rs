@@ -8,6 +8,7 @@ mod edge_moment;
 mod error;
 mod frame;
 mod frame_lean;
+mod frame_loads;
 mod free_columns;
 pub mod stack;
 mod verdict;
@@ -22,5 +23,8 @@ pub use edge_moment::BedEdge;
 pub use error::StabilityError;
 pub use frame::{FrameStability, StoreyStability, frame_stability};
 pub use frame_lean::frame_lean_at_rest;
+pub use frame_loads::{
+    FramePush, FrameUnderLoads, StoreyEnd, StoreyPoint, StoreyUnderLoads, frame_under_loads,
+};
 pub use free_columns::{ColumnPoint, ColumnStanding, FootPressure, FootSection, FreeColumns};
 pub use verdict::Verdict;

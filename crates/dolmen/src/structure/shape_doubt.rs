@@ -27,7 +27,7 @@ const LESSENS: f64 = 4.0;
 const AS_GOOD: f64 = 2.0;
 /// A share below which two changes are alike. Ours: noise of shapes.
 const NOISE: f64 = 0.005;
-/// Most changes that are named: of more none is likely. Ours.
+/// Most changes that the doubt names: of more none is likely. Ours.
 const CHANGES_MOST: usize = 4;
 /// Factors between units and ranges that get mixed up. Shapes do not tell 9.8 (g beside m/s²) from 10, nor 981 (g beside gal) from 1000.
 const FACTORS: [f64; 3] = [10.0, 100.0, 1000.0];
@@ -90,7 +90,7 @@ pub fn chain_shape_doubt(chain: &Chain, modes: &Modes) -> Option<ShapeDoubt> {
 ///
 /// # Limits
 /// Models of at most five parts. A change that leaves all modes alike is not seen. Two sensors alone in a direction cannot tell which of them is
-/// turned: both are named.
+/// turned: the doubt names both.
 pub fn frame_shape_doubt(frame: &Frame, modes: &Modes) -> Option<ShapeDoubt> {
     shape_doubt(frame, modes)
 }

@@ -3,8 +3,8 @@
 use super::{
     Case, ValidationError, aftershocks, arches, building_motion, choi_2021, chopra_2017, columns, dampers,
     driven_modes, dry_friction, earthquakes, fragility, free_columns, free_decay, gusts, hwang_min_hong,
-    joined, kim_koo_hong_2018, local_mechanisms, owen_prieur_2017, park_min_2010, pyoma2, rigid_blocks,
-    second_methods, setups, survey_change, watch, wind,
+    joined, kim_koo_hong_2018, local_mechanisms, owen_prieur_2017, park_min_2010, pushed_frames, pyoma2,
+    rigid_blocks, second_methods, setups, survey_change, watch, wind,
 };
 
 /// All cases, source by source.
@@ -24,6 +24,7 @@ pub fn cases() -> Result<Vec<Case>, ValidationError> {
         columns::cases()?,
         free_columns::cases()?,
         wind::cases()?,
+        pushed_frames::cases()?,
         gusts::cases()?,
         park_min_2010::cases()?,
         kim_koo_hong_2018::cases()?,

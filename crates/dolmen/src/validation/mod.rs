@@ -25,6 +25,7 @@ mod kim_koo_hong_2018;
 mod local_mechanisms;
 mod owen_prieur_2017;
 mod park_min_2010;
+mod pushed_frames;
 mod pyoma2;
 mod rigid_blocks;
 mod second_methods;

@@ -1,5 +1,5 @@
 // SOURCE     El Centro 1940 NS as data/el_centro_1940_ns holds it.
-// GOAL       Response spectra are exact, and true peaks are told from the peaks at the samples.
+// GOAL       Response spectra are exact, and true peaks stand apart from the peaks at the samples.
 // PARAMETERS ζ 2 %, T 0.5, 1, 2 s; ζ 5 %, T 0.1 s; g = 386.0886 in/s² = 9.80665 m/s².
 // AGREES     with the matrix exponential of the augmented state (mpmath 1.3.0, 100 steps to each of the record, 200 for
 //            T 0.1 s): true peaks 2.687058, 5.967164, 7.466290 in and 1.61170 mm; at the samples 2.6739, 5.9662, 7.4650 in

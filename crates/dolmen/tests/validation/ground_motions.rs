@@ -77,7 +77,7 @@ fn holds_a_match_to_the_spectrum_of_a_code() {
         m.last_velocity_m_s.abs() < 1e-12 && m.last_displacement_m.abs() < 1e-11,
         "{m:?}"
     );
-    // what is told of the match is what it is
+    // the match is as good as its result says
     assert!((matched.after.root_mean_square - rms).abs() < 0.005 && matched.before.root_mean_square > 0.15);
     let again = match_spectrum(&el_centro(), Component::X, &target, &SpectrumMatch::default()).unwrap();
     assert_eq!(again, matched);

@@ -1,6 +1,7 @@
 //! Every published number and every exact law that this crate must reproduce; one file for one source.
 #![allow(clippy::unwrap_used, reason = "helpers of tests: a panic is a failed test")]
 
+mod aftershocks;
 mod assemblies;
 mod building_damper_spectra;
 mod building_dampers;
@@ -28,6 +29,7 @@ mod frame_edges;
 mod frame_friction;
 mod frame_in_plan;
 mod frame_laws;
+mod frame_loads;
 mod free_columns;
 mod ground_motions;
 mod gust_histories;
@@ -69,3 +71,4 @@ mod survey_change;
 mod swelling_earthquakes;
 mod tuned_mass;
 mod watch;
+mod watched_seasons;

@@ -1,6 +1,6 @@
 // SOURCE     laws of mechanics; a mass on one spring with a slider and a dashpot, integrated here on its own.
-// GOAL       Contacts of the springs engine make no energy as faces, edges and corners change; bonds break once; what is lost is
-//            told apart rightly; a run that cannot be used, and a stone on the brink, are named.
+// GOAL       Contacts of the springs engine make no energy as faces, edges and corners change; bonds break once; results tell
+//            losses apart rightly; a result names a run that cannot be used, and a stone on the brink.
 // PARAMETERS stones of 300 × 200 × 100 mm, 2600 kg/m³, k_n 1e9, k_s 4e8 Pa/m unless said; seeds of the random stacks 1 to 24.
 // PUBLISHED  –
 // TOLERANCE  .1 % of the work put in, what a run may make at its default step; others said where they stand.

@@ -7,10 +7,16 @@
 //! TOLERANCE   counts by binomial chance; peak velocity 2 %: lines to 8 Hz, noise; strong phase 0.5 s: as long as half a window
 
 use dolmen::modal::{
-    During, Identify, MadeEarthquake, MadeMode, MadeRecord, Method, UnkindPlan, earthquake_in, strong_motion,
+    During, Identify, Losses, MadeEarthquake, MadeMode, MadeRecord, Method, StrongMotion, UnkindPlan,
+    earthquake_in,
 };
 use dolmen::numeric::Random;
 use dolmen::signal::{Channel, Component, GroundMotion, Quantity, Record, intensity_measures};
+
+/// Of a record that misses nothing.
+fn strong_motion(record: &Record, options: &Identify) -> Option<StrongMotion> {
+    dolmen::modal::strong_motion(record, options, &Losses::default())
+}
 
 fn log_between(random: &mut Random, low: f64, high: f64) -> f64 {
     low * (high / low).powf(random.uniform())
@@ -159,8 +165,8 @@ fn holds_frequencies_before_in_and_after_lie_in_their_intervals() {
             change.is_beyond_chance() && change.ratio < 0.0,
             "{seed} {change:?}"
         );
-        let During::Tracked(of) = &found.during else {
-            panic!("{seed} {:?}", found.during)
+        let During::Tracked(of) = &found.events[0].during else {
+            panic!("{seed} {:?}", found.events[0].during)
         };
         tracked += usize::from(within(during, of.frequency_hz, of.frequency_sd_hz));
         let inputs = Identify {
@@ -168,11 +174,14 @@ fn holds_frequencies_before_in_and_after_lie_in_their_intervals() {
             ..Identify::default()
         };
         let found = strong_motion(&record, &inputs).unwrap();
-        let During::Driven { modes, .. } = &found.during else {
-            panic!("{seed} {:?}", found.during)
+        let During::Driven(of) = &found.events[0].during else {
+            panic!("{seed} {:?}", found.events[0].during)
         };
         let near = |hz: f64| (hz - during).abs();
-        let mode = modes
+        let mode = of
+            .analysis
+            .modes
+            .modes
             .iter()
             .min_by(|a, b| near(a.frequency_hz).total_cmp(&near(b.frequency_hz)))
             .unwrap();
@@ -217,7 +226,7 @@ fn agrees_el_centro_under_two_storeys_with_measures_by_other_ways() {
         ..Identify::default()
     };
     let found = strong_motion(&made.make().unwrap(), &options).unwrap();
-    let ground = &found.channels[0];
+    let ground = &found.events[0].channels[0];
     let [low_hz, high_hz] = ground.velocity_band_hz.unwrap();
     let velocity = ground.peak_velocity_m_s.unwrap() / by_fourier(&at_100, [low_hz, high_hz]);
     assert!((velocity - 1.0).abs() < 0.02, "{velocity}");
@@ -225,7 +234,7 @@ fn agrees_el_centro_under_two_storeys_with_measures_by_other_ways() {
     let measures = intensity_measures(&motion, Component::X).unwrap();
     let arias = ground.arias_intensity_m_s.unwrap() / measures.arias_intensity_m_s;
     assert!((arias - 1.0).abs() < 0.01, "{arias}");
-    let of = &found.shaking;
+    let of = &found.events[0].shaking;
     let strong_s = of.strong_to_s - of.strong_from_s;
     assert!(
         (strong_s - measures.significant_duration_s).abs() < 0.5,

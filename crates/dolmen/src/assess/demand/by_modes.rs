@@ -14,7 +14,7 @@ use crate::blocks::StackMode;
 use crate::dynamics::correlation_coefficient;
 use crate::stability::stack::{
     DemandVerdict, LimitAnalysis, LimitAnalysisStatus, LimitKind, Resistance, Shaking, StackLimits,
-    SwayingForces, cut_resistances, is_statically_determinate, limit_analysis,
+    SwayingForces, cut_resistances, is_statically_determinate, limit_analysis_undilated,
 };
 use crate::structure::stack::Stack;
 use glam::{DMat3, DVec3};
@@ -171,7 +171,7 @@ impl<'a> ModalDemand<'a> {
                 swaying: Some(swaying.to_vec()),
                 ..LimitAnalysis::default()
             };
-            let found = limit_analysis(self.stack, &analysis)?;
+            let found = limit_analysis_undilated(self.stack, &analysis)?.analysis;
             least = match found.status {
                 LimitAnalysisStatus::DoesNotStand => 0.0,
                 LimitAnalysisStatus::Unlimited => least,

@@ -107,7 +107,7 @@ impl DriftLimit {
         }
     }
 
-    /// The code and the class, "KDS 41 17 00, I"; what was said of a given number.
+    /// The code and the class, "KDS 41 17 00, I"; of a given number what the user says of it.
     pub fn source(&self) -> Option<String> {
         match self {
             DriftLimit::Kds41(grade) => {

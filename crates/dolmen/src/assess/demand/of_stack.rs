@@ -6,7 +6,7 @@ use crate::assess::{AssessError, StackCheckOptions, check_stack};
 use crate::blocks::{StackMode, first_sway, sway_amplification};
 use crate::stability::stack::{
     DemandComparison, DemandVerdict, LimitAnalysis, LimitAnalysisStatus, Shaking, SpectralDemand,
-    StackDemand, Threshold, compare_with_demand, limit_analysis,
+    StackDemand, Threshold, compare_with_demand, limit_analysis_undilated,
 };
 use crate::structure::stack::Stack;
 
@@ -234,7 +234,7 @@ fn capacity(
             shaking: Shaking::Along(way),
             ..LimitAnalysis::default()
         };
-        match limit_analysis(stack, &analysis)?.status {
+        match limit_analysis_undilated(stack, &analysis)?.analysis.status {
             LimitAnalysisStatus::DoesNotStand => return Ok(None),
             LimitAnalysisStatus::Unlimited => {}
             LimitAnalysisStatus::Limited(found) => {

@@ -194,7 +194,7 @@ pub(super) fn middle_capacity(observations: &[Observation]) -> FragilityBound {
     }
 }
 
-/// Whether survivors and others are told apart by the intensity alone: then β → 0 is the likeliest, and no curve can be had.
+/// Whether the intensity alone separates survivors from others: then β → 0 is the likeliest, and no curve can be had.
 fn separated(observations: &[Observation]) -> Option<FragilityBound> {
     let (survived, reached) = extent(observations);
     let (mut least, mut most) = (f64::INFINITY, 0.0_f64);

@@ -68,7 +68,7 @@ impl Kurtosis {
 ///
 /// # Limits
 /// A sine below 3/4 of the power of its band is not told from a mode. Traffic or gusts that come and go raise γ above 3 and
-/// can hide one. Below 36 independent strengths nothing is told: at 1 Hz and ζ 0.2 % 96 minutes, at 7 Hz 14 minutes.
+/// can hide one. Fewer than 36 independent strengths tell nothing: at 1 Hz and ζ 0.2 % 96 minutes, at 7 Hz 14 minutes.
 ///
 /// # Source
 /// Jacobsen, Andersen & Brincker (2007) Proc. 2nd IOMAC: kurtosis of the band-passed signal. Differs from the source:

@@ -188,9 +188,9 @@ fn judged(power: &[f64]) -> Option<Judged> {
     if top.abs_diff(line) <= LOBE {
         line = top;
     }
-    let mut best = at_line(&power, line);
+    let mut best = at_line(&power, line, &whole);
     if top != line {
-        let other = at_line(&power, top);
+        let other = at_line(&power, top, &whole);
         if other.gain > best.gain {
             best = other;
         }
@@ -198,7 +198,7 @@ fn judged(power: &[f64]) -> Option<Judged> {
     Some(best)
 }
 
-fn at_line(power: &[f64], line: usize) -> Judged {
+fn at_line(power: &[f64], line: usize, whole: &OneMode) -> Judged {
     let lobe: Vec<usize> = (line - LOBE..=line + LOBE).collect();
     let rest = fitted(power, &lobe);
     let near = |i: usize| i.abs_diff(line) <= 24;
@@ -213,27 +213,30 @@ fn at_line(power: &[f64], line: usize) -> Judged {
             }
         })
         .sum();
+    let around: Vec<usize> = (0..power.len()).filter(|i| near(*i)).collect();
+    let ln_rest: f64 = around.iter().map(|&i| rest.model[i].ln()).sum();
     let mut with_mode = f64::INFINITY;
     // modes side by side are damped alike: the second not much less than the first
     let narrowest = HALF_WIDTH_LEAST.max(0.8 * rest.half_width.min(40.0));
     for half_width in [1.0, 1.5, 2.5, 4.0].map(|times| times * narrowest) {
         for shift in [-1.0, -0.5, 0.0, 0.5, 1.0] {
+            let second: Vec<f64> = around
+                .iter()
+                .map(|&i| lorentz(i, line as f64 + shift, half_width) / rest.model[i])
+                .collect();
             for step in 0..=20 {
                 let size = power[line] * 10f64.powf(0.4 - 0.125 * f64::from(step));
-                let cost_of = |i: usize| {
-                    let x = (i as f64 - line as f64 - shift) / half_width;
-                    cost(power[i], rest.model[i] + size / (1.0 + x * x))
-                };
-                let sum: f64 = (0..power.len()).filter(|i| near(*i)).map(cost_of).sum();
-                with_mode = with_mode.min(sum);
+                let over_rest = second.iter().map(|second| 1.0 + size * second);
+                let share: f64 = around
+                    .iter()
+                    .zip(over_rest.clone())
+                    .map(|(&i, over)| power[i] / (rest.model[i] * over))
+                    .sum();
+                with_mode = with_mode.min(ln_rest + sum_of_logarithms(over_rest) + share);
             }
         }
     }
-    let whole = fitted(power, &[]);
-    let alone: f64 = (0..power.len())
-        .filter(|i| near(*i))
-        .map(|i| cost(power[i], whole.model[i]))
-        .sum();
+    let alone: f64 = around.iter().map(|&i| cost(power[i], whole.model[i])).sum();
     // Hann's window spreads a line of power P over lines that sum to 1.5 P
     let sine: f64 = lobe.iter().map(|&i| (power[i] - rest.model[i]).max(0.0)).sum();
     Judged {
@@ -247,17 +250,41 @@ fn at_line(power: &[f64], line: usize) -> Judged {
     }
 }
 
+/// A mode's power `line`s from its centre, 1 at the top.
+fn lorentz(line: usize, centre: f64, half_width: f64) -> f64 {
+    1.0 / (1.0 + ((line as f64 - centre) / half_width).powi(2))
+}
+
+/// Σ ln v of values between 1e-36 and 1e36, by the logarithms of products of 8.
+fn sum_of_logarithms(mut values: impl Iterator<Item = f64>) -> f64 {
+    let mut sum = 0.0;
+    loop {
+        let mut product = 1.0;
+        let mut taken = 0;
+        for v in values.by_ref().take(8) {
+            product *= v;
+            taken += 1;
+        }
+        sum += f64::ln(product);
+        if taken < 8 {
+            return sum;
+        }
+    }
+}
+
 /// The likeliest mode over even noise, these lines left out.
 fn fitted(power: &[f64], without: &[usize]) -> OneMode {
     let used: Vec<usize> = (0..power.len()).filter(|i| !without.contains(i)).collect();
+    // power of the lines before each one, those left out without any
+    let mut before = vec![0.0];
+    for (i, p) in power.iter().enumerate() {
+        before.push(before[i] + if without.contains(&i) { 0.0 } else { *p });
+    }
     let (mut least, mut best) = (f64::INFINITY, (0.0, HALF_WIDTH_LEAST, 1.0, 0.0));
     let mut half_width = HALF_WIDTH_LEAST;
     while half_width < power.len() as f64 {
         let smooth = half_width.ceil() as usize;
-        let sum = |i: usize| -> f64 {
-            let range = i.saturating_sub(smooth)..(i + smooth + 1).min(power.len());
-            range.filter(|k| !without.contains(k)).map(|k| power[k]).sum()
-        };
+        let sum = |i: usize| before[(i + smooth + 1).min(power.len())] - before[i.saturating_sub(smooth)];
         let middle = used
             .iter()
             .copied()
@@ -265,11 +292,17 @@ fn fitted(power: &[f64], without: &[usize]) -> OneMode {
             .unwrap_or(0);
         for shift in [-0.8, -0.4, 0.0, 0.4, 0.8] {
             let c = middle as f64 + shift * half_width;
+            let mode: Vec<f64> = used.iter().map(|&i| lorentz(i, c, half_width)).collect();
             for step in 0..=8 {
                 let beta = 10f64.powf(1.0 - 0.6 * f64::from(step));
-                let shape = |i: usize| 1.0 / (1.0 + ((i as f64 - c) / half_width).powi(2)) + beta;
-                let s = used.iter().map(|&i| power[i] / shape(i)).sum::<f64>() / used.len() as f64;
-                let cost = used.len() as f64 * s.ln() + used.iter().map(|&i| shape(i).ln()).sum::<f64>();
+                let shape = mode.iter().map(|mode| mode + beta);
+                let s = used
+                    .iter()
+                    .zip(shape.clone())
+                    .map(|(&i, shape)| power[i] / shape)
+                    .sum::<f64>()
+                    / used.len() as f64;
+                let cost = used.len() as f64 * s.ln() + sum_of_logarithms(shape);
                 if cost < least {
                     (least, best) = (cost, (c, half_width, beta, s));
                 }
@@ -278,9 +311,10 @@ fn fitted(power: &[f64], without: &[usize]) -> OneMode {
         half_width *= 1.5;
     }
     let (c, half_width, beta, s) = best;
-    let shape = |i: usize| s * (1.0 / (1.0 + ((i as f64 - c) / half_width).powi(2)) + beta);
     OneMode {
-        model: (0..power.len()).map(shape).collect(),
+        model: (0..power.len())
+            .map(|i| s * (lorentz(i, c, half_width) + beta))
+            .collect(),
         half_width,
         over_noise: 1.0 / beta,
         top: s,

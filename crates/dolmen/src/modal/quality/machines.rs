@@ -12,7 +12,7 @@ use crate::modal::spectrum::FddResult;
 use crate::modal::{Method, ModalError, Mode, Modes, Note, Refusal, Tone, ToneOnMode};
 use crate::signal::Record;
 
-/// Power of a sine over that of the mode under it up to which both are told apart. Chosen here: beyond, the skirts of the sine pass for a mode.
+/// Power of a sine over that of the mode under it up to which Dolmen tells both apart. Chosen here: beyond, the skirts of the sine pass for a mode.
 const STRENGTH_MOST: f64 = 15.0;
 
 /// Peaks that were taken for something else than modes.

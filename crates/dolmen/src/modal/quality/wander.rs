@@ -14,7 +14,7 @@ use crate::signal::Record;
 use dolmen_linalg::Complex64;
 use std::f64::consts::TAU;
 
-/// Fewest and most parts of the record. Chosen here: with fewer nothing is told, and more are as short as the cycles allow in any record.
+/// Fewest and most parts of the record. Chosen here: fewer tell nothing, and more are as short as the cycles allow in any record.
 const PARTS: [usize; 2] = [64, 2048];
 /// Cycles in a part, at least: its band then reaches an eighth to either side.
 const CYCLES_LEAST: f64 = 16.0;

@@ -87,8 +87,8 @@ impl JointSetups {
 ///
 /// # Limits
 /// The setups are one structure: frequencies that moved between them (weather, moved mass) do not show, each mode is smeared over them; putting
-/// them together after identification (`merge_setups`) tells. A mode that none of the sensors that stay sees is lost. Machines are told by
-/// the spectrum of each setup and by the least kurtosis of all. A sensor that several setups have, but not all, counts as the last of them shows it.
+/// them together after identification (`merge_setups`) tells. A mode that none of the sensors that stay sees is lost. The spectrum of each
+/// setup and the least kurtosis of all reveal machines. A sensor that several setups have, but not all, counts as the last of them shows it.
 ///
 /// # Source
 /// Mevel, Basseville, Benveniste & Goursat (2002) Mech. Syst. Signal Process. 16:759-783; Döhler, Andersen & Mevel (2010) Proc. IMAC

@@ -423,7 +423,7 @@ mod tests {
                 .iter()
                 .all(|p| p.assurance.is_some_and(|mac| mac > 0.99) && !p.doubtful())
         );
-        // the same frequencies without shapes: the nearest, and the doubt is said
+        // the same frequencies without shapes: the nearest, with the doubt
         let bare = |modes: &[ObservedMode]| -> Vec<ObservedMode> {
             modes.iter().map(|m| mode(m.frequency_hz, &[])).collect()
         };

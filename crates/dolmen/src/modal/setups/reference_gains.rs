@@ -15,7 +15,7 @@ use dolmen_linalg::Complex64;
 const BESIDE: f64 = 0.03;
 /// Deviation where none is stated. Chosen here.
 const NOT_STATED: f64 = 0.05;
-/// Least change of a factor that is named, beside four of its deviations. Chosen here: well above what sensors of one kind differ by.
+/// Least change of a factor that a note names, beside four of its deviations. Chosen here: well above what sensors of one kind differ by.
 const CHANGE_LEAST: f64 = 0.15;
 const DEVIATIONS: f64 = 4.0;
 /// One factor must leave so many times less unexplained than none, and than a factor of any other sensor.

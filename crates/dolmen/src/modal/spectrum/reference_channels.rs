@@ -10,7 +10,7 @@ use dolmen_linalg::Matrix;
 /// Channels are taken until what they leave of the motion at the peaks is at most this share. Chosen here, on the records of the book: a
 /// tenth leaves 2 of 8 channels for close pairs, a hundredth takes nearly all.
 const LEFT_MOST: f64 = 0.1;
-/// Fewest: two modes of one frequency are told apart by two references alone.
+/// Fewest: it takes two references to tell apart two modes of one frequency.
 const LEAST: usize = 2;
 
 /// Reference channels, and how much they keep.

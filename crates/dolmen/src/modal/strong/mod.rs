@@ -1,15 +1,24 @@
-//! Records that hold an earthquake: told from ambient vibration, and what the structure did before, in and after it.
+//! Records that hold earthquakes: told from ambient vibration, and what the structure did before, in, between and after them.
 
+mod features;
+mod levels;
+mod losses;
 mod made;
+mod part;
 mod parts;
 mod peaks;
 mod shaking;
 mod strong_motion;
+mod told;
 mod track;
+mod wind;
 
+pub use losses::{AtLeast, Losses};
 pub use made::MadeEarthquake;
-pub use parts::{During, DuringMode, LastingChange, Part};
+pub use part::Part;
+pub use parts::{DrivenPart, During, LastingChange, is_of_one_state};
 pub use peaks::StrongChannel;
-pub use shaking::{Shaking, earthquake_in};
-pub use strong_motion::{StrongMotion, strong_motion};
+pub use shaking::{Shaking, ShakingKind};
+pub use strong_motion::{StrongEvent, StrongMotion, strong_motion};
+pub use told::{earthquake_in, earthquakes_in};
 pub use track::{TrackPoint, Tracked};

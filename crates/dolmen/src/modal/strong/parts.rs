@@ -1,6 +1,7 @@
 //! Modes before, in and after an earthquake, and what of it lasts.
 
-use super::peaks::part_of;
+use super::losses::Losses;
+use super::part::{Part, part_of};
 use super::shaking::Shaking;
 use super::track::{Tracked, tracked};
 use crate::modal::identify::identify;
@@ -20,38 +21,30 @@ const SETTLES_S: f64 = 5.0;
 /// Largest relative difference of two frequencies, and least likeness of two shapes, that are taken for one mode.
 const FREQUENCY_WITHIN: f64 = 0.35;
 const ALIKE: f64 = 0.8;
-/// A part of the record in which the structure was not shaken.
+/// The same within one part of a record. Chosen here.
+const TWICE_WITHIN: f64 = 0.25;
+const TWICE_ALIKE: f64 = 0.9;
+/// A state in which the structure moved little has a standard deviation so many times that of the one it moved in. Chosen here.
+const LITTLE_MOVED: f64 = 4.0;
+/// The strong phase with the quiet time before it, which weighs little beside it, s: a record of that length can be identified. Chosen here.
+const DRIVEN_S: f64 = 30.0;
+
+/// Modes above the measured ground in one state of the structure, and when.
 #[derive(Clone, Debug)]
-pub struct Part {
+pub struct DrivenPart {
     /// From and to, s from the first sample of the record.
     pub span_s: [f64; 2],
-    /// Its modes; `None` where it is too short, or no modes were found in it.
-    pub analysis: Option<ModalAnalysis>,
-}
-
-/// A mode in the earthquake.
-#[derive(Clone, Debug, PartialEq)]
-pub struct DuringMode {
-    /// Frequency, Hz: that of the linear structure that moved most alike.
-    pub frequency_hz: f64,
-    /// Standard deviation, Hz.
-    pub frequency_sd_hz: Option<f64>,
-    /// Damping ratio.
-    pub damping_ratio: Option<f64>,
-    /// Standard deviation of that.
-    pub damping_ratio_sd: Option<f64>,
+    /// The inputs taken as given.
+    pub inputs: Vec<String>,
+    /// The modes.
+    pub analysis: ModalAnalysis,
 }
 
 /// The structure in the earthquake.
 #[derive(Clone, Debug)]
 pub enum During {
     /// Modes on the measured ground as it moved.
-    Driven {
-        /// The inputs taken as given.
-        inputs: Vec<String>,
-        /// The modes by frequency.
-        modes: Vec<DuringMode>,
-    },
+    Driven(Box<DrivenPart>),
     /// The lowest mode, window by window.
     Tracked(Tracked),
     /// Nothing can be told.
@@ -86,15 +79,28 @@ impl LastingChange {
     }
 }
 
-/// Modes of the part before the earthquake.
-pub(super) fn before(record: &Record, options: &Identify, shaking: &Shaking) -> Part {
-    part(record, options, [0.0, (shaking.arrival_s - APART_S).max(0.0)])
+impl During {
+    pub(super) fn shift(&mut self, by_s: f64) {
+        match self {
+            During::Driven(of) => of.span_s = of.span_s.map(|at_s| at_s + by_s),
+            During::Tracked(of) => {
+                of.lowest.at_s += by_s;
+                of.points.iter_mut().for_each(|point| point.at_s += by_s);
+            }
+            During::Unknown => {}
+        }
+    }
 }
 
-/// Modes of the part after it.
-pub(super) fn after(record: &Record, options: &Identify, shaking: &Shaking) -> Part {
+/// Modes of the parts before the first earthquake, between each two, and after the last: of each the longest time in which no samples were lost.
+pub(super) fn quiet(record: &Record, options: &Identify, shakings: &[Shaking], losses: &Losses) -> Vec<Part> {
     let ends_s = record.duration_s();
-    part(record, options, [(shaking.end_s + SETTLES_S).min(ends_s), ends_s])
+    let after = |of: &Shaking| (of.end_s + SETTLES_S).min(ends_s);
+    let starts = std::iter::once(0.0).chain(shakings.iter().map(after));
+    let ends = shakings.iter().map(|of| (of.arrival_s - APART_S).max(0.0));
+    let spans = starts.zip(ends.chain([ends_s]));
+    let whole = spans.map(|(from_s, to_s)| losses.whole_within([from_s, to_s.max(from_s)]));
+    whole.map(|span_s| part(record, options, span_s)).collect()
 }
 
 /// As the ambient vibration that it is: what the file says of a ground that drives, and of modes that must be found, is not asked of it.
@@ -119,39 +125,109 @@ fn part(record: &Record, options: &Identify, span_s: [f64; 2]) -> Part {
     }
 }
 
-/// The structure in the earthquake: above the measured ground, else its lowest mode followed; `quiet` are its modes at another time.
+/// The structure in an earthquake: above the measured ground, else its lowest mode followed; `quiet` are its modes at another time.
 pub(super) fn during(
-    record: &Record,
+    (record, losses): (&Record, &Losses),
     options: &Identify,
     shaking: &Shaking,
     quiet: Option<&Modes>,
 ) -> During {
-    if !options.inputs.is_empty() {
-        let driven = Identify {
-            method: Method::Okid,
-            modes_wanted: None,
-            pick_hz: Vec::new(),
-            accept_hz: Vec::new(),
-            ..options.clone()
-        };
-        let own = part_of(record, [shaking.arrival_s, shaking.end_s]);
-        let found = own.and_then(|own| identify(&own, &driven).ok());
-        if let Some(found) = found.filter(|of| !of.modes.modes.is_empty()) {
-            let mode = |of: &Mode| DuringMode {
-                frequency_hz: of.frequency_hz,
-                frequency_sd_hz: of.frequency_sd_hz,
-                damping_ratio: of.damping_ratio,
-                damping_ratio_sd: of.damping_ratio_sd,
-            };
-            return During::Driven {
-                inputs: found.driven.map(|of| of.inputs).unwrap_or_default(),
-                modes: found.modes.modes.iter().map(mode).collect(),
-            };
-        }
+    if let Some(found) = driven_in((record, losses), options, shaking) {
+        return During::Driven(Box::new(found));
     }
     let lowest = quiet.and_then(|of| Some((of.modes.first()?, of.channels.as_slice())));
-    let found = lowest.and_then(|mode| tracked(record, mode, shaking));
+    let found = lowest.and_then(|mode| tracked((record, losses), mode, shaking));
     found.map_or(During::Unknown, During::Tracked)
+}
+
+/// Modes above the channels marked as inputs while an earthquake is strong, else as long as it lasts; `None` without inputs, and where none are found.
+///
+/// The strong phase comes first: what follows it moves a structure that stiffens again, and would show each mode a second time.
+fn driven_in(
+    (record, losses): (&Record, &Losses),
+    options: &Identify,
+    shaking: &Shaking,
+) -> Option<DrivenPart> {
+    if options.inputs.is_empty() {
+        return None;
+    }
+    let driven = Identify {
+        method: Method::Okid,
+        modes_wanted: None,
+        pick_hz: Vec::new(),
+        accept_hz: Vec::new(),
+        ..options.clone()
+    };
+    let spans = [
+        [shaking.strong_from_s, shaking.strong_to_s],
+        [shaking.arrival_s, shaking.strong_to_s],
+        [(shaking.strong_to_s - DRIVEN_S).max(0.0), shaking.strong_to_s],
+        [shaking.arrival_s, shaking.end_s],
+    ];
+    let of_span = |span_s: [f64; 2]| {
+        let span_s = losses.whole_within(span_s);
+        let mut analysis = identify(&part_of(record, span_s)?, &driven).ok()?;
+        leave_little_moved(&mut analysis);
+        let inputs = analysis.driven.as_ref().map(|of| of.inputs.clone());
+        (!analysis.modes.modes.is_empty()).then(|| DrivenPart {
+            span_s,
+            inputs: inputs.unwrap_or_default(),
+            analysis,
+        })
+    };
+    let mut first = None;
+    for found in spans.into_iter().filter_map(of_span) {
+        if !has_a_mode_twice(&found.analysis.modes) {
+            return Some(found);
+        }
+        first.get_or_insert(found);
+    }
+    first
+}
+
+/// Whether two modes have one shape and are near each other: one mode of a structure that stiffened or softened meanwhile.
+fn has_a_mode_twice(of: &Modes) -> bool {
+    let twice = |(at, one): (usize, &Mode)| {
+        let mut later = of.modes.iter().skip(at + 1);
+        later.any(|other| is_one_mode(of, one, other))
+    };
+    of.modes.iter().enumerate().any(twice)
+}
+
+fn is_one_mode(of: &Modes, one: &Mode, other: &Mode) -> bool {
+    let is_near = (other.frequency_hz / one.frequency_hz - 1.0).abs() <= TWICE_WITHIN;
+    is_near && likeness((of, one), (of, other)) >= TWICE_ALIKE
+}
+
+/// Of a mode found in two states of the structure, that of the state in which it moved.
+fn leave_little_moved(analysis: &mut ModalAnalysis) {
+    let all = &analysis.modes;
+    let is_weak = |weak: &Mode| {
+        let beside = |mode: &Mode| match (weak.frequency_sd_hz, mode.frequency_sd_hz) {
+            (Some(large), Some(sd)) => large >= LITTLE_MOVED * sd && is_one_mode(all, mode, weak),
+            _ => false,
+        };
+        all.modes.iter().any(beside)
+    };
+    let (weak, kept): (Vec<Mode>, Vec<Mode>) = all.modes.iter().cloned().partition(is_weak);
+    analysis.modes.modes = kept;
+    if let Some(driven) = &mut analysis.driven {
+        let is_kept = |hz: f64| weak.iter().all(|of| of.frequency_hz != hz);
+        driven.modes.retain(|of| is_kept(of.frequency_hz));
+    }
+}
+
+/// Whether a whole record shows the structure in one state, that of the strong phase of its earthquake: no mode twice, and the lowest where it was then.
+pub fn is_of_one_state(whole: &Modes, strong: &Modes) -> bool {
+    let (Some(one), Some(other)) = (whole.modes.first(), strong.modes.first()) else {
+        return false;
+    };
+    let sd = one
+        .frequency_sd_hz
+        .unwrap_or(0.0)
+        .hypot(other.frequency_sd_hz.unwrap_or(0.0));
+    let off = (one.frequency_hz - other.frequency_hz).abs();
+    !has_a_mode_twice(whole) && off <= LastingChange::BEYOND * sd
 }
 
 /// Each mode before beside the one of like shape after.
@@ -180,6 +256,7 @@ pub(super) fn changes(before: &Modes, after: &Modes) -> Vec<LastingChange> {
             ratio_sd: sd(mode).zip(sd(after)).map(|(a, b)| (1.0 + ratio) * a.hypot(b)),
         });
     }
+    all.sort_by(|a, b| a.before_hz.total_cmp(&b.before_hz));
     all
 }
 

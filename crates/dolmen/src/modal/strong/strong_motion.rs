@@ -1,30 +1,43 @@
-//! From a record that holds an earthquake to what the structure did.
+//! From a record that holds earthquakes to what the structure did.
 
-use super::parts::{During, LastingChange, Part, after, before, changes, during};
-use super::peaks::{StrongChannel, channels};
-use super::shaking::{Shaking, earthquake_in};
+use super::losses::Losses;
+use super::part::Part;
+use super::parts::{During, LastingChange, changes, during, quiet};
+use super::peaks::{Strength, StrongChannel};
+use super::shaking::{Shaking, ShakingKind};
+use super::told::{SURE_M_S2, earthquakes_in};
+use super::wind::is_pushed;
 use crate::modal::options::Identify;
 use crate::modal::{Method, Modes};
 use crate::signal::{Quantity, Record};
 
-/// An earthquake in a record, and the structure before, in and after it.
+/// One earthquake of a record.
 #[derive(Clone, Debug)]
-pub struct StrongMotion {
+pub struct StrongEvent {
     /// When it was and how it was told.
     pub shaking: Shaking,
     /// What each channel measured.
     pub channels: Vec<StrongChannel>,
-    /// The structure before.
-    pub before: Part,
     /// The structure in it.
     pub during: During,
-    /// The structure after.
-    pub after: Part,
-    /// Each mode found both before and after.
+    /// Each mode found both in the part before it and in the part after it.
     pub changes: Vec<LastingChange>,
 }
 
-impl StrongMotion {
+/// The earthquakes of a record, and the structure before, in, between and after them.
+#[derive(Clone, Debug)]
+pub struct StrongMotion {
+    /// Every one, by time: at least one.
+    pub events: Vec<StrongEvent>,
+    /// The structure before the first, between each two, and after the last; none of these parts holds an earthquake.
+    pub quiet: Vec<Part>,
+    /// Which two of these parts are compared for what lasts in all: the first that gives modes and the last.
+    pub compared: Option<[usize; 2]>,
+    /// Each mode found in both of them, by frequency.
+    pub changes: Vec<LastingChange>,
+}
+
+impl StrongEvent {
     /// The channel with the largest acceleration; without accelerations, the largest of all.
     pub fn strongest(&self) -> Option<&StrongChannel> {
         let is_acceleration = |of: &&StrongChannel| of.quantity == Quantity::Acceleration;
@@ -33,54 +46,162 @@ impl StrongMotion {
         all.or_else(|| self.channels.iter().max_by(|a, b| a.peak.total_cmp(&b.peak)))
     }
 
-    /// The change beyond chance that is surest.
+    /// Whether a larger acceleration than the largest may have been.
+    pub fn is_at_least(&self) -> bool {
+        let is_acceleration = |of: &&StrongChannel| of.quantity == Quantity::Acceleration;
+        let of_acceleration = self.channels.iter().filter(is_acceleration);
+        of_acceleration.into_iter().any(|of| of.at_least.is_some())
+    }
+
+    /// As [`StrongMotion::lasting`], of this one alone.
     pub fn lasting(&self) -> Option<&LastingChange> {
-        let beyond = self.changes.iter().filter(|of| of.is_beyond_chance());
-        let sure = |of: &LastingChange| of.ratio.abs() / of.ratio_sd.unwrap_or(f64::INFINITY);
-        beyond.max_by(|a, b| sure(a).total_cmp(&sure(b)))
+        lowest_beyond(&self.changes)
     }
 }
 
-/// The earthquake in a record; `None` of ambient vibration, and where the user says that it is a free decay.
+impl StrongMotion {
+    /// The one that is strongest over the noise.
+    pub fn strongest(&self) -> &StrongEvent {
+        let over = |of: &&StrongEvent| of.shaking.over_noise;
+        let strongest = self.events.iter().max_by(|a, b| over(a).total_cmp(&over(b)));
+        strongest.unwrap_or(&self.events[0])
+    }
+
+    /// The one with the largest acceleration.
+    pub fn largest(&self) -> &StrongEvent {
+        let peak = |of: &&StrongEvent| of.strongest().map_or(0.0, |of| of.peak);
+        let largest = self.events.iter().max_by(|a, b| peak(a).total_cmp(&peak(b)));
+        largest.unwrap_or(&self.events[0])
+    }
+
+    /// Whether one of them is an earthquake beyond doubt.
+    pub fn is_sure(&self) -> bool {
+        self.events
+            .iter()
+            .any(|of| of.shaking.kind == ShakingKind::Earthquake)
+    }
+
+    /// The structure before the first.
+    pub fn before(&self) -> &Part {
+        &self.quiet[0]
+    }
+
+    /// The structure after the last.
+    pub fn after(&self) -> &Part {
+        &self.quiet[self.events.len()]
+    }
+
+    /// The last part between two of them that gives modes.
+    pub fn between(&self) -> Option<&Part> {
+        let inner = &self.quiet[1..self.events.len()];
+        inner.iter().rev().find(|part| part.analysis.is_some())
+    }
+
+    /// What lasts in all; where that cannot be told, what the last one left of which it can.
+    pub fn shown(&self) -> &[LastingChange] {
+        match self.compared {
+            Some(_) => &self.changes,
+            None => {
+                let told = self.events.iter().rev().find(|of| !of.changes.is_empty());
+                told.map_or(&[], |of| &of.changes)
+            }
+        }
+    }
+
+    /// Of the changes beyond chance that of the lowest mode.
+    pub fn lasting(&self) -> Option<&LastingChange> {
+        lowest_beyond(self.shown())
+    }
+
+    /// Of the changes beyond chance the largest.
+    pub fn lasting_most(&self) -> Option<&LastingChange> {
+        let beyond = self.shown().iter().filter(|of| of.is_beyond_chance());
+        beyond.max_by(|a, b| a.ratio.abs().total_cmp(&b.ratio.abs()))
+    }
+
+    /// With all its times later by so much, s: as they are where the record is the rest of a longer one.
+    #[must_use]
+    pub fn later(mut self, by_s: f64) -> Self {
+        for event in &mut self.events {
+            event.shaking.shift(by_s);
+            event.during.shift(by_s);
+            for channel in &mut event.channels {
+                channel.peak_at_s += by_s;
+            }
+        }
+        for part in &mut self.quiet {
+            part.span_s = part.span_s.map(|at_s| at_s + by_s);
+        }
+        self
+    }
+}
+
+/// Of the changes beyond chance that of the lowest mode.
+fn lowest_beyond(changes: &[LastingChange]) -> Option<&LastingChange> {
+    let beyond = changes.iter().filter(|of| of.is_beyond_chance());
+    beyond.min_by(|a, b| a.before_hz.total_cmp(&b.before_hz))
+}
+
+/// The earthquakes in a record; `None` of ambient vibration, and where the user says that it is a free decay.
 ///
-/// Before and after it modes are found as in any ambient record. In it they are those above the channels marked as inputs, where there are
-/// any, by observer/Kalman filter identification; without, the lowest mode is followed along its shape, window by window.
+/// Before, between and after them modes are found as in any ambient record. In each of them they are those above the channels marked as inputs, where
+/// there are any, by observer/Kalman filter identification; without, the lowest mode is followed along its shape, window by window.
 ///
 /// # Limits
-/// Before and after need 40 s each. A structure that softens with amplitude, as all of stone and timber do, shows a lower frequency as long as
+/// Each part needs 40 s. A structure that softens with amplitude, as all of stone and timber do, shows a lower frequency as long as
 /// it still moves: the part after begins where the motion has sunk to twice the noise. No lasting tilt or displacement is given: integrating an
 /// accelerometer twice makes one of any offset; a tilt sensor or a survey gives it.
 ///
 /// # Example
 /// ```
-/// use dolmen::modal::{Identify, MadeEarthquake, strong_motion};
+/// use dolmen::modal::{Identify, Losses, MadeEarthquake, strong_motion};
 /// let record = MadeEarthquake::default().make()?;
-/// let found = strong_motion(&record, &Identify::default()).unwrap();
-/// assert!((found.shaking.arrival_s - 150.0).abs() < 2.0);
+/// let found = strong_motion(&record, &Identify::default(), &Losses::default()).unwrap();
+/// assert!((found.events[0].shaking.arrival_s - 150.0).abs() < 2.0);
 /// # Ok::<(), dolmen::signal::SignalError>(())
 /// ```
-pub fn strong_motion(record: &Record, options: &Identify) -> Option<StrongMotion> {
+pub fn strong_motion(record: &Record, options: &Identify, losses: &Losses) -> Option<StrongMotion> {
     if options.method == Method::Era {
         return None;
     }
-    let shaking = earthquake_in(record, &options.inputs)?;
-    let (before, after) = (
-        before(record, options, &shaking),
-        after(record, options, &shaking),
-    );
-    let modes = |part: &'_ Part| -> Option<Modes> { part.analysis.as_ref().map(|of| of.modes.clone()) };
-    let (quiet, later) = (modes(&before), modes(&after));
-    let changes = match (&quiet, &later) {
-        (Some(quiet), Some(later)) => changes(quiet, later),
+    let shakings = earthquakes_in(record, &options.inputs, &losses.lost_s);
+    if shakings.is_empty() {
+        return None;
+    }
+    let quiet = quiet(record, options, &shakings, losses);
+    let modes = |at: usize| -> Option<&Modes> { quiet[at].analysis.as_ref().map(|of| &of.modes) };
+    let both = |from: usize, to: usize| match (modes(from), modes(to)) {
+        (Some(before), Some(after)) => changes(before, after),
         _ => Vec::new(),
     };
-    let during = during(record, options, &shaking, quiet.or(later).as_ref());
+    let last = shakings.len();
+    let first = (0..last).find(|at| modes(*at).is_some());
+    let compared = first.filter(|_| modes(last).is_some()).map(|first| [first, last]);
+    let strength = Strength::of(record, &shakings, &quiet, losses);
+    let events = shakings.iter().enumerate().map(|(at, shaking)| {
+        let near = modes(at).or_else(|| modes(at + 1));
+        let near = near.or_else(|| (0..=last).find_map(modes));
+        let channels = strength.channels(at);
+        let peaks = channels.iter().filter_map(|of| of.peak_acceleration_m_s2);
+        let is_pushed = peaks.fold(0.0, f64::max) < SURE_M_S2
+            && near.is_some_and(|modes| is_pushed((record, losses), shaking, modes));
+        StrongEvent {
+            channels,
+            during: during((record, losses), options, shaking, near),
+            changes: both(at, at + 1),
+            shaking: Shaking {
+                kind: match is_pushed {
+                    true => ShakingKind::EarthquakeOrTraffic,
+                    false => shaking.kind,
+                },
+                ..shaking.clone()
+            },
+        }
+    });
     Some(StrongMotion {
-        channels: channels(record, &shaking),
-        shaking,
-        before,
-        during,
-        after,
-        changes,
+        events: events.collect(),
+        changes: compared.map_or_else(Vec::new, |[from, to]| both(from, to)),
+        compared,
+        quiet,
     })
 }

@@ -6,7 +6,9 @@
 //! | f_0 | `expected_hz` | frequency before | Hz |
 //! | W | `length` | window: twelve periods, half overlapping | s |
 
-use super::shaking::{Shaking, without_drift};
+use super::levels::without_drift;
+use super::losses::Losses;
+use super::shaking::Shaking;
 use crate::modal::Mode;
 use crate::signal::{Channel, Record};
 use std::f64::consts::PI;
@@ -51,7 +53,7 @@ pub struct Tracked {
 
 /// Follows a mode through the earthquake; `None` where no window holds enough of it.
 pub(super) fn tracked(
-    record: &Record,
+    (record, losses): (&Record, &Losses),
     (mode, channels): (&Mode, &[Channel]),
     shaking: &Shaking,
 ) -> Option<Tracked> {
@@ -70,7 +72,8 @@ pub(super) fn tracked(
     let mut from = arrival;
     while from + length <= end {
         let part = &y[from..from + length];
-        if power(part) > least {
+        let is_whole = !losses.is_lost([from, from + length].map(|at| at as f64 / rate_hz));
+        if is_whole && power(part) > least {
             let at_hz = peak_hz(part, rate_hz, BAND.map(|of| of * expected_hz));
             points.extend(at_hz.map(|frequency_hz| TrackPoint {
                 at_s: (from as f64 + 0.5 * length as f64) / rate_hz,

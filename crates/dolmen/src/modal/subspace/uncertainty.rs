@@ -301,13 +301,17 @@ pub(crate) fn nearest(values: &[Complex64], to: Complex64) -> usize {
 
 /// First `rows` rows and as many columns of `m` as `x` is long, times `x`.
 fn leading_times(m: &Matrix, rows: usize, x: &[Complex64]) -> Vec<Complex64> {
-    let mut y = vec![Complex64::ZERO; rows];
+    // real and imaginary parts apart, for the processor's wide registers
+    let (mut re, mut im) = (vec![0.0; rows], vec![0.0; rows]);
     for (j, xj) in x.iter().enumerate() {
-        for (y, m) in y.iter_mut().zip(m.column(j)) {
-            *y += xj * m;
+        let column = &m.column(j)[..rows];
+        for ((re, im), m) in re.iter_mut().zip(&mut im).zip(column) {
+            *re += xj.re * m;
+            *im += xj.im * m;
         }
     }
-    y
+    let parts = re.into_iter().zip(im);
+    parts.map(|(re, im)| Complex64::new(re, im)).collect()
 }
 
 /// x ← R_n⁻¹ x.

@@ -107,6 +107,32 @@ impl FreeColumns {
         self.normal_n() * self.height_m / (2.0 * self.section.second_moment_m4())
     }
 
+    /// The same columns on beds that give this stiffness at small drift, N/m.
+    pub(crate) fn on_beds_of(&self, stiffness_n_m: f64) -> FreeColumns {
+        let per_bed_m = 2.0 * self.count as f64 * self.section.second_moment_m4() / self.height_m.powi(2);
+        FreeColumns {
+            bed_stiffness_n_m3: Some(stiffness_n_m / per_bed_m),
+            ..*self
+        }
+    }
+
+    /// The rotation at which their heads have drifted so far, rad.
+    ///
+    /// # Errors
+    /// [`StabilityError::Numeric`] if it is not found: none is known.
+    pub(crate) fn rotation_at_rad(&self, drift_m: f64) -> Result<f64, StabilityError> {
+        if drift_m <= 0.0 {
+            return Ok(0.0);
+        }
+        // rolling only adds to h sin θ
+        let most_rad = (drift_m / self.height_m).min(1.0).asin();
+        let off = |rotation: f64| self.at(rotation).drift_m - drift_m;
+        if off(most_rad) <= 0.0 {
+            return Ok(most_rad);
+        }
+        Ok(bracketed_root(off, 0.0, most_rad, &Bracketing::default())?)
+    }
+
     /// Whether they stand by their weight alone, and how; `None` if not.
     ///
     /// # Errors

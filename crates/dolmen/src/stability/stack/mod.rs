@@ -5,6 +5,7 @@ mod contact;
 mod cut_resistances;
 mod cuts;
 mod demand;
+mod dilatancy;
 mod half_plane;
 mod limit_acts;
 mod limit_along;
@@ -42,6 +43,8 @@ pub use cuts::{Cut, Cuts, cuts};
 pub use demand::{
     Comparison, DemandComparison, DemandVerdict, SpectralDemand, StackDemand, compare_with_demand,
 };
+pub(crate) use dilatancy::{ROUNDS, without_sliding_friction};
+pub use dilatancy::{Undilated, limit_analysis_undilated};
 pub(crate) use limit_along::stands_by_limit_analysis;
 pub use limit_analysis::limit_analysis;
 pub use limit_options::{

@@ -37,7 +37,7 @@ use crate::structure::stack::Stack;
 /// # Limits
 /// Uplift and sliding are each found alone: a part that twists while it slides, or opens while it slides, needs
 /// a limit analysis. In a stack that is not statically determinate every threshold is an upper
-/// bound, three times too high on a beam across two pillars, and nothing is said to govern. Stones beside a part neither hold nor push it; side supports are left out. The tensile strength of a joint is
+/// bound, three times too high on a beam across two pillars, and the result names nothing that governs. Stones beside a part neither hold nor push it; side supports are left out. The tensile strength of a joint is
 /// left out, its cohesion acts in sliding only. Of joints with different friction the least counts. With ties: each at
 /// its strength, although a brittle one may break before the next is pulled.
 ///

@@ -161,7 +161,7 @@ impl FloorModes {
         lowest.map(|mode| mode.unexplained).sum::<f64>() / count
     }
 
-    /// The lowest three, each named for the motion that it has most of where all three are told apart; with shapes, and with the twists of those
+    /// The lowest three, each named for the motion that it has most of where this tells all three apart; with shapes, and with the twists of those
     /// along x and y.
     pub fn plan_modes(&self) -> Vec<PlanMode> {
         let lowest: Vec<&FloorMode> = self.modes.iter().take(3).collect();

@@ -8,7 +8,7 @@ use crate::structure::{
 };
 use dolmen_linalg::Svd;
 
-/// A spring whose direction the data determine by less than this share is named as not seen.
+/// A note names a spring as not seen whose direction the data determine by less than this share.
 const SEEN_LEAST: f64 = 0.5;
 /// Components of a free direction below this are left out of the note.
 const COMPONENT_LEAST: f64 = 0.05;

@@ -1,5 +1,6 @@
 //! Where two convex solids touch: the pair of faces with the largest common patch.
 
+use super::bearing::{Bearing, bearing};
 use super::{Body, Joint, JointMaterial, Polygon, ScannedJoint, Solid};
 use glam::DVec3;
 
@@ -29,10 +30,17 @@ pub(super) struct Bed {
     gap_m: f64,
     /// Its area over that of all patches of the two solids.
     share: f64,
+    /// How much of it is stone on stone, if that is not what its hulls have in common.
+    hollow: Option<Bearing>,
     scanned: Option<ScannedJoint>,
 }
 
 impl Bed {
+    /// The stone in it, if there is too little to bear and to tip as the hulls do.
+    pub(super) fn hollow(&self) -> Option<Bearing> {
+        self.hollow
+    }
+
     /// The part of the patch that is flat stone, if that is too little to be a joint.
     pub(super) fn barely_used(&self) -> Option<f64> {
         let used = self.scanned?.used_ratio;
@@ -101,6 +109,7 @@ impl Bed {
             },
             gap_m: self.gap_m,
             share: self.share,
+            hollow: self.hollow,
             scanned: self.scanned,
         }
     }
@@ -113,6 +122,7 @@ impl Bed {
             axes: self.axes.map(Into::into),
             patch: self.patch,
             material,
+            gap_m: self.gap_m,
             scanned: self.scanned,
         }
     }
@@ -194,6 +204,11 @@ pub(super) fn bed(lower: Option<&Solid>, upper: &Solid) -> Option<Bed> {
     }
     let (area, mut bed, [above, below]) = best?;
     bed.share = area / total;
+    let found = below.map(|below| {
+        let under = lower.zip(above);
+        bearing(under, (upper, below), &bed.patch, bed.origin, &bed.axes)
+    });
+    bed.hollow = found.filter(|found| !found.is_whole());
     let faces: Vec<(&Solid, usize)> = lower
         .zip(above)
         .into_iter()
@@ -254,6 +269,7 @@ fn bed_of(patch: Polygon, origin: DVec3, axes: [DVec3; 3]) -> Bed {
         patch: Polygon { corners_m },
         gap_m: 0.0,
         share: 1.0,
+        hollow: None,
         scanned: None,
     }
 }

@@ -221,6 +221,25 @@ pub enum StackError {
         /// What is allowed.
         allowed: f64,
     },
+    /// A joint of hulls where the stones themselves do not meet, or not as the hulls do.
+    #[error(
+        "'{upper}' on '{lower}': where their convex hulls meet, stone meets stone on {:.1} % of the area (at least {} % must), and the outline of that spans {:.1} % of it (at least {} % must): one of them is not convex there, or an opening reaches the joint. Divide it into convex parts, each a block of its own",
+        100.0 * area, 100.0 * area_allowed, 100.0 * outline, 100.0 * outline_allowed
+    )]
+    JointHollow {
+        /// The upper block.
+        upper: String,
+        /// The lower one, or "the ground".
+        lower: String,
+        /// Stone on stone, in parts of the area that the hulls have in common.
+        area: f64,
+        /// The least allowed.
+        area_allowed: f64,
+        /// Its convex outline, in the same parts.
+        outline: f64,
+        /// The least allowed.
+        outline_allowed: f64,
+    },
     /// A cut that leaves nothing.
     #[error(
         "nothing is left of the stone behind the plane through {point_m:?} with normal {normal:?}: move the plane or turn its normal round"

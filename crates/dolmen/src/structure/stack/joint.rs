@@ -26,6 +26,9 @@ pub struct Joint {
     pub patch: Polygon,
     /// Friction, bond, springs, damping.
     pub material: JointMaterial,
+    /// From the face of the lower body up to that of the upper at the centroid of the patch, m, which counts as closed; negative if
+    /// they pass through each other.
+    pub gap_m: f64,
     /// How well the scans of its stones know it; `None` if neither is a scan with noise.
     pub scanned: Option<ScannedJoint>,
 }

@@ -1,9 +1,11 @@
 //! Stacks of stone: blocks, the joints between them, and what ties and holds them.
 
 mod arch;
+mod bearing;
 mod beds;
 mod cut;
 mod error;
+mod gaps;
 mod hull;
 mod hull_faces;
 mod joint;
@@ -28,6 +30,7 @@ mod wall;
 pub use arch::{ArchFactors, arch};
 pub use beds::BED_GAP_M;
 pub use error::StackError;
+pub use gaps::{GAP_CLOSED_M, WidestGap};
 pub use joint::{Body, Joint, ScannedJoint};
 pub use material::JointMaterial;
 pub use pagoda::{Pagoda, PagodaFactors, PagodaSlenderness, pagoda};

@@ -22,7 +22,7 @@ impl Solid {
     /// of the mesh of the solid.
     ///
     /// # Limits
-    /// Contact stays that of the whole: an opening that reaches a bed does not shrink it. Cut such a stone into several.
+    /// Contact stays that of the whole: a stack refuses a bed of which an opening takes an edge or more than a tenth. Cut such a stone into several.
     ///
     /// # Example
     /// ```

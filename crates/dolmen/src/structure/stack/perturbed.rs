@@ -1,6 +1,6 @@
 //! A stack with small differences, those that no survey can tell from it.
 
-use super::{JointMaterial, Stack, StackError};
+use super::{Joint, JointMaterial, Stack, StackError};
 use crate::numeric::Random;
 use glam::{DMat3, DVec3};
 
@@ -88,6 +88,11 @@ impl Stack {
         }
         let usual = JointMaterial::default();
         let mut other = Stack::new(blocks, usual, self.gravity_m_s2())?;
+        // gaps that are open stay so
+        other.joints.retain(|joint| {
+            let is_own = |own: &Joint| own.lower == joint.lower && own.upper == joint.upper;
+            !joint.is_drawn_open() || self.joints().iter().any(is_own)
+        });
         for index in 0..other.joints().len() {
             let joint = &other.joints()[index];
             let (lower, upper) = (joint.lower, joint.upper);

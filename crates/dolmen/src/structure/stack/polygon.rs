@@ -102,6 +102,12 @@ impl Polygon {
         Polygon { corners_m: corners }.cleaned()
     }
 
+    /// The part of this polygon to the left of a line through two points; empty if none is.
+    pub(super) fn left_of(&self, start: [f64; 2], end: [f64; 2]) -> Polygon {
+        let corners_m = keep_left(&self.corners_m, start, minus(end, start));
+        Polygon { corners_m }.cleaned()
+    }
+
     /// Without corners that repeat or lie on the line between their neighbours, to 1e-9 of its size.
     pub fn cleaned(self) -> Polygon {
         let size = self.size_m();

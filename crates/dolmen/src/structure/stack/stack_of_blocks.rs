@@ -1,5 +1,6 @@
 //! The stack: blocks that touch in joints, checked once.
 
+use super::bearing::{AREA_LEAST, OUTLINE_LEAST};
 use super::beds::{BED_GAP_M, Bed, FACET_LEAST, USED_LEAST, bed, gap_allowed_m};
 use super::overlap::overlap_depth;
 use super::{Body, Joint, JointMaterial, Solid, StackError, StaticLoad, SupportMovement};
@@ -69,8 +70,8 @@ pub struct SideSupport {
 /// Blocks on the ground, touching in joints; only valid ones exist.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stack {
-    blocks: Vec<Block>,
-    joints: Vec<Joint>,
+    pub(super) blocks: Vec<Block>,
+    pub(super) joints: Vec<Joint>,
     ties: Vec<Tie>,
     side_supports: Vec<SideSupport>,
     pub(super) support_movements: Vec<SupportMovement>,
@@ -83,10 +84,11 @@ impl Stack {
     ///
     /// # Errors
     /// [`StackError`] for no blocks, names that repeat, density, gravity or material out of range, blocks that overlap by
-    /// more than [`BED_GAP_M`] or touch on several facets of a bed that is not flat, and blocks that no joint carries.
+    /// more than [`BED_GAP_M`], touch on several facets of a bed that is not flat or where one is hollow, and blocks that no joint carries.
     ///
     /// # Limits
-    /// Contact is of convex hulls: a hollow or re-entrant stone must be given as several. Two bodies share one joint, of
+    /// Contact is of convex hulls: a joint in which the stone itself does not bear as they do is refused, and such a stone must be
+    /// given as several. Within the outline up to a tenth of the area may be empty, which springs and bonds count whole. Two bodies share one joint, of
     /// the pair of faces with the largest common patch. Faces up to 5° from parallel count as bedded.
     ///
     /// # Example
@@ -144,6 +146,7 @@ impl Stack {
             static_loads: Vec::new(),
             gravity_m_s2,
         };
+        let stack = stack.without_joints_through_blocks();
         stack.check_carried()?;
         Ok(stack)
     }
@@ -325,7 +328,7 @@ impl Stack {
 
     /// Every block must reach the ground through joints, and lie on one or lean between several: whether it then stands is
     /// for equilibrium to say.
-    fn check_carried(&self) -> Result<(), StackError> {
+    pub(super) fn check_carried(&self) -> Result<(), StackError> {
         let leans: Vec<bool> = (0..self.blocks.len())
             .map(|block| {
                 let own = |joint: &&Joint| joint.upper == block || joint.lower == Body::Block(block);
@@ -380,8 +383,18 @@ impl Stack {
     }
 }
 
-/// A joint must be one flat patch, and of scans flat stone for the most part.
+/// A joint must be one flat patch of stone on stone, and of scans flat stone for the most part.
 fn check_used(bed: &Bed, lower: &str, upper: &str) -> Result<(), StackError> {
+    if let Some(found) = bed.hollow() {
+        return Err(StackError::JointHollow {
+            upper: upper.to_owned(),
+            lower: lower.to_owned(),
+            area: found.area,
+            area_allowed: AREA_LEAST,
+            outline: found.outline,
+            outline_allowed: OUTLINE_LEAST,
+        });
+    }
     if let Some(share) = bed.is_facet() {
         return Err(StackError::JointFacets {
             upper: upper.to_owned(),

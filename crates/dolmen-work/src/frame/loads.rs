@@ -1,0 +1,228 @@
+//! A frame under wind, static loads and their combinations.
+
+use super::lean::leaning;
+use super::wind::wind_met;
+use crate::error::WorkError;
+use crate::loads::{
+    CombinationAnswer, Combined, DirectionUnderLoads, FrameCombination, FrameWind, LoadedStorey, LoadsAnswer,
+};
+use crate::state::DirectionCheck;
+use dolmen::assess::demand::DRIFT_RATIO_MOST;
+use dolmen::stability::{FramePush, FreeColumns, frame_stability, frame_under_loads};
+use dolmen::structure::{Frame, lowest_frequency_hz};
+use dolmen_project::{CombinationPart, DirectionPart, FramePart, LoadPart, LoadsPart, Pick, Quantity};
+
+/// What wind and static loads do to a frame; `None` if there are none.
+pub(crate) fn loads(
+    part: &FramePart,
+    given: &LoadsPart,
+    checks: &[DirectionCheck],
+    pick: Pick<'_>,
+) -> Result<Option<LoadsAnswer>, WorkError> {
+    if given.is_empty() {
+        return Ok(None);
+    }
+    let frame = part.build(pick)?;
+    let mut answer = LoadsAnswer {
+        has_wind: given.wind().is_some(),
+        has_loads: !given.loads.is_empty(),
+        carried: None,
+        tilt_rad: part.lean.as_ref().map_or(0.0, |lean| lean.together),
+        combinations: Vec::new(),
+        wind: None,
+        wind_across: None,
+        frame_winds: Vec::new(),
+    };
+    for (direction, check) in checks.iter().enumerate() {
+        let Some(wind) = given.wind() else { break };
+        let frequency_hz = lowest_frequency_hz(&check.check.modes);
+        match wind_met(part, (wind, direction), frequency_hz, &frame, pick) {
+            Ok(met) => answer.frame_winds.push(met),
+            Err(why) => {
+                answer.frame_winds.clear();
+                answer.wind = Some(Err(why));
+                return Ok(Some(answer));
+            }
+        }
+    }
+    answer.wind = answer.frame_winds.first().map(|of| Ok(of.met.clone()));
+    for combination in &given.combinations {
+        answer.combinations.push(CombinationAnswer {
+            name: combination.name.clone(),
+            weight: combination.weight,
+            wind: combination.wind,
+            loads: combination.loads,
+            of: Combined::Frame(Box::new(under(
+                (part, combination),
+                &given.loads,
+                &answer.frame_winds,
+                pick,
+            )?)),
+        });
+    }
+    Ok(Some(answer))
+}
+
+/// The frame under a combination.
+fn under(
+    (part, combination): (&FramePart, &CombinationPart),
+    loads: &[LoadPart],
+    winds: &[FrameWind],
+    pick: Pick<'_>,
+) -> Result<FrameCombination, WorkError> {
+    let frame = part.build_weighing([combination.weight, combination.loads], pick)?;
+    let columns = columns(part, &frame, pick)?;
+    let mut found = FrameCombination {
+        directions: Vec::new(),
+        unknown: Vec::new(),
+        weight_factor: None,
+    };
+    for (i, direction) in part.directions.iter().enumerate() {
+        let Some(stuck) = part.stiffness_n_m(&direction.name, pick) else {
+            found.unknown.push(direction.name.clone());
+            continue;
+        };
+        let still = forces_on_levels(part, direction, loads, pick);
+        let blown = winds.get(i).map(|wind| wind.levels_n.as_slice());
+        let slipping = part.slipping_stiffness_n_m(&direction.name, pick);
+        let mut storeys: Vec<LoadedStorey> = Vec::new();
+        for (slips, stiffness) in [(false, Some(stuck)), (true, slipping)] {
+            let Some(stiffness) = stiffness else { continue };
+            let factor = frame_stability(&frame, &stiffness)?.load_factor;
+            found.weight_factor = Some(found.weight_factor.map_or(factor, |least| least.min(factor)));
+            for way in [1.0, -1.0] {
+                let level = |i: usize| {
+                    let wind = blown.map_or(0.0, |levels| levels[i]);
+                    combination.loads * still[i] + way * combination.wind * wind
+                };
+                let forces_n: Vec<f64> = (0..still.len()).map(level).collect();
+                let push = FramePush {
+                    forces_n: &forces_n,
+                    columns: &columns,
+                    tilt: part.tilt(&direction.name),
+                    drift_ratio_most: DRIFT_RATIO_MOST,
+                };
+                let of = frame_under_loads(&frame, &stiffness, &push)?;
+                let heights = frame.storeys().iter().map(|storey| storey.height_m);
+                let each = of.storeys.into_iter().zip(heights);
+                let each = each.map(|(under, height_m)| LoadedStorey {
+                    under,
+                    height_m,
+                    tilt: part.tilt(&direction.name).abs(),
+                    wind_reversed: way < 0.0,
+                    slips,
+                });
+                worse(&mut storeys, each.collect());
+            }
+        }
+        found.directions.push(DirectionUnderLoads {
+            direction: direction.name.clone(),
+            storeys,
+        });
+    }
+    Ok(found)
+}
+
+/// Lean of each storey at rest under static loads as they are, the larger of joints that stick and that slip, of a direction whose lean without them is given;
+/// `None` where it does not bear them.
+pub(super) fn with_loads(
+    part: &FramePart,
+    frame: &Frame,
+    direction: &DirectionPart,
+    without: Vec<f64>,
+) -> Result<Option<Vec<f64>>, WorkError> {
+    let pick: Pick<'_> = &mut Quantity::nominal;
+    let forces_n = forces_on_levels(part, direction, &part.static_loads, pick);
+    if forces_n.iter().all(|force| *force == 0.0) {
+        return Ok(Some(without));
+    }
+    let columns = columns(part, frame, pick)?;
+    let push = FramePush {
+        forces_n: &forces_n,
+        columns: &columns,
+        tilt: part.tilt(&direction.name),
+        drift_ratio_most: DRIFT_RATIO_MOST,
+    };
+    let stuck = part.stiffness_n_m(&direction.name, pick);
+    let slipping = part.slipping_stiffness_n_m(&direction.name, pick);
+    let mut leans = without;
+    for stiffness in [stuck, slipping].into_iter().flatten() {
+        let of = frame_under_loads(frame, &stiffness, &push)?;
+        for ((lean, storey), of) in leans.iter_mut().zip(frame.storeys()).zip(of.storeys) {
+            let (Some(at_rest), Some(drift_m)) = (of.lean_at_rest, of.drift_m) else {
+                return Ok(None);
+            };
+            *lean = lean.abs().max(at_rest + drift_m / storey.height_m);
+        }
+    }
+    Ok(Some(leans))
+}
+
+/// What forces of static loads add to the lean of each storey at rest; infinite where it does not bear them.
+pub(super) fn static_drifts(part: &FramePart, direction: &str) -> Result<Vec<f64>, WorkError> {
+    let none = vec![0.0; part.storeys.len()];
+    let Some(own) = part.directions.iter().find(|own| own.name == direction) else {
+        return Ok(none);
+    };
+    let frame = part.build(&mut Quantity::nominal)?;
+    let leans = leaning(part, &frame, own, &mut Quantity::nominal)?.unwrap_or(none);
+    Ok(match with_loads(part, &frame, own, leans.clone())? {
+        None => vec![f64::INFINITY; leans.len()],
+        Some(pushed) => {
+            let each = pushed.iter().zip(&leans);
+            each.map(|(pushed, lean)| pushed.abs() - lean.abs()).collect()
+        }
+    })
+}
+
+/// Each storey in the worse of two cases; of equals as it was.
+fn worse(storeys: &mut Vec<LoadedStorey>, others: Vec<LoadedStorey>) {
+    if storeys.is_empty() {
+        *storeys = others;
+        return;
+    }
+    for (own, other) in storeys.iter_mut().zip(others) {
+        if other.under.factor < own.under.factor {
+            *own = other;
+        }
+    }
+}
+
+/// The columns of each storey that stand free, under the weight of the frame.
+fn columns(part: &FramePart, frame: &Frame, pick: Pick<'_>) -> Result<Vec<Option<FreeColumns>>, WorkError> {
+    let each = part.storeys.iter().zip(frame.storeys());
+    let each = each.map(|(given, storey)| {
+        let columns = given.columns.as_ref();
+        columns.map(|columns| columns.build(storey, pick)).transpose()
+    });
+    Ok(each.collect::<Result<_, _>>()?)
+}
+
+/// Forces of static loads on each level in a direction, lowest first, N: what pushes columns between levels is shared by both ends.
+pub(super) fn forces_on_levels(
+    part: &FramePart,
+    direction: &DirectionPart,
+    loads: &[LoadPart],
+    pick: Pick<'_>,
+) -> Vec<f64> {
+    let mut levels_n = vec![0.0; part.storeys.len()];
+    let mut levels_m = Vec::with_capacity(levels_n.len() + 1);
+    levels_m.push(0.0);
+    for storey in &part.storeys {
+        levels_m.push(levels_m[levels_m.len() - 1] + pick(&storey.height));
+    }
+    for load in loads {
+        let Some(force_n) = part.force_of(load, direction).map(&mut *pick) else {
+            continue;
+        };
+        let [bottom_m, top_m] = [levels_m[load.part], levels_m[load.part + 1]];
+        let share = load.height.as_ref().map_or(1.0, |height| {
+            ((pick(height) - bottom_m) / (top_m - bottom_m)).clamp(0.0, 1.0)
+        });
+        levels_n[load.part] += share * force_n;
+        if let Some(below) = load.part.checked_sub(1) {
+            levels_n[below] += (1.0 - share) * force_n;
+        }
+    }
+    levels_n
+}

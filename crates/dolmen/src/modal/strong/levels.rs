@@ -1,0 +1,216 @@
+//! How far each second of a record stands over its noise.
+//!
+//! | symbol | code | meaning |
+//! |:--|:--|:--|
+//! | q_ck | `levels` | level of channel c in window k: median of abs(x) over one second, windows half overlapping |
+//! | n_c | `noise` | level of the channel's noise: median of q_ck before the arrival, else their lowest tenth |
+//! | s_k | `scores` | q_ck / n_c of the channel that moves least, a quarter of the channels passed over |
+
+use crate::numeric::quantile;
+use crate::signal::Record;
+use std::ops::Range;
+
+/// Length of a window, s: longer than a footfall, shorter than the strong part of an earthquake. Chosen here.
+const WINDOW_S: f64 = 1.0;
+/// What is slower than this is drift of a sensor, s.
+const SLOW_S: f64 = 4.0;
+/// Share of the channels that may miss the earthquake: dead, loose, or off by themselves.
+const MISSING: f64 = 0.25;
+/// Score at which the arrival is looked for, going back from the largest, and windows in a row that end the search.
+const ARRIVED: f64 = 3.0;
+const STILL_WINDOWS: usize = 4;
+/// Score below which the motion has ended, and windows in a row for that.
+const ENDED: f64 = 2.0;
+const ENDED_WINDOWS: usize = 10;
+/// Root mean square of what a digitiser rounds over its step, 1/√12: a channel whose noise lies below is no stiller than that.
+const OF_STEP: f64 = 0.289;
+/// Windows that a record must have.
+const WINDOWS_LEAST: usize = 20;
+/// Windows before the arrival that give the noise.
+const NOISE_WINDOWS_LEAST: usize = 6;
+
+/// A record second by second.
+#[derive(Clone, Debug)]
+pub(super) struct Levels {
+    pub(super) rate_hz: f64,
+    /// Samples from one window to the next.
+    hop: usize,
+    /// Each channel without its drift.
+    pub(super) steady: Vec<Vec<f64>>,
+    /// Noise of each channel.
+    pub(super) noise: Vec<f64>,
+    /// The score of each window; of one that lost samples that of the window before.
+    pub(super) scores: Vec<f64>,
+}
+
+/// Windows of one motion.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Motion {
+    /// The window with the largest score.
+    pub(super) at: usize,
+    /// From the arrival to the first window after it.
+    pub(super) windows: Range<usize>,
+    /// Whether it has ended before the record does, or before the next motion begins.
+    pub(super) ends: bool,
+}
+
+impl Levels {
+    /// `None` of a record that is too short, and where no channel moves; what lies in `lost_s` was lost.
+    pub(super) fn of(record: &Record, lost_s: &[[f64; 2]]) -> Option<Levels> {
+        let rate_hz = record.sampling_rate_hz();
+        let hop = ((0.5 * WINDOW_S * rate_hz).round() as usize).max(2);
+        let windows = (record.length() / hop).checked_sub(1)?;
+        if windows < WINDOWS_LEAST {
+            return None;
+        }
+        let channels = record.channels().len();
+        let is_lost: Vec<bool> = (0..windows)
+            .map(|k| {
+                let [from_s, to_s] = [k * hop, (k + 2) * hop].map(|at| at as f64 / rate_hz);
+                lost_s.iter().any(|[from, to]| *from < to_s && *to > from_s)
+            })
+            .collect();
+        let steady = |c: usize| {
+            let mut own = without_drift(record.samples(c), (SLOW_S * rate_hz) as usize);
+            for [from_s, to_s] in lost_s {
+                let [from, to] =
+                    [from_s, to_s].map(|at_s| ((at_s * rate_hz).round() as usize).min(own.len()));
+                own[from..to].fill(0.0);
+            }
+            own
+        };
+        let steady: Vec<Vec<f64>> = (0..channels).map(steady).collect();
+        let levels: Vec<Vec<f64>> = steady.iter().map(|own| levels(own, hop, windows)).collect();
+        let floors: Vec<f64> = (0..channels).map(|c| OF_STEP * step(record.samples(c))).collect();
+        let level = |c: usize, share: f64, until: usize| {
+            let own = levels[c][..until].iter().zip(&is_lost);
+            let there: Vec<f64> = own.filter(|(_, lost)| !**lost).map(|(level, _)| *level).collect();
+            quantile(&there, share).unwrap_or(0.0).max(floors[c])
+        };
+        let quiet: Vec<f64> = (0..channels).map(|c| level(c, 0.1, windows)).collect();
+        let first = scores(&levels, &quiet, &is_lost)?;
+        let before = arrival_of(&first, peak_of(&first, &[])?, 0).saturating_sub(2);
+        let noise = match before >= NOISE_WINDOWS_LEAST {
+            true => (0..channels).map(|c| level(c, 0.5, before)).collect(),
+            false => quiet,
+        };
+        Some(Levels {
+            rate_hz,
+            hop,
+            scores: scores(&levels, &noise, &is_lost)?,
+            steady,
+            noise,
+        })
+    }
+
+    /// When a window begins, s.
+    pub(super) fn time_s(&self, window: usize) -> f64 {
+        (window * self.hop) as f64 / self.rate_hz
+    }
+
+    /// Channels that move.
+    pub(super) fn live(&self) -> impl Iterator<Item = usize> {
+        (0..self.steady.len()).filter(|c| self.noise[*c] > 0.0)
+    }
+
+    /// The strongest motion outside of these windows, of a score of `least` and more.
+    pub(super) fn motion(&self, taken: &[Range<usize>], least: f64) -> Option<Motion> {
+        let at = peak_of(&self.scores, taken)?;
+        if self.scores[at] < least {
+            return None;
+        }
+        let behind = taken.iter().map(|of| of.end).filter(|end| *end <= at).max();
+        let next = taken.iter().map(|of| of.start).filter(|start| *start > at).min();
+        let last = next.unwrap_or(self.scores.len());
+        let is_end = |k: &usize| {
+            let row = &self.scores[*k..(k + ENDED_WINDOWS).min(last)];
+            row.len() == ENDED_WINDOWS && row.iter().all(|score| *score < ENDED)
+        };
+        let end = (at..last).find(is_end);
+        Some(Motion {
+            at,
+            windows: arrival_of(&self.scores, at, behind.unwrap_or(0))..end.map_or(last, |k| k + 1),
+            ends: end.is_some() || next.is_some(),
+        })
+    }
+}
+
+/// The channel less the average of what came before: a centred one would carry an arrival forward in time.
+pub(super) fn without_drift(x: &[f64], length: usize) -> Vec<f64> {
+    let mut sums = Vec::with_capacity(x.len() + 1);
+    sums.push(0.0);
+    for x in x {
+        sums.push(sums[sums.len() - 1] + x);
+    }
+    let mean = |t: usize| {
+        let (from, to) = match t < length {
+            true => (0, (length + 1).min(x.len())), // what comes first has nothing before it
+            false => (t - length, t + 1),
+        };
+        (sums[to] - sums[from]) / (to - from) as f64
+    };
+    x.iter().enumerate().map(|(t, x)| x - mean(t)).collect()
+}
+
+/// The smallest difference of two samples that are not alike: the step of the digitiser, or next to nothing; 0 of a channel that stands.
+fn step(x: &[f64]) -> f64 {
+    let differences = x.windows(2).map(|two| (two[1] - two[0]).abs());
+    let moves = differences.filter(|by| *by > 0.0);
+    moves.reduce(f64::min).unwrap_or(0.0)
+}
+
+fn levels(x: &[f64], hop: usize, windows: usize) -> Vec<f64> {
+    let mut part = Vec::with_capacity(2 * hop);
+    let median = |k: usize| {
+        part.clear();
+        part.extend(x[k * hop..(k + 2) * hop].iter().map(|x| x.abs()));
+        let (_, middle, _) = part.select_nth_unstable_by(hop, f64::total_cmp);
+        *middle
+    };
+    (0..windows).map(median).collect()
+}
+
+/// `None` where no channel moves.
+fn scores(levels: &[Vec<f64>], noise: &[f64], is_lost: &[bool]) -> Option<Vec<f64>> {
+    let live: Vec<usize> = (0..levels.len()).filter(|c| noise[*c] > 0.0).collect();
+    if live.is_empty() {
+        return None;
+    }
+    let passed = (MISSING * live.len() as f64) as usize;
+    let mut last = 0.0;
+    let score = |(k, is_lost): (usize, &bool)| {
+        if !is_lost {
+            let mut each: Vec<f64> = live.iter().map(|c| levels[*c][k] / noise[*c]).collect();
+            each.sort_by(f64::total_cmp);
+            last = each[passed];
+        }
+        last
+    };
+    Some(is_lost.iter().enumerate().map(score).collect())
+}
+
+/// The first of the largest outside of these windows.
+pub(super) fn peak_of(scores: &[f64], taken: &[Range<usize>]) -> Option<usize> {
+    let by_size = |a: &(usize, &f64), b: &(usize, &f64)| a.1.total_cmp(b.1).then(b.0.cmp(&a.0));
+    let free = scores
+        .iter()
+        .enumerate()
+        .filter(|(k, _)| !taken.iter().any(|of| of.contains(k)));
+    free.max_by(by_size).map(|(at, _)| at)
+}
+
+/// The first window of the motion that holds the peak, `least` or later.
+fn arrival_of(scores: &[f64], at: usize, least: usize) -> usize {
+    let (mut arrival, mut still) = (at, 0);
+    for k in (least..at).rev() {
+        if scores[k] >= ARRIVED {
+            (arrival, still) = (k, 0);
+        } else {
+            still += 1;
+            if still == STILL_WINDOWS {
+                break;
+            }
+        }
+    }
+    arrival
+}

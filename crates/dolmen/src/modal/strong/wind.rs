@@ -1,0 +1,96 @@
+//! A gust told from an earthquake where all sensors stand on the structure: whether the ground carries them.
+//!
+//! | symbol | code | meaning | unit |
+//! |:--|:--|:--|:--|
+//! | f_1, φ | `mode` | frequency and shape of the lowest mode at rest | Hz, – |
+//! | S_ck | `with` | cross spectrum of channel c and the strongest one k, summed over 0.25 to 0.5 f_1 | |
+//! | r_c | `follows` | Re S_ck / S_kk | – |
+
+use super::losses::Losses;
+use super::part::part_of;
+use super::shaking::Shaking;
+use crate::modal::{Mode, Modes};
+use crate::signal::{Channel, Record};
+use dolmen_linalg::Complex64;
+use realfft::RealFftPlanner;
+use std::f64::consts::PI;
+
+/// Frequencies that are looked at, over that of the lowest mode: below it the ground carries all floors alike, and wind pushes them as far as each gives way.
+const BELOW: [f64; 2] = [0.25, 0.5];
+/// Cosine from which two sensors point along one line.
+const ALONG: f64 = 0.99;
+/// Largest of φ_c/φ_k at which both can be told apart.
+const APART: f64 = 0.75;
+/// Lines of the spectrum that are needed.
+const LINES_LEAST: usize = 4;
+
+/// Whether the structure is pushed and not carried, as wind does: far below the lowest mode, channel by channel, it moves along the shape of that mode
+/// rather than all alike. `false` where the record cannot tell.
+///
+/// ```text
+/// carried by the ground   r_c = (1 + Γ φ_c h) / (1 + Γ φ_k h),  h = (f/f_1)² / (1 − (f/f_1)²) ≤ 1/3
+/// pushed by wind          r_c = φ_c / φ_k
+/// ```
+pub(super) fn is_pushed((record, losses): (&Record, &Losses), shaking: &Shaking, modes: &Modes) -> bool {
+    let pushed = || -> Option<bool> {
+        let mode = modes.modes.first()?;
+        let [low_hz, high_hz] = BELOW.map(|of| of * mode.frequency_hz);
+        let span_s = losses.whole_within([shaking.arrival_s, shaking.strong_to_s]);
+        let part = part_of(record, span_s)?;
+        let (strongest, others) = alike(&modes.channels, mode)?;
+        let place = |c: usize| {
+            part.channels()
+                .iter()
+                .position(|of| of.name == modes.channels[c].name)
+        };
+        let lines =
+            |c: usize| place(c).map(|at| lines(part.samples(at), part.sampling_rate_hz(), [low_hz, high_hz]));
+        let own = lines(strongest)?;
+        if own.len() < LINES_LEAST {
+            return None;
+        }
+        let power: f64 = own.iter().map(|line| line.norm_sqr()).sum();
+        let (mut carried, mut pushed) = (0.0, 0.0);
+        for c in others {
+            let with: f64 = lines(c)?.iter().zip(&own).map(|(a, b)| (a * b.conj()).re).sum();
+            let (follows, shape) = (with / power, mode.shape[c].re / mode.shape[strongest].re);
+            carried += (follows - 1.0).powi(2);
+            pushed += (follows - shape).powi(2);
+        }
+        Some(pushed < carried)
+    };
+    pushed().unwrap_or(false)
+}
+
+/// The channel that moves most in a mode, and those along the same line that move so much less that both ways of moving differ; `None` without such.
+fn alike(channels: &[Channel], mode: &Mode) -> Option<(usize, Vec<usize>)> {
+    let size = |c: &usize| mode.shape[*c].norm();
+    let strongest = (0..channels.len()).max_by(|a, b| size(a).total_cmp(&size(b)))?;
+    let along = |c: usize| match (channels[c].direction, channels[strongest].direction) {
+        (Some(a), Some(b)) => {
+            let dot = |a: [f64; 3], b: [f64; 3]| a.iter().zip(b).map(|(x, y)| x * y).sum::<f64>();
+            dot(a, b) / (dot(a, a) * dot(b, b)).sqrt() >= ALONG
+        }
+        (None, None) => true,
+        _ => false,
+    };
+    let ratio = |c: usize| mode.shape[c].re / mode.shape[strongest].re;
+    let others = (0..channels.len()).filter(|c| *c != strongest && along(*c) && ratio(*c) <= APART);
+    let others: Vec<usize> = others.collect();
+    (!others.is_empty()).then_some((strongest, others))
+}
+
+/// Lines of the spectrum (Hann) within a band.
+fn lines(part: &[f64], rate_hz: f64, band_hz: [f64; 2]) -> Vec<Complex64> {
+    let n = part.len() as f64;
+    let mean = part.iter().sum::<f64>() / n;
+    let window = |(t, x): (usize, &f64)| (x - mean) * (PI * (t as f64 + 0.5) / n).sin().powi(2);
+    let mut windowed: Vec<f64> = part.iter().enumerate().map(window).collect();
+    let transform = RealFftPlanner::<f64>::new().plan_fft_forward(part.len());
+    let mut all = transform.make_output_vec();
+    // the lengths are those it asked for
+    let _ = transform.process(&mut windowed, &mut all);
+    let [low, high] = band_hz.map(|hz| hz * n / rate_hz);
+    let own = (low.ceil() as usize)..(high.floor() as usize + 1).min(all.len());
+    own.map(|at| Complex64::new(all[at].re, all[at].im)).collect()
+}

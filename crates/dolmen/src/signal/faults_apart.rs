@@ -1,0 +1,156 @@
+//! What is wrong with channels, where an earthquake or lost samples would look like a fault.
+
+use super::Record;
+use super::faults::{ChannelFault, inspect};
+
+/// Everything wrong with the channels of a record, as [`inspect`] finds it, but for what lies in these times, from and to, s: `lost_s` are not looked
+/// at; in `shaken_s` single samples stand out, and strengths change, because the ground does.
+///
+/// What is held, dead, clipped, drifting or the same twice is looked for in all of the record; what is faint, of changing strength, full of spikes or
+/// almost the same is looked for where it is quiet.
+pub fn inspect_apart(record: &Record, lost_s: &[[f64; 2]], shaken_s: &[[f64; 2]]) -> Vec<ChannelFault> {
+    let there = without(record, lost_s);
+    if shaken_s.is_empty() {
+        return there.map_or_else(Vec::new, |of| of.faults());
+    }
+    let is_of_quiet = |fault: &ChannelFault| {
+        matches!(
+            fault,
+            ChannelFault::Faint { .. }
+                | ChannelFault::Faded { .. }
+                | ChannelFault::Spikes { .. }
+                | ChannelFault::Alike { .. }
+        )
+    };
+    let all = [lost_s, shaken_s].concat();
+    let mut faults = there.map_or_else(Vec::new, |of| of.faults());
+    faults.retain(|fault| !is_of_quiet(fault));
+    let quiet = without(record, &all).map_or_else(Vec::new, |of| of.faults());
+    faults.extend(quiet.into_iter().filter(is_of_quiet));
+    let place = |fault: &ChannelFault| {
+        let own = record.channels().iter().position(|of| of.name == fault.channel());
+        own.unwrap_or(usize::MAX)
+    };
+    faults.sort_by_key(place);
+    faults
+}
+
+/// A record without some of its time.
+struct Rest {
+    record: Record,
+    /// Spans that are left, s.
+    spans_s: Vec<[f64; 2]>,
+}
+
+/// `None` where nothing is left.
+fn without(record: &Record, apart_s: &[[f64; 2]]) -> Option<Rest> {
+    let rate_hz = record.sampling_rate_hz();
+    let end_s = record.duration_s();
+    let mut apart = apart_s.to_vec();
+    apart.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    let (mut spans_s, mut from_s) = (Vec::new(), 0.0_f64);
+    for [begins_s, ends_s] in apart {
+        if begins_s > from_s {
+            spans_s.push([from_s, begins_s]);
+        }
+        from_s = from_s.max(ends_s);
+    }
+    if from_s < end_s {
+        spans_s.push([from_s, end_s]);
+    }
+    let place = |at_s: f64| ((at_s * rate_hz).round() as usize).min(record.length());
+    let samples = (0..record.channels().len()).map(|c| {
+        let each = spans_s
+            .iter()
+            .map(|[from_s, to_s]| &record.samples(c)[place(*from_s)..place(*to_s)]);
+        each.flatten().copied().collect()
+    });
+    let record = Record::new(record.channels().to_vec(), samples.collect(), rate_hz).ok()?;
+    Some(Rest { record, spans_s })
+}
+
+impl Rest {
+    /// Its faults, at the times of the record that it is the rest of.
+    fn faults(&self) -> Vec<ChannelFault> {
+        let mut faults = inspect(&self.record);
+        for at_s in faults.iter_mut().flat_map(ChannelFault::times_s_mut) {
+            *at_s = self.time_s(*at_s);
+        }
+        faults
+    }
+
+    fn time_s(&self, at_s: f64) -> f64 {
+        let mut left_s = at_s;
+        for [from_s, to_s] in &self.spans_s {
+            if left_s <= to_s - from_s {
+                return from_s + left_s;
+            }
+            left_s -= to_s - from_s;
+        }
+        self.spans_s.last().map_or(at_s, |[_, to_s]| *to_s)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numeric::Random;
+    use crate::signal::Channel;
+
+    /// Three channels of noise, the first with a shaking of its own from 40 to 60 s and a spike at 80 s.
+    fn record() -> Record {
+        let mut random = Random::new(5, 1);
+        let samples = (0..3).map(|c| {
+            let each = (0..10_000).map(|t| {
+                let strong = if c == 0 && (4000..6000).contains(&t) {
+                    60.0
+                } else {
+                    1.0
+                };
+                let spike = if c == 0 && t == 8000 { 900.0 } else { 0.0 };
+                strong * random.normal() + spike
+            });
+            each.collect()
+        });
+        let channels = ["a", "b", "c"].map(Channel::named).to_vec();
+        Record::new(channels, samples.collect(), 100.0).unwrap()
+    }
+
+    #[test]
+    fn holds_a_shaking_is_no_loose_contact_and_a_spike_beside_it_keeps_its_time() {
+        let record = record();
+        let faded =
+            |faults: &[ChannelFault]| faults.iter().any(|of| matches!(of, ChannelFault::Faded { .. }));
+        assert!(faded(&inspect(&record)));
+        let apart = inspect_apart(&record, &[], &[[39.0, 61.0]]);
+        assert!(!faded(&apart), "{apart:?}");
+        let [
+            ChannelFault::Spikes {
+                count: 1, first_s, ..
+            },
+        ] = &apart[..]
+        else {
+            panic!("{apart:?}")
+        };
+        assert!((first_s - 80.0).abs() < 1e-9, "{first_s}");
+    }
+
+    #[test]
+    fn holds_lost_samples_are_not_stuck() {
+        let record = record();
+        let mut samples: Vec<Vec<f64>> = (0..3).map(|c| record.samples(c).to_vec()).collect();
+        samples.iter_mut().for_each(|own| own[2000..2800].fill(0.0));
+        let bridged = Record::new(record.channels().to_vec(), samples, 100.0).unwrap();
+        let stuck = |faults: Vec<ChannelFault>| {
+            faults
+                .iter()
+                .filter(|of| matches!(of, ChannelFault::Stuck { .. }))
+                .count()
+        };
+        assert_eq!(stuck(inspect(&bridged)), 3);
+        assert_eq!(
+            stuck(inspect_apart(&bridged, &[[19.99, 28.0]], &[[39.0, 61.0]])),
+            0
+        );
+    }
+}

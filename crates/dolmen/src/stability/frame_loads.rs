@@ -1,0 +1,413 @@
+//! A frame under forces from the side: what each storey bears, and how far it drifts.
+//!
+//! | symbol | code | meaning | unit |
+//! |:--|:--|:--|:--|
+//! | F_j, V_i | `forces_n`, `shear_n` | force at level j; that on storey i, Σ_{j≥i} F_j | N |
+//! | δ, δ_most | `drift_m`, `drift_most_m` | drift of a storey; that at which it counts as fallen | m |
+//! | T(δ) | `restoring_n` | force with which a storey resists a drift, P-delta in it | N |
+//! | k, k_b | `stiffness_n_m` | stiffness of a storey; the part of it that the beds of its columns give | N/m |
+//! | N, τ | `axial_n`, `tilt` | weight on a storey; how it leans without stress, horizontal over vertical | N, – |
+
+use super::free_columns::FreeColumns;
+use super::{StabilityError, Verdict, frame_stability};
+use crate::numeric::{Bracketing, bracketed_root, highest};
+use crate::structure::{Convention, Frame, StructureError};
+use dolmen_linalg::{Matrix, solve};
+
+/// Points of the curve of a storey with columns. Chosen here: smooth on paper.
+const CURVE_POINTS: usize = 60;
+
+/// What pushes a frame from the side, and what holds it beside its springs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FramePush<'a> {
+    /// F, at each level, lowest first, N.
+    pub forces_n: &'a [f64],
+    /// Columns that stand free, of each storey; `None` where its columns are not known to.
+    pub columns: &'a [Option<FreeColumns>],
+    /// τ, horizontal over vertical; its weight pushes the way that the forces do.
+    pub tilt: f64,
+    /// Drift over height at which a storey counts as fallen: small drifts tell of no more.
+    pub drift_ratio_most: f64,
+}
+
+/// What ends what a storey bears.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+pub enum StoreyEnd {
+    /// The drift at which it counts as fallen: it would resist with more.
+    Drift,
+    /// Its greatest force: from there on its columns fall.
+    Force,
+}
+
+/// A point of the curve of force against drift.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct StoreyPoint {
+    /// δ, m.
+    pub drift_m: f64,
+    /// T, N.
+    pub force_n: f64,
+}
+
+/// A storey of a frame under forces from the side.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct StoreyUnderLoads {
+    /// N, weight on it, N.
+    pub axial_n: f64,
+    /// V, force of the loads on it, N; its sign is their direction.
+    pub shear_n: f64,
+    /// Lean without the loads, τ + δ/l, horizontal over vertical; `None` where it falls without them.
+    pub lean_at_rest: Option<f64>,
+    /// Drift that the loads add to it, m; `None` where it does not bear them.
+    pub drift_m: Option<f64>,
+    /// T at the most, what the weight takes by the lean included, N; `None` where its springs act on displacement.
+    pub greatest_n: Option<f64>,
+    /// Drift there, m.
+    pub greatest_drift_m: Option<f64>,
+    /// δ_most less what the lean takes of it, m.
+    pub drift_most_m: f64,
+    /// What ends what it bears.
+    pub end: StoreyEnd,
+    /// Factor on the loads at which it falls, the lean as it is; 0 where it falls without them, infinite where none acts on it.
+    pub factor: f64,
+    /// T against δ; empty where its springs act on displacement, or nothing of it is left.
+    pub curve: Vec<StoreyPoint>,
+}
+
+/// A frame under forces from the side.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct FrameUnderLoads {
+    /// Lowest storey first.
+    pub storeys: Vec<StoreyUnderLoads>,
+    /// The storey with the least factor, from 1 at the bottom.
+    pub governing_storey: usize,
+    /// Least factor on the loads at which a storey falls.
+    pub factor: f64,
+}
+
+impl FrameUnderLoads {
+    /// Of its storeys.
+    pub fn of(storeys: Vec<StoreyUnderLoads>) -> Self {
+        let least = storeys
+            .iter()
+            .enumerate()
+            .min_by(|a, b| a.1.factor.total_cmp(&b.1.factor));
+        let (governing_storey, factor) = least.map_or((1, f64::INFINITY), |(i, of)| (i + 1, of.factor));
+        FrameUnderLoads {
+            storeys,
+            governing_storey,
+            factor,
+        }
+    }
+
+    /// By the least factor.
+    pub fn verdict(&self) -> Verdict {
+        match self.factor {
+            f64::INFINITY => Verdict::Stable,
+            factor => Verdict::of_load_factor(factor),
+        }
+    }
+}
+
+/// What each storey of a frame bears of forces at its levels, in equilibrium in the leaning shape.
+///
+/// ```text
+/// V_i + N_i τ = T_i(δ_i)                                              drift, without ties: each storey by itself
+/// T = (k − N/l) δ                                                     without free columns
+/// T = V_c(δ) + (k − k_b) δ,  k_b of the beds, at most k               with them; V_c of the columns has P-delta in it
+/// factor = (max T − N τ)/|V|,   0 ≤ δ ≤ δ_most − τ l
+/// K Y = F,   factor = (δ_most − |lean| l)/|δ|                         springs on displacement, and ties
+/// ```
+///
+/// `stiffness_n_m` is that of whole storeys at small drift, the beds of free columns in it; 0 where the columns are all that holds. On rigid stones, and
+/// where the beds as given would have more than the whole, the whole is taken for that of beds: nothing that joints hold at large drift is counted then.
+///
+/// # Errors
+/// [`StabilityError::Structure`] unless there is one stiffness, force and entry of columns a storey; [`StabilityError::Option`] for a tilt or force that
+/// is not finite.
+///
+/// # Limits
+/// Joints and walls are linear up to δ_most; friction holds nothing. With ties, and with springs on displacement, columns only end what a storey bears,
+/// where they fall.
+///
+/// # Example
+/// ```
+/// use dolmen::stability::{FramePush, frame_under_loads};
+/// use dolmen::structure::{Convention, Frame, Storey};
+/// let storey = Storey { mass_kg: 30e3, height_m: 4.0, axial_n: 300e3 };
+/// let gate = Frame::new(vec![storey], Convention::Drift)?;
+/// let push = FramePush { forces_n: &[20e3], columns: &[None], tilt: 0.0, drift_ratio_most: 0.1 };
+/// let found = frame_under_loads(&gate, &[875e3], &push)?; // less N/l = 75 kN/m
+/// assert!((found.storeys[0].drift_m.unwrap_or(0.0) - 0.025).abs() < 1e-15);
+/// assert!((found.factor - 800e3 * 0.4 / 20e3).abs() < 1e-12);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn frame_under_loads(
+    frame: &Frame,
+    stiffness_n_m: &[f64],
+    push: &FramePush<'_>,
+) -> Result<FrameUnderLoads, StabilityError> {
+    fits(frame, stiffness_n_m, push)?;
+    let storeys = match frame.convention() {
+        Convention::Drift if frame.ties().is_empty() => each_by_itself(frame, stiffness_n_m, push)?,
+        Convention::Drift | Convention::Grounded => together(frame, stiffness_n_m, push)?,
+    };
+    Ok(FrameUnderLoads::of(storeys))
+}
+
+fn fits(frame: &Frame, stiffness_n_m: &[f64], push: &FramePush<'_>) -> Result<(), StabilityError> {
+    frame.elastic_matrix(stiffness_n_m)?;
+    let needed = frame.storeys().len();
+    for (quantity, given) in [("forces_n", push.forces_n.len()), ("columns", push.columns.len())] {
+        if given != needed {
+            return Err(StabilityError::Structure(StructureError::Count {
+                quantity,
+                given,
+                kind: "frame",
+                needed,
+                parts: "storeys",
+            }));
+        }
+    }
+    let each = push.forces_n.iter().map(|force| ("forces_n", *force));
+    for (option, given) in each.chain([("tilt", push.tilt)]) {
+        if !given.is_finite() {
+            return Err(StabilityError::Option {
+                option,
+                given,
+                allowed: "finite numbers",
+            });
+        }
+    }
+    let most = push.drift_ratio_most;
+    if !(most > 0.0 && most < 1.0) {
+        return Err(StabilityError::Option {
+            option: "drift_ratio_most",
+            given: most,
+            allowed: "above 0 and below 1",
+        });
+    }
+    Ok(())
+}
+
+/// V, from the top down.
+fn shears(forces_n: &[f64]) -> Vec<f64> {
+    let mut above_n = 0.0;
+    let mut shears: Vec<f64> = forces_n
+        .iter()
+        .rev()
+        .map(|force| {
+            above_n += force;
+            above_n
+        })
+        .collect();
+    shears.reverse();
+    shears
+}
+
+/// δ_most less what the lean takes of it, m; 0 where the lean takes all.
+fn drift_most_m(
+    height_m: f64,
+    columns: Option<&FreeColumns>,
+    push: &FramePush<'_>,
+) -> Result<f64, StabilityError> {
+    let standing = columns.map(FreeColumns::standing).transpose()?.flatten();
+    let most_m = push.drift_ratio_most * height_m;
+    let most_m = standing.map_or(most_m, |standing| standing.falls.drift_m.min(most_m));
+    Ok((most_m - push.tilt.abs() * height_m).max(0.0))
+}
+
+fn each_by_itself(
+    frame: &Frame,
+    stiffness_n_m: &[f64],
+    push: &FramePush<'_>,
+) -> Result<Vec<StoreyUnderLoads>, StabilityError> {
+    let mut all = Vec::with_capacity(stiffness_n_m.len());
+    let shears = shears(push.forces_n);
+    for (i, storey) in frame.storeys().iter().enumerate() {
+        let columns = push.columns[i].as_ref();
+        let law = StoreyLaw::new(stiffness_n_m[i], storey.axial_n / storey.height_m, columns);
+        let most_m = drift_most_m(storey.height_m, columns, push)?;
+        let reach = law.reach(most_m)?;
+        let pushed_n = storey.axial_n * push.tilt.abs();
+        let shear_n = shears[i];
+        let at_rest = law.drift_at(pushed_n, &reach)?;
+        let loaded = law.drift_at(pushed_n + shear_n.abs(), &reach)?;
+        all.push(StoreyUnderLoads {
+            axial_n: storey.axial_n,
+            shear_n,
+            lean_at_rest: at_rest.map(|drift_m| push.tilt.abs() + drift_m / storey.height_m),
+            drift_m: loaded.zip(at_rest).map(|(loaded, at_rest)| loaded - at_rest),
+            greatest_n: Some(reach.greatest.force_n),
+            greatest_drift_m: Some(reach.greatest.drift_m),
+            drift_most_m: most_m,
+            end: reach.end,
+            factor: match at_rest {
+                None => 0.0,
+                Some(_) if shear_n == 0.0 => f64::INFINITY,
+                Some(_) => (reach.greatest.force_n - pushed_n) / shear_n.abs(),
+            },
+            curve: law.curve(&reach),
+        });
+    }
+    Ok(all)
+}
+
+/// Springs on displacement, and ties: all storeys at once.
+fn together(
+    frame: &Frame,
+    stiffness_n_m: &[f64],
+    push: &FramePush<'_>,
+) -> Result<Vec<StoreyUnderLoads>, StabilityError> {
+    let stands = frame_stability(frame, stiffness_n_m)?.load_factor > 1.0;
+    let k = frame.stiffness_matrix(stiffness_n_m)?;
+    let drifts = |forces: &[f64]| -> Result<Vec<f64>, StabilityError> {
+        let right = Matrix::from_fn(forces.len(), 1, |i, _| forces[i]);
+        let y = solve(&k, &right)?;
+        let below = |i: usize| i.checked_sub(1).map_or(0.0, |below| y[(below, 0)]);
+        Ok((0..forces.len()).map(|i| y[(i, 0)] - below(i)).collect())
+    };
+    let none = || vec![0.0; push.forces_n.len()];
+    let (loaded, leaning) = match stands {
+        true => (
+            drifts(push.forces_n)?,
+            drifts(&frame.lean_forces_n(push.tilt.abs()))?,
+        ),
+        false => (none(), none()),
+    };
+    let shears = shears(push.forces_n);
+    let mut all = Vec::with_capacity(shears.len());
+    for (i, storey) in frame.storeys().iter().enumerate() {
+        let most_m = drift_most_m(storey.height_m, push.columns[i].as_ref(), push)?;
+        let left_m = most_m - leaning[i].abs();
+        let stands = stands && left_m > 0.0;
+        let factor = match stands {
+            false => 0.0,
+            true => left_m / loaded[i].abs(), // infinite where nothing moves it
+        };
+        all.push(StoreyUnderLoads {
+            axial_n: storey.axial_n,
+            shear_n: shears[i],
+            lean_at_rest: stands.then(|| push.tilt.abs() + leaning[i].abs() / storey.height_m),
+            drift_m: (factor > 1.0).then(|| loaded[i].abs()),
+            greatest_n: None,
+            greatest_drift_m: None,
+            drift_most_m: most_m,
+            end: StoreyEnd::Drift,
+            factor,
+            curve: Vec::new(),
+        });
+    }
+    Ok(all)
+}
+
+/// T of a storey.
+enum StoreyLaw {
+    /// k − N/l, N/m.
+    Springs(f64),
+    /// Columns that stand free, and k − k_b beside them, N/m.
+    Columns(FreeColumns, f64),
+}
+
+/// How far a storey can be pushed.
+struct Reach {
+    /// Drift, or rotation of columns, rad, at the end.
+    end_at: f64,
+    /// That at the greatest force.
+    greatest_at: f64,
+    greatest: StoreyPoint,
+    end: StoreyEnd,
+}
+
+impl StoreyLaw {
+    fn new(stiffness_n_m: f64, geometric_n_m: f64, columns: Option<&FreeColumns>) -> Self {
+        let Some(columns) = columns else {
+            return StoreyLaw::Springs(stiffness_n_m - geometric_n_m);
+        };
+        match columns.bed_stiffness_n_m() {
+            _ if stiffness_n_m == 0.0 => StoreyLaw::Columns(*columns, 0.0),
+            Some(beds_n_m) if beds_n_m <= stiffness_n_m => {
+                StoreyLaw::Columns(*columns, stiffness_n_m - beds_n_m)
+            }
+            Some(_) | None => StoreyLaw::Columns(columns.on_beds_of(stiffness_n_m), 0.0),
+        }
+    }
+
+    /// At a drift, or a rotation of the columns.
+    fn at(&self, place: f64) -> StoreyPoint {
+        match self {
+            StoreyLaw::Springs(net_n_m) => StoreyPoint {
+                drift_m: place,
+                force_n: net_n_m * place,
+            },
+            StoreyLaw::Columns(columns, springs_n_m) => {
+                let of = columns.at(place);
+                StoreyPoint {
+                    drift_m: of.drift_m,
+                    force_n: of.force_n + springs_n_m * of.drift_m,
+                }
+            }
+        }
+    }
+
+    fn reach(&self, most_m: f64) -> Result<Reach, StabilityError> {
+        let (end_at, greatest_at) = match self {
+            StoreyLaw::Springs(net_n_m) => (most_m, if *net_n_m > 0.0 { most_m } else { 0.0 }),
+            StoreyLaw::Columns(columns, _) => {
+                let end_rad = columns.rotation_at_rad(most_m)?;
+                let top_rad = highest(&|rotation| self.at(rotation).force_n, 0.0, end_rad);
+                let candidates = [0.0, top_rad, end_rad];
+                let force = |rotation: &f64| self.at(*rotation).force_n;
+                let best = candidates
+                    .into_iter()
+                    .max_by(|a, b| force(a).total_cmp(&force(b)));
+                (end_rad, best.unwrap_or(0.0))
+            }
+        };
+        Ok(Reach {
+            end_at,
+            greatest_at,
+            greatest: self.at(greatest_at),
+            end: match greatest_at < end_at {
+                true => StoreyEnd::Force,
+                false => StoreyEnd::Drift,
+            },
+        })
+    }
+
+    /// The drift at which it resists with a force; `None` where it never does.
+    fn drift_at(&self, force_n: f64, reach: &Reach) -> Result<Option<f64>, StabilityError> {
+        if force_n > reach.greatest.force_n || (reach.greatest_at == 0.0 && self.at(0.0).force_n <= 0.0) {
+            return Ok(None);
+        }
+        if force_n <= self.at(0.0).force_n {
+            return Ok(Some(0.0));
+        }
+        Ok(Some(match self {
+            StoreyLaw::Springs(net_n_m) => force_n / net_n_m,
+            StoreyLaw::Columns(..) => {
+                let off = |rotation: f64| self.at(rotation).force_n - force_n;
+                let at = bracketed_root(off, 0.0, reach.greatest_at, &Bracketing::default())?;
+                self.at(at).drift_m
+            }
+        }))
+    }
+
+    fn curve(&self, reach: &Reach) -> Vec<StoreyPoint> {
+        if reach.end_at <= 0.0 {
+            return Vec::new();
+        }
+        let share = |i: usize, all: usize| i as f64 / (all - 1) as f64;
+        match self {
+            StoreyLaw::Springs(_) => [0.0, reach.end_at].map(|drift_m| self.at(drift_m)).to_vec(),
+            // squared: the curve bends most where the feet lift off
+            StoreyLaw::Columns(..) => (0..CURVE_POINTS)
+                .map(|i| self.at(share(i, CURVE_POINTS).powi(2) * reach.end_at))
+                .collect(),
+        }
+    }
+}

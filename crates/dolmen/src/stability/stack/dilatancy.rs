@@ -1,0 +1,144 @@
+//! The limit analysis without what only dilating joints hold.
+//!
+//! Taken as associated, friction makes a joint that slides rise as it does. Coulomb joints do not: two leaves of a wall that turn each about
+//! its own toe slide on each other without pressing on each other.
+
+use super::cuts::carries;
+use super::limit_analysis::limit_analysis;
+use super::limit_options::{LimitAnalysis, LimitAnalysisResult, LimitAnalysisStatus};
+use super::mechanism::{JointMotion, Mechanism};
+use crate::stability::StabilityError;
+use crate::structure::stack::Stack;
+
+/// Rounds in which more joints may begin to slide. Chosen here.
+pub(crate) const ROUNDS: usize = 6;
+
+/// A limit analysis, the lesser of with and without friction in upright joints that slide.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Undilated {
+    /// The lesser.
+    pub analysis: LimitAnalysisResult,
+    /// What the analysis with all friction gave, over gravity, where that is more.
+    pub dilating_g: Option<f64>,
+    /// Whether a joint that slides still holds others apart in the mechanism, so that the limit is an upper bound.
+    pub is_upper_bound: bool,
+}
+
+/// The limit analysis, and again without friction in the upright joints that slide in its mechanism until none that rubs does; the least of
+/// all.
+///
+/// # Errors
+/// Those of [`limit_analysis`].
+///
+/// # Limits
+/// Joints that carry keep their friction: the weight on them presses whether they dilate or not. Where one slides while others
+/// open, or the stack needs the friction of an upright joint that slides to stand at all, the answer says that it is an upper bound.
+pub fn limit_analysis_undilated(stack: &Stack, options: &LimitAnalysis) -> Result<Undilated, StabilityError> {
+    let first = limit_analysis(stack, options)?;
+    let all_friction_g = limit_g(&first);
+    let mut found = Undilated {
+        analysis: first,
+        dilating_g: None,
+        is_upper_bound: false,
+    };
+    let mut smoother = without_sliding_friction(stack, found.analysis.mechanism.as_ref());
+    for _ in 0..ROUNDS {
+        let Some(next) = smoother.filter(|_| all_friction_g.is_some()) else {
+            break;
+        };
+        let lesser = limit_analysis(&next, options)?;
+        smoother = without_sliding_friction(&next, lesser.mechanism.as_ref());
+        match (limit_g(&lesser), limit_g(&found.analysis)) {
+            (Some(less), Some(more)) if less < more => {
+                found.analysis = lesser;
+                found.dilating_g = all_friction_g;
+            }
+            (None, _) => {
+                found.is_upper_bound |= lesser.status == LimitAnalysisStatus::DoesNotStand;
+                break;
+            }
+            _ => {}
+        }
+    }
+    found.is_upper_bound |= slides_and_opens(stack, found.analysis.mechanism.as_ref());
+    Ok(found)
+}
+
+fn limit_g(analysis: &LimitAnalysisResult) -> Option<f64> {
+    match analysis.status {
+        LimitAnalysisStatus::Limited(threshold) => Some(threshold.acceleration_g),
+        LimitAnalysisStatus::DoesNotStand | LimitAnalysisStatus::Unlimited => None,
+    }
+}
+
+/// The stack without friction in the upright joints that slide in a mechanism; `None` if none that rubs does.
+pub(crate) fn without_sliding_friction(stack: &Stack, mechanism: Option<&Mechanism>) -> Option<Stack> {
+    let mut smoother = stack.clone();
+    let mut is_other = false;
+    for moving in &mechanism?.joints {
+        let joint = &stack.joints()[moving.joint];
+        let slides = moving.motion != JointMotion::Opens;
+        if slides && !carries(joint) && joint.material.friction_static > 0.0 {
+            let mut material = joint.material;
+            (material.friction_static, material.friction_kinetic) = (0.0, 0.0);
+            smoother = smoother.with_material(moving.joint, material).ok()?;
+            is_other = true;
+        }
+    }
+    is_other.then_some(smoother)
+}
+
+/// Whether joints that rub slide while others open.
+fn slides_and_opens(stack: &Stack, mechanism: Option<&Mechanism>) -> bool {
+    let joints = mechanism.map(|of| of.joints.as_slice()).unwrap_or_default();
+    let rubs = |joint: usize| stack.joints()[joint].material.friction_static > 0.0;
+    let slides = joints
+        .iter()
+        .any(|of| of.motion != JointMotion::Opens && carries(&stack.joints()[of.joint]) && rubs(of.joint));
+    let opens = joints.iter().any(|of| of.motion != JointMotion::Slides);
+    slides && opens
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Shaking;
+    use super::*;
+    use crate::structure::stack::{Block, JointMaterial, Placement, Solid};
+
+    fn leaves(count: usize, courses: usize) -> Stack {
+        let mut blocks = Vec::new();
+        let height = 3.0 / courses as f64;
+        for leaf in 0..count {
+            for course in 0..courses {
+                blocks.push(Block {
+                    name: format!("leaf {leaf} course {course}"),
+                    solid: Solid::cuboid(0.2, 3.0, height).unwrap().placed(&Placement {
+                        position_m: [0.2 * leaf as f64, 0.0, height * course as f64],
+                        ..Placement::default()
+                    }),
+                    density_kg_m3: 2500.0,
+                });
+            }
+        }
+        Stack::new(blocks, JointMaterial::with_friction(0.6), 9.80665).unwrap()
+    }
+
+    /// Two leaves of 0.2 × 3 m without through stones: each turns about its own toe, b/h = 0.2/3, whatever rubs between them. The
+    /// analysis with dilating friction has 0.0869.
+    #[test]
+    fn exact_two_leaves_bear_what_one_bears() {
+        let options = LimitAnalysis {
+            shaking: Shaking::Along([1.0, 0.0]),
+            ..LimitAnalysis::default()
+        };
+        for courses in [1, 3] {
+            let found = limit_analysis_undilated(&leaves(2, courses), &options).unwrap();
+            let least = limit_g(&found.analysis).unwrap();
+            assert!((least - 0.2 / 3.0).abs() < 1e-7, "{courses}: {least}");
+            assert!(found.dilating_g.unwrap() > 0.08, "{:?}", found.dilating_g);
+        }
+        let one = limit_analysis_undilated(&leaves(1, 1), &options).unwrap();
+        assert_eq!((one.dilating_g, one.is_upper_bound), (None, false));
+        assert!((limit_g(&one.analysis).unwrap() - 0.2 / 3.0).abs() < 1e-8);
+    }
+}
