@@ -20,7 +20,7 @@ LOOP = [ROOT / "target/release/examples/building_bench"]
 PEER = [sys.executable, HERE / "peer.py"]
 ROUNDS = 7
 BOUND_MS = 12.0  # wanted of Dolmen's whole process
-WANTED = 100.0  # peer / Dolmen, wanted
+WANTED = 20.0  # peer / Dolmen, wanted
 APART = 2e-3  # of each peak: Newmark's average acceleration at 5 ms against the exact solution
 
 

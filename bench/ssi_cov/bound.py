@@ -5,7 +5,7 @@
 Whittle's information of the exact spectral matrix of the record, noise of 20 dB included, of all lines to half the sampling rate:
     I_ab = T Σ_f df tr(S⁻¹ ∂S/∂a S⁻¹ ∂S/∂b)
 known: that each mode is under its own white force. Unknown: frequencies, damping ratios, real shapes, noise of each channel. The cases are built
-here anew, from the words of docs/modes.md.
+here anew, from the words of docs/measured.md.
 """
 import sys
 

@@ -1,4 +1,4 @@
-//! What is done with each input stands in bodies/npy.rs: the tests of dolmen-project run it too.
+//! What is done with each input stands in bodies/npy.rs: the tests of dolmen-cli run it too.
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;

@@ -4,6 +4,7 @@ use crate::cli::Check as Options;
 use crate::manner::Manner;
 use crate::note::note;
 use crate::outcome::Outcome;
+use crate::progress::Terminal;
 use crate::say::{say, say_json};
 use crate::typed::Typed;
 use crate::wrong::{CommandError, Noted};
@@ -12,7 +13,7 @@ use dolmen_folder::Found;
 use dolmen_report::check_text;
 use dolmen_report::json::check_json;
 use dolmen_work::judgement::{Verb, judge_check};
-use dolmen_work::{CheckOptions, FlagVerb, Sampling, check};
+use dolmen_work::{CheckOptions, FlagVerb, Sampling, check, unreadable_motions};
 
 pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<Outcome> {
     if let Some(name) = options.variant.clone() {
@@ -20,6 +21,7 @@ pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<O
     }
     let found = Found::open(&options.project, manner.access())?;
     typed.refuse_foreign(FlagVerb::Check, &[&found.opened.project])?;
+    let found = found.with_stiffness_of_surveys(&Terminal::new(manner.quiet))?;
     let how = CheckOptions {
         sampling: options.samples.map(|samples| Sampling {
             samples: samples as usize,
@@ -28,7 +30,8 @@ pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<O
         sensitivity: options.sensitivity,
         beside_the_verdict: manner.json || manner.full,
     };
-    let answer = check(&found.opened, &how)?;
+    let mut answer = check(&found.opened, &how)?;
+    answer.unreadable_motions = unreadable_motions(&found.opened.project, &found.files);
     let variants = answer.variants.iter().map(|variant| &variant.state);
     let mut states = answer.state.iter().chain(variants);
     if options.samples.is_some() && states.all(|state| state.sampled.is_none()) && !manner.quiet {

@@ -13,8 +13,37 @@ use std::path::Path;
 /// The folder `examples/` as it was at build time: the command carries its examples with it.
 static EXAMPLES: Dir = include_dir!("$CARGO_MANIFEST_DIR/../../examples");
 
-/// Folders of the examples that `dolmen demo` runs, in order.
-pub(crate) const DEMO: [&str; 3] = ["naju_flagpole", "heunginjimun_gate", "palisaden"];
+/// A project of an example that `dolmen demo` reports.
+pub(crate) struct Shown {
+    /// The folder of the example.
+    pub(crate) example: &'static str,
+    /// Its project file.
+    pub(crate) file: &'static str,
+    /// The motion of the file that it is shaken by.
+    pub(crate) motion: Option<&'static str>,
+}
+
+/// What `dolmen demo` reports, in order: a flagpole, a gate, the record of a building, a pagoda shaken at its site.
+pub(crate) const DEMO: [Shown; 4] = [
+    Shown::at_rest("naju_flagpole"),
+    Shown::at_rest("heunginjimun_gate"),
+    Shown::at_rest("palisaden"),
+    Shown {
+        example: "three_storey_pagoda",
+        file: "at_its_site.toml",
+        motion: Some("el-centro"),
+    },
+];
+
+impl Shown {
+    const fn at_rest(example: &'static str) -> Self {
+        Shown {
+            example,
+            file: "project.toml",
+            motion: None,
+        }
+    }
+}
 
 fn example_of(kind: Kind) -> &'static str {
     match kind {

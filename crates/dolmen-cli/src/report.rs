@@ -132,6 +132,8 @@ pub(crate) fn run(options: &Report, typed: &Typed, manner: &Manner) -> Result<Ou
     }
     let (mut answers, mut others, mut faults) = (Vec::new(), Vec::new(), Vec::new());
     for (path, found) in each {
+        let progress = Terminal::new(manner.quiet);
+        let found = found.and_then(|found| found.with_stiffness_of_surveys(&progress));
         let answer = found.and_then(|found| whole(&found, sampling, &motion, manner));
         match answer {
             Ok(answer) => answers.push(answer),
@@ -215,17 +217,18 @@ fn printed(source: Typeset, manner: &Manner) -> Result<Vec<u8>> {
 pub(crate) fn demo(options: &Demo, manner: &Manner) -> Result<Outcome> {
     let folder = free_folder(&options.directory)?;
     let mut answers = Vec::new();
-    for example in examples::DEMO {
-        let directory = folder.join(example);
-        examples::copy_example(example, &directory)?;
+    for shown in examples::DEMO {
+        let directory = folder.join(shown.example);
+        examples::copy_example(shown.example, &directory)?;
+        let motion = shown.motion.map(MotionRequest::named).unwrap_or_default();
         let sampling = Some(Sampling {
             samples: DEMO_SAMPLES,
             seed: DEMO_SEED,
         });
         let answer = whole(
-            &Found::open(&directory, manner.access())?,
+            &Found::open(&directory.join(shown.file), manner.access())?,
             sampling,
-            &MotionRequest::default(),
+            &motion,
             manner,
         )?;
         if !manner.quiet {

@@ -18,15 +18,16 @@ use dolmen_report::text::{
     TextStyle, building_simulation_text, chain_simulation_text, frame_simulation_text,
     simulation_inputs_text, simulation_text, supports_text, wind_simulation_text,
 };
-use dolmen_report::{after_first_text, simulation_headline_text};
-use dolmen_work::judgement::{Verb, judge_simulation};
-use dolmen_work::simulation::Simulation;
-use dolmen_work::{FlagVerb, WorkError, prepare};
+use dolmen_report::{after_first_text, simulation_headline_text, solution_headlines_text};
+use dolmen_work::judgement::{Judgement, Verb, first_status, judge_simulation};
+use dolmen_work::simulation::{SimulateAnswer, Simulation};
+use dolmen_work::{FlagVerb, SimulateOptions, WorkError, other_solutions, prepare};
 
 pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<Outcome> {
     let found = Found::open(&options.project, manner.access())?;
     typed.refuse_foreign(FlagVerb::Simulate, &[&found.opened.project])?;
     refuse_without_wind(options, typed, &found)?;
+    let found = found.with_stiffness_of_surveys(&Terminal::new(manner.quiet))?;
     let how = request::simulation(options, manner)?;
     let prepared = prepare(&found.opened, &how, &found.files)?;
     // pushed, or on supports that move: without a motion nothing is there to be changed
@@ -47,9 +48,14 @@ pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<O
             manner.style(),
         ))?;
     }
-    let answer = prepared.run(&Terminal::new(manner.quiet))?;
+    let mut answer = prepared.run(&Terminal::new(manner.quiet))?;
+    let solutions = Solutions::of(&found, &how, &mut answer, manner)?;
     if manner.json {
-        say_json(&simulate_answer_value(&answer))?;
+        let mut value = simulate_answer_value(&answer);
+        if !solutions.others.is_empty() {
+            value["other_solutions"] = solutions.others.iter().map(simulate_answer_value).collect();
+        }
+        say_json(&value)?;
     } else {
         if answer.does_not_stand.is_none() {
             say(&simulation_headline_text(
@@ -57,6 +63,7 @@ pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<O
                 manner.style(),
             ))?;
         }
+        say(&solutions.text(manner))?;
         say(&after_first_text(&answer, manner.style()))?;
         for simulation in &answer.simulations {
             say(&text_of(simulation, manner.style()))?;
@@ -81,9 +88,73 @@ pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<O
             note!("{}", written.text(manner));
         }
     }
-    Ok(Outcome::Judged(
-        judge_simulation(&answer).exit_status(Verb::Simulate),
-    ))
+    let all = [&answer].into_iter().chain(&solutions.others);
+    let statuses = all.map(|answer| judge_simulation(answer).exit_status(Verb::Simulate));
+    Ok(Outcome::Judged(first_status(statuses)))
+}
+
+/// The other solutions of a stiffness that surveys do not decide, under the same motion.
+#[derive(Default)]
+struct Solutions {
+    others: Vec<SimulateAnswer>,
+    /// Of every solution its number and judgement.
+    judged: Vec<(usize, Judgement)>,
+    /// The one that decides, where it is not the one that a check judges worst.
+    worst: Option<usize>,
+}
+
+impl Solutions {
+    /// Runs them, and puts the worst in the place of `answer`; none where a variant is asked for.
+    fn of(
+        found: &Found,
+        how: &SimulateOptions,
+        answer: &mut SimulateAnswer,
+        manner: &Manner,
+    ) -> Result<Self> {
+        let project = &*found.opened.project;
+        let Some(told) = project.from_surveys.as_ref().filter(|told| told.of > 1) else {
+            return Ok(Solutions::default());
+        };
+        if how.variant.is_some() {
+            return Ok(Solutions::default());
+        }
+        let mut all = vec![(told.number, answer.clone())];
+        for (number, name) in other_solutions(project) {
+            let how = SimulateOptions {
+                variant: Some(name.to_owned()),
+                ..how.clone()
+            };
+            let run = prepare(&found.opened, &how, &found.files)?.run(&Terminal::new(manner.quiet))?;
+            all.push((number, run));
+        }
+        let rank = |of: &SimulateAnswer| {
+            let judgement = judge_simulation(of);
+            let headline = judgement.headline();
+            let words = headline.map(|of| (of.weight.map(|word| word.colour()), of.earthquake_word()));
+            (judgement.colour(), words)
+        };
+        // of equals the one that a check judges worst
+        let worst = (0..all.len())
+            .rev()
+            .max_by_key(|&at| rank(&all[at].1))
+            .unwrap_or(0);
+        let mut judged: Vec<_> = all
+            .iter()
+            .map(|(number, of)| (*number, judge_simulation(of)))
+            .collect();
+        judged.sort_by_key(|(number, _)| *number);
+        let number = all[worst].0;
+        *answer = all.remove(worst).1;
+        Ok(Solutions {
+            others: all.into_iter().map(|(_, of)| of).collect(),
+            judged,
+            worst: (number != told.number).then_some(number),
+        })
+    }
+
+    fn text(&self, manner: &Manner) -> String {
+        solution_headlines_text(&self.judged, self.worst, manner.style())
+    }
 }
 
 /// Refuses flags of a building that have no effect with the wind, or without it.

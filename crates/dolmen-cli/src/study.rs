@@ -42,6 +42,7 @@ fn each(
     let project = project.ok_or(CommandError::NameProject)?;
     let found = Found::open(project, manner.access())?;
     typed.refuse_foreign(FlagVerb::Study, &[&found.opened.project])?;
+    let found = found.with_stiffness_of_surveys(&Terminal::new(manner.quiet))?;
     let meant = studies(&found.opened, &place.study)?;
     if !manner.json {
         say(&against_text(

@@ -50,7 +50,7 @@ fn variable(name: &str) -> Option<String> {
 
 impl Where<'_> {
     /// A fault of a store in the language of the user.
-    pub(crate) fn told(&self, fault: StoreError) -> anyhow::Error {
+    pub(crate) fn store_failure(&self, fault: StoreError) -> anyhow::Error {
         CommandError::Store {
             fault: store_fault(&fault.fault()).into(),
         }
@@ -64,7 +64,7 @@ impl Where<'_> {
 
     /// The place that the user gives; its password may stand where psql looks for one.
     fn place_of(&self, named: &str) -> Result<Place> {
-        let place = Place::of(named).map_err(|fault| self.told(fault))?;
+        let place = Place::of(named).map_err(|fault| self.store_failure(fault))?;
         let file = variable("PGPASSFILE").map(PathBuf::from);
         let file = file.or_else(|| Some(PathBuf::from(variable("HOME")?).join(".pgpass")));
         Ok(place.with_password(variable("PGPASSWORD"), file.as_deref()))
@@ -81,11 +81,11 @@ impl Where<'_> {
     }
 
     pub(crate) fn open(&self) -> Result<Store> {
-        Store::open(&self.place()?, self.wait()).map_err(|fault| self.told(fault))
+        Store::open(&self.place()?, self.wait()).map_err(|fault| self.store_failure(fault))
     }
 
     pub(crate) fn open_to_write(&self) -> Result<Store> {
-        Store::open_to_write(&self.place()?, self.wait(), now_us()).map_err(|fault| self.told(fault))
+        Store::open_to_write(&self.place()?, self.wait(), now_us()).map_err(|fault| self.store_failure(fault))
     }
 }
 
@@ -122,7 +122,7 @@ fn search(options: &List) -> Search {
 
 fn list(options: &List, at: &Where<'_>) -> Result<Outcome> {
     let mut store = at.open()?;
-    let told = |fault| at.told(fault);
+    let store_failure = |fault| at.store_failure(fault);
     let unsaid = |fault: anyhow::Error| StoreError::Reader(format!("{fault:#}"));
     let format = match (at.manner.json, options.csv, options.geojson) {
         (true, ..) => Some(ListFormat::Json),
@@ -140,7 +140,7 @@ fn list(options: &List, at: &Where<'_>) -> Result<Outcome> {
                     all.push(row);
                     Ok(())
                 })
-                .map_err(told)?;
+                .map_err(store_failure)?;
             say(&all.text(at.manner.style()))?;
         }
         (None, true) => {
@@ -150,7 +150,7 @@ fn list(options: &List, at: &Where<'_>) -> Result<Outcome> {
                     all.push(row);
                     Ok(())
                 })
-                .map_err(told)?;
+                .map_err(store_failure)?;
             say(&all.text(at.manner.style()))?;
         }
         (Some(format), false) => {
@@ -162,7 +162,7 @@ fn list(options: &List, at: &Where<'_>) -> Result<Outcome> {
                 }
                 None => Ok(()),
             };
-            store.structures(&search, each).map_err(told)?;
+            store.structures(&search, each).map_err(store_failure)?;
             say(format.tail())?;
         }
         (Some(format), true) => {
@@ -174,7 +174,7 @@ fn list(options: &List, at: &Where<'_>) -> Result<Outcome> {
                 }
                 None => Ok(()),
             };
-            store.surveys(&search, each).map_err(told)?;
+            store.surveys(&search, each).map_err(store_failure)?;
             say(format.tail())?;
         }
     }
@@ -184,7 +184,7 @@ fn list(options: &List, at: &Where<'_>) -> Result<Outcome> {
 fn show(options: &Show, at: &Where<'_>) -> Result<Outcome> {
     let mut store = at.open()?;
     let kept = store.structure(&options.name, options.survey.as_deref());
-    let kept = kept.map_err(|fault| at.told(fault))?;
+    let kept = kept.map_err(|fault| at.store_failure(fault))?;
     match at.manner.json {
         true => say_json(&json!(kept))?,
         false => say(&structure_text(&kept, at.manner.style()))?,
@@ -226,13 +226,18 @@ fn export_all(options: &Export, at: &Where<'_>) -> Result<Outcome> {
 }
 
 fn import(options: &Import, at: &Where<'_>) -> Result<Outcome> {
-    let from = Store::open(&at.place_of(&options.from)?, at.wait()).map_err(|fault| at.told(fault))?;
+    let from =
+        Store::open(&at.place_of(&options.from)?, at.wait()).map_err(|fault| at.store_failure(fault))?;
     taken_over(from, &at.place()?, at)
 }
 
 fn taken_over(mut from: Store, into: &Place, at: &Where<'_>) -> Result<Outcome> {
     let into = Store::open_to_write(into, at.wait(), now_us());
-    let done = take_over(&mut from, &mut into.map_err(|fault| at.told(fault))?, &at.who())?;
+    let done = take_over(
+        &mut from,
+        &mut into.map_err(|fault| at.store_failure(fault))?,
+        &at.who(),
+    )?;
     match at.manner.json {
         true => say_json(&json!(done))?,
         false => say(&imported_text(&done, at.manner.style()))?,
@@ -241,7 +246,7 @@ fn taken_over(mut from: Store, into: &Place, at: &Where<'_>) -> Result<Outcome> 
 }
 
 fn verify(at: &Where<'_>) -> Result<Outcome> {
-    let found = at.open()?.verify().map_err(|fault| at.told(fault))?;
+    let found = at.open()?.verify().map_err(|fault| at.store_failure(fault))?;
     match at.manner.json {
         true => say_json(&json!(found))?,
         false => say(&verified_text(&found, at.manner.style()))?,
@@ -253,9 +258,9 @@ fn verify(at: &Where<'_>) -> Result<Outcome> {
 }
 
 fn remove(options: &Remove, at: &Where<'_>) -> Result<Outcome> {
-    let told = |fault| at.told(fault);
+    let store_failure = |fault| at.store_failure(fault);
     let place = at.place()?;
-    Store::open(&place, at.wait()).map_err(told)?; // a store that is not there is not made
+    Store::open(&place, at.wait()).map_err(store_failure)?; // a store that is not there is not made
     let mut store = at.open_to_write()?;
     let who = at.who();
     let act = Act {
@@ -265,7 +270,7 @@ fn remove(options: &Remove, at: &Where<'_>) -> Result<Outcome> {
     let is_removed = !options.undo;
     store
         .mark(&options.name, is_removed, &options.why, &act)
-        .map_err(told)?;
+        .map_err(store_failure)?;
     match at.manner.json {
         true => say_json(&json!({ "structure": options.name, "is_removed": is_removed }))?,
         false => say(&marked_text(&options.name, is_removed, at.manner.style()))?,

@@ -6,7 +6,7 @@ use crate::outcome::Outcome;
 use crate::say::{say, say_json};
 use crate::wrong::CommandError;
 use anyhow::Result;
-use dolmen::validation::Case;
+use dolmen::comparisons::Case;
 use dolmen_project::parse_project;
 use dolmen_report::text::validation_text;
 use dolmen_words::{Digits, Quantity, Unit};
@@ -71,9 +71,9 @@ pub(crate) fn doctor() -> Result<Outcome> {
     }
     said(AtWork::Numbers { count: cases.len() })?;
 
-    for example in examples::DEMO {
-        let text = examples::example_text(example, "project.toml")?;
-        parse_project(text, example)?;
+    for shown in examples::DEMO {
+        let text = examples::example_text(shown.example, shown.file)?;
+        parse_project(text, shown.example)?;
     }
     said(AtWork::Examples {
         count: examples::DEMO.len(),

@@ -24,8 +24,10 @@ pub(crate) fn project_file(path: &Path) -> Result<PathBuf> {
         return Ok(file);
     }
     if !path.exists() {
-        return Err(PathError::NotThere {
-            path: path.display().to_string(),
+        let shown = path.display().to_string();
+        return Err(match likely_path(path) {
+            Some(near) => PathError::NotThereNear { path: shown, near },
+            None => PathError::NotThere { path: shown },
         }
         .into());
     }
@@ -48,6 +50,22 @@ fn likely_project(folder: &Path) -> Option<String> {
     let mut tomls = names.iter().filter(is_toml);
     let only = tomls.next().filter(|_| tomls.next().is_none());
     names.iter().find(is_project).or(only).cloned()
+}
+
+/// What lies beside a path that is not there, and has a name like it: a folder or a file of TOML.
+fn likely_path(path: &Path) -> Option<String> {
+    let name = path.file_name()?.to_string_lossy().into_owned();
+    let mut names = beside(path);
+    names.retain(|name| {
+        let near = path.with_file_name(name);
+        near.is_dir()
+            || near
+                .extension()
+                .is_some_and(|ending| ending.eq_ignore_ascii_case("toml"))
+    });
+    names.sort();
+    let near = nearest(&name, names.iter().map(String::as_str))?;
+    Some(path.with_file_name(near).display().to_string())
 }
 
 /// What there is instead of a regular file, and `None` where there is one.

@@ -5,7 +5,7 @@ use crate::{Access, files};
 use anyhow::Result;
 use dolmen_project::date_of;
 use dolmen_records::{FileError, Files, PROJECT_BYTES_MOST, stays_within, time_text};
-use dolmen_work::Opened;
+use dolmen_work::{Opened, Progress, with_stiffness_of_surveys};
 use std::path::{Path, PathBuf};
 use std::time::{SystemTime, UNIX_EPOCH};
 
@@ -108,6 +108,17 @@ impl Found {
         };
         let opened = Opened::read(text, file.display().to_string(), &files)?;
         Ok(Found { opened, file, files })
+    }
+}
+
+impl Found {
+    /// The same with the stiffness that the project leaves to its surveys.
+    ///
+    /// # Errors
+    /// Where a survey cannot be identified.
+    pub fn with_stiffness_of_surveys(self, progress: &dyn Progress) -> Result<Self> {
+        let opened = with_stiffness_of_surveys(self.opened, &self.files, progress)?;
+        Ok(Found { opened, ..self })
     }
 }
 

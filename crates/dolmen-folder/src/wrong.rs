@@ -14,6 +14,11 @@ pub enum PathError {
     NotThere {
         path: String,
     },
+    /// A path of a project that is not there, and one like it.
+    NotThereNear {
+        path: String,
+        near: String,
+    },
     OneProject {
         path: String,
     },
@@ -110,6 +115,10 @@ sentences! {
         NotThere { path } => {
             en: "{path} does not exist: name a project file or its folder, or start one with `dolmen new flagpole DIR`",
             ko: "{path}이(가) 없다. 프로젝트 파일이나 그 폴더를 지정하거나 `dolmen new flagpole DIR`로 시작한다",
+        },
+        NotThereNear { path, near } => {
+            en: "{path} does not exist: did you mean {near}?",
+            ko: "{path}이(가) 없다. {near}을(를) 쓰려던 것인가?",
         },
         OneProject { path } => {
             en: "{path} is one project: give the folder that holds it beside others, or a table (CSV)",

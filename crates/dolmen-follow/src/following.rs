@@ -6,7 +6,7 @@ use crate::listener::{FollowedRecord, Listener, Quarantined};
 use crate::options::Follow;
 use crate::read::{ReadFile, Reader, name_of};
 use crate::state::{State, only_structure};
-use crate::wrong::{FollowError, told};
+use crate::wrong::{FollowError, store_failure};
 use anyhow::{Context as _, Result};
 use dolmen_folder::{Inbox, Look, move_into, quarantine, quarantined, read, write};
 use dolmen_records::{Log, TABLE_BYTES_MOST, read_log};
@@ -92,22 +92,22 @@ fn pause(since: Instant, long: Duration, listener: &dyn Listener) {
 impl<'a> Following<'a> {
     fn begin(of: &'a Follow, listener: &'a dyn Listener) -> Result<Self> {
         let mut inbox = Inbox::new(&of.folder, of.rest)?;
-        drop(Store::open(&of.store, of.wait).map_err(told)?); // a store that is not there is not made
+        drop(Store::open(&of.store, of.wait).map_err(store_failure)?); // a store that is not there is not made
         for path in of.store.own_files() {
             inbox = inbox.passing_over(&path);
         }
         for path in of.metrics.iter().chain(&of.temperature) {
             inbox = inbox.passing_over(path);
         }
-        let mut store = Store::open_to_write(&of.store, of.wait, now_us()).map_err(told)?;
+        let mut store = Store::open_to_write(&of.store, of.wait, now_us()).map_err(store_failure)?;
         let structure = match &of.structure {
             Some(name) => name.clone(),
             None => only_structure(&mut store)?,
         };
-        let keeper = store.keeper().map_err(told)?;
-        let arrivals = store.arrivals(&structure).map_err(told)?;
+        let keeper = store.keeper().map_err(store_failure)?;
+        let arrivals = store.arrivals(&structure).map_err(store_failure)?;
         let state = State::of(&mut store, &structure)?;
-        let known = store.records(&structure).map_err(told)?;
+        let known = store.records(&structure).map_err(store_failure)?;
         listener.begins(&of.folder, &structure, state.pattern.survey());
         let names = state
             .history
@@ -138,8 +138,8 @@ impl<'a> Following<'a> {
 
     /// Takes what is there; how many files are not at rest yet.
     fn round(&mut self) -> Result<usize> {
-        let project = self.store.state(&self.structure).map_err(told)?;
-        let arrivals = self.store.arrivals(&self.structure).map_err(told)?;
+        let project = self.store.state(&self.structure).map_err(store_failure)?;
+        let arrivals = self.store.arrivals(&self.structure).map_err(store_failure)?;
         // another process stored some, or one of ours was stored and its acknowledgement lost
         if project != self.state.project || arrivals != self.arrivals {
             self.arrivals = arrivals;
@@ -200,7 +200,7 @@ impl<'a> Following<'a> {
                         self.leave(of, &fault);
                     }
                 }
-                ReadFile::NotKept(fault) => return Err(told(fault)),
+                ReadFile::NotKept(fault) => return Err(store_failure(fault)),
                 ReadFile::Record(found) => records.push((of, *found)),
             }
         }
@@ -260,7 +260,7 @@ impl<'a> Following<'a> {
                 now_us: now_us(),
             };
             let arrived = self.store.arrive(&arriving, &act);
-            match arrived.map_err(told)? {
+            match arrived.map_err(store_failure)? {
                 Arrived::Stored => {
                     self.known.insert(hash, name_of(path));
                     self.arrivals += 1;
@@ -371,7 +371,7 @@ impl<'a> Following<'a> {
         let tilt_beyond = answer.lean_beyond();
         for alarm in &alarms {
             let is_called = self.store.is_called(&self.structure, &alarm.key);
-            if is_called.map_err(told)? {
+            if is_called.map_err(store_failure)? {
                 continue;
             }
             let call = Call {
@@ -390,7 +390,7 @@ impl<'a> Following<'a> {
                 now_us: now_us(),
             };
             let called = self.store.set_called(&self.structure, &alarm.key, &act);
-            called.map_err(told)?;
+            called.map_err(store_failure)?;
         }
         Ok(())
     }

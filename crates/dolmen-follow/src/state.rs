@@ -1,7 +1,7 @@
 //! The structure that is followed, as the store has it.
 
 use crate::stored::observed;
-use crate::wrong::{FollowError, told};
+use crate::wrong::{FollowError, store_failure};
 use anyhow::Result;
 use dolmen_store::{Search, Store, StoredFiles};
 use dolmen_work::Opened;
@@ -22,8 +22,8 @@ pub(crate) struct State {
 
 impl State {
     pub(crate) fn of(store: &mut Store, structure: &str) -> Result<Self> {
-        let project = store.state(structure).map_err(told)?;
-        let exported = store.export(structure).map_err(told)?;
+        let project = store.state(structure).map_err(store_failure)?;
+        let exported = store.export(structure).map_err(store_failure)?;
         let files = store.files(&exported);
         let read = |bytes: &[u8]| {
             let text = String::from_utf8_lossy(bytes).into_owned();
@@ -36,7 +36,7 @@ impl State {
             project,
             pattern,
             history,
-            observed: observed(store, structure).map_err(told)?,
+            observed: observed(store, structure).map_err(store_failure)?,
             files,
         })
     }
@@ -60,7 +60,7 @@ pub(crate) fn only_structure(store: &mut Store) -> Result<String> {
         names.push(row.name);
         Ok(())
     });
-    all.map_err(told)?;
+    all.map_err(store_failure)?;
     match <[String; 1]>::try_from(names) {
         Ok([name]) => Ok(name),
         Err(names) => Err(FollowError::WhichStructure {

@@ -1,7 +1,7 @@
 //! Projects into a store and out of it, and every structure of a store watched.
 
 use crate::clock::now_us;
-use crate::wrong::told;
+use crate::wrong::store_failure;
 use anyhow::Result;
 use dolmen_folder::{Found, fresh_folder, write};
 use dolmen_records::{Files as _, RECORD_BYTES_MOST};
@@ -35,13 +35,13 @@ pub fn add_project(
 ) -> Result<Added> {
     let project = &found.opened.project;
     let mut files = BTreeMap::new();
-    let text_kept = store.keep(found.opened.text.as_bytes()).map_err(told)?;
+    let text_kept = store.keep(found.opened.text.as_bytes()).map_err(store_failure)?;
     for name in named_files(found) {
         let bytes = found
             .files
             .read(&name, RECORD_BYTES_MOST)
             .map_err(WorkError::from)?;
-        files.insert(name, store.keep(&bytes).map_err(told)?);
+        files.insert(name, store.keep(&bytes).map_err(store_failure)?);
     }
     let mut incoming = Incoming {
         structure: name.unwrap_or(project.name.english()).trim(),
@@ -55,7 +55,7 @@ pub fn add_project(
     };
     let mut unidentified = Vec::new();
     if let Some(progress) = progress {
-        for survey in store.due(&incoming).map_err(told)? {
+        for survey in store.due(&incoming).map_err(store_failure)? {
             match survey_modes(project, &survey, &found.files, progress) {
                 Ok(Some(found)) => {
                     incoming.faults.insert(survey.clone(), found.faults);
@@ -75,7 +75,7 @@ pub fn add_project(
         who,
         now_us: now_us(),
     };
-    let mut added = store.add(&incoming, &act).map_err(told)?;
+    let mut added = store.add(&incoming, &act).map_err(store_failure)?;
     added.unidentified = unidentified;
     added.earthquakes = earthquakes_of(store, &added.structure)?;
     Ok(added)
@@ -83,7 +83,7 @@ pub fn add_project(
 
 /// Earthquakes that a stored structure felt.
 fn earthquakes_of(store: &mut Store, structure: &str) -> Result<Vec<AddedEarthquake>> {
-    let stored = read(store, structure).map_err(told)?;
+    let stored = read(store, structure).map_err(store_failure)?;
     let text = String::from_utf8_lossy(&stored.text).into_owned();
     let opened = Opened::read(text, structure.to_owned(), &stored.files)?;
     let found = &stored.observed.earthquakes;
@@ -121,7 +121,7 @@ fn named_files(found: &Found) -> BTreeSet<String> {
 /// # Errors
 /// Where there is no such structure, or the folder is not empty or cannot be written; a folder that was made is removed then.
 pub fn export_project(store: &mut Store, structure: &str, folder: &Path) -> Result<Vec<String>> {
-    let exported = store.export(structure).map_err(told)?;
+    let exported = store.export(structure).map_err(store_failure)?;
     let was_there = folder.exists();
     fresh_folder(folder)?;
     if let Err(why) = fill(folder, store, &exported) {
@@ -138,7 +138,7 @@ fn fill(folder: &Path, store: &Store, exported: &Exported) -> Result<()> {
     for (path, hash, bytes) in &exported.files {
         let parts = path.split(['/', '\\']).filter(|part| *part != ".");
         let target = parts.fold(folder.to_owned(), |target, part| target.join(part));
-        write(&target, &store.raw(hash, *bytes).map_err(told)?)?;
+        write(&target, &store.raw(hash, *bytes).map_err(store_failure)?)?;
     }
     write(&folder.join(PROJECT_FILE), &exported.text)
 }
@@ -152,7 +152,7 @@ pub fn take_over(from: &mut Store, into: &mut Store, who: &str) -> Result<Import
         who,
         now_us: now_us(),
     };
-    into.import(from, &act).map_err(told)
+    into.import(from, &act).map_err(store_failure)
 }
 
 /// A structure as it was read from the store.
@@ -172,7 +172,9 @@ pub fn watch_all(store: &mut Store) -> Result<Vec<InventoryLine>> {
         names.push(row.name);
         Ok(())
     };
-    store.structures(&Search::default(), each).map_err(told)?;
+    store
+        .structures(&Search::default(), each)
+        .map_err(store_failure)?;
     let mut lines: Vec<InventoryLine> = Vec::with_capacity(names.len());
     for some in names.chunks(TOGETHER) {
         let stored: Vec<_> = some.iter().map(|name| (name, read(store, name))).collect();

@@ -66,7 +66,7 @@ messages! {
 }
 
 /// A fault of a store.
-pub(crate) fn told(fault: StoreError) -> anyhow::Error {
+pub(crate) fn store_failure(fault: StoreError) -> anyhow::Error {
     FollowError::Store {
         fault: store_fault(&fault.fault()).into(),
     }

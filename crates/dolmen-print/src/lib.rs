@@ -18,7 +18,7 @@ pub fn pdf(sheets: Sheets) -> Result<Printed, NotPrinted> {
     let desk = Desk::new(sheets);
     let document = typst::compile::<PagedDocument>(&desk)
         .output
-        .map_err(|faults| told(&faults))?;
+        .map_err(|faults| not_printed(&faults))?;
     let archival = PdfStandards::new(&[PdfStandard::A_2a]).map_err(|fault| NotPrinted(fault.to_string()))?;
     let options = PdfOptions {
         standards: archival,
@@ -28,7 +28,7 @@ pub fn pdf(sheets: Sheets) -> Result<Printed, NotPrinted> {
     let is_archival = first.is_ok();
     let bytes = match first {
         Ok(bytes) => bytes,
-        Err(_) => typst_pdf::pdf(&document, &PdfOptions::default()).map_err(|faults| told(&faults))?,
+        Err(_) => typst_pdf::pdf(&document, &PdfOptions::default()).map_err(|faults| not_printed(&faults))?,
     };
     Ok(Printed {
         bytes,
@@ -37,7 +37,7 @@ pub fn pdf(sheets: Sheets) -> Result<Printed, NotPrinted> {
     })
 }
 
-fn told(faults: &[SourceDiagnostic]) -> NotPrinted {
+fn not_printed(faults: &[SourceDiagnostic]) -> NotPrinted {
     let each: Vec<String> = faults
         .iter()
         .take(3)

@@ -8,6 +8,7 @@ use super::names::Names;
 use super::quantity::Quantity;
 use super::report::ReportPart;
 use super::site::{MotionPart, Place, SitePart};
+use super::sought::{FromSurveys, Sought};
 use super::stack::StackPart;
 use super::study::StudyPart;
 use super::survey::{ChangePart, Survey, WatchPart};
@@ -115,6 +116,8 @@ pub struct Project {
     pub place: Option<Place>,
     /// How far storeys may drift under the design earthquake; `None` if the file does not say.
     pub drift_limit: Option<DriftLimit>,
+    /// What came of the stiffness that the file leaves to its surveys, once that was sought; `None` before, and where it leaves none.
+    pub from_surveys: Option<Box<FromSurveys>>,
     /// Motions of the ground in the order of the file.
     pub motions: Vec<MotionPart>,
     /// Studies in the order of the file.
@@ -147,6 +150,24 @@ impl Structure {
             Structure::Survey => {}
         }
         all
+    }
+
+    /// The stiffness that it leaves to a survey, each with its path.
+    pub fn sought(&self) -> Vec<(String, &Sought)> {
+        match self {
+            Structure::Chain(chain) => {
+                let joints = chain.sought.iter();
+                joints.map(|sought| ("joints".to_owned(), sought)).collect()
+            }
+            Structure::Frame(frame) => {
+                let each = frame.directions.iter().filter_map(|direction| {
+                    let path = format!("direction.{}.stiffness", direction.name);
+                    Some((path, direction.sought.as_ref()?))
+                });
+                each.collect()
+            }
+            Structure::Stack(_) | Structure::Building(_) | Structure::Survey => Vec::new(),
+        }
     }
 }
 

@@ -17,6 +17,10 @@ messages! {
             en: "floors: no storey is softer than the one below, and the top one is {ratio} times as stiff as the lowest: is the list top first? Floors are listed lowest first",
             ko: "floors: 위로 갈수록 층강성이 커져 최상층이 최하층의 {ratio}배이다. 위에서부터 적은 것이 아닌가? 층은 아래에서부터 적는다",
         },
+        TiltsDiffer { survey: String, measured: String, own: String } => {
+            en: "survey {survey} measured a tilt of {measured}, but the blocks as the file places them lean by {own}: the file's own places are used; correct them, or the survey",
+            ko: "{survey} 조사의 기울기는 {measured}인데 파일에 적은 부재 위치로는 {own}만큼 기울어 있다. 계산은 파일의 부재 위치로 하였다. 부재 위치나 조사 값을 바로잡는다",
+        },
         CentroidsFromTop { share: Quantity } => {
             en: "centroid: every centre of mass lies above the middle of its link, at {share} of its length on average: are they measured from the top? A centroid is its height above the link's lower joint",
             ko: "centroid: 모든 부재의 무게중심이 가운데보다 위(평균 길이의 {share}배)에 있다. 위에서 잰 값이 아닌가? centroid는 부재의 아래 접합부에서 잰 높이이다",

@@ -162,6 +162,14 @@ fn leave_out_what_follows(faults: &mut Vec<Fault>) {
 }
 
 impl Fault {
+    /// Whether it is a value that looks like one in another unit.
+    pub(super) fn asks_for(&self, unit: &str) -> bool {
+        let help = self.help.as_ref().map_or("", |help| help.english.as_str());
+        let meant = help.strip_prefix("did you mean ");
+        let meant = meant.and_then(|rest| rest.strip_prefix(unit));
+        meant.is_some_and(|rest| rest.starts_with('?'))
+    }
+
     pub(super) fn new(span: Range<usize>, path: &str, message: impl Into<Both>) -> Self {
         Fault {
             span,

@@ -49,7 +49,7 @@ pub(super) struct FileRaw {
     pub(super) allow: Option<Vec<At<String>>>,
     /// kind = "chain": the links, lowest first.
     pub(super) links: Option<At<Vec<At<LinkRaw>>>>,
-    /// kind = "chain": the joint below each link, lowest first, or "unknown".
+    /// kind = "chain": the joint below each link, lowest first, "unknown", or "identified" from the modes of a survey.
     pub(super) joints: Option<At<OrUnknown<JointRaw>>>,
     /// kind = "chain": whether the part at the very top (cap stone, finial) is among the links; "included" if not
     /// given.

@@ -1,5 +1,6 @@
 //! Numbers as they are written: bare, as text with a unit, or as a table with what is known of them.
 
+use super::sought::Sought;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{Deserialize, Deserializer, MapAccess, Visitor, value::MapAccessDeserializer};
 use std::borrow::Cow;
@@ -184,11 +185,41 @@ impl JsonSchema for QuantityRaw {
     }
 }
 
-/// A list, or "unknown".
+/// A list, "unknown", or "identified": from the modes of a survey.
 #[derive(Debug)]
 pub(super) enum OrUnknown<T> {
     Unknown,
+    Identified(Option<At<String>>),
     Known(Vec<At<T>>),
+}
+
+/// Stiffness from the modes of one survey.
+#[derive(Debug, serde::Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct FromSurveyRaw {
+    /// "identified".
+    #[schemars(required)]
+    #[allow(dead_code, reason = "its one word is all that it can be")]
+    source: Option<IdentifiedRaw>,
+    /// The survey; the latest that has records or frequencies without it.
+    survey: Option<At<String>>,
+}
+
+#[derive(Clone, Copy, Debug, serde::Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+enum IdentifiedRaw {
+    /// From the modes of a survey.
+    Identified,
+}
+
+/// The survey that what is written is left to; `None` where it is not.
+pub(super) fn sought<T>(raw: Option<&At<OrUnknown<T>>>) -> Option<Sought> {
+    match &raw?.value {
+        OrUnknown::Identified(survey) => Some(Sought {
+            survey: survey.as_ref().map(|survey| survey.value.clone()),
+        }),
+        OrUnknown::Unknown | OrUnknown::Known(_) => None,
+    }
 }
 
 impl<'de, T: Deserialize<'de>> Deserialize<'de> for OrUnknown<T> {
@@ -198,11 +229,19 @@ impl<'de, T: Deserialize<'de>> Deserialize<'de> for OrUnknown<T> {
             type Value = OrUnknown<T>;
 
             fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("a list, or \"unknown\"")
+                f.write_str("a list, \"unknown\" or \"identified\"")
             }
 
-            fn visit_str<E>(self, _: &str) -> Result<OrUnknown<T>, E> {
-                Ok(OrUnknown::Unknown)
+            fn visit_str<E>(self, word: &str) -> Result<OrUnknown<T>, E> {
+                Ok(match word {
+                    "identified" => OrUnknown::Identified(None),
+                    _ => OrUnknown::Unknown,
+                })
+            }
+
+            fn visit_map<M: MapAccess<'de>>(self, map: M) -> Result<OrUnknown<T>, M::Error> {
+                let table = FromSurveyRaw::deserialize(MapAccessDeserializer::new(map))?;
+                Ok(OrUnknown::Identified(table.survey))
             }
 
             fn visit_seq<A: serde::de::SeqAccess<'de>>(self, mut list: A) -> Result<OrUnknown<T>, A::Error> {
@@ -228,9 +267,16 @@ impl<T: JsonSchema> JsonSchema for OrUnknown<T> {
 
     fn json_schema(generator: &mut SchemaGenerator) -> Schema {
         let items = generator.subschema_for::<T>();
+        let table = generator.subschema_for::<FromSurveyRaw>();
         json_schema!({
-            "anyOf": [{ "const": "unknown" }, { "type": "array", "items": items }],
-            "x-must-be": "a list, lowest first, or \"unknown\"",
+            "anyOf": [
+                { "const": "unknown" },
+                { "const": "identified" },
+                { "type": "array", "items": items },
+                table,
+            ],
+            "x-must-be":
+                "a list, lowest first, \"unknown\", \"identified\" or { source = \"identified\", survey = … }",
         })
     }
 }

@@ -1,5 +1,6 @@
 //! Numbers that follow from a survey of the file.
 
+use super::content::{Project, Structure, Variant};
 use super::error::Fault;
 use super::file_number::{EvidenceRaw, QuantityTable};
 use super::quantity::Quantity;
@@ -48,6 +49,41 @@ pub(super) fn without_survey(
         };
         let known = surveys.join(", ");
         Fault::new(place(&of.path), &of.path, message).help(WrongNumber::SurveysOfFile { known })
+    });
+    faults.collect()
+}
+
+/// Stiffness that is sought in a survey which the file does not have.
+pub(super) fn sought_in_none(
+    structure: &Structure,
+    surveys: &[&str],
+    place: impl Fn(&str) -> Range<usize>,
+) -> Vec<Fault> {
+    let each = structure.sought().into_iter();
+    let named = each.filter_map(|(path, sought)| Some((path, sought.survey.as_deref()?)));
+    let unknown = named.filter(|(_, survey)| !surveys.contains(survey));
+    let faults = unknown.map(|(path, survey)| {
+        let message = WrongNumber::IdentifiedFromNone {
+            path: path.clone(),
+            survey: survey.to_owned(),
+        };
+        let known = surveys.join(", ");
+        Fault::new(place(&path), &path, message).help(WrongNumber::SurveysOfFile { known })
+    });
+    faults.collect()
+}
+
+/// Stiffness that a variant leaves to a survey and the file does not: a survey is of the structure as it is.
+pub(super) fn sought_by_variant(variant: &Variant, project: &Project) -> Vec<Fault> {
+    let own = project.structure.sought();
+    let each = variant.project.structure.sought().into_iter();
+    let faults = each.filter(|of| !own.contains(of)).map(|(path, _)| {
+        let message = WrongNumber::IdentifiedInVariant {
+            name: variant.name.clone(),
+            path: path.clone(),
+        };
+        let span = variant.project.spans.get(&path).cloned().unwrap_or(0..0);
+        Fault::new(span, &path, message).help(WrongNumber::IdentifiedAsItIs)
     });
     faults.collect()
 }

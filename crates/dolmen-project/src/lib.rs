@@ -20,6 +20,7 @@ mod foreign;
 mod frame;
 mod heaviness;
 mod identified;
+mod length_slips;
 mod limits;
 mod loads;
 mod measure;
@@ -39,6 +40,7 @@ mod schema_tree;
 mod sensor_slips;
 mod site;
 mod slips;
+mod sought;
 mod stack;
 mod study;
 mod survey;
@@ -93,6 +95,7 @@ pub use report::{
 pub use safe_text::texts;
 pub use schema::json_schema;
 pub use site::{HazardPart, HazardSource, MotionPart, MotionSize, MotionSource, Place, SitePart};
+pub use sought::{FromSurvey, FromSurveys, Sought, WhyNotIdentified};
 pub use stack::{
     ArchPart, BedPart, BlockPart, ContactPart, JointDefaults, MadePart, MeshPart, OpeningPart, PagodaPart,
     PagodaSlendernessPart, PointsFrame, ShapePart, SideSupportPart, StackFault, StackPart, StoneWallPart,
@@ -111,5 +114,5 @@ pub use survey_like::{LikeSurvey, survey_like};
 pub use tabled::lists_in_tables;
 pub use units::{AngleError, parse_angle_rad};
 pub use warned::Warned;
-pub use write_back::{IdentifiedNumber, NewValue, with_values};
+pub use write_back::{IdentifiedNumber, NewValue, with_values, with_values_on_their_lines};
 pub use wrong::ERRORS;

@@ -14,7 +14,8 @@ use super::file_names::NamesRaw;
 use super::file_number::At;
 use super::foreign::foreign_keys;
 use super::frame::{frame, lean_frame};
-use super::identified::without_survey;
+use super::identified::{sought_by_variant, sought_in_none, without_survey};
+use super::length_slips::one_for_all;
 use super::limits::limits;
 use super::loads::{judge_loads, loads};
 use super::measure::{Bound, Measure};
@@ -30,7 +31,7 @@ use super::site::{motions, place, site};
 use super::slips;
 use super::stack::{lean, stack};
 use super::study::studies;
-use super::survey::{add_inspections, change, surveys, watch};
+use super::survey::{Survey, add_inspections, change, surveys, watch};
 use super::syntax::{of_syntax, version};
 use super::tabled::{Tabled, tabled};
 use super::units::STANDARD_GRAVITY_M_S2;
@@ -145,6 +146,11 @@ fn read_with(text: &str, files: &dyn Files, lists: &[Tabled]) -> Result<Project,
     }
     if let Some(project) = project.as_ref().filter(|_| faults.is_empty()) {
         faults.extend(unknown_variants(project, &read_variants));
+        faults.extend(
+            read_variants
+                .iter()
+                .flat_map(|variant| sought_by_variant(variant, project)),
+        );
     }
     match project {
         Some(mut project) if faults.is_empty() => {
@@ -264,33 +270,7 @@ fn of_raw(
     let drift_limit = limits(&mut reader, raw.limits.as_ref(), kind);
     let motions = motions(&mut reader, raw.motion.as_ref());
     let studies = studies(&mut reader, text, raw.study.as_ref());
-    let mut structure = match kind {
-        Some(KindRaw::Chain) => chain(&mut reader, &raw, gravity_m_s2).map(|mut part| {
-            lean_chain(&mut reader, raw.as_surveyed.as_ref(), &surveys, &mut part);
-            Structure::Chain(Box::new(part))
-        }),
-        Some(KindRaw::Frame) => {
-            let mut surveyed: Vec<String> = Vec::new();
-            for direction in surveys.iter().flat_map(|survey| survey.modes.keys()) {
-                if !surveyed.contains(direction) {
-                    surveyed.push(direction.clone());
-                }
-            }
-            frame(&mut reader, &raw, gravity_m_s2, &surveyed).map(|mut part| {
-                lean_frame(&mut reader, raw.as_surveyed.as_ref(), &surveys, &mut part);
-                Structure::Frame(part)
-            })
-        }
-        Some(KindRaw::Stack) => stack(&mut reader, &raw, gravity_m_s2).map(|mut part| {
-            lean(&mut reader, raw.as_surveyed.as_ref(), &surveys, &mut part);
-            Structure::Stack(Box::new(part))
-        }),
-        Some(KindRaw::Building) => {
-            building(&mut reader, &raw, gravity_m_s2).map(|part| Structure::Building(Box::new(part)))
-        }
-        Some(KindRaw::Survey) => Some(Structure::Survey),
-        None => None,
-    };
+    let mut structure = structure(&mut reader, (&raw, kind), gravity_m_s2, &surveys);
     let loads = loads(&mut reader, &raw, structure.as_ref());
     match &mut structure {
         Some(Structure::Stack(part)) => part.static_loads.clone_from(&loads.loads),
@@ -300,10 +280,14 @@ fn of_raw(
     if !reader.has_wrong_units {
         judge_loads(&mut reader, &loads);
         slips::judge(&mut reader, gravity.as_ref(), structure.as_ref(), &surveys);
+        if let Some(structure) = &structure {
+            one_for_all(&mut reader, text, structure);
+        }
     }
     if let Some(structure) = &structure {
         let names: Vec<&str> = surveys.iter().map(|survey| survey.name.as_str()).collect();
-        let faults = without_survey(&structure.inputs(), &names, |path| reader.place(path));
+        let mut faults = without_survey(&structure.inputs(), &names, |path| reader.place(path));
+        faults.extend(sought_in_none(structure, &names, |path| reader.place(path)));
         faults.into_iter().for_each(|fault| reader.fault(fault));
     }
     buildable(&mut reader, structure.as_mut());
@@ -339,6 +323,7 @@ fn of_raw(
             site,
             drift_limit,
             place,
+            from_surveys: None,
             motions,
             studies,
             surveys,
@@ -358,6 +343,41 @@ fn of_raw(
     project.warnings = reader.take_warnings(text);
     project.spans = reader.take_places();
     Some(project)
+}
+
+fn structure(
+    reader: &mut Reader,
+    (raw, kind): (&FileRaw, Option<KindRaw>),
+    gravity_m_s2: f64,
+    surveys: &[Survey],
+) -> Option<Structure> {
+    match kind {
+        Some(KindRaw::Chain) => chain(reader, raw, gravity_m_s2).map(|mut part| {
+            lean_chain(reader, raw.as_surveyed.as_ref(), surveys, &mut part);
+            Structure::Chain(Box::new(part))
+        }),
+        Some(KindRaw::Frame) => {
+            let mut surveyed: Vec<String> = Vec::new();
+            for direction in surveys.iter().flat_map(|survey| survey.modes.keys()) {
+                if !surveyed.contains(direction) {
+                    surveyed.push(direction.clone());
+                }
+            }
+            frame(reader, raw, gravity_m_s2, &surveyed).map(|mut part| {
+                lean_frame(reader, raw.as_surveyed.as_ref(), surveys, &mut part);
+                Structure::Frame(part)
+            })
+        }
+        Some(KindRaw::Stack) => stack(reader, raw, gravity_m_s2).map(|mut part| {
+            lean(reader, raw.as_surveyed.as_ref(), surveys, &mut part);
+            Structure::Stack(Box::new(part))
+        }),
+        Some(KindRaw::Building) => {
+            building(reader, raw, gravity_m_s2).map(|part| Structure::Building(Box::new(part)))
+        }
+        Some(KindRaw::Survey) => Some(Structure::Survey),
+        None => None,
+    }
 }
 
 fn name(reader: &mut Reader, raw: At<NamesRaw>, path: &str) -> Option<Names> {

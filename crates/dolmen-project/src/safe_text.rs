@@ -127,7 +127,7 @@ mod tests {
     use super::*;
     use crate::parse_project;
 
-    fn told(text: &str) -> Vec<String> {
+    fn messages_of(text: &str) -> Vec<String> {
         let fault = parse_project(text, "p.toml").unwrap_err();
         fault
             .problems
@@ -141,7 +141,7 @@ mod tests {
         let text =
             "schema = 1\nkind = \"survey\"\nname = \"a\"\n[survey.Weak]\n[survey.weak]\n[survey.week]\n";
         assert_eq!(
-            told(text),
+            messages_of(text),
             ["survey \"weak\" is named as \"Weak\" but for capitals or the way letters are composed"]
         );
     }
@@ -150,7 +150,7 @@ mod tests {
     fn refuses_signs_that_steer_a_terminal() {
         let text = "schema = 1\nkind = \"survey\"\nname = \"a\\u001b[2Jb\"\n[survey.\"x\\u202ey\"]\n";
         assert_eq!(
-            told(text),
+            messages_of(text),
             [
                 "name holds the control character U+001B",
                 "survey.x?y holds the control character U+202E"

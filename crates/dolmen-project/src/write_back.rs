@@ -40,14 +40,35 @@ pub enum NewValue {
 /// # Errors
 /// The place that the text does not hold: it stands in a table beside it.
 pub fn with_values(text: &str, project: &Project, values: &[(String, NewValue)]) -> Result<String, String> {
+    put(text, project, values, &NewValue::toml)
+}
+
+/// The same without a new line, so that what follows keeps its line.
+///
+/// # Errors
+/// As [`with_values`].
+pub fn with_values_on_their_lines(
+    text: &str,
+    project: &Project,
+    values: &[(String, NewValue)],
+) -> Result<String, String> {
+    put(text, project, values, &|value| value.toml().replace('\n', " "))
+}
+
+fn put(
+    text: &str,
+    project: &Project,
+    values: &[(String, NewValue)],
+    toml: &dyn Fn(&NewValue) -> String,
+) -> Result<String, String> {
     let mut edits: Vec<(Range<usize>, String)> = Vec::new();
     for (path, value) in values {
         let added = path.strip_prefix("direction.").and_then(|of| of.rsplit_once('.'));
         let edit = match (project.spans.get(path), added) {
-            (Some(span), _) if !span.is_empty() => (span.clone(), value.toml()),
+            (Some(span), _) if !span.is_empty() => (span.clone(), toml(value)),
             (_, Some((direction, key))) => {
                 let head = format!("\n[direction.{}]\n{key} = ", quoted(direction));
-                (text.len()..text.len(), head + &value.toml() + "\n")
+                (text.len()..text.len(), head + &toml(value) + "\n")
             }
             _ => return Err(path.clone()),
         };

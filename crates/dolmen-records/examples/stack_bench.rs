@@ -58,7 +58,7 @@ fn main() {
     let series = vec![(Component::X, scaled(&x)), (Component::Y, scaled(&y))];
     let motion = GroundMotion::new("El Centro", step_s, series).unwrap();
     let motion = motion.keep_first(30.0).unwrap().tapered(0.1).unwrap();
-    let stack = dolmen::validation::p10(JointMaterial::default(), GRAVITY_M_S2).unwrap();
+    let stack = dolmen::comparisons::p10(JointMaterial::default(), GRAVITY_M_S2).unwrap();
     let springs = |contact_rule| {
         ContactLaw::Springs(Springs {
             contact_rule,

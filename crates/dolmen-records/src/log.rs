@@ -2,7 +2,7 @@
 
 use crate::log_times::{TimeCells, UnclearDay, says_when};
 use crate::number::parse_number;
-use crate::sheet::SheetError;
+use crate::sheet_error::SheetError;
 use crate::text_code::decoded;
 use crate::workbook::{is_workbook, workbook_as_csv};
 use dolmen_words::sentences;

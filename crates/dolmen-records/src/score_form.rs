@@ -1,5 +1,7 @@
 //! The form of the six-factor score, filled: a sheet with keys in its first column and values beside them.
 
+use crate::sheet_error::SheetError;
+use crate::sheet_limits::{refuse_bomb, refuse_far};
 use calamine::{Data, Reader as _, Xlsx};
 use std::io::Cursor;
 
@@ -9,12 +11,16 @@ const NEEDED: [&str; 4] = ["storeys", "body_height", "taper", "body_base_height_
 const EITHER: [&str; 2] = ["body_slenderness", "slenderness_angle"];
 /// The column of the values, from 0.
 const VALUES: usize = 3;
+/// Most rows of a sheet of the form. Chosen here: it has some thirty, and notes may stand below.
+const ROWS_MOST: usize = 1000;
 
 /// Why a form cannot be read.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ScoreFormError {
     /// It is no workbook.
     NoWorkbook(String),
+    /// It is more than a form.
+    Sheet(SheetError),
     /// No sheet has the rows of the form.
     NoForm,
     /// A value is missing.
@@ -52,9 +58,14 @@ pub struct ScoreForm {
 /// # Errors
 /// [`ScoreFormError`].
 pub fn read_score_form(bytes: &[u8]) -> Result<ScoreForm, ScoreFormError> {
+    match refuse_bomb(bytes) {
+        Err(SheetError::Unreadable { why }) => return Err(ScoreFormError::NoWorkbook(why)),
+        others => others.map_err(ScoreFormError::Sheet)?,
+    }
     let mut book =
         Xlsx::new(Cursor::new(bytes)).map_err(|why| ScoreFormError::NoWorkbook(why.to_string()))?;
     for sheet in book.sheet_names() {
+        refuse_far(&mut book, &sheet, ROWS_MOST).map_err(ScoreFormError::Sheet)?;
         let range = book
             .worksheet_range(&sheet)
             .map_err(|why| ScoreFormError::NoWorkbook(why.to_string()))?;
@@ -129,5 +140,27 @@ impl ScoreForm {
              joint = {{ friction = 0.6, normal_stiffness = 1e9, shear_stiffness = 4e8 }}\npagoda = {{ {} }}\n",
             factors.join(", ")
         )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn refuses_a_form_with_a_cell_far_from_it_and_one_of_a_million_rows() {
+        let told = |row: u32, column: u16| {
+            let mut book = rust_xlsxwriter::Workbook::new();
+            let sheet = book.add_worksheet();
+            sheet.write_string(0, 0, "storeys").unwrap();
+            sheet.write_number(row, column, 3.0).unwrap();
+            read_score_form(&book.save_to_buffer().unwrap())
+        };
+        for (row, column) in [(1_048_575, 16_383), (1000, 0), (3, 256)] {
+            let (rows, columns) = (row as usize + 1, usize::from(column) + 1);
+            let far = SheetError::TooMany { rows, columns };
+            assert_eq!(told(row, column), Err(ScoreFormError::Sheet(far)));
+        }
+        assert_eq!(told(999, 3), Err(ScoreFormError::Missing { key: "storeys" }));
     }
 }

@@ -1,17 +1,13 @@
 //! Tables of stones and storeys as people keep them: XLSX, ODS and CSV to rows of cells that know their place.
 
+use crate::sheet_error::{COLUMNS_MOST, ROWS_MOST, SheetError, unreadable};
+use crate::sheet_limits::{refuse_bomb, refuse_far, refuse_repeats};
 use crate::text_code::decoded;
 use calamine::{Data, DataRef, Dimensions, ExcelDateTime, Ods, Range, Reader, Xlsx};
-use std::io::{Cursor, Read as _};
+use std::io::Cursor;
 
 /// Most bytes of a table.
 pub const SHEET_BYTES_MOST: u64 = 32 << 20;
-/// Most bytes that a workbook may unpack to. Chosen here: 10,000 stones in twenty columns are 20 MB of XML.
-pub(crate) const UNPACKED_BYTES_MOST: u64 = 128 << 20;
-/// Most rows and columns that are looked at. Chosen here: no monument was ever measured stone by stone in more.
-pub(crate) const ROWS_MOST: usize = 10_000;
-pub(crate) const COLUMNS_MOST: usize = 256;
-
 /// What stands in a cell.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SheetValue {
@@ -30,65 +26,6 @@ pub struct SheetCell {
     pub place: String,
     /// What stands in it.
     pub value: SheetValue,
-}
-
-/// A table that cannot be used.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum SheetError {
-    /// No table by its name.
-    NotATable,
-    /// It cannot be read.
-    Unreadable {
-        /// What the reader says.
-        why: String,
-    },
-    /// It unpacks to more than it may.
-    TooLarge,
-    /// More rows or columns than are read.
-    TooMany {
-        /// Rows.
-        rows: usize,
-        /// Columns.
-        columns: usize,
-    },
-    /// There is no such sheet.
-    NoSuchSheet {
-        /// The name.
-        name: String,
-        /// Those there are.
-        known: String,
-    },
-    /// Which sheet is meant is not said.
-    SeveralSheets {
-        /// Those there are.
-        known: String,
-    },
-    /// Several sheets of a workbook of samples hold something.
-    SeveralTables {
-        /// They.
-        known: String,
-    },
-    /// A table of text has sheets.
-    NoSheets,
-    /// Nothing stands in it.
-    NoRows,
-    /// A formula.
-    Formula {
-        /// The cell.
-        place: String,
-    },
-    /// Cells that are merged.
-    Merged {
-        /// The cells: "B2:B4".
-        place: String,
-    },
-    /// An error of the sheet.
-    Other {
-        /// The cell.
-        place: String,
-        /// What it holds.
-        what: String,
-    },
 }
 
 /// The rows of a table, the header first; empty rows at the end are left out.
@@ -169,22 +106,6 @@ fn place(row: usize, column: usize) -> String {
     format!("{letters}{}", row + 1)
 }
 
-fn unreadable(why: impl std::fmt::Display) -> SheetError {
-    SheetError::Unreadable { why: why.to_string() }
-}
-
-/// Unpacks every part once and keeps nothing: what a workbook says of its size need not be true.
-fn refuse_bomb(bytes: &[u8]) -> Result<(), SheetError> {
-    let mut archive = zip::ZipArchive::new(Cursor::new(bytes)).map_err(unreadable)?;
-    let mut left = UNPACKED_BYTES_MOST;
-    for number in 0..archive.len() {
-        let part = archive.by_index(number).map_err(unreadable)?;
-        let unpacked = std::io::copy(&mut part.take(left + 1), &mut std::io::sink()).map_err(unreadable)?;
-        left = left.checked_sub(unpacked).ok_or(SheetError::TooLarge)?;
-    }
-    Ok(())
-}
-
 /// The name of the sheet that is meant.
 fn chosen(names: &[String], sheet: Option<&str>) -> Result<String, SheetError> {
     let known = || names.join(", ");
@@ -219,31 +140,9 @@ pub(crate) fn of_xlsx(
     cells(&book.worksheet_range(&name).map_err(unreadable)?, of)
 }
 
-/// Refuses a sheet with a cell far from the others before room is made for all between: one at XFD1048576 would take half a terabyte.
-fn refuse_far(book: &mut Xlsx<Cursor<&[u8]>>, name: &str, rows_most: usize) -> Result<(), SheetError> {
-    let mut most = (0, 0);
-    let mut far = |(row, column): (u32, u32)| {
-        most = (most.0.max(row as usize + 1), most.1.max(column as usize + 1));
-        let (rows, columns) = most;
-        match rows > rows_most || columns > COLUMNS_MOST {
-            true => Err(SheetError::TooMany { rows, columns }),
-            false => Ok(()),
-        }
-    };
-    let mut each = book.worksheet_cells_reader(name).map_err(unreadable)?;
-    while let Some(cell) = each.next_cell().map_err(unreadable)? {
-        far(cell.get_position())?;
-    }
-    drop(each);
-    let mut each = book.worksheet_cells_reader(name).map_err(unreadable)?;
-    while let Some(cell) = each.next_formula().map_err(unreadable)? {
-        far(cell.get_position())?;
-    }
-    Ok(())
-}
-
 fn of_ods(bytes: &[u8], sheet: Option<&str>) -> Result<Vec<Vec<SheetCell>>, SheetError> {
     refuse_bomb(bytes)?;
+    refuse_repeats(bytes)?;
     let mut book: Ods<_> = Ods::new(Cursor::new(bytes)).map_err(unreadable)?;
     let name = chosen(&book.sheet_names(), sheet)?;
     refuse_formula(&book.worksheet_formula(&name).map_err(unreadable)?)?;
@@ -421,6 +320,71 @@ mod tests {
     }
 
     #[test]
+    fn refuses_a_log_of_two_cells_at_its_corners() {
+        let far = book(|sheet| {
+            heads(sheet);
+            sheet.write_number(1_048_575, 255, 1.0).unwrap();
+        });
+        assert_eq!(
+            of_xlsx(&far, None, SheetUse::Samples).unwrap_err(),
+            SheetError::Sparse {
+                rows: 1_048_576,
+                columns: 256,
+                cells: 5
+            }
+        );
+        // one channel of ten in each line
+        let log = book(|sheet| {
+            for row in 0..3000 {
+                sheet.write_number(row, (row % 10) as u16, 1.0).unwrap();
+            }
+        });
+        assert_eq!(of_xlsx(&log, None, SheetUse::Samples).unwrap().len(), 3000);
+    }
+
+    #[test]
+    fn refuses_a_sheet_of_open_document_that_repeats_what_it_holds() {
+        use std::io::Write as _;
+        let ods = |rows: &str| {
+            let mut archive = zip::ZipWriter::new(Cursor::new(Vec::new()));
+            archive
+                .start_file("content.xml", zip::write::SimpleFileOptions::default())
+                .unwrap();
+            let table = format!("<office:spreadsheet><table:table>{rows}</table:table></office:spreadsheet>");
+            archive.write_all(table.as_bytes()).unwrap();
+            refuse_repeats(&archive.finish().unwrap().into_inner())
+        };
+        let row = |rows: &str, cell: &str| {
+            format!("<table:table-row table:number-rows-repeated={rows}>{cell}</table:table-row>")
+        };
+        let filled = "<table:table-cell office:value='1'><text:p>1</text:p></table:table-cell>";
+        let text = "<table:table-cell>\n<text:p>a</text:p></table:table-cell>";
+        let empty = "<table:table-cell table:number-columns-repeated=\"16384\">\n</table:table-cell>";
+        let too_many = |rows, columns| Err(SheetError::TooMany { rows, columns });
+        // what LibreOffice writes up to its last row and column
+        let end = row("\"1048000\"", empty);
+        assert_eq!(
+            ods(&format!("{}{end}", row("'9'", &format!("{filled}{empty}")))),
+            Ok(())
+        );
+        assert_eq!(ods(&row("\"10001\"", filled)), too_many(10_001, 1));
+        assert_eq!(ods(&row("'10001'", text)), too_many(10_001, 1));
+        // far below, far to the right, and a number that is none
+        assert_eq!(
+            ods(&format!("{end}{}", row("'1'", filled))),
+            too_many(1_048_001, 1)
+        );
+        assert_eq!(ods(&row("'1'", &format!("{empty}{filled}"))), too_many(1, 16_385));
+        assert_eq!(ods(&row("'&#57;'", filled)), too_many(usize::MAX, 1));
+        // a sign of the end within a value
+        let hidden = "<table:table-row table:style-name=\">\" table:number-rows-repeated='20000'>";
+        assert_eq!(
+            ods(&format!("<!-- ' -->{hidden}{filled}</table:table-row>")),
+            too_many(20_000, 1)
+        );
+    }
+
+    #[test]
     fn agrees_a_workbook_of_another_writer_is_read_with_its_places() {
         let bytes = book(heads);
         for sheet in [None, Some("stones")] {
@@ -474,6 +438,9 @@ mod tests {
         (0..130).for_each(|_| archive.write_all(&zeros).unwrap());
         let bytes = archive.finish().unwrap().into_inner();
         assert!(bytes.len() < 1 << 20, "{}", bytes.len());
-        assert_eq!(read_sheet(&bytes, "a.xlsx", None), Err(SheetError::TooLarge));
+        assert_eq!(
+            read_sheet(&bytes, "a.xlsx", None),
+            Err(SheetError::TooLarge { most_mib: 16 })
+        );
     }
 }

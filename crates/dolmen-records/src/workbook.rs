@@ -1,6 +1,7 @@
 //! Workbooks of samples and readings as people keep them: the one sheet that holds something, as the same table in CSV.
 
-use crate::sheet::{SheetCell, SheetError, SheetUse, SheetValue, filled_sheets, of_xlsx};
+use crate::sheet::{SheetCell, SheetUse, SheetValue, filled_sheets, of_xlsx};
+use crate::sheet_error::SheetError;
 
 /// Whether a file begins as a workbook does.
 pub(crate) fn is_workbook(bytes: &[u8]) -> bool {

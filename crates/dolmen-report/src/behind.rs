@@ -6,6 +6,7 @@ use crate::html::front::{closing, sources};
 use crate::html::given::{survey_head, survey_lines};
 use crate::html::method::method;
 use crate::surveys_given::{inputs_listed, is_tabled};
+use crate::warned::warned;
 use crate::xlsx::{Workbook, inputs_tables};
 use dolmen_words::message::Both;
 use dolmen_words::{Language, Sentence};
@@ -50,7 +51,7 @@ fn given(document: &mut Document<'_>, answer: &ProjectReport) {
         }));
         let warnings = project.warnings.iter();
         document.put(Block::List(
-            warnings.map(|warning| warning.message.clone()).collect(),
+            warnings.map(|warning| warned(project, warning)).collect(),
         ));
     }
 }

@@ -119,6 +119,15 @@ messages! {
             ko: "{survey} 조사의 기울기 {tilt} 미반영",
         },
         TiltBeyondLimit => { en: "Tilt: beyond its limit", ko: "기울기: 한계 초과" },
+        OfSolution { number: usize, words: Both } => { en: "Solution {number}: {words}", ko: "해 {number}: {words}" },
+        WorstUnderMotion { number: usize } => {
+            en: "Under this motion solution {number} is the worst: the verdict, and all that follows, is of it.",
+            ko: "이 지반운동에서는 해 {number}이 가장 불리하다. 판정과 아래 결과는 해 {number}의 것이다.",
+        },
+        Solution { number: usize, of: usize } => {
+            en: "stiffness: solution {number} of {of} from the survey",
+            ko: "강성: 조사에서 구한 해 {of}개 중 해 {number}",
+        },
         AsSurveyed { survey: String, tilt: String } => {
             en: "leaning as surveyed ({survey}: {tilt})",
             ko: "실측 기울기 반영({survey} 조사: {tilt})",
@@ -147,6 +156,25 @@ pub fn simulation_headline_text(judgement: &Judgement, style: TextStyle) -> Stri
         .iter()
         .filter(|version| !parts(version).is_empty());
     lines.map(|version| verdict_line(version, style)).collect()
+}
+
+/// The verdict of each of several solutions of a stiffness, by their numbers; `worst`: the one that decides, where it is not the one that a check judges worst.
+pub fn solution_headlines_text(
+    judged: &[(usize, Judgement)],
+    worst: Option<usize>,
+    style: TextStyle,
+) -> String {
+    let worst = worst.map(|number| Headline::WorstUnderMotion { number });
+    let each = judged.iter().filter_map(|(number, judgement)| {
+        let version = judgement.headline()?;
+        Some(Headline::OfSolution {
+            number: *number,
+            words: Both::of(|language| headline(version, language)),
+        })
+    });
+    let said = worst.into_iter().chain(each).map(Sentence::from);
+    said.map(|said| wrapped(&said.text(style.language), "  ", "    ", style.columns()))
+        .collect()
 }
 
 /// The headline of one version as a line of a terminal.
@@ -206,6 +234,10 @@ fn parts(judged: &VersionJudgement) -> Vec<Sentence> {
     all.extend(judged.leans.clone().map(|of| {
         let (survey, tilt) = (of.survey, of.tilt);
         Headline::AsSurveyed { survey, tilt }.into()
+    }));
+    all.extend(judged.solution.map(|of| {
+        let (number, of) = (of.number, of.of);
+        Headline::Solution { number, of }.into()
     }));
     if judged.inputs.assumed > 0 {
         let (assumed, inputs) = (judged.inputs.assumed, judged.inputs.all);
@@ -433,6 +465,7 @@ mod tests {
             tilt_beyond_limit: false,
             leans: None,
             after: None,
+            solution: None,
             inputs: AssumedInputs { assumed: 3, all: 12 },
         }
     }

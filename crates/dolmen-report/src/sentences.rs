@@ -9,7 +9,8 @@ use crate::surveys_given::Given;
 use crate::{
     after_first, building, building_simulation, chain, change, check, demand, document, engineer, figures,
     frame, frame_simulation, headline, identification, kept, limits, loads, modal, motion, processing, rank,
-    score, sensors, simulated, stack, stack_simulation, study, text, tune, watch, wind_simulation, xlsx,
+    score, sensors, simulated, stack, stack_simulation, study, text, tune, warned, watch, wind_simulation,
+    xlsx,
 };
 use dolmen_words::Template;
 
@@ -63,6 +64,7 @@ pub fn sentences() -> Vec<Template> {
     groups.extend(figures::OF_SINGLE_FIGURES);
     groups.extend(engineer::TEMPLATES);
     groups.push(document::Framed::TEMPLATES);
+    groups.push(warned::Noted::TEMPLATES);
     groups.push(Label::TEMPLATES);
     groups.push(xlsx::Workbook::TEMPLATES);
     groups.into_iter().flatten().copied().collect()

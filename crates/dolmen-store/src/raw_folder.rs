@@ -23,7 +23,7 @@ const TRIES: usize = 20;
 /// Files made by this process.
 static PARTS: AtomicUsize = AtomicUsize::new(0);
 
-fn told(path: &Path, why: &std::io::Error) -> StoreError {
+fn folder_fault(path: &Path, why: &std::io::Error) -> StoreError {
     match why.kind() {
         ErrorKind::StorageFull | ErrorKind::QuotaExceeded => StoreFault::DiskFull,
         ErrorKind::ReadOnlyFilesystem => StoreFault::ReadOnly,
@@ -74,11 +74,11 @@ impl RawFiles for RawFolder {
         let folder = path.parent().unwrap_or(&self.0);
         if path.exists() {
             // the process that wrote it may have been killed before the name was on disk
-            sync(folder).map_err(|why| told(folder, &why))?;
+            sync(folder).map_err(|why| folder_fault(folder, &why))?;
             return Ok(kept(false));
         }
         let is_new_folder = !folder.exists();
-        fs::create_dir_all(folder).map_err(|why| told(folder, &why))?;
+        fs::create_dir_all(folder).map_err(|why| folder_fault(folder, &why))?;
         let packed = packed(bytes);
         // again: before it is locked, each process that begins may take the part for one that was left behind
         let mut written = self.part_then_rename(&packed, &path);
@@ -90,10 +90,10 @@ impl RawFiles for RawFolder {
                 _ => break,
             }
         }
-        written.map_err(|why| told(&path, &why))?;
-        sync(folder).map_err(|why| told(folder, &why))?;
+        written.map_err(|why| folder_fault(&path, &why))?;
+        sync(folder).map_err(|why| folder_fault(folder, &why))?;
         if is_new_folder {
-            sync(&self.0).map_err(|why| told(&self.0, &why))?;
+            sync(&self.0).map_err(|why| folder_fault(&self.0, &why))?;
         }
         Ok(kept(true))
     }
@@ -102,7 +102,7 @@ impl RawFiles for RawFolder {
         let path = self.path(hash)?;
         let packed = fs::read(&path).map_err(|why| match why.kind() {
             ErrorKind::NotFound => lost(hash),
-            _ => told(&path, &why),
+            _ => folder_fault(&path, &why),
         })?;
         unpacked(&packed, hash, bytes)
     }
@@ -124,7 +124,7 @@ impl RawFiles for RawFolder {
     }
 
     fn prepare(&self) -> Result<(), StoreError> {
-        fs::create_dir_all(&self.0).map_err(|why| told(&self.0, &why))?;
+        fs::create_dir_all(&self.0).map_err(|why| folder_fault(&self.0, &why))?;
         for path in entries(&self.0)? {
             let is_part = path.to_string_lossy().ends_with(PART);
             if is_part && fs::File::open(&path).is_ok_and(|file| file.try_lock().is_ok()) {
@@ -138,12 +138,12 @@ impl RawFiles for RawFolder {
 fn entries(folder: &Path) -> Result<Vec<PathBuf>, StoreError> {
     let read = match fs::read_dir(folder) {
         Err(why) if why.kind() == ErrorKind::NotFound => return Ok(Vec::new()),
-        read => read.map_err(|why| told(folder, &why))?,
+        read => read.map_err(|why| folder_fault(folder, &why))?,
     };
     let path = |entry: std::io::Result<fs::DirEntry>| entry.map(|entry| entry.path());
     read.map(path)
         .collect::<Result<_, _>>()
-        .map_err(|why| told(folder, &why))
+        .map_err(|why| folder_fault(folder, &why))
 }
 
 /// A name is on disk once its folder is.

@@ -35,9 +35,9 @@ impl Sqlite {
             }
             Access::Read => Connection::open_with_flags(path, flags | OpenFlags::SQLITE_OPEN_READ_ONLY),
         };
-        let mut opened = Sqlite(opened.map_err(told)?);
-        opened.0.busy_timeout(wait).map_err(told)?;
-        if access == Access::Write && opened.0.is_readonly("main").map_err(told)? {
+        let mut opened = Sqlite(opened.map_err(sqlite_fault)?);
+        opened.0.busy_timeout(wait).map_err(sqlite_fault)?;
+        if access == Access::Write && opened.0.is_readonly("main").map_err(sqlite_fault)? {
             return Err(StoreFault::ReadOnly.into());
         }
         let known = opened.whole("pragma application_id");
@@ -89,11 +89,11 @@ impl Sqlite {
             .collect();
         let flags = flags | OpenFlags::SQLITE_OPEN_READ_ONLY | OpenFlags::SQLITE_OPEN_URI;
         let opened = Connection::open_with_flags(format!("file:{escaped}?immutable=1"), flags);
-        Ok(Sqlite(opened.map_err(told)?))
+        Ok(Sqlite(opened.map_err(sqlite_fault)?))
     }
 
     fn whole(&self, sql: &str) -> Result<i64, StoreError> {
-        self.0.query_row(sql, [], |row| row.get(0)).map_err(told)
+        self.0.query_row(sql, [], |row| row.get(0)).map_err(sqlite_fault)
     }
 
     fn has_tables(&self) -> Result<bool, StoreError> {
@@ -116,9 +116,9 @@ impl Sqlite {
 
     /// A pragma that may give rows.
     fn pragma(&mut self, sql: &str) -> Result<(), StoreError> {
-        let mut statement = self.0.prepare(sql).map_err(told)?;
-        let mut rows = statement.query([]).map_err(told)?;
-        while rows.next().map_err(told)?.is_some() {}
+        let mut statement = self.0.prepare(sql).map_err(sqlite_fault)?;
+        let mut rows = statement.query([]).map_err(sqlite_fault)?;
+        while rows.next().map_err(sqlite_fault)?.is_some() {}
         Ok(())
     }
 }
@@ -149,7 +149,7 @@ fn own_value(value: ValueRef<'_>) -> Result<Value, StoreError> {
 impl Database for Sqlite {
     fn execute(&mut self, sql: &str, values: &[Value]) -> Result<u64, StoreError> {
         let values = params_from_iter(values.iter().map(sql_value));
-        let changed = self.0.execute(sql, values).map_err(told)?;
+        let changed = self.0.execute(sql, values).map_err(sqlite_fault)?;
         Ok(changed as u64)
     }
 
@@ -159,19 +159,19 @@ impl Database for Sqlite {
         values: &[Value],
         each: &mut dyn FnMut(Vec<Value>) -> Result<(), StoreError>,
     ) -> Result<(), StoreError> {
-        let mut statement = self.0.prepare(sql).map_err(told)?;
+        let mut statement = self.0.prepare(sql).map_err(sqlite_fault)?;
         let columns = statement.column_count();
         let values = params_from_iter(values.iter().map(sql_value));
-        let mut rows = statement.query(values).map_err(told)?;
-        while let Some(row) = rows.next().map_err(told)? {
-            let value = |at: usize| own_value(row.get_ref(at).map_err(told)?);
+        let mut rows = statement.query(values).map_err(sqlite_fault)?;
+        while let Some(row) = rows.next().map_err(sqlite_fault)? {
+            let value = |at: usize| own_value(row.get_ref(at).map_err(sqlite_fault)?);
             each((0..columns).map(value).collect::<Result<_, _>>()?)?;
         }
         Ok(())
     }
 
     fn batch(&mut self, sql: &str) -> Result<(), StoreError> {
-        self.0.execute_batch(sql).map_err(told)
+        self.0.execute_batch(sql).map_err(sqlite_fault)
     }
 
     fn begin(&mut self) -> Result<(), StoreError> {
@@ -233,7 +233,7 @@ impl Database for Sqlite {
 }
 
 /// What SQLite says, as a user can be told.
-fn told(fault: rusqlite::Error) -> StoreError {
+fn sqlite_fault(fault: rusqlite::Error) -> StoreError {
     let why = fault.to_string();
     let code = match &fault {
         // the index of the log cannot grow

@@ -5,9 +5,9 @@ use crate::message::{Argument, Both};
 use crate::{Sentence, messages};
 use dolmen::assess::{AssessError, ChangeNote};
 use dolmen::blocks::BlocksError;
+use dolmen::comparisons::ValidationError;
 use dolmen::modal::{ModalError, Note};
 use dolmen::signal::{ChannelFault, SignalError};
-use dolmen::validation::ValidationError;
 use std::error::Error;
 use std::fmt::Display;
 

@@ -2,6 +2,7 @@
 
 use crate::building::{BuildingSimulation, TogetherAnswer, TuneAnswer};
 use crate::chain::ChainSimulation;
+use crate::changed_part::ChangedPart;
 use crate::compared_readings::ComparedReadings;
 use crate::frame::FrameSimulation;
 use crate::motion::MotionReport;
@@ -16,6 +17,7 @@ use crate::surveyed::{ModesOf, SurveyAnswer};
 use crate::watched::WatchAnswer;
 use dolmen::assess::{Sensitivity, SurveyChange};
 use dolmen_project::Project;
+use dolmen_words::message::Both;
 use std::sync::Arc;
 
 /// What a verb answers.
@@ -58,6 +60,17 @@ pub struct CheckAnswer {
     pub sensitivities: Vec<Sensitivity>,
     /// The result that the sensitivities are of.
     pub sensitivity_of: SensitivityOf,
+    /// Motions of the file that cannot be read, where they were looked at.
+    pub unreadable_motions: Vec<UnreadableMotion>,
+}
+
+/// A motion that cannot be read.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct UnreadableMotion {
+    /// Its name in the file.
+    pub motion: String,
+    /// Why.
+    pub why: Both,
 }
 
 /// What the surveys of a project give.
@@ -84,6 +97,8 @@ pub struct CompareAnswer {
     pub to: String,
     /// The change of what vibrates; `None` where one of the two has no modes.
     pub change: Option<SurveyChange>,
+    /// Which part of the model explains the change, by direction; empty where nothing changed beyond chance.
+    pub parts: Vec<ChangedPart>,
     /// Tilts and inspections side by side.
     pub readings: ComparedReadings,
     /// Which of both surveys have records that hold an earthquake, and of which part of them their modes are.

@@ -83,6 +83,7 @@ pub fn check(opened: &Opened, options: &CheckOptions) -> Result<CheckAnswer, Wor
         variants,
         sensitivities,
         sensitivity_of,
+        unreadable_motions: Vec::new(),
     })
 }
 

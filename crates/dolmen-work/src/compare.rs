@@ -2,6 +2,7 @@
 
 use crate::answer::CompareAnswer;
 use crate::change_fault::ChangeFault;
+use crate::changed_part::changed_parts;
 use crate::compared_readings::{compared_readings, has_modes};
 use crate::error::WorkError;
 use crate::identify;
@@ -66,6 +67,9 @@ pub(crate) fn compared_of(
         project: opened.project.clone(),
         from: from.name.clone(),
         to: to.name.clone(),
+        parts: change
+            .as_ref()
+            .map_or_else(Vec::new, |change| changed_parts(project, change)),
         change,
         readings: compared_readings(project, compared.from, compared.to),
         shaken: shaken(project, compared, answers),

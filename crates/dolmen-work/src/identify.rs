@@ -6,7 +6,6 @@ use crate::building::{self, stiffness::FromModes};
 use crate::doubted::doubt;
 use crate::error::{Within as _, WorkError};
 use crate::held_beside_file::hold_beside_file;
-use crate::judgement::RecordFrequency;
 use crate::kinds;
 use crate::model_modes::model_modes;
 use crate::opened::Opened;
@@ -48,17 +47,18 @@ pub fn identify(
     Ok(IdentifyAnswer {
         file: opened.file.clone(),
         project: opened.project.clone(),
-        surveys: surveys(&opened.project, options.survey.as_deref(), files, progress)?,
+        surveys: surveys(opened, options.survey.as_deref(), files, progress)?,
     })
 }
 
-/// What the surveys of a project give, all of them or the one that the user names.
+/// What the surveys of a project give, all of them or the one that the user names; what was identified before is taken as it is.
 pub(crate) fn surveys(
-    project: &Project,
+    opened: &Opened,
     only: Option<&str>,
     files: &dyn Files,
     progress: &dyn Progress,
 ) -> Result<Vec<SurveyAnswer>, WorkError> {
+    let project = &*opened.project;
     if let Some(name) = only
         && !project.surveys.iter().any(|survey| survey.name == name)
     {
@@ -77,7 +77,13 @@ pub(crate) fn surveys(
         .iter()
         .filter(|survey| only.is_none_or(|name| survey.name == name));
     chosen
-        .map(|survey| of_survey(project, survey, files, progress))
+        .map(|survey| {
+            let before = opened.identified.iter().find(|known| known.name == survey.name);
+            match before {
+                Some(known) => Ok(known.clone()),
+                None => of_survey(project, survey, files, progress),
+            }
+        })
         .collect()
 }
 
@@ -283,32 +289,6 @@ fn of_survey(
     }
     hold_beside_file(project, &mut answer);
     Ok(answer)
-}
-
-/// The lowest frequency along x and y that the records of surveys gave, where the file writes none.
-pub(crate) fn lowest_of_records(project: &Project, surveys: &[SurveyAnswer]) -> Vec<RecordFrequency> {
-    let mut all = Vec::new();
-    for answer in surveys {
-        let is_written = |direction: &str| {
-            let mut own = project.surveys.iter().filter(|survey| survey.name == answer.name);
-            own.any(|survey| survey.modes.contains_key(direction))
-        };
-        let Some((modes, _)) = answer.modes().filter(|_| !answer.is_shaken()) else {
-            continue;
-        };
-        for (direction, vector) in [("x", [1.0, 0.0, 0.0]), ("y", [0.0, 1.0, 0.0])] {
-            let lowest = directional_modes(modes, vector).modes.into_iter().next();
-            if let Some(mode) = lowest.filter(|_| !is_written(direction)) {
-                all.push(RecordFrequency {
-                    survey: answer.name.clone(),
-                    direction,
-                    frequency_hz: mode.frequency_hz,
-                    sd_hz: mode.frequency_sd_hz,
-                });
-            }
-        }
-    }
-    all
 }
 
 /// What the sensors lack, where none measures along x or y; `None` where one does.

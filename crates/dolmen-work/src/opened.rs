@@ -1,6 +1,7 @@
 //! A project with the text it was read from.
 
 use crate::error::WorkError;
+use crate::surveyed::SurveyAnswer;
 use dolmen_project::{Project, parse_project_with};
 use dolmen_records::Files;
 use std::sync::Arc;
@@ -14,6 +15,8 @@ pub struct Opened {
     pub text: String,
     /// The file as a user would look for it.
     pub file: String,
+    /// Surveys that were identified already, for the stiffness that the file leaves to them.
+    pub identified: Vec<SurveyAnswer>,
 }
 
 impl Opened {
@@ -23,6 +26,11 @@ impl Opened {
     /// [`WorkError::Project`], which holds every fault with its line.
     pub fn read(text: String, file: String, files: &dyn Files) -> Result<Self, WorkError> {
         let project = Arc::new(parse_project_with(&text, &file, files)?);
-        Ok(Opened { project, text, file })
+        Ok(Opened {
+            project,
+            text,
+            file,
+            identified: Vec::new(),
+        })
     }
 }

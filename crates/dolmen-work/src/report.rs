@@ -16,6 +16,7 @@ use crate::progress::Progress;
 use crate::simulate::{SimulateOptions, moves_supports, prepare};
 use crate::simulation::SimulateAnswer;
 use crate::study::{StudyJournals, studies_run};
+use crate::unreadable_motions::unreadable_motions;
 use crate::version::Version;
 use crate::watch::{can_watch, watch_of};
 use dolmen::stability::Verdict;
@@ -53,7 +54,8 @@ pub fn report(
         sensitivity: true,
         beside_the_verdict: true,
     };
-    let checked = check(opened, &how)?;
+    let mut checked = check(opened, &how)?;
+    checked.unreadable_motions = unreadable_motions(project, files);
     let mut answers = Vec::new();
     let is_watched = can_watch(project);
     // the years take the weather out; the first and the last survey alone do not, unless the file says what temperature does
@@ -152,6 +154,7 @@ fn simulated(
         does_not_stand: None,
         evidence: Evidence::none(), // of the check, as the next
         without_shaking: None,
+        tilt_beyond_limit: false, // of the check, as those above
         after: None,
     })
 }

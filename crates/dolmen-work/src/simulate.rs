@@ -7,7 +7,7 @@ use crate::chain::simulate::ChainOptions;
 use crate::check::{CheckOptions, state_of};
 use crate::error::{Within as _, WorkError};
 use crate::frame::simulate::FrameOptions;
-use crate::judgement::{Evidence, Weight, governing};
+use crate::judgement::{Evidence, Weight, governing, is_tilt_beyond};
 use crate::kinds;
 use crate::motion::{MotionAnswer, MotionRequest, in_sequence, prepared, refuse_other_components};
 use crate::opened::Opened;
@@ -352,6 +352,7 @@ fn run_one(
         does_not_stand: None,
         evidence: evidence(version.project, version.variant)?,
         without_shaking: without_shaking(version.project)?,
+        tilt_beyond_limit: version.variant.is_none() && is_tilt_beyond(version.project),
         after: None,
     };
     match (&version.project.structure, motion) {

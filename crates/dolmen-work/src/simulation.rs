@@ -116,6 +116,8 @@ pub struct SimulateAnswer {
     pub evidence: Evidence,
     /// What a chain, frame or building is under its weight, the static loads and the wind of the file, where that is not "stable".
     pub without_shaking: Option<WithoutShaking>,
+    /// Whether the measured tilt of the structure as it is is beyond its limit before any shaking.
+    pub tilt_beyond_limit: bool,
     /// What came before, where the motion was the second of two.
     pub after: Option<Box<AfterFirst>>,
 }

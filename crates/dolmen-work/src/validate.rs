@@ -2,8 +2,8 @@
 
 use crate::error::WorkError;
 use crate::record::record;
+use dolmen::comparisons::{Case, cases};
 use dolmen::modal::{Identify, Mode, identify};
-use dolmen::validation::{Case, cases};
 use dolmen_project::Project;
 use dolmen_records::Files;
 use dolmen_words::number::TWO_SIDED_95;

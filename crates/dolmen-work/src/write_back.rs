@@ -5,6 +5,7 @@ use crate::building::PlanAnswer;
 use crate::error::WorkError;
 use crate::opened::Opened;
 use crate::surveyed::{StiffnessAnswer, SurveyAnswer};
+use dolmen::structure::StiffnessSolution;
 use dolmen_project::{
     BuildingPart, ChainAxis, ChainPart, FramePart, IdentifiedNumber, NewValue, Project, Quantity,
     StoreyStiffnessPart, Structure, with_values,
@@ -80,16 +81,41 @@ fn of_survey(project: &Project, survey: &SurveyAnswer) -> Vec<(String, NewValue)
 fn one_solution(answer: &StiffnessAnswer, unit: &'static str, survey: &str) -> Option<Vec<IdentifiedNumber>> {
     let found = &answer.solutions;
     let one = found.solutions.first().filter(|_| answer.is_chosen())?;
-    let each = one.stiffness.iter().enumerate();
+    Some(of_solution(one, unit, survey))
+}
+
+/// The numbers of a solution.
+pub(crate) fn of_solution(
+    solution: &StiffnessSolution,
+    unit: &'static str,
+    survey: &str,
+) -> Vec<IdentifiedNumber> {
+    let each = solution.stiffness.iter().enumerate();
     let numbers = each.map(|(part, value)| IdentifiedNumber {
         value: *value,
-        sd: one.stiffness_sd.as_ref().map(|sd| sd[part]),
+        sd: solution.stiffness_sd.as_ref().map(|sd| sd[part]),
         unit,
         survey: survey.to_owned(),
         before: None,
         note: None,
     });
-    Some(numbers.collect())
+    numbers.collect()
+}
+
+/// The numbers of a chain as the file has them: the lowest joint by its bed alone. `None` where the soil below is softer than both together.
+pub(crate) fn without_soil(
+    chain: &ChainPart,
+    towards: ChainAxis,
+    mut numbers: Vec<IdentifiedNumber>,
+) -> Option<Vec<IdentifiedNumber>> {
+    let soil = chain.soil_towards(towards, &mut Quantity::nominal);
+    if let (Some(soil), Some(lowest)) = (soil, numbers.first_mut()) {
+        let bed = soil.joint_n_m_rad(lowest.value)?;
+        let steeper = (bed / lowest.value).powi(2); // d bed / d together
+        lowest.sd = lowest.sd.map(|sd| sd * steeper);
+        lowest.value = bed;
+    }
+    Some(numbers)
 }
 
 /// Numbers in the place of those of the file, each with what stood there; as a whole where the file has none.
@@ -149,15 +175,8 @@ fn of_chain_towards<'a>(
     (survey, towards): (&SurveyAnswer, ChainAxis),
 ) -> Option<Vec<(String, NewValue)>> {
     let mut each = own.filter_map(|answer| one_solution(answer, "N m/rad", &survey.name));
-    let mut numbers = each.next().filter(|_| each.next().is_none())?;
-    let soil = chain.soil_towards(towards, &mut Quantity::nominal);
-    if let (Some(soil), Some(lowest)) = (soil, numbers.first_mut()) {
-        // the file has the bed alone
-        let bed = soil.joint_n_m_rad(lowest.value)?;
-        let steeper = (bed / lowest.value).powi(2); // d bed / d together
-        lowest.sd = lowest.sd.map(|sd| sd * steeper);
-        lowest.value = bed;
-    }
+    let numbers = each.next().filter(|_| each.next().is_none())?;
+    let numbers = without_soil(chain, towards, numbers)?;
     let known = chain.joints.as_ref();
     if towards == ChainAxis::Across {
         let given = known?.iter().map(|joint| joint.stiffness_across.as_ref());

@@ -10,9 +10,9 @@
 )]
 
 use dolmen::blocks::{ContactLaw, ContactRule, Outcome, Rigid, Springs, StackHistory, simulate_stack};
+use dolmen::comparisons::{p10, p20};
 use dolmen::signal::{Component, GroundMotion};
 use dolmen::structure::stack::{Block, JointMaterial, Placement, Solid, Stack};
-use dolmen::validation::{p10, p20};
 
 /// Prints a table, of motions by their peak, g.
 type Case = fn(&dyn Fn(f64) -> GroundMotion);

@@ -11,6 +11,7 @@
 
 pub mod assess;
 pub mod blocks;
+pub mod comparisons;
 pub mod damper;
 pub mod dynamics;
 pub mod known;
@@ -20,4 +21,3 @@ pub mod numeric;
 pub mod signal;
 pub mod stability;
 pub mod structure;
-pub mod validation;

@@ -71,7 +71,7 @@ fn samples(scratch: &Scratch, name: &str) -> Vec<f64> {
     let file = format!("{name}-as-it-acts.csv");
     let flags = match name {
         "main" => "--keep-first 12 --taper 1 --peak 0.5g",
-        _ => "--keep-first 8 --taper 1 --scale -1.3",
+        _ => "--keep-first 8 --taper 1 --turn 180 --scale 1.3",
     };
     let done = scratch.dolmen(&format!(
         "motion --motion el-centro-1940-ns {flags} --convert {file}"

@@ -88,11 +88,14 @@ fn refuses_a_photograph_that_cannot_be_shown_with_its_key_and_line() {
     };
     let png = fs::read(&photo).unwrap();
     let mut large = png.clone();
-    large[16..24].copy_from_slice(&[0, 0, 0x4e, 0x20, 0, 0, 0x4e, 0x20]); // 20,000 × 20,000
+    large[16..24].copy_from_slice(&[0, 0, 0x4e, 0x20, 0, 0, 0x27, 0x10]); // 20,000 × 10,000
     for (bytes, said) in [
         (Some(&b"%PDF-1.7"[..]), "is no JPEG or PNG image"),
         (Some(&png[..200]), "is cut short"),
-        (Some(&large[..]), "is an image of 20000 × 20000 pixels"),
+        (
+            Some(&large[..]),
+            "is an image of 20000 × 10000 pixels, but at most 160 million are used",
+        ),
         (None, "there is no"),
     ] {
         let told = told(bytes);

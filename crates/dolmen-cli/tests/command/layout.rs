@@ -18,7 +18,7 @@ const CHAPTERS: [&str; 12] = [
     "damper",
     "assess",
     "monitoring",
-    "validation",
+    "comparisons",
 ];
 /// Crates, lowest first, with the crates each may name.
 const CRATES: [(&str, &[&str]); 13] = [

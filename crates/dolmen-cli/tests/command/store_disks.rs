@@ -8,10 +8,10 @@ use std::fs;
 use std::process::Command;
 
 /// A file system of its own, of so many bytes; `None` where none may be mounted.
-struct Small<'a>(&'a Scratch);
+pub(super) struct Small<'a>(&'a Scratch);
 
 impl<'a> Small<'a> {
-    fn of(scratch: &'a Scratch, size: &str) -> Option<Self> {
+    pub(super) fn of(scratch: &'a Scratch, size: &str) -> Option<Self> {
         let folder = scratch.path().join("small");
         fs::create_dir_all(&folder).unwrap();
         let options = format!("size={size}");

@@ -77,6 +77,47 @@ pub(super) fn rows(csv: &Path) -> Vec<BTreeMap<String, String>> {
 }
 
 #[test]
+fn holds_the_same_bits_on_one_two_four_and_eight_threads() {
+    let stones = with("threads", TWO_STONES);
+    for threads in [1, 2, 4, 8] {
+        let done = stones.dolmen(&format!(
+            "study . --study height -o t{threads} --threads {threads}"
+        ));
+        assert_eq!(done.status, 0, "{}{}", done.stdout, done.stderr);
+    }
+    let pole = Scratch::with_examples("threads-pole");
+    for threads in [1, 2, 4, 8] {
+        let done = pole.dolmen(&format!(
+            "study examples/naju_flagpole --study growth -o t{threads} --threads {threads}"
+        ));
+        assert_eq!(done.status, 0, "{}{}", done.stdout, done.stderr);
+    }
+    for threads in [2, 4, 8] {
+        let of = |scratch: &Scratch, threads: usize, study: &str| {
+            scratch.path().join(format!("t{threads}/{study}"))
+        };
+        same(&of(&stones, 1, "height"), &of(&stones, threads, "height"));
+        same(&of(&pole, 1, "growth"), &of(&pole, threads, "growth"));
+    }
+    // samples of a check: as many threads as the environment of the pool says
+    let sampled = |threads: &str| {
+        let output = Command::new(env!("CARGO_BIN_EXE_dolmen"))
+            .args("check examples/naju_flagpole --samples 300 --sensitivity --json".split(' '))
+            .current_dir(pole.path())
+            .env("RAYON_NUM_THREADS", threads)
+            .output()
+            .unwrap();
+        assert!(output.status.code().is_some_and(|status| status < 2));
+        output.stdout
+    };
+    let one = sampled("1");
+    assert!(one.len() > 1000);
+    for threads in ["2", "4", "8"] {
+        assert!(sampled(threads) == one, "{threads} threads");
+    }
+}
+
+#[test]
 fn holds_a_killed_study_goes_on_and_ends_with_the_same_bits() {
     let scratch = with("killed", TWO_STONES);
     let whole = scratch.dolmen("study . --study height -o whole --threads 1");

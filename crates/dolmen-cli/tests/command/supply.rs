@@ -292,3 +292,40 @@ fn holds_no_crate_has_an_advisory_that_was_not_excused() {
         "raise their versions, do without, or excuse them in deny.toml with the reason: {open:#?}"
     );
 }
+
+#[test]
+fn holds_every_manifest_of_ours_is_complete() {
+    let metadata = metadata();
+    let ours = list(&metadata, "packages")
+        .iter()
+        .filter(|package| package["source"].is_null());
+    let mut read = 0;
+    for package in ours {
+        let name = text(package, "name");
+        assert!(text(package, "description").len() > 20, "{name}: no description");
+        assert_eq!(text(package, "license"), "MIT OR Apache-2.0", "{name}");
+        assert!(
+            !text(package, "rust_version").is_empty(),
+            "{name}: no rust-version"
+        );
+        for key in ["keywords", "categories"] {
+            let words = list(package, key);
+            assert!(
+                (1..=5).contains(&words.len()),
+                "{name}: 1 to 5 {key}, not {}",
+                words.len()
+            );
+            // what crates.io takes
+            let plain = |word: &str| {
+                word.len() <= 20
+                    && word
+                        .chars()
+                        .all(|c| c.is_ascii_lowercase() || "-0123456789".contains(c))
+            };
+            let taken = words.iter().all(|word| word.as_str().is_some_and(plain));
+            assert!(taken || key == "categories", "{name}: {words:?}");
+        }
+        read += 1;
+    }
+    assert_eq!(read, 13, "crates of the workspace");
+}

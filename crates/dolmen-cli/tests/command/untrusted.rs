@@ -349,17 +349,237 @@ fn refuses_ground_that_stands_still_or_moves_as_none_has() {
     let scratch = Scratch::new("acting");
     assert_eq!(scratch.dolmen("new pagoda p").status, 0);
     let run = "simulate p --motion el-centro-1940-ns --duration 0.3";
-    for flags in ["--scale 1000", "--peak 30g", "--scale 0", "--peak 0g"] {
+    for flags in ["--scale 1000", "--peak 30g"] {
         refused(&scratch.dolmen(&format!("{run} {flags}")), "at most 10 g");
     }
+    for (flags, why) in [
+        (
+            "--scale -1",
+            "--scale is -1, but must be above 0: a record is turned about by --turn 180",
+        ),
+        ("--scale 0", "--scale is 0, but must be above 0"),
+        ("--scale nan", "--scale is NaN, but must be above 0"),
+        ("--peak 0", "has no unit: write \"0 g\""),
+        (
+            "--peak 0g",
+            "--peak is 0g, but must be above 0, and of a motion that acts at most 10 g",
+        ),
+        ("--peak=-0.1g", "--peak is -0.1g, but must be above 0"),
+    ] {
+        refused(&scratch.dolmen(&format!("{run} {flags}")), why);
+        if flags != "--peak 0" {
+            refused(
+                &scratch.dolmen(&format!("motion --motion el-centro-1940-ns {flags}")),
+                "but must be above 0",
+            );
+        }
+    }
     assert_eq!(
-        scratch.dolmen(&format!("{run} --scale -1")).status,
+        scratch.dolmen(&format!("{run} --turn 180")).status,
         3,
         "turned about; the run ends before its motion"
     );
     refused(&scratch.dolmen("study p --study nope"), "the file has none");
     refused(
         &scratch.dolmen("motion --make sine --peak 0.1g --period -1"),
-        "period_s is -1",
+        "--period is -1 s, but must be 0.08 s to 100000 s, 8 to 10 million time steps",
     );
+}
+
+#[test]
+fn refuses_counts_that_would_not_end_with_their_range() {
+    let scratch = Scratch::new("counts");
+    assert_eq!(scratch.dolmen("new pagoda p").status, 0);
+    let file = scratch.path().join("p/project.toml");
+    let own = fs::read_to_string(&file).unwrap();
+    let peaks = "motions = [\"el-centro-1940-ns\"]\npeak = { from = \"0.1 g\", to = \"1 g\", steps = 10 }\n";
+    let range = "study.s.vary.density.steps";
+    for (study, why) in [
+        (
+            "motions = [\"el-centro-1940-ns\"]\npeak = { from = \"0.1 g\", to = \"1 g\", steps = 1000000000 }".to_owned(),
+            "error: study.s.peak.steps = 1000000000 is outside its range",
+        ),
+        (
+            "motions = [\"el-centro-1940-ns\"]\npeak = { from = \"0.1 g\", to = \"1 g\", steps = 1 }".to_owned(),
+            "error: study.s.peak.steps = 1 is outside its range",
+        ),
+        (format!("{peaks}vary = {{ density = {{ from = 2000, to = 3000, steps = 1e9 }} }}"), range),
+        (format!("{peaks}vary = {{ density = {{ from = 2000, to = 3000, steps = 1_000_000_000 }} }}"), range),
+        (format!("{peaks}vary = {{ density = {{ from = 2000, to = 3000, steps = -4 }} }}"), range),
+        (format!("{peaks}vary = {{ density = {{ from = 2000, to = 3000, steps = 2.5 }} }}"), range),
+    ] {
+        fs::write(&file, format!("{own}\n[study.s]\n{study}\n")).unwrap();
+        let answer = scratch.dolmen("study p -o out");
+        refused(&answer, why);
+        assert!(answer.stderr.contains("must be 2 to 10000"), "{}", answer.stderr);
+        assert!(!answer.stderr.contains("does not rise"), "{}", answer.stderr);
+    }
+    // each count is allowed, and their product is not
+    let product = "vary = { density = { from = 2000, to = 3000, steps = 10000 }, \"joint.friction\" = { from = 0.3, to = 0.6, steps = 5000 } }";
+    fs::write(&file, format!("{own}\n[study.s]\n{peaks}{product}\n")).unwrap();
+    refused(
+        &scratch.dolmen("study p -o out"),
+        "the study has 50000000 scans, but at most 10000000 are run",
+    );
+    assert_eq!(scratch.dolmen("new gate g").status, 0);
+    let file = scratch.path().join("g/project.toml");
+    let own = fs::read_to_string(&file).unwrap();
+    let map = "variants = [\"soft_below\"]\nharmonic = { frequency = { from = \"0.25 Hz\", to = \"6 Hz\", steps = 10000 }, acceleration = { from = \"0.01 g\", to = \"0.3 g\", steps = 10000 } }";
+    fs::write(&file, format!("{own}\n[study.s]\n{map}\n")).unwrap();
+    refused(
+        &scratch.dolmen("study g --study s -o out"),
+        "the maps have 100000000 points, but at most 1000000 are computed",
+    );
+}
+
+#[test]
+fn refuses_a_project_that_is_not_there_with_the_nearest_name() {
+    let scratch = Scratch::new("nearest-path");
+    assert_eq!(scratch.dolmen("new pagoda p").status, 0);
+    for (path, near) in [
+        (
+            "p/projekt.toml",
+            "p/projekt.toml does not exist: did you mean p/project.toml?",
+        ),
+        ("p/Project.toml", "did you mean p/project.toml?"),
+        (
+            "nothing/like/it",
+            "nothing/like/it does not exist: name a project file",
+        ),
+    ] {
+        refused(&scratch.dolmen(&format!("check {path}")), near);
+    }
+    fs::create_dir(scratch.path().join("dabotap")).unwrap();
+    refused(&scratch.dolmen("check dabotab"), "did you mean dabotap?");
+}
+
+#[test]
+fn holds_a_harmonic_map_says_how_exact_it_is() {
+    let scratch = Scratch::new("map-accuracy");
+    assert_eq!(scratch.dolmen("new gate g").status, 0);
+    let file = scratch.path().join("g/project.toml");
+    let own = fs::read_to_string(&file).unwrap();
+    let map =
+        "variants = [\"soft_below\"]\nharmonic = { frequency = [\"2 Hz\"], acceleration = [\"0.01 g\"] }";
+    fs::write(&file, format!("{own}\n[study.s]\n{map}\n")).unwrap();
+    let answer = scratch.dolmen("study g --study s -o out");
+    assert_eq!(answer.status, 0, "{}", answer.stderr);
+    assert!(
+        answer
+            .words()
+            .contains("to 1e-4 of their value where viscous damping is 5 % or more"),
+        "{}",
+        answer.stdout
+    );
+    let json = fs::read_to_string(scratch.path().join("out/s/study.json")).unwrap();
+    assert!(json.contains("to 1e-4 of their value"), "{json}");
+}
+
+/// An archive with these parts, the last of them so many MiB of zeros.
+fn packed(parts: &[(&str, &str)], zeros_mib: usize) -> Vec<u8> {
+    use std::io::Write as _;
+    let mut archive = zip::ZipWriter::new(std::io::Cursor::new(Vec::new()));
+    let zeros = vec![0; 1 << 20];
+    for (at, (name, text)) in parts.iter().enumerate() {
+        archive
+            .start_file(*name, zip::write::SimpleFileOptions::default())
+            .unwrap();
+        archive.write_all(text.as_bytes()).unwrap();
+        if at + 1 == parts.len() {
+            (0..zeros_mib).for_each(|_| archive.write_all(&zeros).unwrap());
+        }
+    }
+    archive.finish().unwrap().into_inner()
+}
+
+#[test]
+fn refuses_bombs_of_every_packed_format() {
+    let scratch = Scratch::new("bombs");
+    let bomb = packed(&[("a.npy", "\u{7f}NUMPY")], 130);
+    assert!(bomb.len() < 1 << 20);
+    let mut gzip = vec![0x1f, 0x8b, 8, 0, 0, 0, 0, 0, 0, 3];
+    gzip.extend_from_slice(&bomb[40..]);
+    // neither NPZ, gz, zip nor Parquet is read as a record: by its name, or by what it begins with
+    for (name, bytes, why) in [
+        ("r.npz", &bomb, "write format = one of"),
+        ("r.zip", &bomb, "write format = one of"),
+        ("r.npy", &bomb, "this is no NPY file"),
+        ("r.csv", &bomb, "the workbook unpacks to more than 16 MiB"),
+        ("r.xlsx", &bomb, "the workbook unpacks to more than 16 MiB"),
+        ("r.csv.gz", &gzip, "write format = one of"),
+        (
+            "r.parquet",
+            &b"PAR1\x15\x04\x15PAR1".to_vec(),
+            "write format = one of",
+        ),
+    ] {
+        fs::write(scratch.path().join(name), bytes).unwrap();
+        let text = format!(
+            "schema = 1\nkind = \"survey\"\nname = \"x\"\n[survey.\"2024-05-01\".records]\nfile = \"{name}\"\nsampling_rate = \"100 Hz\"\n"
+        );
+        fs::write(scratch.path().join("project.toml"), text).unwrap();
+        refused(&scratch.dolmen("identify ."), why);
+    }
+    // tables of parts, and the form of the score
+    let ods = |row: &str| {
+        let text = format!(
+            "<?xml version=\"1.0\"?><office:document-content xmlns:office=\"urn:oasis:names:tc:opendocument:xmlns:office:1.0\" \
+             xmlns:table=\"urn:oasis:names:tc:opendocument:xmlns:table:1.0\" xmlns:text=\"urn:oasis:names:tc:opendocument:xmlns:text:1.0\">\
+             <office:body><office:spreadsheet><table:table table:name=\"a\">{row}</table:table></office:spreadsheet></office:body>\
+             </office:document-content>"
+        );
+        let manifest = "<?xml version=\"1.0\"?><manifest:manifest xmlns:manifest=\"urn:oasis:names:tc:opendocument:xmlns:manifest:1.0\"/>";
+        packed(
+            &[
+                ("mimetype", "application/vnd.oasis.opendocument.spreadsheet"),
+                ("META-INF/manifest.xml", manifest),
+                ("content.xml", &text),
+            ],
+            0,
+        )
+    };
+    let repeated = |rows: usize, columns: usize| {
+        ods(&format!(
+            "<table:table-row table:number-rows-repeated=\"{rows}\"><table:table-cell table:number-columns-repeated=\"{columns}\" \
+             office:value-type=\"float\" office:value=\"1\"><text:p>1</text:p></table:table-cell></table:table-row>"
+        ))
+    };
+    let many = "<table:table table:name=\"b\"><table:table-row table:number-rows-repeated=\"9000\"><table:table-cell \
+                table:number-columns-repeated=\"200\" office:value-type=\"float\" office:value=\"1\"/></table:table-row></table:table>";
+    for (name, bytes, why) in [
+        (
+            "t.ods",
+            packed(&[("content.xml", "<a/>")], 130),
+            "unpacks to more than 16 MiB",
+        ),
+        ("t.xlsx", bomb.clone(), "unpacks to more than 16 MiB"),
+        (
+            "t.ods",
+            repeated(20_000, 1000),
+            "has 20000 rows and 1000 columns, but at most 10000 and 256 are read",
+        ),
+        ("t.ods", repeated(1_048_576, 1), "has 1048576 rows and 1 columns"),
+        (
+            "t.ods",
+            repeated(1, 4_000_000_000),
+            "has 1 rows and 4000000000 columns",
+        ),
+        (
+            "t.ods",
+            ods(&format!(
+                "</table:table>{many}{many}<table:table table:name=\"c\">"
+            )),
+            "has 9000 rows and 200 columns",
+        ),
+    ] {
+        fs::write(scratch.path().join(name), bytes).unwrap();
+        let text = format!(
+            "schema = 1\nkind = \"stack\"\nname = \"x\"\ndensity = 2600\n\
+             joint = {{ friction = 0.6, normal_stiffness = 1e9, shear_stiffness = 4e8 }}\nblocks = {{ file = \"{name}\" }}\n"
+        );
+        fs::write(scratch.path().join("project.toml"), text).unwrap();
+        refused(&scratch.dolmen("check ."), why);
+    }
+    fs::write(scratch.path().join("form.xlsx"), &bomb).unwrap();
+    refused(&scratch.dolmen("score form.xlsx"), "unpacks to more than 16 MiB");
 }

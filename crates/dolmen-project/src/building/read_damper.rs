@@ -1,8 +1,9 @@
 //! Damping and dampers of a building, from what is written.
 
-use super::damper::{DamperBody, DamperFrequency, DamperMass, DamperPart, MassPart, MovingPart};
+use super::damper::{DamperBody, DamperFrequency, DamperPart, MassPart};
 use super::file::{DamperKindRaw, DamperRaw, MassRaw, TuningRaw};
 use super::floor_number::floor_number;
+use super::moving_part::{Liquid, Refused, frequency_of, judge_damping, mass_of, moving_part};
 use crate::error::Fault;
 use crate::file_number::{At, QuantityRaw};
 use crate::measure::{Bound, Measure};
@@ -13,7 +14,6 @@ use crate::units::parse_angle_rad;
 use crate::wrong::{Common, WrongDamper, either};
 use dolmen::damper::TuningRule;
 use dolmen::structure::building::PlanDirection;
-use dolmen_words::message::Both;
 use std::collections::BTreeMap;
 
 /// The dampers in the order of the file.
@@ -286,128 +286,43 @@ fn moving(
         reader.fault(fault.help(WrongDamper::MassRatioIsTo));
         return None;
     }
-    let mut refuse = |message: WrongDamper, help: Both| -> Option<DamperBody> {
-        reader.fault(Fault::new(raw.span.clone(), path, message).help(help));
-        None
-    };
-    let mass = match (mass, mass_ratio) {
-        (Some(mass), None) => DamperMass::Mass(mass),
-        (None, Some(ratio)) => DamperMass::Ratio(ratio),
-        (Some(_), Some(_)) => {
-            return refuse(
-                WrongDamper::HasBothMassAnd {
-                    path: path.to_string(),
-                },
-                Common::KeepOneOfThem.into(),
-            );
-        }
-        (None, None) => {
-            return refuse(
-                WrongDamper::HasNeitherMassNor {
-                    path: path.to_string(),
-                },
-                WrongDamper::GiveMassOrMass.into(),
-            );
-        }
-    };
     // of a tlcd the column's length is its own frequency, of a tlcmd the liquid's
     let (own_length, liquid_length) = match kind {
         DamperKindRaw::Tlcd => (length, None),
         _ => (None, length),
     };
-    let ways = [
-        frequency.is_some(),
-        frequency_ratio.is_some(),
-        own_length.is_some(),
-    ];
-    if ways.iter().filter(|given| **given).count() > 1 {
-        return refuse(
-            WrongDamper::HasItsFrequencyTwice {
-                path: path.to_string(),
-            },
-            Common::KeepOneOfThem.into(),
-        );
-    }
-    let frequency = match (frequency, frequency_ratio, own_length, tuning) {
-        (Some(frequency), ..) => DamperFrequency::Frequency(frequency),
-        (_, Some(ratio), ..) => DamperFrequency::Ratio(ratio),
-        (_, _, Some(length), _) => DamperFrequency::Length(length),
-        (.., Some(_)) => DamperFrequency::Tuned,
-        (None, None, None, None) => {
-            return refuse(
-                WrongDamper::HasNoFrequency {
-                    path: path.to_string(),
-                },
-                WrongDamper::GiveFrequencyFrequencyRatio.into(),
-            );
-        }
+    let liquid = Liquid {
+        length_ratio,
+        share: liquid_share,
+        frequency: liquid_frequency,
+        length: liquid_length,
+        damping_ratio: liquid_ratio,
     };
-    if ratio.is_none() && tuning.is_none() {
-        return refuse(
-            WrongDamper::HasNoDampingRatio {
-                path: path.to_string(),
-            },
-            WrongDamper::GiveDampingRatioOn.into(),
-        );
-    }
-    if tuning.is_some() && ratio.is_some() && !matches!(frequency, DamperFrequency::Tuned) {
-        return refuse(
-            WrongDamper::NamesTuningButGives {
-                path: path.to_string(),
-            },
-            WrongDamper::TakeTuningOutOr.into(),
-        );
-    }
-    let moving = match kind {
-        DamperKindRaw::Tlcd | DamperKindRaw::Tlcmd if length_ratio.is_none() => {
-            return refuse(
-                WrongDamper::HasNoLengthRatio {
-                    path: path.to_string(),
-                },
-                WrongDamper::GiveHorizontalLengthOf.into(),
-            );
-        }
-        DamperKindRaw::Tlcd => MovingPart::Column {
-            length_ratio: length_ratio?,
-        },
-        DamperKindRaw::Tlcmd => {
-            let liquid_frequency = match (liquid_frequency, liquid_length) {
-                (Some(frequency), None) => DamperFrequency::Frequency(frequency),
-                (None, Some(length)) => DamperFrequency::Length(length),
-                _ => {
-                    return refuse(
-                        WrongDamper::NeedsOneOfLiquid {
-                            path: path.to_string(),
-                        },
-                        WrongDamper::GiveLiquidSFrequency.into(),
-                    );
-                }
-            };
-            let (Some(liquid_share), Some(liquid_damping_ratio)) = (liquid_share, liquid_ratio) else {
-                return refuse(
-                    WrongDamper::NeedsLiquidShareAnd {
-                        path: path.to_string(),
-                    },
-                    WrongDamper::GiveLiquidSPart.into(),
-                );
-            };
-            MovingPart::ColumnMass {
-                length_ratio: length_ratio?,
-                liquid_share,
-                liquid_frequency,
-                liquid_damping_ratio,
-            }
-        }
-        DamperKindRaw::Tmd | DamperKindRaw::Link => MovingPart::Masses(parts?),
+    let is_tuned = tuning.is_some();
+    let body = || -> Result<Option<DamperBody>, Box<Refused>> {
+        let mass = mass_of(mass, mass_ratio, path)?;
+        let frequency = frequency_of([frequency, frequency_ratio, own_length], is_tuned, path)?;
+        judge_damping(ratio.is_some(), is_tuned, &frequency, path)?;
+        let (Some(moving), Some(mode)) = (moving_part(kind, liquid, parts, path)?, mode) else {
+            return Ok(None);
+        };
+        Ok(Some(DamperBody::Moving {
+            moving: Box::new(moving),
+            mass,
+            mode,
+            frequency,
+            damping_ratio: ratio,
+            tuning,
+        }))
     };
-    Some(DamperBody::Moving {
-        moving: Box::new(moving),
-        mass,
-        mode: mode?,
-        frequency,
-        damping_ratio: ratio,
-        tuning,
-    })
+    match body() {
+        Ok(body) => body,
+        Err(refused) => {
+            let Refused { message, help } = *refused;
+            reader.fault(Fault::new(raw.span.clone(), path, message).help(help));
+            None
+        }
+    }
 }
 
 /// Shares that differ from 1 by less add up to it: people round.

@@ -6,6 +6,7 @@ use super::support_part::ChainSupportPart;
 use crate::heaviness::Heaviness;
 use crate::loads::LoadsPart;
 use crate::quantity::{Pick, Quantity};
+use crate::sought::Sought;
 use dolmen::assess::JointOnSoil;
 use dolmen::dynamics::{ChainJoint, ChainModel, ChainRotations, DynamicsError, JointFriction, JointOpening};
 use dolmen::structure::Stone;
@@ -99,6 +100,8 @@ pub struct ChainPart {
     pub links: Vec<LinkPart>,
     /// The joint below each link; `None` if they are unknown.
     pub joints: Option<Vec<JointPart>>,
+    /// The survey that their stiffness is sought in, where the file leaves it to one.
+    pub sought: Option<Sought>,
     /// Whether the part at the very top is among the links.
     pub cap: Cap,
     /// Damping ratio of the first mode, by dashpots in proportion to the springs.

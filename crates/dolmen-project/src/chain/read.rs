@@ -10,7 +10,7 @@ use super::strength::beds_bear;
 use crate::content::WarningKind;
 use crate::error::Fault;
 use crate::file::FileRaw;
-use crate::file_number::{At, OrUnknown, QuantityRaw};
+use crate::file_number::{At, OrUnknown, QuantityRaw, sought};
 use crate::measure::{Bound, Measure};
 use crate::needed::{countable, heaviness, missing, one_each};
 use crate::quantity::Quantity;
@@ -174,7 +174,7 @@ pub(crate) fn chain(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) -> Op
     let joints = match raw.joints.as_ref() {
         None => None,
         Some(joints) => match &joints.value {
-            OrUnknown::Unknown => {
+            OrUnknown::Unknown | OrUnknown::Identified(_) => {
                 reader.mark("joints", &joints.span);
                 Some(None)
             }
@@ -218,6 +218,7 @@ pub(crate) fn chain(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) -> Op
     let part = ChainPart {
         links,
         joints,
+        sought: sought(raw.joints.as_ref()),
         cap,
         damping_ratio,
         stone: stone(reader, raw.stone.as_ref()).map(Box::new),

@@ -63,7 +63,7 @@ pub(crate) enum ConventionRaw {
 #[derive(Debug, serde::Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct DirectionRaw {
-    /// Lateral stiffness of each storey, lowest first, or "unknown"; 0 where columns that stand free are all that holds it.
+    /// Lateral stiffness of each storey, lowest first, "unknown", or "identified" from the modes of a survey; 0 where columns that stand free are all that holds it.
     #[schemars(required)]
     pub(super) stiffness: Option<At<OrUnknown<QuantityRaw>>>,
     /// The component of motions along it, "x" or "y"; that of its name without it.

@@ -3,6 +3,7 @@
 use crate::heaviness::Heaviness;
 use crate::loads::LoadPart;
 use crate::quantity::{Pick, Quantity};
+use crate::sought::Sought;
 use dolmen::dynamics::{
     DynamicsError, FrictionActsOn, FrictionFrame, StoreyFriction, ViscousDamping, slip_forces_n,
 };
@@ -127,6 +128,8 @@ pub struct DirectionPart {
     pub along: Option<Component>,
     /// Lateral stiffness of each storey, N/m, lowest first; 0 where its columns alone hold it, `None` if unknown.
     pub stiffness: Option<Vec<Quantity>>,
+    /// The survey that it is sought in, where the file leaves it to one.
+    pub sought: Option<Sought>,
     /// Viscous damping ratio of every mode, if given.
     pub damping_ratio: Option<Quantity>,
     /// Dry friction, if given.

@@ -7,7 +7,7 @@ use super::part::{Axial, DirectionPart, FramePart, StoreyPart};
 use crate::content::WarningKind;
 use crate::error::Fault;
 use crate::file::FileRaw;
-use crate::file_number::{At, OrUnknown};
+use crate::file_number::{At, OrUnknown, sought};
 use crate::measure::{Bound, Measure};
 use crate::needed::{countable, heaviness, missing, one_each};
 use crate::ratio::damping_ratio;
@@ -261,8 +261,9 @@ fn directions(
         };
         let path = format!("direction.{name}.stiffness");
         reader.mark(&path, &stiffness.span);
+        let left_to = sought(Some(stiffness));
         let stiffness = match &stiffness.value {
-            OrUnknown::Unknown => None,
+            OrUnknown::Unknown | OrUnknown::Identified(_) => None,
             OrUnknown::Known(list) => {
                 sound &= one_each(reader, list, &stiffness.span, &path, ("storeys", storeys));
                 let mut each = Vec::with_capacity(list.len());
@@ -310,6 +311,7 @@ fn directions(
             name: name.clone(),
             along,
             stiffness,
+            sought: left_to,
             damping_ratio,
             friction,
         });
@@ -320,6 +322,7 @@ fn directions(
                 name: name.clone(),
                 along: of_name(name).filter(|own| all.iter().all(|other| other.along != Some(*own))),
                 stiffness: None,
+                sought: None,
                 damping_ratio: None,
                 friction: None,
             });
@@ -330,6 +333,7 @@ fn directions(
             name: "x".to_owned(),
             along: Some(Component::X),
             stiffness: None,
+            sought: None,
             damping_ratio: None,
             friction: None,
         });

@@ -3,6 +3,7 @@
 use super::part::StackPart;
 use super::surveyed_lean::{SurveyedLean, only_foot};
 use crate::content::WarningKind;
+use crate::doubted::Doubted;
 use crate::error::Fault;
 use crate::file_number::At;
 use crate::reader::Reader;
@@ -12,6 +13,37 @@ use crate::wrong::WrongStack;
 
 /// Slope beyond which a stack does not lie on level ground any more: joints are recognised up to 5°.
 const SLOPE_MOST: f64 = 0.087;
+
+/// Slopes nearer than this are not told apart by a tape or a plumb line: 5 mm a metre. Chosen here.
+const SLOPE_SEEN: f64 = 0.005;
+/// Share of the larger of two slopes by which they may differ as well. Chosen here.
+const SHARE_MOST: f64 = 1.0 / 3.0;
+
+/// The slope of the line from the centre of the lowest block to that of the top one, as the blocks stand by their own tilts, offsets and places; `None` of one
+/// block, and where they cannot be built.
+fn own_slope(stack: &StackPart) -> Option<[f64; 2]> {
+    let built = stack.build(&mut crate::quantity::Quantity::nominal).ok()?;
+    let centres = built.blocks().iter().map(|block| block.solid.centroid_m());
+    let by_height = |a: &[f64; 3], b: &[f64; 3]| a[2].total_cmp(&b[2]);
+    let lowest = centres.clone().min_by(by_height)?;
+    let top = centres.max_by(by_height)?;
+    let height = top[2] - lowest[2];
+    (height > 0.0).then(|| [0, 1].map(|axis| (top[axis] - lowest[axis]) / height))
+}
+
+/// Whether two slopes are not of one structure.
+fn differ(own: [f64; 2], measured: [f64; 2]) -> bool {
+    let apart = (own[0] - measured[0]).hypot(own[1] - measured[1]);
+    let larger = own[0].hypot(own[1]).max(measured[0].hypot(measured[1]));
+    apart > SLOPE_SEEN && apart > SHARE_MOST * larger
+}
+
+fn sign(ratio: f64) -> &'static str {
+    match ratio < 0.0 {
+        true => "-",
+        false => "",
+    }
+}
 
 /// Gives the stack the lean of the survey that `as_surveyed` chooses, or says why not.
 pub(crate) fn lean(
@@ -72,6 +104,28 @@ pub(crate) fn lean(
             Ok(_) => None,
         }
     };
+    if stack.carries_own_lean()
+        && let Some(own) = own_slope(stack)
+        && differ(own, slope)
+    {
+        let tilt = |slope: [f64; 2]| {
+            let each = ["x", "y"].into_iter().zip(slope);
+            let each = each.filter(|(_, ratio)| ratio.abs() > SLOPE_SEEN);
+            let each: Vec<String> = each
+                .map(|(direction, ratio)| format!("{direction} {}1/{:.0}", sign(ratio), 1.0 / ratio.abs()))
+                .collect();
+            match each.is_empty() {
+                true => "0".to_owned(),
+                false => each.join(", "),
+            }
+        };
+        let doubt = Doubted::TiltsDiffer {
+            survey: survey.name.clone(),
+            measured: tilt(slope),
+            own: tilt(own),
+        };
+        reader.doubt(&path, doubt);
+    }
     if let Some(why_not) = why_not {
         reader.warn(WarningKind::SurveyTilt, &path, why_not);
         return;

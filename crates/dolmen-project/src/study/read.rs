@@ -1,7 +1,9 @@
 //! Studies from what is written. Values of inputs are kept as text: each run lays them over the file and reads it again.
 
 use super::after::after_motion;
-use super::file::{DamageRaw, ExpectedRaw, LawRaw, SeriesRaw, StudyRaw, TrendRaw};
+use super::file::{
+    ArtificialRaw, DamageRaw, ExpectedRaw, HarmonicRaw, LawRaw, SeriesRaw, StudyRaw, TrendRaw,
+};
 use super::part::{
     ArtificialPart, Axis, DRIFT_LIMITS, ExpectedTrend, HarmonicPart, LawPart, Override, StudyPart,
 };
@@ -66,96 +68,26 @@ fn study(reader: &mut Reader, text: &str, name: &str, raw: &At<StudyRaw>) -> Opt
         .iter()
         .filter_map(|leaf| axis(reader, text, &below("vary"), leaf))
         .collect();
-    for axis in &vary {
-        once(
-            reader,
-            below(&format!("vary.{}", axis.path)).into(),
-            axis.values.iter().map(|value| (value.text.as_str(), &value.span)),
-        );
-    }
-    let named = set.iter().map(|set| (&set.path, &set.span));
-    let named = named.chain(
-        vary.iter()
-            .filter_map(|axis| Some((&axis.path, &axis.values.first()?.span))),
-    );
-    once(
-        reader,
-        WrongStudy::SetAndVary {
-            path: path.to_string(),
-        }
-        .into(),
-        named.map(|(path, span)| (path.as_str(), span)),
-    );
-    for (key, list) in [("motions", &given.motions), ("variants", &given.variants)] {
-        let items = list.iter().flat_map(|list| &list.value);
-        once(
-            reader,
-            below(key).into(),
-            items.map(|item| (item.value.as_str(), &item.span)),
-        );
-    }
-    for (i, variant) in given.variants.iter().flat_map(|list| &list.value).enumerate() {
-        reader.mark(&format!("{path}.variants[{}]", i + 1), &variant.span);
-    }
-    let turns = given.directions.iter().flat_map(|list| &list.value);
-    once(
-        reader,
-        below("directions").into(),
-        turns.map(|turn| (text.get(turn.span.clone()).unwrap_or_default(), &turn.span)),
-    );
+    all_once(reader, (text, given), &set, &vary, &path);
     let texts = |list: &Option<At<Vec<At<String>>>>| -> Vec<String> {
         let list = list.iter().flat_map(|list| &list.value);
         list.map(|item| item.value.clone()).collect()
     };
     let samples = reader.count(given.samples.as_ref(), &below("samples"), 1, SAMPLES_MOST);
     let seed = seed(reader, given.seed.as_ref(), &below("seed"));
-    let artificial = given.artificial.as_ref().and_then(|raw| {
-        let path = below("artificial");
-        let given = &raw.value;
-        let mut time = |value: &Option<At<f64>>, key: &str, default: f64| {
-            let found = reader.within(value.as_ref(), &format!("{path}.{key}"), 0.1, TIME_MOST_S);
-            found.unwrap_or(default)
-        };
-        let duration_s = time(&given.duration_s, "duration_s", 20.0);
-        let rise_s = time(&given.rise_s, "rise_s", 2.0);
-        let strong_s = time(&given.strong_s, "strong_s", 8.0);
-        Some(ArtificialPart {
-            seed: self::seed(reader, given.seed.as_ref(), &format!("{path}.seed")),
-            count: reader.count(given.count.as_ref(), &format!("{path}.count"), 1, MADE_MOST)?,
-            duration_s,
-            rise_s,
-            strong_s,
-        })
-    });
-    let mut turns_rad = Vec::new();
-    for (i, turn) in given.directions.iter().flat_map(|list| &list.value).enumerate() {
-        let path = format!("{path}.directions[{}]", i + 1);
-        turns_rad.extend(reader.plain(Some(turn), &path, Measure::Angle, Bound::Any));
-    }
-    if turns_rad.is_empty() {
-        turns_rad.push(0.0);
-    }
+    let artificial = given
+        .artificial
+        .as_ref()
+        .and_then(|raw| artificial(reader, raw, &path));
+    let turns_rad = turns_rad(reader, given, &path);
     let sizes = (given.scale.as_ref(), given.peak.as_ref());
     let scan = scan(reader, sizes, Bound::Positive, &path);
     let after = given.after.as_ref();
     let after = after.and_then(|raw| after_motion(reader, (raw, text), &mut vary, &path));
-    let harmonic = given.harmonic.as_ref().and_then(|raw| {
-        let path = below("harmonic");
-        let mut of = |series: &Option<At<SeriesRaw>>, key: &str, measure| {
-            let path = format!("{path}.{key}");
-            self::series(reader, series.as_ref(), &path, (measure, Bound::Positive))
-        };
-        let frequencies_hz = of(&raw.value.frequency, "frequency", Measure::Frequency);
-        let accelerations_m_s2 = of(
-            &raw.value.acceleration,
-            "acceleration",
-            Measure::GroundAcceleration,
-        );
-        Some(HarmonicPart {
-            frequencies_hz: frequencies_hz?,
-            accelerations_m_s2: accelerations_m_s2?,
-        })
-    });
+    let harmonic = given
+        .harmonic
+        .as_ref()
+        .and_then(|raw| harmonic(reader, raw, &path));
     let release_m = reader.plain(
         given.release.as_ref(),
         &below("release"),
@@ -211,6 +143,106 @@ fn study(reader: &mut Reader, text: &str, name: &str, raw: &At<StudyRaw>) -> Opt
         expect,
         harmonic,
         release_m,
+    })
+}
+
+/// Refuses what a study lists twice: values of an axis, inputs that are set and varied, motions, variants, directions.
+fn all_once(
+    reader: &mut Reader,
+    (text, given): (&str, &StudyRaw),
+    set: &[Override],
+    vary: &[Axis],
+    path: &str,
+) {
+    let below = |key: &str| format!("{path}.{key}");
+    for axis in vary {
+        once(
+            reader,
+            below(&format!("vary.{}", axis.path)).into(),
+            axis.values.iter().map(|value| (value.text.as_str(), &value.span)),
+        );
+    }
+    let named = set.iter().map(|set| (&set.path, &set.span));
+    let named = named.chain(
+        vary.iter()
+            .filter_map(|axis| Some((&axis.path, &axis.values.first()?.span))),
+    );
+    once(
+        reader,
+        WrongStudy::SetAndVary {
+            path: path.to_string(),
+        }
+        .into(),
+        named.map(|(path, span)| (path.as_str(), span)),
+    );
+    for (key, list) in [("motions", &given.motions), ("variants", &given.variants)] {
+        let items = list.iter().flat_map(|list| &list.value);
+        once(
+            reader,
+            below(key).into(),
+            items.map(|item| (item.value.as_str(), &item.span)),
+        );
+    }
+    for (i, variant) in given.variants.iter().flat_map(|list| &list.value).enumerate() {
+        reader.mark(&format!("{path}.variants[{}]", i + 1), &variant.span);
+    }
+    let turns = given.directions.iter().flat_map(|list| &list.value);
+    once(
+        reader,
+        below("directions").into(),
+        turns.map(|turn| (text.get(turn.span.clone()).unwrap_or_default(), &turn.span)),
+    );
+}
+
+/// Motions to be made: from so many seeds, so long.
+fn artificial(reader: &mut Reader, raw: &At<ArtificialRaw>, path: &str) -> Option<ArtificialPart> {
+    let path = format!("{path}.artificial");
+    let given = &raw.value;
+    let mut time = |value: &Option<At<f64>>, key: &str, default: f64| {
+        let found = reader.within(value.as_ref(), &format!("{path}.{key}"), 0.1, TIME_MOST_S);
+        found.unwrap_or(default)
+    };
+    let duration_s = time(&given.duration_s, "duration_s", 20.0);
+    let rise_s = time(&given.rise_s, "rise_s", 2.0);
+    let strong_s = time(&given.strong_s, "strong_s", 8.0);
+    Some(ArtificialPart {
+        seed: self::seed(reader, given.seed.as_ref(), &format!("{path}.seed")),
+        count: reader.count(given.count.as_ref(), &format!("{path}.count"), 1, MADE_MOST)?,
+        duration_s,
+        rise_s,
+        strong_s,
+    })
+}
+
+/// Angles by which the ground motion is turned, rad; 0 if none is given.
+fn turns_rad(reader: &mut Reader, given: &StudyRaw, path: &str) -> Vec<f64> {
+    let mut turns_rad = Vec::new();
+    for (i, turn) in given.directions.iter().flat_map(|list| &list.value).enumerate() {
+        let path = format!("{path}.directions[{}]", i + 1);
+        turns_rad.extend(reader.plain(Some(turn), &path, Measure::Angle, Bound::Any));
+    }
+    if turns_rad.is_empty() {
+        turns_rad.push(0.0);
+    }
+    turns_rad
+}
+
+/// Frequencies and accelerations of a harmonic ground motion.
+fn harmonic(reader: &mut Reader, raw: &At<HarmonicRaw>, path: &str) -> Option<HarmonicPart> {
+    let path = format!("{path}.harmonic");
+    let mut of = |series: &Option<At<SeriesRaw>>, key: &str, measure| {
+        let path = format!("{path}.{key}");
+        self::series(reader, series.as_ref(), &path, (measure, Bound::Positive))
+    };
+    let frequencies_hz = of(&raw.value.frequency, "frequency", Measure::Frequency);
+    let accelerations_m_s2 = of(
+        &raw.value.acceleration,
+        "acceleration",
+        Measure::GroundAcceleration,
+    );
+    Some(HarmonicPart {
+        frequencies_hz: frequencies_hz?,
+        accelerations_m_s2: accelerations_m_s2?,
     })
 }
 

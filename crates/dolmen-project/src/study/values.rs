@@ -1,6 +1,6 @@
 //! Values of a study from what is written: lists and ranges of inputs, kept as text, and of numbers in SI.
 
-use super::file::{RangeRaw, SeriesRaw, SpacingRaw, TreeRaw};
+use super::file::{SeriesRaw, SpacingRaw, TreeRaw};
 use super::part::{Axis, Override, Scan};
 use crate::error::Fault;
 use crate::file_number::{At, NumberRaw};
@@ -9,7 +9,7 @@ use crate::paths::keys;
 use crate::reader::Reader;
 use crate::units::split_number;
 use crate::written::short;
-use crate::wrong::{Common, WrongStudy};
+use crate::wrong::{Common, WrongNumber, WrongStudy};
 use dolmen::known::STANDARD_GRAVITY_M_S2;
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -17,6 +17,8 @@ use toml::de::DeValue;
 
 /// Most values of one list or range.
 pub(super) const VALUES_MOST: usize = 10_000;
+/// Fewest values of a range: both of its ends.
+const STEPS_LEAST: usize = 2;
 
 /// Largest peak of the ground that is scanned, m/s²: four times the largest recorded. Chosen here.
 const PEAK_MOST_M_S2: f64 = 10.0 * STANDARD_GRAVITY_M_S2;
@@ -152,6 +154,18 @@ fn written_range(
         return None;
     }
     let written = |key: &str| text.get(table.get(key)?.span.clone());
+    if let Some(steps) = table.get("steps").filter(|_| is_no_count(written("steps"))) {
+        let message = WrongNumber::OutsideRange {
+            path: format!("{path}.steps"),
+            number: written("steps")?.trim().to_owned(),
+        };
+        let fault = Fault::new(steps.span.clone(), path, message);
+        reader.fault(fault.allowed(WrongNumber::MustBeWithin {
+            least: STEPS_LEAST.to_string(),
+            most: VALUES_MOST.to_string(),
+        }));
+        return None;
+    }
     let number = |key: &str| end_of_range(written(key)?);
     let steps = written("steps").and_then(|steps| steps.trim().parse::<usize>().ok());
     let spacing = match written("spacing").map(|word| word.trim_matches(['"', '\''])) {
@@ -201,6 +215,14 @@ fn written_range(
     Some(each.collect())
 }
 
+/// Whether a number of steps is written that no range has.
+fn is_no_count(written: Option<&str>) -> bool {
+    let number = written.and_then(|text| text.trim().replace('_', "").parse::<f64>().ok());
+    number.is_some_and(|steps| {
+        steps.fract() != 0.0 || !(STEPS_LEAST as f64..=VALUES_MOST as f64).contains(&steps)
+    })
+}
+
 /// One end of a range as it is written.
 struct RangeEnd {
     value: f64,
@@ -228,7 +250,8 @@ fn end_of_range(text: &str) -> Option<RangeEnd> {
 /// Numbers from one to another, both ends exact; `None` if that cannot be.
 fn spaced(from: f64, to: f64, steps: usize, spacing: SpacingRaw) -> Option<Vec<f64>> {
     let is_log = spacing == SpacingRaw::Logarithmic;
-    let fits = from.is_finite() && to.is_finite() && from != to && (2..=VALUES_MOST).contains(&steps);
+    let fits =
+        from.is_finite() && to.is_finite() && from != to && (STEPS_LEAST..=VALUES_MOST).contains(&steps);
     (fits && (!is_log || (from > 0.0 && to > 0.0))).then_some(())?;
     let last = steps - 1;
     let each = (0..steps).map(|i| {
@@ -270,7 +293,10 @@ pub(super) fn series(
         SeriesRaw::Range(range) => {
             let from = range.from.as_ref().and_then(|n| of(n, &format!("{path}.from")));
             let to = range.to.as_ref().and_then(|n| of(n, &format!("{path}.to")));
-            from.zip(to).and_then(|ends| of_range(range, ends))
+            let steps = format!("{path}.steps");
+            let steps = reader.count(range.steps.as_ref(), &steps, STEPS_LEAST, VALUES_MOST)?;
+            from.zip(to)
+                .and_then(|(from, to)| spaced(from, to, steps, range.spacing.unwrap_or_default()))
         }
     };
     (reader.faults.len() == before).then_some(())?;
@@ -341,11 +367,6 @@ pub(super) fn scan(
         reader.slip(&path, message, WrongStudy::AreTheseG);
     }
     scales.map(Scan::Scales).or(peaks.map(Scan::Peaks))
-}
-
-fn of_range(range: &RangeRaw, (from, to): (f64, f64)) -> Option<Vec<f64>> {
-    let steps = usize::try_from(range.steps.as_ref()?.value).ok()?;
-    spaced(from, to, steps, range.spacing.unwrap_or_default())
 }
 
 #[cfg(test)]

@@ -123,58 +123,14 @@ pub(super) fn records(reader: &mut Reader, raw: &At<RecordsRaw>, path: &str) -> 
     };
     let listed = raw.stations.as_deref().unwrap_or_default();
     if listed.is_empty() {
-        if raw.file.is_none() {
-            let fault = Fault::new(
-                span.clone(),
-                path,
-                WrongRecords::NamesNoFile {
-                    path: path.to_string(),
-                },
-            );
-            reader.fault(
-                fault
-                    .allowed(WrongRecords::FileIsMissing)
-                    .help(WrongRecords::WriteFileRecordCsv),
-            );
-        }
-        if let Some(starts) = &raw.starts {
-            let path = format!("{path}.starts");
-            let fault = Fault::new(
-                starts.span.clone(),
-                &path,
-                WrongRecords::StandsWithoutStations {
-                    path: path.to_string(),
-                },
-            );
-            reader.fault(fault.help(WrongRecords::OneFileHasOne));
-        }
+        judge_one_file(reader, raw, span, path);
         return one_file(reader, &keys, path).map(|source| RecordSource {
             conditioning,
             modal,
             ..source
         });
     }
-    let own = [
-        ("file", keys.file.map(|k| &k.span)),
-        ("format", keys.format.map(|k| &k.span)),
-        ("sampling_rate", keys.sampling_rate.map(|k| &k.span)),
-        ("unit", keys.unit.map(|k| &k.span)),
-        ("scale", keys.scale.map(|k| &k.span)),
-        ("delimiter", keys.delimiter.map(|k| &k.span)),
-        ("time_column", keys.time_column.map(|k| &k.span)),
-        ("lost_samples", keys.lost_samples.map(|k| &k.span)),
-        ("channels", keys.channels.first().map(|k| &k.span)),
-    ];
-    for (key, span) in own {
-        if let Some(span) = span {
-            let message = WrongRecords::StandsBesideStations {
-                path: path.to_string(),
-                key: key.to_string(),
-            };
-            let fault = Fault::new(span.clone(), &format!("{path}.{key}"), message);
-            reader.fault(fault.help(WrongRecords::WriteItWithEach));
-        }
-    }
+    refuse_beside_stations(reader, &keys, path);
     let stations: Vec<RecordSource> = listed
         .iter()
         .enumerate()
@@ -203,6 +159,60 @@ pub(super) fn records(reader: &mut Reader, raw: &At<RecordsRaw>, path: &str) -> 
         modal,
         stations,
     })
+}
+
+/// A record of one file names it, and has one start.
+fn judge_one_file(reader: &mut Reader, raw: &RecordsRaw, span: &Range<usize>, path: &str) {
+    if raw.file.is_none() {
+        let fault = Fault::new(
+            span.clone(),
+            path,
+            WrongRecords::NamesNoFile {
+                path: path.to_string(),
+            },
+        );
+        reader.fault(
+            fault
+                .allowed(WrongRecords::FileIsMissing)
+                .help(WrongRecords::WriteFileRecordCsv),
+        );
+    }
+    if let Some(starts) = &raw.starts {
+        let path = format!("{path}.starts");
+        let fault = Fault::new(
+            starts.span.clone(),
+            &path,
+            WrongRecords::StandsWithoutStations {
+                path: path.to_string(),
+            },
+        );
+        reader.fault(fault.help(WrongRecords::OneFileHasOne));
+    }
+}
+
+/// Keys of a file that stand beside stations, each of which has its own.
+fn refuse_beside_stations(reader: &mut Reader, keys: &FileKeys<'_>, path: &str) {
+    let own = [
+        ("file", keys.file.map(|k| &k.span)),
+        ("format", keys.format.map(|k| &k.span)),
+        ("sampling_rate", keys.sampling_rate.map(|k| &k.span)),
+        ("unit", keys.unit.map(|k| &k.span)),
+        ("scale", keys.scale.map(|k| &k.span)),
+        ("delimiter", keys.delimiter.map(|k| &k.span)),
+        ("time_column", keys.time_column.map(|k| &k.span)),
+        ("lost_samples", keys.lost_samples.map(|k| &k.span)),
+        ("channels", keys.channels.first().map(|k| &k.span)),
+    ];
+    for (key, span) in own {
+        if let Some(span) = span {
+            let message = WrongRecords::StandsBesideStations {
+                path: path.to_string(),
+                key: key.to_string(),
+            };
+            let fault = Fault::new(span.clone(), &format!("{path}.{key}"), message);
+            reader.fault(fault.help(WrongRecords::WriteItWithEach));
+        }
+    }
 }
 
 /// The unit, where all stations have one.

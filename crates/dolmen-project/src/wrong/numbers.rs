@@ -94,6 +94,14 @@ messages! {
             en: "{path} is identified from survey \"{survey}\", which the file does not have",
             ko: "{path}을(를) 추정한 조사 \"{survey}\"이(가) 파일에 없다",
         },
+        IdentifiedInVariant { name: String, path: String } => {
+            en: "variant \"{name}\" leaves {path} to a survey, but surveys are of the structure as it is",
+            ko: "대안 \"{name}\"이(가) {path}을(를) 조사에서 구하게 하는데, 조사는 현 상태의 것이다",
+        },
+        IdentifiedAsItIs => {
+            en: "write \"identified\" above the variants, and numbers in the variant",
+            ko: "\"identified\"는 대안 밖에 쓰고, 대안에는 수를 쓴다",
+        },
         SurveysOfFile { known: String } => { en: "it has: {known}", ko: "파일에 있는 조사: {known}" },
         CovOrSd => { en: "keep one of them: cov = sd / value", ko: "둘 중 하나만 남긴다. cov = sd / value" },
         HasScatter { path: String, written: String } => {

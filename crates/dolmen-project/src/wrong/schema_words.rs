@@ -32,8 +32,8 @@ messages! {
         },
         ColumnHeight => { en: "Column height.", ko: "기둥 높이" },
         LateralStiffness => {
-            en: "Lateral stiffness of each storey, lowest first, or \"unknown\".",
-            ko: "각 층의 횡강성을 아래에서부터, 또는 \"unknown\"",
+            en: "Lateral stiffness of each storey, lowest first, \"unknown\", or \"identified\" from the modes of a survey.",
+            ko: "각 층의 횡강성을 아래에서부터, \"unknown\", 또는 조사의 모드에서 구하는 \"identified\"",
         },
         UniqueName => { en: "What people call it; unique in the stack.", ko: "부재의 이름. 서로 달라야 한다" },
         AlongX => { en: "Along x.", ko: "x 방향의 크기" },
@@ -187,7 +187,10 @@ messages! {
             en: "a list of numbers, or {{ from = …, to = …, steps = … }}",
             ko: "수의 목록 또는 {{ from = …, to = …, steps = … }}",
         },
-        ListOrUnknown => { en: "a list, lowest first, or \"unknown\"", ko: "아래에서부터 쓴 목록 또는 \"unknown\"" },
+        ListOrUnknown => {
+            en: "a list, lowest first, \"unknown\", \"identified\" or {{ source = \"identified\", survey = … }}",
+            ko: "아래에서부터 쓴 목록, \"unknown\", \"identified\" 또는 {{ source = \"identified\", survey = … }}",
+        },
         NumberOrText => {
             en: "a number, or text with its unit (\"38.95 kN\")",
             ko: "수 또는 단위를 붙인 문자열(\"38.95 kN\")",

@@ -34,6 +34,14 @@ messages! {
             en: "{path} = {written}, but structures sway at {least} to {most} Hz",
             ko: "{path} = {written}인데, 구조물의 진동수는 {least}~{most} Hz이다",
         },
+        LengthsAllOff { count: usize, unit: String } => {
+            en: "units.length is \"{unit}\", and {count} lengths of the file are then not those of a structure",
+            ko: "units.length가 \"{unit}\"인데, 그러면 파일의 길이 {count}개가 구조물의 크기가 아니다",
+        },
+        MeantUnitOfLength { meant: String } => {
+            en: "did you mean units = {{ length = \"{meant}\" }}? A length that is right as it is takes its own unit: \"1.2 m\"",
+            ko: "units = {{ length = \"{meant}\" }}를 쓰려던 것인가? 지금 단위가 맞는 길이는 \"1.2 m\"처럼 단위를 따로 붙인다",
+        },
         DidYouMeanKhz => { en: "did you mean kHz?", ko: "kHz 단위인가?" },
         DidYouMeanMhz => { en: "did you mean mHz or 1/min?", ko: "mHz 또는 1/min 단위인가?" },
         ButStructuresHaveTo { path: String, written: String } => {

@@ -1,7 +1,6 @@
 //! What bytes become which values, and which are refused with which words.
 #![allow(clippy::unwrap_used, reason = "helpers of tests: a panic is a failed test")]
 
-mod corpus;
 mod korean_errors;
 mod project;
 mod project_book;

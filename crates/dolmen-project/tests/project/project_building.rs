@@ -138,7 +138,7 @@ fn holds_the_examples_are_read_and_the_floor_has_the_modes_of_its_source() {
     }
     let tall = read(&example("twenty_storeys"));
     let building = part(&tall).build(&mut Quantity::nominal).unwrap();
-    let known = dolmen::validation::twenty_storeys().unwrap();
+    let known = dolmen::comparisons::twenty_storeys().unwrap();
     let largest = known
         .stiffness_matrix()
         .as_slice()

@@ -228,7 +228,7 @@ error: joints = "unkown" is not known
    --> project.toml:10:10
     |
  10 | joints = "unkown"
-    |          ^^^^^^^^ must be a list, lowest first, or "unknown"
+    |          ^^^^^^^^ must be a list, lowest first, "unknown", "identified" or { source = "identified", survey = … }
     = help: did you mean "unknown"?
 "##;
     assert_eq!(refused(&text), said.trim_start_matches('\n'));

@@ -1,8 +1,8 @@
 //! Stacks: what is read, where the blocks go, and every message in full.
 
 use super::project::{example, refused, with};
+use dolmen::comparisons::p10;
 use dolmen::structure::stack::{Body, JointMaterial, Stack};
-use dolmen::validation::p10;
 use dolmen_project::{Quantity, StackPart, Structure, WarningKind, parse_project};
 use dolmen_words::Language;
 

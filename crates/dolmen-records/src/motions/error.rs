@@ -2,7 +2,7 @@
 
 use crate::records::RecordError;
 use crate::seismic::SeismicError;
-use crate::sheet::SheetError;
+use crate::sheet_error::SheetError;
 use dolmen::signal::SignalError;
 use dolmen_words::message::Both;
 

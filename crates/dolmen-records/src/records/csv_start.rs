@@ -61,18 +61,7 @@ impl Start {
         let has_header = match options.header {
             Header::Present => true,
             Header::Absent => false,
-            Header::Detect => {
-                // an empty cell is a missing sample, not a name
-                let texts = names.iter().filter(|c| !c.is_empty());
-                let numbers = texts.clone().filter(|c| is_number(c)).count();
-                let has_time = texts
-                    .clone()
-                    .any(|c| matches!(time_name(unquoted(c)), TimeName::Seconds { .. }));
-                if numbers > 0 && numbers < texts.count() && !has_time {
-                    return Err(RecordError::UnclearHeader { line: first.number });
-                }
-                numbers == 0 || has_time
-            }
+            Header::Detect => is_header(&names, decimal, first.number)?,
         };
         let samples = if has_header {
             lines.get(passed_over + 1)
@@ -143,6 +132,21 @@ impl Start {
             samples_line: samples.number,
         })
     }
+}
+
+/// Whether a line names the channels: it holds no number, or a name of the time.
+fn is_header(cells: &[&[u8]], decimal: Decimal, line: usize) -> Result<bool, RecordError> {
+    // an empty cell is a missing sample, not a name
+    let texts = cells.iter().filter(|c| !c.is_empty());
+    let is_number = |cell: &&&[u8]| parse_cell(unquoted(cell), decimal.byte()).is_some();
+    let numbers = texts.clone().filter(is_number).count();
+    let has_time = texts
+        .clone()
+        .any(|c| matches!(time_name(unquoted(c)), TimeName::Seconds { .. }));
+    if numbers > 0 && numbers < texts.count() && !has_time {
+        return Err(RecordError::UnclearHeader { line });
+    }
+    Ok(numbers == 0 || has_time)
 }
 
 /// Whether a cell says a unit and nothing else, of motion or of time.

@@ -3,7 +3,7 @@
 use super::not_a_table::NotATable;
 use crate::limits::LimitError;
 use crate::seismic::SeismicError;
-use crate::sheet::SheetError;
+use crate::sheet_error::SheetError;
 use dolmen::signal::SignalError;
 use dolmen_words::message::Both;
 

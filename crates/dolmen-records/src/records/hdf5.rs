@@ -252,6 +252,27 @@ mod tests {
     }
 
     #[test]
+    fn refuses_a_chunk_that_unpacks_to_more_than_its_sides_say() {
+        // the first chunk of each tree replaced by 64 MiB of zeros, packed, at the end of the file
+        let bomb = miniz_oxide::deflate::compress_to_vec_zlib(&vec![0; 64 << 20], 9);
+        assert!(bomb.len() < 100_000);
+        let mut bytes = PACKED.to_vec();
+        let trees: Vec<usize> = (0..bytes.len() - 6)
+            .filter(|at| bytes[*at..at + 6] == *b"TREE\x01\0")
+            .collect();
+        assert!(!trees.is_empty());
+        let address = (bytes.len() - 512) as u64;
+        for at in trees {
+            let entry = at + 24; // bytes, filters left out, where it begins, element, address
+            bytes[entry..entry + 4].copy_from_slice(&(bomb.len() as u32).to_le_bytes());
+            bytes[entry + 32..entry + 40].copy_from_slice(&address.to_le_bytes());
+        }
+        bytes.extend(&bomb);
+        let said = matrices(&bytes).unwrap_err().to_string();
+        assert!(said.contains("it holds more than it says"), "{said}");
+    }
+
+    #[test]
     fn refuses_parts_that_lie_on_one_another() {
         let (file, _) = superblock(PACKED).unwrap();
         let here = file.at(0).unwrap();

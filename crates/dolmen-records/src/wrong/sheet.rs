@@ -2,7 +2,7 @@
 
 use crate::photo::{PHOTO_PIXELS_MOST, PhotoError};
 use crate::score_form::ScoreFormError;
-use crate::sheet::{COLUMNS_MOST, ROWS_MOST, SheetError, UNPACKED_BYTES_MOST};
+use crate::sheet_error::{COLUMNS_MOST, ROWS_MOST, SheetError};
 use dolmen_words::sentences;
 
 sentences! {
@@ -15,13 +15,17 @@ sentences! {
             en: "cannot be read as a table: {why}",
             ko: "표로 읽을 수 없다: {why}",
         },
-        TooLarge as { most: UNPACKED_BYTES_MOST >> 20 } => {
-            en: "unpacks to more than {most} MiB: save only the table of this structure",
-            ko: "압축을 풀면 {most} MiB를 넘는다. 이 구조물의 표만 저장한다",
+        TooLarge { most_mib } => {
+            en: "unpacks to more than {most_mib} MiB, too much for a file of its size: save only the table of this structure, or as CSV",
+            ko: "압축을 풀면 {most_mib} MiB를 넘어 파일 크기에 비해 너무 크다. 이 구조물의 표만 저장하거나 CSV로 저장한다",
         },
         TooMany { rows, columns } as { rows, columns, rows_most: ROWS_MOST, columns_most: COLUMNS_MOST } => {
             en: "has {rows} rows and {columns} columns, but at most {rows_most} and {columns_most} are read",
             ko: "{rows}행 {columns}열인데 {rows_most}행 {columns_most}열까지만 읽는다",
+        },
+        Sparse { rows, columns, cells } => {
+            en: "reaches over {rows} rows and {columns} columns, of which {cells} cells hold something: delete what stands far from the table",
+            ko: "{rows}행 {columns}열에 걸쳐 있는데 값이 있는 셀은 {cells}개이다. 표에서 멀리 떨어진 값을 지운다",
         },
         NoSuchSheet { name, known } => {
             en: "has no sheet \"{name}\": it has {known}",
@@ -78,7 +82,7 @@ sentences! {
         },
         TooManyPixels { width, height } as { width, height, most_million: PHOTO_PIXELS_MOST / 1_000_000 } => {
             en: "is an image of {width} × {height} pixels, but at most {most_million} million are used: save it smaller (3000 pixels across fill a page)",
-            ko: "{width} × {height} 픽셀의 그림인데 {most_million}백만 픽셀까지만 쓴다. 더 작게 저장한다(너비 3000픽셀이면 한 면에 충분하다)",
+            ko: "{width} × {height} 픽셀의 그림인데 {most_million}메가픽셀까지만 쓴다. 더 작게 저장한다(너비 3000픽셀이면 한 면에 충분하다)",
         },
     }
 }
@@ -110,4 +114,5 @@ sentences! {
             ko: "storeys가 {given}이다. 정수를 쓴다",
         },
     }
+    handed on { Sheet(SheetError) }
 }

@@ -486,7 +486,7 @@ fn files() -> Vec<(String, Vec<u8>)> {
         .collect()
 }
 
-fn told(name: &str) -> RecordOptions {
+fn options_for(name: &str) -> RecordOptions {
     let ending = name.rsplit('.').next().unwrap();
     RecordOptions {
         format: RecordFormat::of_ending(ending),
@@ -498,7 +498,7 @@ fn told(name: &str) -> RecordOptions {
 #[test]
 fn refuses_every_file_cut_at_every_byte() {
     for (name, bytes) in files() {
-        let options = told(&name);
+        let options = options_for(&name);
         let whole = read_record(&bytes, &options).unwrap().record;
         for end in 0..bytes.len() {
             let cut = read_record(&bytes[..end], &options);
@@ -516,7 +516,7 @@ fn refuses_every_file_cut_at_every_byte() {
 #[test]
 fn holds_every_changed_byte_is_read_or_refused_without_more_memory() {
     for (name, bytes) in files() {
-        let options = told(&name);
+        let options = options_for(&name);
         let whole = read_record(&bytes, &options).unwrap().record;
         for at in 0..bytes.len() {
             for change in [0x01, 0x80, 0xFF] {

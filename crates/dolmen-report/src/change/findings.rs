@@ -1,7 +1,8 @@
 //! What a comparison of two surveys says in plain words.
 
-use super::between::{between, fitted_through};
 use super::doubts::doubts;
+use super::events_between::{between, fitted_through};
+use super::parts;
 use super::quantities::{bare_percent, hertz, percent, plus};
 use super::readings;
 use super::temperature::known;
@@ -107,6 +108,7 @@ pub(crate) fn findings(answer: &CompareAnswer) -> Vec<Finding> {
     all.splice(0..0, doubts(change));
     all.extend(damping(change));
     all.push(frequencies(change));
+    all.extend(parts::findings(&answer.parts));
     all.extend(between(answer));
     all.extend(fitted_through(change));
     if change.temperature.leaves_doubt() {

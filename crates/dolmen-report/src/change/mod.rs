@@ -1,11 +1,12 @@
 //! What changed between two surveys: findings, and the sections of the comparison.
 
-mod between;
 mod dampings;
 mod doubts;
+mod events_between;
 mod findings;
 mod frequencies;
 mod notes;
+mod parts;
 mod quantities;
 mod readings;
 mod remarks;
@@ -41,9 +42,9 @@ messages! {
 }
 
 /// The sentences on two surveys as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 10] = [
+pub(crate) const TEMPLATES: [&[Template]; 11] = [
     findings::Found::TEMPLATES,
-    between::Befell::TEMPLATES,
+    events_between::Befell::TEMPLATES,
     doubts::Doubted::TEMPLATES,
     Compared::TEMPLATES,
     temperature::Weather::TEMPLATES,
@@ -52,6 +53,7 @@ pub(crate) const TEMPLATES: [&[Template]; 10] = [
     remarks::Remarks::TEMPLATES,
     notes::Noted::TEMPLATES,
     readings::Readings::TEMPLATES,
+    parts::Parted::TEMPLATES,
 ];
 
 /// The section on two surveys of a project.
@@ -73,6 +75,7 @@ pub(crate) fn sections(answer: &CompareAnswer) -> Document<'_> {
         frequencies::section(&mut document, change);
         temperature::fitted(&mut document, change);
         dampings::section(&mut document, change);
+        parts::section(&mut document, &answer.parts);
     }
     readings::section(&mut document, answer);
     for remark in remarks::remarks(change) {
@@ -81,7 +84,7 @@ pub(crate) fn sections(answer: &CompareAnswer) -> Document<'_> {
     for note in change
         .notes
         .iter()
-        .filter(|of| !doubts::is_of_sensors(of) && !between::is_of_line(of))
+        .filter(|of| !doubts::is_of_sensors(of) && !events_between::is_of_line(of))
     {
         document.note(notes::note(note));
     }

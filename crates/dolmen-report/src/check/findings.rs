@@ -1,13 +1,13 @@
 //! What a check found, whatever the kind.
 
 use super::agreement::agreement;
-use super::{assumed, measured, sampled, variants};
+use super::{assumed, from_surveys, measured, sampled, variants};
 use crate::document::{Finding, Tone};
 use crate::{building, chain, demand, frame, loads, stack};
 use dolmen_project::Project;
 use dolmen_words::message::Both;
 use dolmen_words::{Quantity, messages};
-use dolmen_work::answer::CheckAnswer;
+use dolmen_work::answer::{CheckAnswer, UnreadableMotion};
 use dolmen_work::judgement::{Colour, Evidence};
 use dolmen_work::state::{Check, State};
 use dolmen_work::survey_date;
@@ -37,6 +37,10 @@ messages! {
         MarkedAssumed { survey: String, evidence: Both } => {
             en: "{evidence}. If survey {survey} did measure them, mark them: frequencies.x = [{{ value = …, source = \"measured\" }}], or set evidence = \"measured\" at the head of the file and mark what is assumed.",
             ko: "{evidence}. {survey} 조사에서 실제로 계측한 값이면 frequencies.x = [{{ value = …, source = \"measured\" }}]로 표시하거나, 파일 머리에 evidence = \"measured\"를 쓰고 가정한 값을 따로 표시한다.",
+        },
+        UnreadableMotion { motion: String, why: Both } => {
+            en: "Motion {motion} of the file cannot be simulated: {why}",
+            ko: "파일의 지반운동 {motion}(으)로는 해석할 수 없다: {why}",
         },
         LoadFactor { factor: Quantity, most: Quantity } => {
             en: "A load factor of {factor} is far above what timber frames and stone poles have ({most} at most): are masses and stiffness in the units of the file?",
@@ -75,6 +79,11 @@ pub(super) fn of_state(project: &Project, state: &State) -> Vec<Finding> {
     all.extend(after);
     all.extend(agreement(project, state));
     all
+}
+
+fn unreadable(of: &UnreadableMotion) -> Finding {
+    let (motion, why) = (of.motion.clone(), of.why.clone());
+    Finding::key(Tone::Warn, Unusual::UnreadableMotion { motion, why })
 }
 
 fn of_kind(check: &Check) -> Vec<Finding> {
@@ -163,7 +172,7 @@ pub(super) fn unread(answer: &CheckAnswer) -> Option<Finding> {
 
 /// All of a check, what is worst first.
 pub(crate) fn findings(answer: &CheckAnswer) -> Vec<Finding> {
-    let mut all = Vec::new();
+    let mut all = from_surveys::findings(&answer.project);
     all.extend(sampled::sensitive(answer));
     let states = answer.state.iter();
     all.extend(states.flat_map(|state| of_state(&answer.project, state)));
@@ -175,6 +184,7 @@ pub(crate) fn findings(answer: &CheckAnswer) -> Vec<Finding> {
     all.extend(measured::felt_since(&answer.project));
     all.extend(measured::severe_damage(&answer.project));
     all.extend(measured::over_the_years(&answer.project));
+    all.extend(answer.unreadable_motions.iter().map(unreadable));
     all.extend(variants::findings(answer));
     all.extend(building::variant_findings(&answer.variants));
     all.extend(assumed::findings(answer));

@@ -210,6 +210,14 @@ pub(super) fn against_drift(project: &Project) -> Vec<Finding> {
     all.map(|said| Finding::key(Tone::Bad, said)).collect()
 }
 
+/// A measured tilt beyond its limit, before any shaking.
+pub(crate) fn tilt_beyond(project: &Project) -> Vec<Finding> {
+    let all = against_its_limit(project)
+        .into_iter()
+        .chain(against_drift(project));
+    all.filter(|finding| finding.tone == Tone::Bad).collect()
+}
+
 /// Severe damage: of each part what the last survey says that lists it.
 pub(super) fn severe_damage(project: &Project) -> Vec<Finding> {
     let mut surveys: Vec<&Survey> = project.surveys.iter().collect();
@@ -329,26 +337,7 @@ fn tilt(of: &TiltCheck, check: &Check) -> Finding {
     };
     let limit = one_in(uplift);
     if let Check::Frame(_) = check {
-        let verdict = of.verdict();
-        let said = match verdict {
-            Verdict::Unstable => Measured::FrameFalls {
-                tilt,
-                direction,
-                survey,
-                limit,
-            },
-            _ => Measured::FrameHolds {
-                tilt,
-                direction,
-                survey,
-                limit,
-            },
-        };
-        let tone = match verdict {
-            Verdict::Stable => Tone::Plain,
-            verdict => Tone::of(verdict),
-        };
-        return Finding::key(tone, said);
+        return frame_tilt(of, limit);
     }
     let opens = of.opens_tilt.unwrap_or(TiltCheck::OPENS * uplift);
     match of.verdict() {
@@ -421,6 +410,31 @@ fn tilt(of: &TiltCheck, check: &Check) -> Finding {
             },
         ),
     }
+}
+
+/// The tilt of a frame beside that at which it falls.
+fn frame_tilt(of: &TiltCheck, limit: Sentence) -> Finding {
+    let (tilt, direction, survey) = (one_in(of.tilt), of.direction.clone(), of.survey.clone());
+    let verdict = of.verdict();
+    let said = match verdict {
+        Verdict::Unstable => Measured::FrameFalls {
+            tilt,
+            direction,
+            survey,
+            limit,
+        },
+        _ => Measured::FrameHolds {
+            tilt,
+            direction,
+            survey,
+            limit,
+        },
+    };
+    let tone = match verdict {
+        Verdict::Stable => Tone::Plain,
+        verdict => Tone::of(verdict),
+    };
+    Finding::key(tone, said)
 }
 
 fn contradiction(found: &FrequencyContradiction) -> Finding {

@@ -3,6 +3,7 @@
 mod agreement;
 mod assumed;
 mod findings;
+mod from_surveys;
 mod made_stones;
 mod measured;
 mod project;
@@ -11,7 +12,8 @@ mod text;
 mod variants;
 
 pub(crate) use findings::findings;
-pub(crate) use measured::over_the_years;
+pub(crate) use from_surveys::from_surveys_text;
+pub(crate) use measured::{over_the_years, tilt_beyond};
 pub use project::against_text;
 pub(crate) use project::{doubtful, project_text};
 pub(crate) use sampled::sections as scatter_sections;
@@ -21,10 +23,11 @@ pub(crate) use variants::{section as variants_section, title};
 use dolmen_words::Template;
 
 /// The sentences of every check as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 9] = [
+pub(crate) const TEMPLATES: [&[Template]; 10] = [
     agreement::Agreement::TEMPLATES,
     assumed::Assumed::TEMPLATES,
     findings::Unusual::TEMPLATES,
+    from_surveys::Identified::TEMPLATES,
     made_stones::Made::TEMPLATES,
     measured::Measured::TEMPLATES,
     project::Size::TEMPLATES,

@@ -1,6 +1,8 @@
 //! What was read: said before any result.
 
+use super::from_surveys::from_surveys_text;
 use crate::document::{TextStyle, wrapped};
+use crate::warned::slip;
 use dolmen::structure::stack::Body;
 use dolmen_project::{
     Axial, BuildingPart, ChainPart, FramePart, Heaviness, Pick, Project, Quantity as Input, StackPart,
@@ -81,8 +83,15 @@ pub(crate) fn project_text(project: &Project, file: &str, style: TextStyle) -> S
     out + &doubtful_text(project, style)
 }
 
-/// What is probably a slip in the file: to be read before any answer.
+/// What is probably a slip in the file, for a document: to be read before any answer.
 pub(crate) fn doubtful(project: &Project) -> Vec<Sentence> {
+    let warnings = project.warnings.iter();
+    let doubtful = warnings.filter(|warning| warning.kind == WarningKind::Doubtful);
+    doubtful.map(|warning| slip(project, warning)).collect()
+}
+
+/// The same for who has the text of the file before him.
+fn doubtful_lines(project: &Project) -> Vec<Sentence> {
     let warnings = project.warnings.iter();
     let doubtful = warnings.filter(|warning| warning.kind == WarningKind::Doubtful);
     let each = doubtful.map(|warning| Size::Doubtful {
@@ -103,12 +112,12 @@ pub fn against_text(project: &Project, evidence: &Evidence, style: TextStyle) ->
         _ => None,
     };
     let said = contradicted.map(|said| wrapped(&said.text(style.language), "  ", "    ", style.columns()));
-    doubtful_text(project, style) + &said.unwrap_or_default()
+    doubtful_text(project, style) + &said.unwrap_or_default() + &from_surveys_text(project, style)
 }
 
 /// The same of the file alone.
 fn doubtful_text(project: &Project, style: TextStyle) -> String {
-    let each = doubtful(project).into_iter();
+    let each = doubtful_lines(project).into_iter();
     each.map(|said| wrapped(&said.text(style.language), "  ", "    ", style.columns()))
         .collect()
 }

@@ -8,7 +8,7 @@ use dolmen::structure::lowest_frequency_hz;
 use dolmen_words::message::Both;
 use dolmen_words::{Digits, Language, Quantity, Unit, messages};
 use dolmen_work::answer::CheckAnswer;
-use dolmen_work::judgement::judge_check;
+use dolmen_work::judgement::{Earthquake, VersionJudgement, judge_check};
 use dolmen_work::state::{Check, State, VariantAnswer};
 
 /// Differences of λ below this share are called none.
@@ -52,6 +52,11 @@ messages! {
         LoadFactor => { en: "λ", ko: "λ" },
         LeastMargin => { en: "least margin", ko: "최소 여유도" },
         Lowest => { en: "lowest frequency", ko: "최저 고유진동수" },
+        OverDemand => { en: "earthquake: capacity/demand", ko: "지진: 성능/요구" },
+        Worse { variant: Both, from: Quantity, to: Quantity, before: Quantity, after: Quantity } => {
+            en: "Variant “{variant}” is better under weight (λ {from} → {to}), worse under the earthquake of the site (capacity over demand {before} → {after}).",
+            ko: "대안 ‘{variant}’은(는) 자중에서는 유리하나(λ {from} → {to}) 부지의 지진에서는 불리하다(성능/요구 {before} → {after}).",
+        },
         FallsShare => { en: "P(falls by its weight)", ko: "자중 전도 확률" },
         OverloadedShare => { en: "P(loads at a limit)", ko: "하중 한계 도달 확률" },
         Named { name: Both } => { en: "{name}", ko: "{name}" },
@@ -77,6 +82,8 @@ struct Row {
     falls: Option<f64>,
     /// Share of samples that wind and static loads bring to a limit.
     overloaded: Option<f64>,
+    /// What the site asks of the version, in a word and as capacity over demand; `None` where nothing is asked.
+    earthquake: Option<(Earthquake, Option<f64>)>,
 }
 
 /// The name of a variant: its title, else that of its table.
@@ -104,7 +111,40 @@ pub(super) fn findings(answer: &CheckAnswer) -> Vec<Finding> {
                 .flatten(),
         );
     }
+    all.extend(worse_in_earthquakes(answer));
     all
+}
+
+/// What the site asks of a version, and how much of it there is, the least of all parts.
+fn asked(version: &VersionJudgement) -> Option<(Earthquake, Option<f64>)> {
+    let found = &version.earthquake;
+    let ratios = found.iter().filter_map(|finding| finding.ratio);
+    (!found.is_empty()).then(|| (version.earthquake_word(), ratios.reduce(f64::min)))
+}
+
+/// Variants that help against the weight and not against the earthquake of the site.
+fn worse_in_earthquakes(answer: &CheckAnswer) -> Vec<Finding> {
+    let judged = judge_check(answer);
+    let ratio = |version: usize| judged.versions.get(version).and_then(asked)?.1;
+    let factor = |state: &State| state.load_factor().filter(|factor| factor.is_finite());
+    let (Some(before), Some(state)) = (ratio(0), &answer.state) else {
+        return Vec::new();
+    };
+    let each = answer.variants.iter().enumerate().filter_map(|(at, variant)| {
+        let (from, to) = (factor(state)?, factor(&variant.state)?);
+        let after = ratio(at + 1)?;
+        let of = |number: f64| Quantity::beside_one(number, 3);
+        let said = Variants::Worse {
+            variant: title(variant),
+            from: of(from),
+            to: of(to),
+            before: of(before),
+            after: of(after),
+        };
+        let is_told = to > from * (1.0 + SAME_SHARE) && after < before * (1.0 - SAME_SHARE);
+        is_told.then(|| Finding::key(Tone::Warn, said))
+    });
+    each.collect()
 }
 
 /// What becomes of wind and static loads.
@@ -190,14 +230,24 @@ pub(crate) fn section(answer: &CheckAnswer) -> Document<'_> {
     let given = Both::of(|language| language.pick("as given", "현재"));
     let versions = answer.variants.iter();
     let versions = versions.map(|variant| (title(variant), &variant.state));
-    let mut basis = rows(state, &given);
     let judged = judge_check(answer);
+    let mut basis = rows(state, &given);
+    let asked: Vec<_> = judged.versions.iter().map(asked).collect();
+    let put = |rows: &mut Vec<Row>, version: usize| {
+        let own = asked.get(version).copied().flatten();
+        rows.iter_mut().for_each(|row| row.earthquake = own);
+    };
+    put(&mut basis, 0);
     // what a survey contradicts is not stable
     if judged.headline().is_some_and(|of| of.evidence.is_contradicted()) {
         let doubted = basis.iter_mut().filter(|row| row.verdict != Verdict::Unstable);
         doubted.for_each(|row| row.verdict = Verdict::Unknown);
     }
-    let of_versions = versions.flat_map(|(name, state)| rows(state, &name));
+    let of_versions = versions.enumerate().flat_map(|(at, (name, state))| {
+        let mut own = rows(state, &name);
+        put(&mut own, at + 1);
+        own
+    });
     let all: Vec<Row> = basis.into_iter().chain(of_versions).collect();
     let table = table(&all);
     let caption = vec![Variants::Drawn.into(), Variants::DrawnMeaning.into()];
@@ -221,6 +271,7 @@ fn dot(row: &Row, language: Language) -> VariantDot {
 fn table(all: &[Row]) -> Table {
     let with_falls = all.iter().any(|row| row.falls.is_some());
     let with_loads = all.iter().any(|row| row.borne.is_some());
+    let with_earthquake = all.iter().any(|row| row.earthquake.is_some());
     let with_overloaded = all.iter().any(|row| row.overloaded.is_some());
     let share = |share: f64| Quantity::new(share, Unit::percent(), Digits::Significant(3));
     let row = |row: &Row| {
@@ -250,6 +301,17 @@ fn table(all: &[Row]) -> Table {
                 false => Cell::Number(factor),
             });
         }
+        if with_earthquake {
+            let number = |ratio: f64| Quantity::beside_one(ratio, 3);
+            cells.push(match row.earthquake {
+                Some((Earthquake::BelowDemand, Some(ratio))) => Cell::Bad(number(ratio)),
+                Some((_, Some(ratio))) => Cell::number(number(ratio)),
+                Some((Earthquake::NotAsked, None)) | None => Cell::Number(None),
+                Some((word, None)) => Cell::words(Variants::Named {
+                    name: Both::of(|language| word.word(language)),
+                }),
+            });
+        }
         if with_falls {
             cells.push(Cell::Number(row.falls.map(share)));
         }
@@ -267,6 +329,9 @@ fn table(all: &[Row]) -> Table {
     ];
     if with_loads {
         columns.push(Column::numbers(Variants::Borne, Unit::ratio()));
+    }
+    if with_earthquake {
+        columns.push(Column::numbers(Variants::OverDemand, Unit::ratio()));
     }
     if with_falls {
         columns.push(Column::numbers(Variants::FallsShare, Unit::percent()));
@@ -331,6 +396,7 @@ fn rows(state: &State, name: &Both) -> Vec<Row> {
                 frequency_hz: lowest.min_by(f64::total_cmp),
                 falls,
                 overloaded,
+                earthquake: None,
             }]
         }
         Check::Frame(directions) => directions
@@ -349,6 +415,7 @@ fn rows(state: &State, name: &Both) -> Vec<Row> {
                     frequency_hz: lowest_frequency_hz(&of.check.modes),
                     falls,
                     overloaded,
+                    earthquake: None,
                 }
             })
             .collect(),
@@ -366,6 +433,7 @@ fn rows(state: &State, name: &Both) -> Vec<Row> {
                 frequency_hz: mode.map(|mode| mode.frequency_hz),
                 falls,
                 overloaded,
+                earthquake: None,
             }]
         }
         Check::Stack(_) => Vec::new(),

@@ -26,6 +26,8 @@ struct View {
     left_m: f64,
     top_m: f64,
     size_px: [f64; 2],
+    /// Half way between the left and the right edge of the floor.
+    middle_m: f64,
 }
 
 impl View {
@@ -81,6 +83,7 @@ pub fn building_plan(standing: &StandingBuilding, language: Language) -> String 
         left_m: left,
         top_m: top,
         size_px,
+        middle_m: 0.5 * (left + right),
     };
     let mut scene = Scene::new(size_px[0] + WORDS_PX, size_px[1]);
     let outline: Vec<[f64; 2]> = corners.iter().map(|&c| view.px(c)).collect();
@@ -101,7 +104,6 @@ pub fn building_plan(standing: &StandingBuilding, language: Language) -> String 
     };
     let title = say(Signs::TopFloorWallsBelowIt, language);
     words.line(&mut scene, None, title.to_owned());
-    let place = |at: [f64; 2]| format!("({}, {}) m", short(at[0]), short(at[1]));
     scene.marker(view.px(floor.centre_m), Shape::Circle, 5.5, BLACK);
     let mass = say(Signs::CentreOfMass, language);
     words.line(
@@ -119,31 +121,57 @@ pub fn building_plan(standing: &StandingBuilding, language: Language) -> String 
             format!("{rigid} {}", place(rigidity)),
         );
     }
+    mode_centres((&mut scene, &mut words), &view, standing, language);
+    dampers((&mut scene, &mut words), &view, standing, language);
+    scene.svg(say(Titles::PlanWithTheCentresOfTheModes, language))
+}
+
+/// The centres about which the top floor turns in the lowest modes; an arrow towards one beyond the picture.
+fn mode_centres(
+    (scene, words): (&mut Scene, &mut Words),
+    view: &View,
+    standing: &StandingBuilding,
+    language: Language,
+) {
+    let Some(floor) = standing.building.floors().last() else {
+        return;
+    };
+    let mass = view.px(floor.centre_m);
     for (j, mode) in standing.modes.modes.iter().take(MODES_DRAWN).enumerate() {
         let colour = MODE_COLOURS[j];
         let name = say(Signs::ModeOfNumber { number: j + 1 }, language);
         let hertz = significant(mode.frequency_hz, 3);
         let Some(centre) = mode.centres.last().copied().flatten() else {
             let none = say(Signs::NoCentre, language);
-            words.line(&mut scene, None, format!("{name}, {hertz}\u{202f}Hz: {none}"));
+            words.line(scene, None, format!("{name}, {hertz}\u{202f}Hz: {none}"));
             continue;
         };
         let at = [centre.x_m, centre.y_m];
         let (px, beyond) = view.kept(at);
         if beyond {
-            let from = toward(px, view.px(floor.centre_m), 34.0);
+            let from = toward(px, mass, 34.0);
             scene.arrow(from, px, 9.0, Line::new(colour, 1.8));
-            scene.text(toward(px, view.px(floor.centre_m), 44.0), &number(j + 1, colour));
+            scene.text(toward(px, mass, 44.0), &number(j + 1, colour));
         } else {
             scene.marker(px, Shape::Diamond, 6.5, colour);
             scene.text([px[0] + 13.0, px[1] - 11.0], &number(j + 1, colour));
         }
         words.line(
-            &mut scene,
+            scene,
             Some((Shape::Diamond, colour)),
             format!("{name}, {hertz}\u{202f}Hz: {}", place(at)),
         );
     }
+}
+
+/// Dampers with their directions, and their names inward, so that none lies on a wall.
+fn dampers(
+    (scene, words): (&mut Scene, &mut Words),
+    view: &View,
+    standing: &StandingBuilding,
+    language: Language,
+) {
+    let middle_m = view.middle_m;
     let mut named: Vec<([f64; 2], Vec<&str>)> = Vec::new();
     for damper in &standing.dampers {
         match named.iter_mut().find(|(place, _)| *place == damper.place_m) {
@@ -152,9 +180,8 @@ pub fn building_plan(standing: &StandingBuilding, language: Language) -> String 
         }
     }
     for (place_m, names) in named {
-        // inward, so that a name does not lie on a wall
         let [x, y] = view.px(place_m);
-        let (anchor, aside) = match place_m[0] > 0.5 * (left + right) {
+        let (anchor, aside) = match place_m[0] > middle_m {
             true => (Anchor::End, -9.0),
             false => (Anchor::Start, 9.0),
         };
@@ -173,12 +200,15 @@ pub fn building_plan(standing: &StandingBuilding, language: Language) -> String 
         let word = say(Signs::Damper, language);
         let floor = say(Signs::Floor { floor: damper.floor }, language);
         words.line(
-            &mut scene,
+            scene,
             Some((Shape::Square, ORANGE)),
             format!("{word} {} ({floor})", damper.name),
         );
     }
-    scene.svg(say(Titles::PlanWithTheCentresOfTheModes, language))
+}
+
+fn place([x, y]: [f64; 2]) -> String {
+    format!("({}, {}) m", short(x), short(y))
 }
 
 fn short(value: f64) -> String {

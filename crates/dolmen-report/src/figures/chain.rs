@@ -38,31 +38,14 @@ pub fn chain_elevation(
     let links = chain.links();
     let total: f64 = links.iter().map(|l| l.length_m).sum();
     let scale = ELEVATION_PX / total;
-    let (top, bottom) = (26.0, 26.0 + ELEVATION_PX);
+    let bottom = 26.0 + ELEVATION_PX;
     let mut scene = Scene::new(440.0, bottom + 44.0);
     let axis = 168.0;
     let widths = widths_m(chain, total);
     let masses: Vec<f64> = links.iter().map(|l| l.mass_kg * chain.gravity_m_s2()).collect();
     let weight_unit = number::prefix(&masses, "N");
 
-    // Ground, and the scale of heights at the left.
-    let ground = Line::new(GREY, 1.5);
-    scene.line([64.0, bottom], [272.0, bottom], ground);
-    for i in 0..13 {
-        let x = 64.0 + 16.0 * f64::from(i);
-        scene.line([x + 8.0, bottom], [x, bottom + 7.0], Line::new(GREY, 0.8));
-    }
-    let heights = Axis::linear("", 0.0, total, 5);
-    for tick in &heights.ticks {
-        let y = bottom - tick.at * scale;
-        scene.line([46.0, y], [52.0, y], Line::new(GREY, 1.0));
-        scene.text([42.0, y], &Label::new(&tick.text, Anchor::End).small());
-    }
-    scene.line([52.0, bottom], [52.0, top], Line::new(GREY, 1.0));
-    scene.text(
-        [8.0, 10.0],
-        &Label::new(say(Axes::Height, language), Anchor::Start).small(),
-    );
+    ground_and_heights(&mut scene, (total, scale), bottom, language);
     let margin_head = say(Signs::JointMargin, language);
     scene.text([432.0, 10.0], &Label::new(margin_head, Anchor::End).small());
 
@@ -112,7 +95,6 @@ pub fn chain_elevation(
             [centre[0], centre[1] + 7.5],
             Line::new(BLACK, 1.0),
         );
-
         let name = part_name(names, i, &say(Signs::Link, language));
         let middle = 0.5 * (low + high);
         scene.text(
@@ -129,24 +111,8 @@ pub fn chain_elevation(
             [axis + 44.0, middle + 8.0],
             &Label::new(facts, Anchor::Start).small().coloured(GREY),
         );
-
-        let joint = stability.and_then(|s| s.joints.get(i));
-        let margin = joint.and_then(|j| j.margin);
-        let verdict = match (joint, margin) {
-            (None, _) => Verdict::Unknown,
-            (Some(_), None) => Verdict::Unstable,
-            (Some(_), Some(margin)) => Verdict::of_load_factor(margin),
-        };
-        let words = match (joint, margin) {
-            (None, _) => say(Signs::StiffnessUnknown, language),
-            (Some(_), None) => say(Signs::Falls, language),
-            (Some(_), Some(margin)) => number::beside_one(margin, 3),
-        };
-        scene.line([axis + half + 12.0, low], [330.0, low], Line::new(LIGHT, 1.0));
-        scene.marker([axis, low], verdict_shape(verdict), 6.0, verdict_colour(verdict));
-        let label = Label::new(format!("k{}   {words}", subscript(i + 1)), Anchor::Start);
-        scene.marker([342.0, low], verdict_shape(verdict), 5.0, verdict_colour(verdict));
-        scene.text([356.0, low], &label.bold());
+        let level = JointLevel { axis, half, low };
+        joint_margin(&mut scene, i, &level, stability, language);
         base_m += link.length_m;
     }
     let note = if links.iter().all(|l| given_width(l).is_some()) {
@@ -159,6 +125,62 @@ pub fn chain_elevation(
         &Label::new(note, Anchor::Start).small().coloured(GREY),
     );
     scene.svg(say(Titles::ElevationOfTheChainWithItsJoints, language))
+}
+
+/// Where a joint is drawn, px: the axis of the chain, half the width of the link on it, its level.
+struct JointLevel {
+    axis: f64,
+    half: f64,
+    low: f64,
+}
+
+/// Ground, and the scale of heights at the left.
+fn ground_and_heights(scene: &mut Scene, (total, scale): (f64, f64), bottom: f64, language: Language) {
+    let top = bottom - ELEVATION_PX;
+    let ground = Line::new(GREY, 1.5);
+    scene.line([64.0, bottom], [272.0, bottom], ground);
+    for i in 0..13 {
+        let x = 64.0 + 16.0 * f64::from(i);
+        scene.line([x + 8.0, bottom], [x, bottom + 7.0], Line::new(GREY, 0.8));
+    }
+    let heights = Axis::linear("", 0.0, total, 5);
+    for tick in &heights.ticks {
+        let y = bottom - tick.at * scale;
+        scene.line([46.0, y], [52.0, y], Line::new(GREY, 1.0));
+        scene.text([42.0, y], &Label::new(&tick.text, Anchor::End).small());
+    }
+    scene.line([52.0, bottom], [52.0, top], Line::new(GREY, 1.0));
+    scene.text(
+        [8.0, 10.0],
+        &Label::new(say(Axes::Height, language), Anchor::Start).small(),
+    );
+}
+
+/// The mark of a joint and the words on its margin.
+fn joint_margin(
+    scene: &mut Scene,
+    i: usize,
+    &JointLevel { axis, half, low }: &JointLevel,
+    stability: Option<&ChainStability>,
+    language: Language,
+) {
+    let joint = stability.and_then(|s| s.joints.get(i));
+    let margin = joint.and_then(|j| j.margin);
+    let verdict = match (joint, margin) {
+        (None, _) => Verdict::Unknown,
+        (Some(_), None) => Verdict::Unstable,
+        (Some(_), Some(margin)) => Verdict::of_load_factor(margin),
+    };
+    let words = match (joint, margin) {
+        (None, _) => say(Signs::StiffnessUnknown, language),
+        (Some(_), None) => say(Signs::Falls, language),
+        (Some(_), Some(margin)) => number::beside_one(margin, 3),
+    };
+    scene.line([axis + half + 12.0, low], [330.0, low], Line::new(LIGHT, 1.0));
+    scene.marker([axis, low], verdict_shape(verdict), 6.0, verdict_colour(verdict));
+    let label = Label::new(format!("k{}   {words}", subscript(i + 1)), Anchor::Start);
+    scene.marker([342.0, low], verdict_shape(verdict), 5.0, verdict_colour(verdict));
+    scene.text([356.0, low], &label.bold());
 }
 
 /// Stiffness limits of every joint on a logarithmic axis: the published critical stiffness k_cr, the published P·H, the

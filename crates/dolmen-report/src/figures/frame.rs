@@ -87,19 +87,7 @@ pub fn frame_sketch(
             &Label::new(axial, Anchor::Start).small().coloured(GREY),
         );
         if let Some(storey) = stability.and_then(|s| s.storeys.get(i)) {
-            let verdict = storey.margin.map_or(Verdict::Unstable, Verdict::of_load_factor);
-            scene.marker(
-                [288.0, middle + 25.0],
-                verdict_shape(verdict),
-                5.0,
-                verdict_colour(verdict),
-            );
-            let margin = storey.margin.map_or("–".into(), |m| number::beside_one(m, 3));
-            let words = say(Signs::Margin, language);
-            scene.text(
-                [300.0, middle + 25.0],
-                &Label::new(format!("{words} {margin}"), Anchor::Start).small(),
-            );
+            margin(&mut scene, storey.margin, middle, language);
         }
         let spring = spring_path([0.5 * (left + right) + 14.0, middle], 46.0);
         scene.path(&spring, Line::new(BLUE, 1.6));
@@ -116,6 +104,23 @@ pub fn frame_sketch(
             .coloured(GREY),
     );
     scene.svg(say(Titles::SketchOfTheFrame, language))
+}
+
+/// The mark and the words of a storey's margin.
+fn margin(scene: &mut Scene, margin: Option<f64>, middle: f64, language: Language) {
+    let verdict = margin.map_or(Verdict::Unstable, Verdict::of_load_factor);
+    scene.marker(
+        [288.0, middle + 25.0],
+        verdict_shape(verdict),
+        5.0,
+        verdict_colour(verdict),
+    );
+    let margin = margin.map_or("–".into(), |m| number::beside_one(m, 3));
+    let words = say(Signs::Margin, language);
+    scene.text(
+        [300.0, middle + 25.0],
+        &Label::new(format!("{words} {margin}"), Anchor::Start).small(),
+    );
 }
 
 /// A horizontal zigzag of this length from a point to the right.

@@ -81,6 +81,13 @@ pub(crate) struct Plot {
     notes: Vec<String>,
 }
 
+/// Where the axes lie, px: from left to right, from top to bottom, and where notes begin.
+struct Field {
+    x: [f64; 2],
+    y: [f64; 2],
+    end: f64,
+}
+
 impl Plot {
     pub(crate) fn new(size: [f64; 2], x: Axis, y: Axis) -> Self {
         let widest = y.ticks.iter().map(|t| Label::new(&t.text, Anchor::End).width());
@@ -203,6 +210,20 @@ impl Plot {
             [f64::from(x) / FINE, f64::from(y) / FINE]
         };
 
+        let field = Field {
+            x: [x0, x1],
+            y: [top, bottom],
+            end,
+        };
+        self.draw_ticks(area, &field, &to_px)?;
+        self.draw_marks(area, &to_px)?;
+        self.draw_names(area, &field)?;
+        self.draw_legend(area, &rows)
+    }
+
+    /// Ticks of both axes, with their grid.
+    fn draw_ticks(&self, area: &Area, field: &Field, to_px: &dyn Fn([f64; 2]) -> Px) -> Drawn {
+        let ([x0, x1], [top, bottom]) = (field.x, field.y);
         for tick in &self.x.ticks {
             let [x, _] = to_px([tick.at, self.y.from]);
             if self.x.grid {
@@ -229,6 +250,10 @@ impl Plot {
                 text(area, at, &Label::new(&tick.text, Anchor::End).small(), Turn::None)?;
             }
         }
+        Ok(())
+    }
+
+    fn draw_marks(&self, area: &Area, to_px: &dyn Fn([f64; 2]) -> Px) -> Drawn {
         for mark in &self.marks {
             match mark {
                 Mark::Line { points, line } => {
@@ -260,6 +285,12 @@ impl Plot {
                 }
             }
         }
+        Ok(())
+    }
+
+    /// The axes, their names, and notes below them.
+    fn draw_names(&self, area: &Area, field: &Field) -> Drawn {
+        let ([x0, x1], [top, bottom], end) = (field.x, field.y, field.end);
         path(
             area,
             &[[x0, top], [x0, bottom], [x1, bottom]],
@@ -277,6 +308,10 @@ impl Plot {
             let at = [10.0, 0.5 * (top + bottom)];
             text(area, at, &Label::new(&self.y.name, Anchor::Middle), Turn::Left)?;
         }
+        Ok(())
+    }
+
+    fn draw_legend(&self, area: &Area, rows: &[Vec<(usize, f64)>]) -> Drawn {
         for (row, entries) in rows.iter().enumerate() {
             let y = 10.0 + row as f64 * LEGEND_PX;
             for &(entry, x) in entries {

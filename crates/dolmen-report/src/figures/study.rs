@@ -285,7 +285,18 @@ fn survived(
         };
         plot.sized_dot(at, shape, size, colour);
     }
-    match answer.kind {
+    key_of_states(&mut plot, answer.kind, language);
+    let unusable = |outcome: RunOutcome| outcome.trial() == Trial::Unknown;
+    if answer.outcomes().into_keys().any(unusable) {
+        plot.key(Key::Dot(Shape::Ring, GREY), say(Studied::NoResult, language));
+    }
+    explain(&mut plot, answer, language);
+    plot.svg(say(Titles::WhatFellAndWhatSurvived, language))
+}
+
+/// What the colours of runs stand for, by the kind of structure.
+fn key_of_states(plot: &mut Plot, kind: StudyKind, language: Language) {
+    match kind {
         StudyKind::Stack => {
             plot.key(Key::Dot(Shape::Circle, SKY), say(Studied::NothingMoved, language));
             plot.key(Key::Dot(Shape::Circle, BLUE), "DS1, DS2");
@@ -330,12 +341,6 @@ fn survived(
             );
         }
     }
-    let unusable = |outcome: RunOutcome| outcome.trial() == Trial::Unknown;
-    if answer.outcomes().into_keys().any(unusable) {
-        plot.key(Key::Dot(Shape::Ring, GREY), say(Studied::NoResult, language));
-    }
-    explain(&mut plot, answer, language);
-    plot.svg(say(Titles::WhatFellAndWhatSurvived, language))
 }
 
 #[cfg(test)]

@@ -103,172 +103,227 @@ fn position(answer: &TuneAnswer, language: Language) -> String {
     plot.svg(say(Titles::MotionByPlace, language))
 }
 
+/// A floor on the paper, and the goal there.
+struct FloorView<'a> {
+    answer: &'a TuneAnswer,
+    x: [f64; 2],
+    y: [f64; 2],
+    scale: f64,
+    /// Least goal of the map, and the span to the greatest, of that without a damper.
+    low: f64,
+    span: f64,
+}
+
+/// A line of the legend.
+struct LegendKey {
+    shape: Shape,
+    colour: &'static str,
+    words: String,
+}
+
+impl<'a> FloorView<'a> {
+    fn new(answer: &'a TuneAnswer) -> Self {
+        let ends = |axis: usize| {
+            let values = answer.corners_m.iter().map(|corner| corner[axis]);
+            values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], v| {
+                [low.min(v), high.max(v)]
+            })
+        };
+        let [x, y] = [ends(0), ends(1)];
+        let cells = answer.comparison.map.cells.iter().flatten();
+        let costs: Vec<f64> = cells
+            .map(|cell| cell.cost / answer.comparison.cost_without)
+            .collect();
+        let low = costs.iter().copied().fold(f64::INFINITY, f64::min);
+        let high = costs.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        FloorView {
+            answer,
+            x,
+            y,
+            scale: PLAN_PX / (x[1] - x[0]).max(y[1] - y[0]),
+            low,
+            span: (high - low).max(1e-9),
+        }
+    }
+
+    fn px(&self, [a, b]: [f64; 2]) -> [f64; 2] {
+        [
+            AROUND_PX + self.scale * (a - self.x[0]),
+            AROUND_PX + self.scale * (self.y[1] - b),
+        ]
+    }
+
+    fn over(&self, cost: f64) -> f64 {
+        cost / self.answer.comparison.cost_without
+    }
+
+    fn shade(&self, cell: &Option<MapCell>) -> Option<usize> {
+        cell.as_ref().map(|cell| {
+            let part = (self.over(cell.cost) - self.low) / self.span;
+            ((part * SHADES.len() as f64) as usize).min(SHADES.len() - 1)
+        })
+    }
+
+    /// The goal for each place; runs of equal shade in a row are one rectangle.
+    fn map(&self, scene: &mut Scene) {
+        let map = &self.answer.comparison.map;
+        let step = |list: &[f64], whole: f64| whole / list.len().max(1) as f64;
+        let (dx, dy) = (
+            step(&map.x_m, self.x[1] - self.x[0]),
+            step(&map.y_m, self.y[1] - self.y[0]),
+        );
+        let columns = map.x_m.len();
+        for (j, row_y) in map.y_m.iter().enumerate() {
+            let row = &map.cells[j * columns..(j + 1) * columns];
+            let mut from = 0;
+            for i in 1..=columns {
+                if i < columns && self.shade(&row[i]) == self.shade(&row[from]) {
+                    continue;
+                }
+                if let Some(shade) = self.shade(&row[from]) {
+                    let left = map.x_m[from] - 0.5 * dx;
+                    let right = map.x_m[i - 1] + 0.5 * dx;
+                    let (bottom, top) = (row_y - 0.5 * dy, row_y + 0.5 * dy);
+                    let corners =
+                        [[left, bottom], [right, bottom], [right, top], [left, top]].map(|at| self.px(at));
+                    scene.polygon(&corners, SHADES[shade], Line::new(SHADES[shade], 0.6));
+                }
+                from = i;
+            }
+        }
+    }
+
+    /// The outline of the floor and the points that are looked at.
+    fn floor(&self, scene: &mut Scene) {
+        let answer = self.answer;
+        let outline: Vec<[f64; 2]> = answer.corners_m.iter().map(|corner| self.px(*corner)).collect();
+        scene.polygon(&outline, "none", Line::new(BLACK, 1.4));
+        for point in answer.points.iter().filter(|point| point.floor == answer.floor) {
+            let at = self.px(point.place_m);
+            scene.marker(at, Shape::Cross, 5.0, BLACK);
+            // names stand outside the floor, on the side that is nearer
+            let right = point.place_m[0] > 0.5 * (self.x[0] + self.x[1]);
+            let anchor = if right { Anchor::Start } else { Anchor::End };
+            let beside = [at[0] + if right { 9.0 } else { -9.0 }, at[1] - 12.0];
+            scene.text(beside, &Label::new(point.name.clone(), anchor).small());
+        }
+    }
+
+    /// The centre of the mode, where it has one, drawn if it lies on the floor.
+    fn mode_centre(&self, scene: &mut Scene, language: Language) -> Option<LegendKey> {
+        let centre = self.answer.mode_centre_m?;
+        let number = self.answer.mode;
+        let inside =
+            (self.x[0]..=self.x[1]).contains(&centre[0]) && (self.y[0]..=self.y[1]).contains(&centre[1]);
+        let words = match inside {
+            true => say(Studied::CentreOfMode { number }, language),
+            false => {
+                let x = number::fixed(centre[0], 2);
+                say(Studied::CentreOffTheFloor { number, x }, language)
+            }
+        };
+        if inside {
+            scene.marker(self.px(centre), Shape::Ring, 6.0, GREY);
+        }
+        Some(LegendKey {
+            shape: Shape::Ring,
+            colour: GREY,
+            words,
+        })
+    }
+
+    /// The damper of the file, by the rule and at its best; the smaller ones lie on the larger: none hides where all are at one place.
+    fn choices(&self, scene: &mut Scene, language: Language) -> Vec<LegendKey> {
+        let choices = [
+            (Choice::Given, Shape::Square, 8.0, BLACK, Studied::AsInTheFile),
+            (Choice::Rule, Shape::Triangle, 6.0, VERMILLION, Studied::TheRule),
+            (
+                Choice::Best,
+                Shape::Diamond,
+                4.0,
+                GREEN,
+                Studied::PlacedAndTunedBest,
+            ),
+        ];
+        let mut keys = Vec::new();
+        for (choice, shape, size, colour, words) in choices {
+            if let Some(row) = self.answer.comparison.row(choice) {
+                scene.marker(self.px(row.damper.place_m), shape, size, colour);
+                let words = format!("{}: {:.4}", say(words, language), self.over(row.cost));
+                keys.push(LegendKey { shape, colour, words });
+            }
+        }
+        keys
+    }
+
+    /// Legend and shades, right of the floor.
+    fn legend(&self, scene: &mut Scene, keys: Vec<LegendKey>, language: Language) {
+        let left = AROUND_PX * 2.0 + self.scale * (self.x[1] - self.x[0]);
+        let mut down = AROUND_PX;
+        for key in keys {
+            scene.marker([left, down], key.shape, 6.0, key.colour);
+            scene.text([left + 14.0, down], &Label::new(key.words, Anchor::Start).small());
+            down += 22.0;
+        }
+        down += 14.0;
+        let heading = say(Axes::GoalRatio, language);
+        scene.text(
+            [left - 6.0, down],
+            &Label::new(heading, Anchor::Start).small().bold(),
+        );
+        for (k, colour) in SHADES.iter().enumerate() {
+            down += 18.0;
+            let box_px = [
+                [left - 6.0, down - 7.0],
+                [left + 14.0, down - 7.0],
+                [left + 14.0, down + 7.0],
+                [left - 6.0, down + 7.0],
+            ];
+            scene.polygon(&box_px, colour, Line::new(GREY, 0.5));
+            let [from, to] = [k, k + 1].map(|k| self.low + self.span * k as f64 / SHADES.len() as f64);
+            scene.text(
+                [left + 22.0, down],
+                &Label::new(format!("{from:.3}–{to:.3}"), Anchor::Start).small(),
+            );
+        }
+    }
+
+    /// Coordinates of the ends of the floor.
+    fn ends(&self, scene: &mut Scene) {
+        let ([x0, x1], [y0, y1]) = (self.x, self.y);
+        for (value, at) in [(x0, [x0, y0]), (x1, [x1, y0])] {
+            let [a, b] = self.px(at);
+            scene.text(
+                [a, b + 16.0],
+                &Label::new(number::trimmed(value, 3) + " m", Anchor::Middle).small(),
+            );
+        }
+        for (value, at) in [(y0, [x0, y0]), (y1, [x0, y1])] {
+            let [a, b] = self.px(at);
+            scene.text(
+                [a - 6.0, b],
+                &Label::new(number::trimmed(value, 3) + " m", Anchor::End).small(),
+            );
+        }
+    }
+}
+
 /// The floor: the goal for each place of the damper, tuned best there; the damper, the rule, the best; centre of the mode.
 fn plan(answer: &TuneAnswer, language: Language) -> String {
-    let comparison = &answer.comparison;
-    let ends = |axis: usize| {
-        let values = answer.corners_m.iter().map(|corner| corner[axis]);
-        values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], v| {
-            [low.min(v), high.max(v)]
-        })
-    };
-    let [x, y] = [ends(0), ends(1)];
-    let scale = PLAN_PX / (x[1] - x[0]).max(y[1] - y[0]);
-    let (width, height) = (scale * (x[1] - x[0]), scale * (y[1] - y[0]));
-    let px = |[a, b]: [f64; 2]| [AROUND_PX + scale * (a - x[0]), AROUND_PX + scale * (y[1] - b)];
+    let view = FloorView::new(answer);
+    let (width, height) = (
+        view.scale * (view.x[1] - view.x[0]),
+        view.scale * (view.y[1] - view.y[0]),
+    );
     let legend = 250.0;
     let total_height = (height + 2.0 * AROUND_PX).max(330.0);
     let mut scene = Scene::new(width + 2.0 * AROUND_PX + legend, total_height);
-    let over = |cost: f64| cost / comparison.cost_without;
-    let costs: Vec<f64> = comparison
-        .map
-        .cells
-        .iter()
-        .flatten()
-        .map(|cell| over(cell.cost))
-        .collect();
-    let low = costs.iter().copied().fold(f64::INFINITY, f64::min);
-    let high = costs.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    let span = (high - low).max(1e-9);
-    let step = |list: &[f64], whole: f64| whole / list.len().max(1) as f64;
-    let (dx, dy) = (
-        step(&comparison.map.x_m, x[1] - x[0]),
-        step(&comparison.map.y_m, y[1] - y[0]),
-    );
-    // runs of equal shade in a row are one rectangle
-    let columns = comparison.map.x_m.len();
-    let shade = |cell: &Option<MapCell>| {
-        cell.as_ref().map(|cell| {
-            let part = (over(cell.cost) - low) / span;
-            ((part * SHADES.len() as f64) as usize).min(SHADES.len() - 1)
-        })
-    };
-    for (j, row_y) in comparison.map.y_m.iter().enumerate() {
-        let row = &comparison.map.cells[j * columns..(j + 1) * columns];
-        let mut from = 0;
-        for i in 1..=columns {
-            if i < columns && shade(&row[i]) == shade(&row[from]) {
-                continue;
-            }
-            if let Some(shade) = shade(&row[from]) {
-                let left = comparison.map.x_m[from] - 0.5 * dx;
-                let right = comparison.map.x_m[i - 1] + 0.5 * dx;
-                let (bottom, top) = (row_y - 0.5 * dy, row_y + 0.5 * dy);
-                let corners = [[left, bottom], [right, bottom], [right, top], [left, top]].map(px);
-                scene.polygon(&corners, SHADES[shade], Line::new(SHADES[shade], 0.6));
-            }
-            from = i;
-        }
-    }
-    let outline: Vec<[f64; 2]> = answer.corners_m.iter().map(|corner| px(*corner)).collect();
-    scene.polygon(&outline, "none", Line::new(BLACK, 1.4));
-    for point in answer.points.iter().filter(|point| point.floor == answer.floor) {
-        let at = px(point.place_m);
-        scene.marker(at, Shape::Cross, 5.0, BLACK);
-        // names stand outside the floor, on the side that is nearer
-        let right = point.place_m[0] > 0.5 * (x[0] + x[1]);
-        let anchor = if right { Anchor::Start } else { Anchor::End };
-        let beside = [at[0] + if right { 9.0 } else { -9.0 }, at[1] - 12.0];
-        scene.text(beside, &Label::new(point.name.clone(), anchor).small());
-    }
-    let mut keys: Vec<(Shape, &'static str, String)> = Vec::new();
-    if let Some(centre) = answer.mode_centre_m {
-        let mode = answer.mode;
-        let inside = (x[0]..=x[1]).contains(&centre[0]) && (y[0]..=y[1]).contains(&centre[1]);
-        if inside {
-            scene.marker(px(centre), Shape::Ring, 6.0, GREY);
-            keys.push((
-                Shape::Ring,
-                GREY,
-                say(Studied::CentreOfMode { number: mode }, language),
-            ));
-        } else {
-            keys.push((
-                Shape::Ring,
-                GREY,
-                say(
-                    Studied::CentreOffTheFloor {
-                        number: mode,
-                        x: number::fixed(centre[0], 2),
-                    },
-                    language,
-                ),
-            ));
-        }
-    }
-    // the smaller ones lie on the larger: none hides where all are at one place
-    for (choice, shape, size, colour, words) in [
-        (
-            Choice::Given,
-            Shape::Square,
-            8.0,
-            BLACK,
-            say(Studied::AsInTheFile, language),
-        ),
-        (
-            Choice::Rule,
-            Shape::Triangle,
-            6.0,
-            VERMILLION,
-            say(Studied::TheRule, language),
-        ),
-        (
-            Choice::Best,
-            Shape::Diamond,
-            4.0,
-            GREEN,
-            say(Studied::PlacedAndTunedBest, language),
-        ),
-    ] {
-        if let Some(row) = comparison.row(choice) {
-            scene.marker(px(row.damper.place_m), shape, size, colour);
-            let value = format!("{words}: {:.4}", over(row.cost));
-            keys.push((shape, colour, value));
-        }
-    }
-    // legend and shades, right of the floor
-    let left = AROUND_PX * 2.0 + width;
-    let mut down = AROUND_PX;
-    for (shape, colour, words) in keys {
-        scene.marker([left, down], shape, 6.0, colour);
-        scene.text([left + 14.0, down], &Label::new(words, Anchor::Start).small());
-        down += 22.0;
-    }
-    down += 14.0;
-    let heading = say(Axes::GoalRatio, language);
-    scene.text(
-        [left - 6.0, down],
-        &Label::new(heading, Anchor::Start).small().bold(),
-    );
-    for (k, colour) in SHADES.iter().enumerate() {
-        down += 18.0;
-        let box_px = [
-            [left - 6.0, down - 7.0],
-            [left + 14.0, down - 7.0],
-            [left + 14.0, down + 7.0],
-            [left - 6.0, down + 7.0],
-        ];
-        scene.polygon(&box_px, colour, Line::new(GREY, 0.5));
-        let [from, to] = [k, k + 1].map(|k| low + span * k as f64 / SHADES.len() as f64);
-        scene.text(
-            [left + 22.0, down],
-            &Label::new(format!("{from:.3}–{to:.3}"), Anchor::Start).small(),
-        );
-    }
-    for (value, at) in [(x[0], [x[0], y[0]]), (x[1], [x[1], y[0]])] {
-        let [a, b] = px(at);
-        scene.text(
-            [a, b + 16.0],
-            &Label::new(number::trimmed(value, 3) + " m", Anchor::Middle).small(),
-        );
-    }
-    for (value, at) in [(y[0], [x[0], y[0]]), (y[1], [x[0], y[1]])] {
-        let [a, b] = px(at);
-        scene.text(
-            [a - 6.0, b],
-            &Label::new(number::trimmed(value, 3) + " m", Anchor::End).small(),
-        );
-    }
+    view.map(&mut scene);
+    view.floor(&mut scene);
+    let mut keys: Vec<LegendKey> = view.mode_centre(&mut scene, language).into_iter().collect();
+    keys.extend(view.choices(&mut scene, language));
+    view.legend(&mut scene, keys, language);
+    view.ends(&mut scene);
     scene.svg(say(Titles::DamperByPlace, language))
 }
 

@@ -5,6 +5,7 @@ use super::words::{evidence_word, input_words, unit_text};
 use crate::check::title;
 use crate::document::{Block, Numbers, block_html, numbered, table_label};
 use crate::surveys_given::{Given, inputs_listed, surveys_table};
+use crate::warned::warned;
 use dolmen_project::{Project, Quantity, Structure, Survey};
 use dolmen_words::number;
 use dolmen_words::{Language, Sentence};
@@ -45,7 +46,7 @@ pub(super) fn section(answer: &ProjectReport, language: Language, numbers: &mut 
         @if !project.warnings.is_empty() {
             h3 { (numbered(&numbers.part(), language.pick("Warnings on reading the file", "입력 파일에 대한 경고"))) }
             ul { @for warning in &project.warnings {
-                li { (warning.message.text(language)) " (" code { (warning.path) } ", " (language.pick("line", "행")) " " (warning.line) ")" }
+                li { (warned(project, warning).text(language)) }
             } }
         }
     }

@@ -130,6 +130,7 @@ fn report(project: Project, check: Option<Check>, surveys: Vec<SurveyAnswer>) ->
         variants: vec![],
         sensitivities: vec![],
         sensitivity_of: Default::default(),
+        unreadable_motions: vec![],
     };
     let identified = IdentifyAnswer {
         file: file.clone(),

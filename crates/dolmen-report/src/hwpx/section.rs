@@ -182,57 +182,7 @@ impl<'a> Writer<'a> {
     fn opened(&mut self) -> Xml {
         let mut xml = Xml::default();
         let number = |value: usize| value.to_string();
-        let attributes = [
-            ("id", ""),
-            ("textDirection", "HORIZONTAL"),
-            ("spaceColumns", "1134"),
-            ("tabStop", "8000"),
-            ("outlineShapeIDRef", "1"),
-            ("memoShapeIDRef", "0"),
-            ("textVerticalWidthHead", "0"),
-            ("masterPageCnt", "0"),
-        ];
-        xml.element("hp:secPr", &attributes, |xml| {
-            let grid = [("lineGrid", "0"), ("charGrid", "0"), ("wonggojiFormat", "0")];
-            xml.leaf("hp:grid", &grid);
-            let start = [
-                ("pageStartsOn", "BOTH"),
-                ("page", "0"),
-                ("pic", "0"),
-                ("tbl", "0"),
-                ("equation", "0"),
-            ];
-            xml.leaf("hp:startNum", &start);
-            let seen = [
-                ("hideFirstHeader", "1"),
-                ("hideFirstFooter", "1"),
-                ("hideFirstMasterPage", "0"),
-                ("border", "SHOW_ALL"),
-                ("fill", "SHOW_ALL"),
-                ("hideFirstPageNum", "1"),
-                ("hideFirstEmptyLine", "0"),
-                ("showLineNumber", "0"),
-            ];
-            xml.leaf("hp:visibility", &seen);
-            let page = [
-                ("landscape", "WIDELY"),
-                ("width", "59528"),
-                ("height", "84188"),
-                ("gutterType", "LEFT_ONLY"),
-            ];
-            xml.element("hp:pagePr", &page, |xml| {
-                let margin = [
-                    ("header", "3685"),
-                    ("footer", "3400"),
-                    ("gutter", "0"),
-                    ("left", "6520"),
-                    ("right", "6520"),
-                    ("top", "3685"),
-                    ("bottom", "3120"),
-                ];
-                xml.leaf("hp:margin", &margin);
-            });
-        });
+        paper_and_margins(&mut xml);
         let columns = [
             ("id", ""),
             ("type", "NEWSPAPER"),
@@ -286,6 +236,61 @@ impl<'a> Writer<'a> {
         });
         xml
     }
+}
+
+/// Paper, margins, and what the first page hides.
+fn paper_and_margins(xml: &mut Xml) {
+    let attributes = [
+        ("id", ""),
+        ("textDirection", "HORIZONTAL"),
+        ("spaceColumns", "1134"),
+        ("tabStop", "8000"),
+        ("outlineShapeIDRef", "1"),
+        ("memoShapeIDRef", "0"),
+        ("textVerticalWidthHead", "0"),
+        ("masterPageCnt", "0"),
+    ];
+    xml.element("hp:secPr", &attributes, |xml| {
+        let grid = [("lineGrid", "0"), ("charGrid", "0"), ("wonggojiFormat", "0")];
+        xml.leaf("hp:grid", &grid);
+        let start = [
+            ("pageStartsOn", "BOTH"),
+            ("page", "0"),
+            ("pic", "0"),
+            ("tbl", "0"),
+            ("equation", "0"),
+        ];
+        xml.leaf("hp:startNum", &start);
+        let seen = [
+            ("hideFirstHeader", "1"),
+            ("hideFirstFooter", "1"),
+            ("hideFirstMasterPage", "0"),
+            ("border", "SHOW_ALL"),
+            ("fill", "SHOW_ALL"),
+            ("hideFirstPageNum", "1"),
+            ("hideFirstEmptyLine", "0"),
+            ("showLineNumber", "0"),
+        ];
+        xml.leaf("hp:visibility", &seen);
+        let page = [
+            ("landscape", "WIDELY"),
+            ("width", "59528"),
+            ("height", "84188"),
+            ("gutterType", "LEFT_ONLY"),
+        ];
+        xml.element("hp:pagePr", &page, |xml| {
+            let margin = [
+                ("header", "3685"),
+                ("footer", "3400"),
+                ("gutter", "0"),
+                ("left", "6520"),
+                ("right", "6520"),
+                ("top", "3685"),
+                ("bottom", "3120"),
+            ];
+            xml.leaf("hp:margin", &margin);
+        });
+    });
 }
 
 fn page_number(xml: &mut Xml, of: &str) {

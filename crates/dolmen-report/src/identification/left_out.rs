@@ -5,7 +5,7 @@ use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 
 messages! {
     /// Modes left out.
-    pub(crate) enum Left in "identification.left-out" {
+    pub(crate) enum ModeLeftOut in "identification.left-out" {
         OtherDirection { frequency: Quantity, share: Quantity, needed: Quantity } => {
             en: "The mode at {frequency} is left out: only {share} of its motion is in this direction, {needed} are needed.",
             ko: "{frequency} 모드는 제외하였다. 이 방향의 운동 성분이 {share}에 불과하다({needed} 필요).",
@@ -26,7 +26,7 @@ pub(super) fn left_out(why: &LeftOut) -> Sentence {
     let hertz = |value: f64| Quantity::new(value, Unit::si("Hz"), Digits::Fixed(3));
     let percent = |share: f64| Quantity::new(share, Unit::percent(), Digits::Fixed(0));
     match why {
-        LeftOut::OtherDirection { frequency_hz, share } => Left::OtherDirection {
+        LeftOut::OtherDirection { frequency_hz, share } => ModeLeftOut::OtherDirection {
             frequency: hertz(*frequency_hz),
             share: percent(*share),
             needed: percent(LeftOut::SHARE_LEAST),
@@ -35,12 +35,12 @@ pub(super) fn left_out(why: &LeftOut) -> Sentence {
             frequency_hz,
             height_m,
             difference,
-        } => Left::Twists {
+        } => ModeLeftOut::Twists {
             frequency: hertz(*frequency_hz),
             height: Quantity::new(*height_m, Unit::si("m"), Digits::Fixed(2)),
             difference: percent(*difference),
         },
-        LeftOut::Doubtful { frequency_hz, above } => Left::Doubtful {
+        LeftOut::Doubtful { frequency_hz, above } => ModeLeftOut::Doubtful {
             frequency: hertz(*frequency_hz),
             above: *above,
         },

@@ -63,7 +63,7 @@ pub(crate) const TEMPLATES: [&[Template]; 16] = [
     joint_modes::Modes::TEMPLATES,
     joint_tables::Tables::TEMPLATES,
     notes::Notes::TEMPLATES,
-    left_out::Left::TEMPLATES,
+    left_out::ModeLeftOut::TEMPLATES,
     Written::TEMPLATES,
 ];
 

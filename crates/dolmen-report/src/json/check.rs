@@ -6,7 +6,7 @@ use super::judgement::judgement;
 use super::loads::loads;
 use super::stack::stack;
 use dolmen::assess::FrameCheck;
-use dolmen_project::Project;
+use dolmen_project::{Project, WhyNotIdentified};
 use dolmen_words::Language;
 use dolmen_work::answer::CheckAnswer;
 use dolmen_work::frame::{Springs, StoreyColumns};
@@ -31,6 +31,9 @@ pub fn check_json(answer: &CheckAnswer) -> Value {
             SensitivityOf::FirstMotion => "first_motion_m_s2",
         },
         "sensitivities": answer.sensitivities,
+        "unreadable_motions": answer.unreadable_motions.iter().map(|of| json!({
+            "motion": of.motion, "why": of.why.text(Language::English),
+        })).collect::<Vec<_>>(),
     })
 }
 
@@ -51,8 +54,28 @@ pub(super) fn project(project: &Project, file: &str) -> Value {
         "source": project.source,
         "gravity_m_s2": project.gravity_m_s2,
         "inputs": inputs.collect::<Vec<_>>(),
+        "from_surveys": project.from_surveys.as_ref().map(|told| json!({
+            "solution": told.number,
+            "solutions": told.of,
+            "parts": told.parts.iter().map(|part| json!({
+                "path": part.path, "survey": part.survey, "unknown": part.unknown.map(why_word),
+            })).collect::<Vec<_>>(),
+        })),
         "warnings": warnings.map(|w| json!({ "line": w.line, "path": w.path, "message": w.message.text(Language::English) })).collect::<Vec<_>>(),
     })
+}
+
+fn why_word(why: WhyNotIdentified) -> &'static str {
+    match why {
+        WhyNotIdentified::NoSurvey => "no_survey",
+        WhyNotIdentified::NoModes => "no_modes",
+        WhyNotIdentified::Bounded => "bounded",
+        WhyNotIdentified::Underdetermined => "underdetermined",
+        WhyNotIdentified::Meet => "meet",
+        WhyNotIdentified::Impossible => "impossible",
+        WhyNotIdentified::Doubted => "doubted",
+        WhyNotIdentified::TooMany { .. } => "too_many",
+    }
 }
 
 fn state(state: &State) -> Value {

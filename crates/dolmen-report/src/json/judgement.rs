@@ -52,6 +52,7 @@ fn version(version: &VersionJudgement) -> Value {
         "tilt_left_out": version.tilt_left_out.as_ref().map(|of| json!({ "survey": of.survey, "tilt": of.written })),
         "tilt_beyond_limit": version.tilt_beyond_limit,
         "leans": version.leans.as_ref().map(|of| json!({ "survey": of.survey, "tilt": of.tilt })),
+        "solution": version.solution.map(|of| json!({ "number": of.number, "of": of.of })),
         "after": version.after.as_ref().map(|of| json!({ "first": of.first, "second": of.second })),
         "assumed_inputs": version.inputs.assumed,
         "inputs": version.inputs.all,

@@ -13,8 +13,78 @@ pub fn watch_json(answer: &WatchAnswer) -> Value {
     let watched = &answer.watched;
     let name = |survey: usize| answer.surveys.get(survey).map(|survey| survey.name.clone());
     let frequency = |mode: usize| watched.modes.get(mode).map(|mode| mode.track.frequency_hz);
+    let lost = watched.lost.iter().map(|lost| {
+        json!({
+            "mode": lost.mode + 1,
+            "frequency_hz": frequency(lost.mode),
+            "since": name(lost.since),
+            "surveys_missing": lost.missed,
+            "found_before": lost.found,
+            "surveys_before": lost.of,
+            "p_value": lost.chance,
+            "began_hz": lost.began_hz,
+        })
+    });
+    json!({
+        "modes_lost": lost.collect::<Vec<_>>(),
+        "is_mode_lost": watched.is_mode_lost(),
+        "project": project(&answer.project, &answer.file),
+        "surveys": answer.surveys.iter().map(|survey| json!({
+            "name": survey.name,
+            "temperature_c": survey.temperature_c,
+        })).collect::<Vec<_>>(),
+        "left_out": answer.left_out,
+        "sensors_left_out": answer.sensors_left_out.iter().map(|(survey, channels)| json!({ "survey": survey, "channels": channels })).collect::<Vec<_>>(),
+        "without_modes": answer.without_modes.iter().map(|(survey, why)| json!({ "survey": survey, "why": why.english })).collect::<Vec<_>>(),
+        "several_of_one_day": answer.several.iter().map(|(day, surveys)| json!({ "day": day, "surveys": surveys })).collect::<Vec<_>>(),
+        "works": answer.works.iter().map(|(_, work)| json!({
+            "date": work.date,
+            "what": work.what,
+            "kind": work.kind.word(),
+        })).collect::<Vec<_>>(),
+        "last_far_off": answer.last_far_off(),
+        "earthquakes": answer.earthquakes.iter().map(|of| json!({
+            "survey": of.survey,
+            "peak_acceleration_m_s2": of.part.peak_m_s2,
+            "peak_at_least": of.part.is_at_least,
+            "change_ratio": of.part.changed,
+            "sd": of.part.changed_sd,
+            "answered": of.is_answered,
+        })).collect::<Vec<_>>(),
+        "open_alarms": answer.open_alarms(),
+        "open_sensor_alarms": answer.open_sensor_alarms(),
+        "significance": watched.significance,
+        "interval_days": watched.interval_days,
+        "average_limit": watched.average_limit,
+        "false_alarm_probability": watched.false_alarm_probability,
+        "changes": changes(answer),
+        "alarms": alarms(answer),
+        "modes": watched.modes.iter().map(|each| mode(each, answer)).collect::<Vec<_>>(),
+        "leans": answer.leans().iter().map(|lean| json!({
+            "datum": lean.datum, "directions": lean.directions, "now": lean.size, "limit": lean.limit, "is_beyond": lean.is_beyond(),
+        })).collect::<Vec<_>>(),
+        "temperatures_of_log": answer.temperatures_of_log,
+        "logs": answer.logs.iter().map(|found| log(found, answer)).collect::<Vec<_>>(),
+        "tilts": watched.tilts.iter().map(|trend| tilt(trend, answer)).collect::<Vec<_>>(),
+        "sensors": watched.tracked.sensors.iter().map(|change| json!({
+            "date": name(change.survey),
+            "channel": change.channel,
+            "assurance": change.assurance,
+        })).collect::<Vec<_>>(),
+        "jumped": watched.tracked.jumped.iter().map(|jumped| json!({
+            "from_hz": jumped.from_hz,
+            "to_hz": jumped.to_hz,
+            "date": name(jumped.at),
+            "assurance": jumped.assurance,
+        })).collect::<Vec<_>>(),
+    })
+}
+
+/// Every change of every mode.
+fn changes(answer: &WatchAnswer) -> Vec<Value> {
+    let name = |survey: usize| answer.surveys.get(survey).map(|survey| survey.name.clone());
     let mut changes = Vec::new();
-    for (number, mode) in watched.modes.iter().enumerate() {
+    for (number, mode) in answer.watched.modes.iter().enumerate() {
         for change in &mode.changes {
             changes.push(json!({
                 "mode": number + 1,
@@ -31,6 +101,14 @@ pub fn watch_json(answer: &WatchAnswer) -> Value {
             }));
         }
     }
+    changes
+}
+
+/// Alarms of the modes, alone and together, by survey, and after them those of sensors.
+fn alarms(answer: &WatchAnswer) -> Vec<Value> {
+    let watched = &answer.watched;
+    let name = |survey: usize| answer.surveys.get(survey).map(|survey| survey.name.clone());
+    let frequency = |mode: usize| watched.modes.get(mode).map(|mode| mode.track.frequency_hz);
     let mut alarms: Vec<(usize, Value)> = watched
         .alarms
         .iter()
@@ -84,76 +162,11 @@ pub fn watch_json(answer: &WatchAnswer) -> Value {
             "records": alarm.records,
         })
     });
-    let alarms: Vec<Value> = alarms
+    alarms
         .into_iter()
         .map(|(_, alarm)| alarm)
         .chain(sensors)
-        .collect();
-    let lost = watched.lost.iter().map(|lost| {
-        json!({
-            "mode": lost.mode + 1,
-            "frequency_hz": frequency(lost.mode),
-            "since": name(lost.since),
-            "surveys_missing": lost.missed,
-            "found_before": lost.found,
-            "surveys_before": lost.of,
-            "p_value": lost.chance,
-            "began_hz": lost.began_hz,
-        })
-    });
-    json!({
-        "modes_lost": lost.collect::<Vec<_>>(),
-        "is_mode_lost": watched.is_mode_lost(),
-        "project": project(&answer.project, &answer.file),
-        "surveys": answer.surveys.iter().map(|survey| json!({
-            "name": survey.name,
-            "temperature_c": survey.temperature_c,
-        })).collect::<Vec<_>>(),
-        "left_out": answer.left_out,
-        "sensors_left_out": answer.sensors_left_out.iter().map(|(survey, channels)| json!({ "survey": survey, "channels": channels })).collect::<Vec<_>>(),
-        "without_modes": answer.without_modes.iter().map(|(survey, why)| json!({ "survey": survey, "why": why.english })).collect::<Vec<_>>(),
-        "several_of_one_day": answer.several.iter().map(|(day, surveys)| json!({ "day": day, "surveys": surveys })).collect::<Vec<_>>(),
-        "works": answer.works.iter().map(|(_, work)| json!({
-            "date": work.date,
-            "what": work.what,
-            "kind": work.kind.word(),
-        })).collect::<Vec<_>>(),
-        "last_far_off": answer.last_far_off(),
-        "earthquakes": answer.earthquakes.iter().map(|of| json!({
-            "survey": of.survey,
-            "peak_acceleration_m_s2": of.part.peak_m_s2,
-            "peak_at_least": of.part.is_at_least,
-            "change_ratio": of.part.changed,
-            "sd": of.part.changed_sd,
-            "answered": of.is_answered,
-        })).collect::<Vec<_>>(),
-        "open_alarms": answer.open_alarms(),
-        "open_sensor_alarms": answer.open_sensor_alarms(),
-        "significance": watched.significance,
-        "interval_days": watched.interval_days,
-        "average_limit": watched.average_limit,
-        "false_alarm_probability": watched.false_alarm_probability,
-        "changes": changes,
-        "alarms": alarms,
-        "modes": watched.modes.iter().map(|each| mode(each, answer)).collect::<Vec<_>>(),
-        "leans": answer.leans().iter().map(|lean| json!({
-            "datum": lean.datum, "directions": lean.directions, "now": lean.size, "limit": lean.limit, "is_beyond": lean.is_beyond(),
-        })).collect::<Vec<_>>(),
-        "temperatures_of_log": answer.temperatures_of_log,
-        "logs": answer.logs.iter().map(|found| log(found, answer)).collect::<Vec<_>>(),
-        "tilts": watched.tilts.iter().map(|trend| tilt(trend, answer)).collect::<Vec<_>>(),
-        "sensors": watched.tracked.sensors.iter().map(|change| json!({
-            "date": name(change.survey),
-            "channel": change.channel,
-            "assurance": change.assurance,
-        })).collect::<Vec<_>>(),
-        "jumped": watched.tracked.jumped.iter().map(|jumped| json!({
-            "from_hz": jumped.from_hz,
-            "to_hz": jumped.to_hz,
-            "date": name(jumped.at),
-            "assurance": jumped.assurance,
-        })).collect::<Vec<_>>(),
-    })
+        .collect()
 }
 
 fn mode(mode: &WatchedMode, answer: &WatchAnswer) -> Value {

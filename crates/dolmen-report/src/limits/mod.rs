@@ -8,6 +8,7 @@ mod words;
 pub(crate) use findings::findings;
 pub(crate) use json::parts_json;
 pub(crate) use table::section;
+pub(crate) use words::part_words;
 
 use dolmen_words::Template;
 

@@ -16,7 +16,7 @@ messages! {
 }
 
 /// The part alone.
-pub(super) fn part_words(part: &Part) -> Sentence {
+pub(crate) fn part_words(part: &Part) -> Sentence {
     match part {
         Part::Storey(name) => Parts::Storey { name: name.clone() }.into(),
         Part::BelowFloor(name) => Parts::BelowFloor {

@@ -121,7 +121,7 @@ pub(crate) fn findings(of: &SupportsSimulation) -> Vec<Finding> {
         ending: both.unwrap_or_else(|| InTime::NoRun.into()),
     };
     let mut all = vec![Finding::key(tone(of), said)];
-    let (factor, length) = told(of, of.followed.last.factor);
+    let (factor, length) = factor_and_length(of, of.followed.last.factor);
     let limit = match of.followed_falls() {
         true => InTime::Limit { factor, length },
         false => InTime::LimitStands { factor, length },
@@ -181,7 +181,7 @@ fn tone(of: &SupportsSimulation) -> Tone {
 /// How a run ended, in a sentence that begins with a small letter.
 fn ending(of: &SupportsSimulation, run: &SupportsRun) -> Sentence {
     let history = &run.moved.history;
-    let (factor, length) = told(of, run.falls_at().unwrap_or_else(|| run.moved.reached()));
+    let (factor, length) = factor_and_length(of, run.falls_at().unwrap_or_else(|| run.moved.reached()));
     let at = seconds(history.time_s.last().copied().unwrap_or_default());
     let name = |block: usize| {
         let block = of.stack.blocks().get(block);
@@ -212,7 +212,7 @@ fn ending(of: &SupportsSimulation, run: &SupportsRun) -> Sentence {
 }
 
 /// A factor on the movement, and the way of the support that moves farthest.
-fn told(of: &SupportsSimulation, factor: f64) -> (Quantity, Quantity) {
+fn factor_and_length(of: &SupportsSimulation, factor: f64) -> (Quantity, Quantity) {
     (Quantity::ratio(factor, 4), millimetres(of.length_m(factor)))
 }
 

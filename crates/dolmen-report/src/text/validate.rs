@@ -1,6 +1,6 @@
 //! `dolmen validate` as text: the lines that VALIDATION.md holds.
 
-use dolmen::validation::Case;
+use dolmen::comparisons::Case;
 use std::fmt::Write as _;
 
 /// Significant digits of a number in the table.

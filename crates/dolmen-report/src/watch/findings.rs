@@ -329,7 +329,7 @@ fn changes(answer: &WatchAnswer) -> Vec<Finding> {
     strongest.sort_by(|a, b| (b.1.ratio / b.1.sd).abs().total_cmp(&(a.1.ratio / a.1.sd).abs()));
     let mut all = off;
     let first = strongest.iter().take(TOLD_MOST);
-    all.extend(first.map(|(mode, change)| Finding::key(Tone::Warn, told(answer, mode, change))));
+    all.extend(first.map(|(mode, change)| Finding::key(Tone::Warn, finding_of_change(answer, mode, change))));
     if listed.len() > TOLD_MOST {
         let count = listed.len() - TOLD_MOST;
         all.push(Finding::key(Tone::Warn, Found::Further { count }));
@@ -344,7 +344,7 @@ fn changes(answer: &WatchAnswer) -> Vec<Finding> {
     all
 }
 
-fn told(answer: &WatchAnswer, mode: &WatchedMode, change: &WatchedChange) -> Found {
+fn finding_of_change(answer: &WatchAnswer, mode: &WatchedMode, change: &WatchedChange) -> Found {
     let frequency = hertz(mode.track.frequency_hz);
     let (by, half) = (bare_percent(change.ratio, 2), percent(HALF_95 * change.sd, 2));
     match change.form {

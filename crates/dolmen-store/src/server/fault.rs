@@ -15,7 +15,7 @@ pub(crate) enum While {
 }
 
 /// What happened, as a user can be told; `server` is the address without its password.
-pub(crate) fn told(server: &str, fault: &Error, when: While) -> StoreError {
+pub(crate) fn server_fault(server: &str, fault: &Error, when: While) -> StoreError {
     let server = server.to_owned();
     let why = || {
         shown(

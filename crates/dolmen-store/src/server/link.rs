@@ -3,7 +3,7 @@
 use super::address::{Address, Host};
 use super::columns::{own_row, parameters};
 use super::dialect::SCHEMA;
-use super::fault::{While, is_starting, told};
+use super::fault::{While, is_starting, server_fault};
 use crate::database::{Access, Value};
 use crate::error::StoreError;
 use dolmen_work::kept::StoreFault;
@@ -94,19 +94,19 @@ impl Link {
             match config.connect(NoTls) {
                 Ok(client) => break client,
                 Err(fault) if is_starting(&fault) && Instant::now() < until => std::thread::sleep(AGAIN),
-                Err(fault) => return Err(told(&self.shown(), &fault, While::Connecting)),
+                Err(fault) => return Err(server_fault(&self.shown(), &fault, While::Connecting)),
             }
         };
-        let told = |fault| told(&self.shown(), &fault, While::Working);
+        let fault_of = |fault| server_fault(&self.shown(), &fault, While::Working);
         let row = client
             .query_one("select current_setting('server_encoding')", &[])
-            .map_err(told)?;
-        let encoding: String = row.try_get(0).map_err(told)?;
+            .map_err(fault_of)?;
+        let encoding: String = row.try_get(0).map_err(fault_of)?;
         if encoding != ENCODING {
             let shown = self.shown();
             return Err(StoreFault::ServerEncoding { shown, encoding }.into());
         }
-        client.batch_execute(&self.settings()).map_err(told)?;
+        client.batch_execute(&self.settings()).map_err(fault_of)?;
         Ok(client)
     }
 
@@ -147,11 +147,11 @@ impl Link {
 
     /// The fault for an error; drops a connection that is lost.
     fn lost(&mut self, fault: &postgres::Error) -> StoreError {
-        let told = told(&self.shown(), fault, While::Working);
-        if matches!(told, StoreError::Fault(StoreFault::ServerGone { .. })) {
+        let seen = server_fault(&self.shown(), fault, While::Working);
+        if matches!(seen, StoreError::Fault(StoreFault::ServerGone { .. })) {
             self.client = None;
         }
-        told
+        seen
     }
 
     fn prepared(&mut self, sql: &str) -> Result<Statement, StoreError> {
@@ -229,9 +229,9 @@ impl Link {
         let values = values.iter().map(|value| value.as_ref() as &(dyn ToSql + Sync));
         let shown = self.shown();
         let given: Result<(), StoreError> = (|| {
-            let told = |fault| told(&shown, &fault, While::Working);
-            let mut rows = self.held()?.query_raw(&statement, values).map_err(told)?;
-            while let Some(row) = rows.next().map_err(told)? {
+            let fault_of = |fault| server_fault(&shown, &fault, While::Working);
+            let mut rows = self.held()?.query_raw(&statement, values).map_err(fault_of)?;
+            while let Some(row) = rows.next().map_err(fault_of)? {
                 each(&row)?;
             }
             Ok(())

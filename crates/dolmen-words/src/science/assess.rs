@@ -4,8 +4,8 @@ use super::fragility::no_fragility;
 use super::phrase::phrase;
 use crate::errors::korean_of;
 use dolmen::assess::AssessError;
+use dolmen::comparisons::ValidationError;
 use dolmen::monitoring::MonitoringError;
-use dolmen::validation::ValidationError;
 
 korean_of! {
     AssessError {

@@ -4,6 +4,7 @@ use crate::message::Argument;
 use crate::sayable;
 use dolmen::assess::AssessError;
 use dolmen::blocks::BlocksError;
+use dolmen::comparisons::ValidationError;
 use dolmen::damper::DamperError;
 use dolmen::dynamics::DynamicsError;
 use dolmen::modal::ModalError;
@@ -15,7 +16,6 @@ use dolmen::structure::StructureError;
 use dolmen::structure::building::{BuildingError, PlanStiffnessError};
 use dolmen::structure::stack::StackError;
 use dolmen::structure::wind::WindError;
-use dolmen::validation::ValidationError;
 use dolmen_linalg::LinalgError;
 use std::error::Error;
 

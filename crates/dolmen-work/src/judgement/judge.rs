@@ -5,15 +5,15 @@ use super::earthquake::{EarthquakeFinding, of_row};
 use super::evidence::{Evidence, RecordFrequency};
 use super::exit::{Verb, exit_status};
 use super::runs::{of_simulation, of_stack};
-use super::tilt_limit::{is_beyond_drift, tilt_beyond_limit};
+use super::tilt_limit::is_tilt_beyond;
 use super::version::{AfterMotion, VersionJudgement, leaning, version};
 use super::weight::Weight;
 use super::wind::of_wind_histories;
 use crate::answer::{Answer, CheckAnswer};
 use crate::building::{TogetherAnswer, TogetherChoice, TuneAnswer};
 use crate::frame::FrameBeside;
-use crate::identify::lowest_of_records;
 use crate::inventory::InventoryLine;
+use crate::lowest_of_records::lowest_of_records;
 use crate::simulation::{SimulateAnswer, Simulation};
 use crate::stack::StackSimulation;
 use dolmen::damper::Choice;
@@ -95,6 +95,7 @@ impl Judgement {
             }
             version.leans = leaning(run).or(version.leans.take());
             version.after = after_motion(of);
+            version.tilt_beyond_limit |= is_as_it_is && of.tilt_beyond_limit;
             let is_contradicted = evidence.is_contradicted() && is_as_it_is;
             if let Simulation::Wind(run) = run {
                 version.wind = of_wind_histories(run, is_contradicted);
@@ -184,7 +185,8 @@ pub fn judge(answers: &[Answer]) -> Judgement {
         match answer {
             Answer::Simulate(simulated) => judgement.add_runs(simulated),
             Answer::Tune(tuned) => {
-                for of in &tuned.tunings {
+                // one of several dampers by itself is not the structure of the file
+                for of in tuned.tunings.iter().filter(|of| of.others == 0) {
                     judgement.add(of.variant.as_deref(), of_tuned(of));
                 }
                 for of in &tuned.together {
@@ -223,8 +225,7 @@ fn of_check(checked: &CheckAnswer, found: &[RecordFrequency]) -> Vec<VersionJudg
         // a survey belongs to the structure as it is
         let evidence = Evidence::with_records(&checked.project, &state.check, found);
         let mut version = version((None, &*checked.project), state, evidence);
-        version.tilt_beyond_limit =
-            tilt_beyond_limit(&checked.project).is_some() || is_beyond_drift(&checked.project);
+        version.tilt_beyond_limit = is_tilt_beyond(&checked.project);
         version
     });
     let own = |name: &str| checked.project.variants.iter().find(|own| own.name == name);

@@ -21,8 +21,9 @@ pub use evidence::{
 pub use exit::{Verb, exit_status, first_status};
 pub use judge::{Judgement, judge, judge_check, judge_run, judge_simulation, judge_stack_run};
 pub(crate) use runs::is_worse_stack_run;
+pub(crate) use tilt_limit::is_tilt_beyond;
 pub use tilt_limit::{TiltAgainstLimit, last_tilt, tilt_against_limit, tilt_beyond_limit};
 pub(crate) use version::governing;
-pub use version::{AfterMotion, AssumedInputs, Leaning, VersionJudgement};
+pub use version::{AfterMotion, AssumedInputs, Leaning, Solution, VersionJudgement};
 pub use weight::Weight;
 pub use wind::{MovedBy, WindFinding, WindLimit, WindWord};

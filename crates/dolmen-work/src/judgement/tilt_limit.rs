@@ -36,8 +36,13 @@ pub fn tilt_beyond_limit(project: &Project) -> Option<TiltAgainstLimit> {
     tilt_against_limit(project).filter(TiltAgainstLimit::is_beyond)
 }
 
+/// Whether the measured tilt is beyond the limit of the file, or beyond the drift that an earthquake may give a frame.
+pub(crate) fn is_tilt_beyond(project: &Project) -> bool {
+    tilt_beyond_limit(project).is_some() || is_beyond_drift(project)
+}
+
 /// Whether a frame leans as far, before any earthquake, as its storeys may drift in one.
-pub(super) fn is_beyond_drift(project: &Project) -> bool {
+fn is_beyond_drift(project: &Project) -> bool {
     let is_frame = matches!(project.structure, Structure::Frame(_));
     let limit = project.drift_limit.as_ref().filter(|_| is_frame);
     let tilt = last_tilt(project).map(|(_, tilt)| tilt);

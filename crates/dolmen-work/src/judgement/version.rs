@@ -9,7 +9,7 @@ use crate::loads::Governing;
 use crate::simulation::Simulation;
 use crate::state::{Check, State};
 use crate::tilt_left_out::TiltLeftOut;
-use dolmen_project::{FrameLean, Project, Structure, SurveyedLean};
+use dolmen_project::{ChainLean, FrameLean, Project, Structure, SurveyedLean};
 use dolmen_words::Language;
 use dolmen_words::message::Both;
 
@@ -42,8 +42,30 @@ pub struct VersionJudgement {
     pub leans: Option<Leaning>,
     /// The motion that had acted before, where the earthquake is the second of two.
     pub after: Option<AfterMotion>,
+    /// Which of several solutions of the stiffness that the file leaves to its surveys it is; `None` where there is one at most.
+    pub solution: Option<Solution>,
     /// How many inputs nobody has measured.
     pub inputs: AssumedInputs,
+}
+
+/// One of several accepted solutions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Solution {
+    /// Its number, from 1.
+    pub number: usize,
+    /// How many there are.
+    pub of: usize,
+}
+
+impl Solution {
+    /// That of a project, of several.
+    fn of(project: &Project) -> Option<Self> {
+        let told = project.from_surveys.as_ref().filter(|told| told.of > 1)?;
+        Some(Solution {
+            number: told.number,
+            of: told.of,
+        })
+    }
 }
 
 /// Two motions of which the second was judged, on what the first left.
@@ -103,6 +125,7 @@ impl VersionJudgement {
             tilt_beyond_limit: false,
             leans: None,
             after: None,
+            solution: None,
             inputs: AssumedInputs::default(),
         }
     }
@@ -228,14 +251,21 @@ pub(super) fn version(
             Structure::Frame(part) => part.lean.as_ref().map(of_frame_lean),
             _ => None,
         },
-        // what a chain is checked for, it is checked for upright
-        Check::Chain(_) | Check::Building(_) => None,
+        // its beds are held against its tilt, where their widths are known
+        Check::Chain(_) => match &project.structure {
+            Structure::Chain(part) if state.tilts.iter().any(|tilt| tilt.uplift_tilt.is_some()) => {
+                part.lean.as_ref().map(of_chain_lean)
+            }
+            _ => None,
+        },
+        Check::Building(_) => None,
     };
     version.tilt_left_out = TiltLeftOut::of_model(project);
     if matches!(&state.check, Check::Stack(answer) if !answer.stack.support_movements().is_empty()) {
         let of_before = version.earthquake.into_iter();
         version.earthquake = of_before.map(EarthquakeFinding::before_supports_moved).collect();
     }
+    version.solution = Solution::of(project);
     version.inputs = AssumedInputs::of(project);
     version
 }
@@ -252,13 +282,17 @@ pub(crate) fn governing(state: &State, weight: Weight) -> Option<Governing> {
 pub(super) fn leaning(run: &Simulation) -> Option<Leaning> {
     match run {
         Simulation::Stack(runs) => runs.deciding.lean.as_ref().map(of_stack_lean),
-        Simulation::Chain(run) => run.lean.as_ref().map(|lean| Leaning {
-            survey: lean.survey.clone(),
-            tilt: lean.written.clone(),
-        }),
+        Simulation::Chain(run) => run.lean.as_ref().map(of_chain_lean),
         Simulation::Supports(run) => run.lean.as_ref().map(of_stack_lean),
         Simulation::Frame(run) => run.lean.as_ref().map(of_frame_lean),
         Simulation::Building(_) | Simulation::Wind(_) => None,
+    }
+}
+
+fn of_chain_lean(lean: &ChainLean) -> Leaning {
+    Leaning {
+        survey: lean.survey.clone(),
+        tilt: lean.written.clone(),
     }
 }
 

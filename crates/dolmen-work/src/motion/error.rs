@@ -68,6 +68,25 @@ pub enum MotionRequestError {
         /// The largest allowed, g.
         most_g: f64,
     },
+    /// A factor that is typed for all components is not above 0.
+    ScaleTyped {
+        /// It.
+        given: f64,
+    },
+    /// A peak that is typed is not above 0.
+    PeakTyped {
+        /// It.
+        given: String,
+    },
+    /// A pulse is too short or too long for its time step.
+    PeriodTyped {
+        /// Its period, s.
+        given_s: f64,
+        /// The shortest, s.
+        least_s: f64,
+        /// The longest, s.
+        most_s: f64,
+    },
     /// Two files are of one component.
     ComponentTwice {
         /// The component.

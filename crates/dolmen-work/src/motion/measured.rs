@@ -8,7 +8,7 @@ use super::request::MotionRequest;
 use crate::error::{Within as _, WorkError};
 use dolmen::signal::{
     Component, GroundMotion, Noise, PulseShape, SpectralOrdinate, SpectrumMatch, SpectrumMisfit,
-    intensity_measures, match_spectrum, noise_motion, pulse, response_spectrum,
+    intensity_measures, match_spectrum, noise_motion, pulse, pulse_periods_s, response_spectrum,
 };
 use dolmen_records::motions::read_channels;
 
@@ -210,6 +210,16 @@ fn made(wanted: &MadeMotion, request: &MotionRequest) -> Result<GroundMotion, Wo
             return Ok(noise_motion(&noise, wanted.seed)?);
         }
     };
+    let [least_s, most_s] = pulse_periods_s(time_step_s);
+    let given_s = wanted.period_s;
+    if !(least_s..=most_s).contains(&given_s) {
+        let wrong = MotionRequestError::PeriodTyped {
+            given_s,
+            least_s,
+            most_s,
+        };
+        return Err(wrong.into());
+    }
     Ok(pulse(form, wanted.period_s, peak_acceleration_m_s2, time_step_s)?)
 }
 

@@ -152,13 +152,7 @@ fn wanted(options: &MotionRequest, project: Option<Of<'_>>) -> Result<Wanted, Wo
         }
         (None, _) => From::Files(typed_columns(given_files(&options.files)?, &options.columns)?),
     };
-    let typed_size = match (options.scale, &options.peak) {
-        (Some(factor), _) => Some(MotionSize::Scale(factor)),
-        (None, Some(peak)) => Some(MotionSize::Peak(
-            acceleration_m_s2(peak).within(|| "--peak".to_owned())?,
-        )),
-        (None, None) => None,
-    };
+    let typed_size = typed_size(options)?;
     let of = |read: fn(&MotionPart) -> Option<f64>| part.and_then(read);
     Ok(Wanted {
         from,
@@ -199,6 +193,22 @@ fn wanted(options: &MotionRequest, project: Option<Of<'_>>) -> Result<Wanted, Wo
         high_pass_hz: options.high_pass_hz,
         part: part.map(|part| format!("motion.{}", part.name)),
     })
+}
+
+/// The size that is typed; unlike that of a project file it may not turn a record about, which looks like a slip of the keys.
+fn typed_size(options: &MotionRequest) -> Result<Option<MotionSize>, WorkError> {
+    match (options.scale, &options.peak) {
+        (Some(given), _) if given > 0.0 => Ok(Some(MotionSize::Scale(given))),
+        (Some(given), _) => Err(MotionRequestError::ScaleTyped { given }.into()),
+        (None, Some(peak)) => match acceleration_m_s2(peak).within(|| "--peak".to_owned())? {
+            peak_m_s2 if peak_m_s2 > 0.0 => Ok(Some(MotionSize::Peak(peak_m_s2))),
+            _ => {
+                let given = peak.clone();
+                Err(MotionRequestError::PeakTyped { given }.into())
+            }
+        },
+        (None, None) => Ok(None),
+    }
 }
 
 /// The motions there are: those of the project file, then those carried along.

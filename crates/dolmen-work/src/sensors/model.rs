@@ -2,7 +2,7 @@
 
 use super::answer::{PlannedMode, SensorsOf};
 use super::error::SensorsError;
-use super::sites::{Axis, Side, Site, Spot, free_sides, sites};
+use super::sites::{Axis, CandidatePlace, Side, Site, free_sides, sites};
 use crate::error::WorkError;
 use dolmen::blocks::{ContactRule, lowest_stack_modes};
 use dolmen::stability::chain_limits;
@@ -21,14 +21,14 @@ pub(super) struct Model {
 }
 
 pub(super) fn model(project: &Project, wanted: usize, axes: usize) -> Result<Model, WorkError> {
-    let (modes, spots, of) = match &project.structure {
+    let (modes, candidates, of) = match &project.structure {
         Structure::Survey => return Err(SensorsError::NoModel.into()),
         Structure::Chain(part) => chain(part, &project.loads, wanted)?,
         Structure::Frame(part) => frame(part, wanted)?,
         Structure::Stack(part) => stack(part, wanted)?,
         Structure::Building(part) => building(part, wanted)?,
     };
-    let (sites, rows) = sites(spots, axes);
+    let (sites, rows) = sites(candidates, axes);
     Ok(Model {
         modes,
         sites,
@@ -37,7 +37,7 @@ pub(super) fn model(project: &Project, wanted: usize, axes: usize) -> Result<Mod
     })
 }
 
-type Planned = (Vec<PlannedMode>, Vec<Spot>, SensorsOf);
+type Planned = (Vec<PlannedMode>, Vec<CandidatePlace>, SensorsOf);
 
 fn planned(frequency_hz: Option<f64>, direction: Option<String>, along: Option<[f64; 3]>) -> PlannedMode {
     PlannedMode {
@@ -69,9 +69,9 @@ fn chain(part: &ChainPart, loads: &LoadsPart, wanted: usize) -> Result<Planned, 
     let all: Vec<NaturalMode> = standing(chain.natural_modes(&stiffness)?)?;
     let modes: Vec<&NaturalMode> = all.iter().take(wanted).collect();
     let mut height = 0.0;
-    let spots = part.links.iter().enumerate().map(|(at, link)| {
+    let candidates = part.links.iter().enumerate().map(|(at, link)| {
         height += link.length.value;
-        Spot {
+        CandidatePlace {
             part: part_name(link.name.as_ref(), at),
             side: Side::Top,
             position_m: [0.0, 0.0, height],
@@ -81,13 +81,13 @@ fn chain(part: &ChainPart, loads: &LoadsPart, wanted: usize) -> Result<Planned, 
             )],
         }
     });
-    let spots: Vec<Spot> = spots.collect();
+    let candidates: Vec<CandidatePlace> = candidates.collect();
     let known = |mode: &&NaturalMode| (of == SensorsOf::Given).then_some(mode.frequency_hz);
     let modes = modes
         .iter()
         .map(|mode| planned(known(mode), None, None))
         .collect();
-    Ok((modes, spots, of))
+    Ok((modes, candidates, of))
 }
 
 /// The levels, along each direction.
@@ -118,7 +118,7 @@ fn frame(part: &FramePart, wanted: usize) -> Result<Planned, WorkError> {
     }
     all.truncate(wanted);
     let mut height = 0.0;
-    let spots = part.storeys.iter().enumerate().map(|(at, storey)| {
+    let candidates = part.storeys.iter().enumerate().map(|(at, storey)| {
         height += storey.height.value;
         let along = |number: usize| {
             all.iter()
@@ -126,19 +126,19 @@ fn frame(part: &FramePart, wanted: usize) -> Result<Planned, WorkError> {
         };
         let channel = |(number, name): (usize, String)| (Axis::Named(name), along(number).collect());
         let names = part.directions.iter().map(|direction| direction.name.clone());
-        Spot {
+        CandidatePlace {
             part: part_name(storey.name.as_ref(), at),
             side: Side::Top,
             position_m: [0.0, 0.0, height],
             channels: names.enumerate().map(channel).collect(),
         }
     });
-    let spots: Vec<Spot> = spots.collect();
+    let candidates: Vec<CandidatePlace> = candidates.collect();
     let modes = all.iter().map(|(number, _, mode, is_known)| {
         let direction = part.directions[*number].name.clone();
         planned(is_known.then_some(mode.frequency_hz), Some(direction), None)
     });
-    Ok((modes.collect(), spots, of))
+    Ok((modes.collect(), candidates, of))
 }
 
 /// Stiffness of storeys that are not known, over the largest that the weight takes: far enough above it that the shape does not depend on it.
@@ -149,7 +149,7 @@ fn stack(part: &StackPart, wanted: usize) -> Result<Planned, WorkError> {
     let stack = part.build(&mut Quantity::nominal)?;
     let mut all = lowest_stack_modes(&stack, ContactRule::Four, wanted)?;
     all.truncate(wanted);
-    let spots = free_sides(&stack).into_iter().map(|(number, side, position_m)| {
+    let candidates = free_sides(&stack).into_iter().map(|(number, side, position_m)| {
         let block = &stack.blocks()[number];
         let centre = block.solid.centroid_m();
         let arm: [f64; 3] = std::array::from_fn(|i| position_m[i] - centre[i]);
@@ -162,18 +162,18 @@ fn stack(part: &StackPart, wanted: usize) -> Result<Planned, WorkError> {
                 .map(|mode| moved(&mode.shape[number]))
                 .collect::<Vec<f64>>()
         };
-        Spot {
+        CandidatePlace {
             part: block.name.clone(),
             side,
             position_m,
             channels: vec![(Axis::X, along(0)), (Axis::Y, along(1)), (Axis::Z, along(2))],
         }
     });
-    let spots: Vec<Spot> = spots.collect();
+    let candidates: Vec<CandidatePlace> = candidates.collect();
     let modes = all
         .iter()
         .map(|mode| planned(Some(mode.frequency_hz), None, Some(mode.kinetic_energy_ratio)));
-    Ok((modes.collect(), spots, SensorsOf::Given))
+    Ok((modes.collect(), candidates, SensorsOf::Given))
 }
 
 /// The corners of the floors, or where floors have no outline, their middles and two places a radius of gyration beside them.
@@ -190,7 +190,7 @@ fn building(part: &BuildingPart, wanted: usize) -> Result<Planned, WorkError> {
         .iter()
         .flat_map(|floor| std::iter::repeat_n(floor.height.value, floor.count));
     let mut height = 0.0;
-    let mut spots = Vec::new();
+    let mut candidates = Vec::new();
     for (at, ((floor, name), storey_m)) in floors.iter().zip(part.floor_names()).zip(heights).enumerate() {
         height += storey_m;
         let [x, y] = floor.centre_m;
@@ -213,7 +213,7 @@ fn building(part: &BuildingPart, wanted: usize) -> Result<Planned, WorkError> {
                 let moved = |shape: &[f64]| shape[3 * at + axis] + shape[3 * at + 2] * arm;
                 all.iter().map(|mode| moved(&mode.shape)).collect::<Vec<f64>>()
             };
-            spots.push(Spot {
+            candidates.push(CandidatePlace {
                 part: name.clone(),
                 side,
                 position_m: [place[0], place[1], height],
@@ -225,7 +225,7 @@ fn building(part: &BuildingPart, wanted: usize) -> Result<Planned, WorkError> {
         let [x, y, _] = mode.energy_shares;
         planned(Some(mode.frequency_hz), None, Some([x, y, 0.0]))
     });
-    Ok((modes.collect(), spots, SensorsOf::Given))
+    Ok((modes.collect(), candidates, SensorsOf::Given))
 }
 
 /// The modes, unless the structure falls in one.

@@ -73,7 +73,7 @@ pub struct Site {
 }
 
 /// A place with all axes that it may have, and the displacement along each in each mode.
-pub(super) struct Spot {
+pub(super) struct CandidatePlace {
     pub(super) part: String,
     pub(super) side: Side,
     pub(super) position_m: [f64; 3],
@@ -81,30 +81,35 @@ pub(super) struct Spot {
 }
 
 /// Sensors of so many axes at the spots: of one axis each direction is a site, of two both horizontal ones together.
-pub(super) fn sites(spots: Vec<Spot>, axes: usize) -> (Vec<Site>, Vec<Vec<Vec<f64>>>) {
-    let ground_m = spots
+pub(super) fn sites(candidates: Vec<CandidatePlace>, axes: usize) -> (Vec<Site>, Vec<Vec<Vec<f64>>>) {
+    let ground_m = candidates
         .iter()
-        .map(|spot| spot.position_m[2])
+        .map(|candidate| candidate.position_m[2])
         .fold(f64::INFINITY, f64::min)
         .min(0.0);
     let (mut sites, mut rows) = (Vec::new(), Vec::new());
-    for spot in spots {
+    for candidate in candidates {
         let groups: Vec<Vec<(Axis, Vec<f64>)>> = match axes {
-            1 => spot.channels.into_iter().map(|channel| vec![channel]).collect(),
+            1 => candidate
+                .channels
+                .into_iter()
+                .map(|channel| vec![channel])
+                .collect(),
             2 => vec![
-                spot.channels
+                candidate
+                    .channels
                     .into_iter()
                     .filter(|(axis, _)| *axis != Axis::Z)
                     .collect(),
             ],
-            _ => vec![spot.channels],
+            _ => vec![candidate.channels],
         };
         for group in groups {
             let (axes, channels) = group.into_iter().unzip();
             sites.push(Site {
-                part: spot.part.clone(),
-                side: spot.side,
-                position_m: spot.position_m,
+                part: candidate.part.clone(),
+                side: candidate.side,
+                position_m: candidate.position_m,
                 axes,
                 ground_m,
             });

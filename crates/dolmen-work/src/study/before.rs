@@ -19,7 +19,7 @@ pub(super) enum Before {
     /// It does not act on this case.
     Unshaken(StateBefore),
     /// It left the structure at rest.
-    Left(Box<Left>),
+    Left(Box<RestState>),
     /// The structure fell in it.
     Fell(StateBefore),
     /// Nothing can follow.
@@ -60,14 +60,14 @@ impl Before {
 }
 
 /// A structure at rest after the first motion.
-pub(super) struct Left {
+pub(super) struct RestState {
     first: GroundMotion,
     /// Whether one component alone acts.
     in_plane: bool,
     state: StateBefore,
 }
 
-impl Left {
+impl RestState {
     /// The first motion, the time to rest and another motion as one.
     pub(super) fn then(&self, second: &GroundMotion) -> Result<GroundMotion, WorkError> {
         let both = match self.in_plane {
@@ -120,7 +120,7 @@ pub(super) fn shaken_before(
         let still_s = end_s - whole_s;
         (state.still_s, state.speed_m_s) = (still_s, speed_m_s);
         if speed_m_s <= SPEED_AT_REST_M_S {
-            return Before::Left(Box::new(Left {
+            return Before::Left(Box::new(RestState {
                 first,
                 in_plane,
                 state,

@@ -38,7 +38,16 @@ pub enum StudyError {
     AfterWithoutScan,
     /// A study has too many scans.
     StudyTooLarge {
+        /// How many.
+        scans: usize,
         /// The largest number of scans.
+        most: usize,
+    },
+    /// Maps of harmonic motions have too many points.
+    MapsTooLarge {
+        /// All of them.
+        points: usize,
+        /// The largest number.
         most: usize,
     },
     /// Samples are asked for, but nothing scatters.

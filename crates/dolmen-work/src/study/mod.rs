@@ -36,6 +36,7 @@ mod shaking_measure;
 mod state_before;
 mod sufficiency;
 mod table;
+mod too_large;
 
 pub use crate::fingerprint::fingerprint;
 pub use allowed_drift::AllowedDrift;

@@ -11,6 +11,7 @@ use super::kind::StudyKind;
 use super::motions::{MotionCopy, PreparedMotion, motion_names, prepared};
 use super::run::Run;
 use super::shaking_measure::ShakingScales;
+use super::too_large::refuse_too_large;
 use crate::error::WorkError;
 use crate::fingerprint::fingerprint;
 use crate::frame::together::is_in_plan;
@@ -32,9 +33,6 @@ use dolmen_words::Language;
 use dolmen_words::message::Both;
 use rayon::prelude::*;
 use std::sync::OnceLock;
-
-/// Most scans of a study: more do not fit into memory with their results. Chosen here.
-const SCANS_MOST: usize = 10_000_000;
 
 /// A study ready to run.
 pub struct Plan<'o> {
@@ -85,14 +83,7 @@ impl<'o> Plan<'o> {
         {
             return Err(StudyError::StudyWithoutScan.into());
         }
-        let samples = study.samples.unwrap_or(1);
-        let scans = study
-            .combinations()
-            .saturating_mul(samples)
-            .saturating_mul(motions.len().max(1));
-        if scans.saturating_mul(study.turns_rad.len()) > SCANS_MOST {
-            return Err(StudyError::StudyTooLarge { most: SCANS_MOST }.into());
-        }
+        refuse_too_large(study, motions.len())?;
         let mut plan = Plan {
             opened,
             files,
@@ -457,6 +448,9 @@ impl<'o> Plan<'o> {
             korean: format!("{}행: {}", warning.line, warning.message.text(Language::Korean)),
         });
         let mut notes: Vec<Both> = warnings.chain(self.held.iter().cloned()).collect();
+        if self.study.harmonic.is_some() {
+            notes.push(OfRuns::MapAccuracy.into());
+        }
         if let (StudyKind::Building, Some([x, y])) = (self.kind, self.axis_of_file()) {
             let degrees = y.atan2(x).to_degrees() + 0.0;
             notes.push(Both {

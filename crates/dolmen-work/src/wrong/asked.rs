@@ -50,6 +50,18 @@ sentences! {
             en: "the motion that would act has a peak of {peak_g} g, but must have more than 0 and at most {most_g} g, twice what was ever recorded: correct --scale, --peak, the unit or the factor",
             ko: "작용할 지반운동의 최대값이 {peak_g} g인데 0보다 크고 {most_g} g(지금까지 기록된 최대의 두 배) 이하이어야 한다. --scale, --peak, 단위 또는 factor를 고친다",
         },
+        ScaleTyped { given } => {
+            en: "--scale is {given}, but must be above 0: a record is turned about by --turn 180, or in the project file by a negative scale of its [motion]",
+            ko: "--scale이 {given}인데 0보다 커야 한다. 방향을 뒤집으려면 --turn 180을 쓰거나 프로젝트 파일의 [motion]에 음수 scale을 쓴다",
+        },
+        PeakTyped { given } => {
+            en: "--peak is {given}, but must be above 0, and of a motion that acts at most 10 g: 0.3g",
+            ko: "--peak가 {given}인데 0보다 커야 하고, 구조물에 작용하려면 10 g 이하이어야 한다. 예: 0.3g",
+        },
+        PeriodTyped { given_s, least_s, most_s } => {
+            en: "--period is {given_s} s, but must be {least_s} s to {most_s} s, 8 to 10 million time steps: correct it, or --sample-step",
+            ko: "--period가 {given_s} s인데 {least_s} s~{most_s} s(시간 간격의 8배~1000만 배)이어야 한다. 값을 고치거나 --sample-step을 바꾼다",
+        },
         ComponentTwice { component } as { component: component.to_string() } => {
             en: "--motion-file: the {component} component is given twice; name each as in {component}=FILE",
             ko: "--motion-file: {component} 성분이 두 번 있다. {component}=파일과 같이 각각 지정한다",
@@ -127,9 +139,13 @@ sentences! {
             en: "the study says not how the shaking grows: give scale or peak",
             ko: "study에서 지반운동을 어떻게 키우는지 알 수 없다. scale이나 peak를 쓴다",
         },
-        StudyTooLarge { most } => {
-            en: "the study has more than {most} scans: vary less, or draw fewer samples",
-            ko: "study의 조합이 {most}개를 넘는다. 바꾸는 값을 줄이거나 표본을 줄인다",
+        StudyTooLarge { scans, most } => {
+            en: "the study has {scans} scans, but at most {most} are run: vary less, draw fewer samples, or take fewer motions and directions",
+            ko: "study의 조합이 {scans}개인데 최대 {most}개까지 해석한다. 바꾸는 값, 표본, 지반운동 또는 방향을 줄인다",
+        },
+        MapsTooLarge { points, most } => {
+            en: "the maps have {points} points, but at most {most} are computed: take fewer frequencies, accelerations, samples or variants",
+            ko: "조화 지반운동의 계산점이 {points}개인데 최대 {most}개까지 계산한다. 진동수, 가속도, 표본 또는 대안을 줄인다",
         },
         AfterOfBuilding => {
             en: "after is a motion that leaves a structure in another state, and a building is linear here: once at rest it is as it was before; leave after out",

@@ -158,6 +158,10 @@ messages! {
             en: "what hangs on it as static loads moves with it, with its mass",
             ko: "매달린 정하중은 그 질량과 함께 움직인다",
         },
+        MapAccuracy => {
+            en: "drifts and rotations of the map at points called steady are those of the steady state to 1e-4 of their value where viscous damping is 5 % or more, to 2 % at 2 %, and to 10 % at 1 %; with less, the free vibration from the start is still in them near a natural frequency, and they can be off by a third",
+            ko: "조화 지반운동에서 정상상태로 표시된 계산점의 층간변위와 회전은 점성감쇠가 5 % 이상이면 상대오차 1e-4, 2 %이면 2 %, 1 %이면 10 % 이내이다. 감쇠가 그보다 작으면 고유진동수 부근에서 처음의 자유진동이 남아 3분의 1까지 다를 수 있다",
+        },
         SidePosts { posts: usize } => {
             en: "side supports hold it in the runs: {posts}",
             ko: "해석에 측면 지지를 고려하였다: {posts}개",

@@ -16,6 +16,7 @@ mod turning;
 use dolmen::blocks::{
     AfterFall, ContactRule, Outcome, Springs, StackHistory, Start, simulate_springs, stack_modes,
 };
+use dolmen::comparisons::p10;
 use dolmen::known::overturning::{Equation, Pulse, first_overturning};
 use dolmen::known::rocking::{
     amplitude_rad, frequency_parameter_rad_s, impact_times_s, quarter_period_s, slenderness_rad,
@@ -27,7 +28,6 @@ use dolmen::known::twisting::{
 };
 use dolmen::signal::{Component, GroundMotion};
 use dolmen::structure::stack::{Block, JointMaterial, Placement, Solid, Stack};
-use dolmen::validation::p10;
 
 const GRAVITY_M_S2: f64 = 9.81;
 const STONE_M: [f64; 3] = [0.3, 0.2, 0.1];

@@ -30,9 +30,10 @@ pub use chain::{
     check_chain, check_chain_across,
 };
 pub use change::{
-    ChangeNote, Difference, Evidence, ExchangedDirections, FittedTemperature, ModeChange, NotCompared,
-    SurveyChange, SurveyChangeOptions, Surveyed, SwappedChannels, TEMPERATURE_SURVEYS_LEAST,
-    TemperatureEffect, TemperatureKnowledge, TurnedChannel, survey_change,
+    ChangeNote, Difference, Evidence, ExchangedDirections, FittedTemperature, FrequencyChange, ModeChange,
+    NotCompared, PartFit, SurveyChange, SurveyChangeOptions, Surveyed, SwappedChannels,
+    TEMPERATURE_SURVEYS_LEAST, TemperatureEffect, TemperatureKnowledge, TurnedChannel, WhichPart,
+    survey_change, which_part,
 };
 pub use damage::{DamageState, DamageThresholds, JointDamage, StackDamage, stack_damage};
 pub use error::AssessError;

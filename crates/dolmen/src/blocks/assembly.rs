@@ -363,7 +363,7 @@ impl Assembly {
                 force,
                 torque,
                 friction_loss: rubbed,
-            } = patch.press(&motion, &twist, h);
+            } = patch.wrench(&motion, &twist, h);
             friction_loss += rubbed;
             let (force, torque) = (motion.to_ground * force, motion.to_ground * torque);
             let (p, s) = (patch.plane_body, patch.point_body);

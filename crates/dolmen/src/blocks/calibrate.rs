@@ -60,7 +60,7 @@ pub struct SpringCalibration {
 /// ```
 /// use dolmen::blocks::{ContactRule, calibrate_springs, stack_modes};
 /// use dolmen::structure::stack::JointMaterial;
-/// let stack = dolmen::validation::p10(JointMaterial::default(), 9.81)?;
+/// let stack = dolmen::comparisons::p10(JointMaterial::default(), 9.81)?;
 /// let drawn = stack_modes(&stack, ContactRule::Four)?[0].frequency_hz;
 /// let found = calibrate_springs(&stack, ContactRule::Four, &[(0, 6.0)], None)?;
 /// let first = &stack_modes(&found.stack, ContactRule::Four)?[0];

@@ -41,7 +41,7 @@ const SWAY_LEAST: f64 = 0.25;
 /// ```
 /// use dolmen::blocks::{ContactRule, first_sway, stack_modes};
 /// use dolmen::structure::stack::JointMaterial;
-/// let stack = dolmen::validation::p10(JointMaterial::default(), 9.81)?;
+/// let stack = dolmen::comparisons::p10(JointMaterial::default(), 9.81)?;
 /// let modes = stack_modes(&stack, ContactRule::Four)?;
 /// let first = first_sway(&modes, 1).ok_or("no modes")?;
 /// assert!((modes[first].frequency_hz - 4.7043).abs() < 1e-3);

@@ -194,16 +194,16 @@ impl Patch {
 
     /// Forces of the springs, friction and dashpots over a step of `h` seconds; remembers what slipped and broke.
     #[inline]
-    pub(super) fn press(&mut self, motion: &Motion, twist: &Twist, h: f64) -> Wrench {
+    pub(super) fn wrench(&mut self, motion: &Motion, twist: &Twist, h: f64) -> Wrench {
         if self.holds {
             self.let_go(motion);
         }
         let (points, law) = (&mut self.points, &self.law);
         match (law.bonds(), self.holds) {
-            (true, true) => press::<true, true>(points, law, motion, twist, h),
-            (true, false) => press::<true, false>(points, law, motion, twist, h),
-            (false, true) => press::<false, true>(points, law, motion, twist, h),
-            (false, false) => press::<false, false>(points, law, motion, twist, h),
+            (true, true) => wrench_of_points::<true, true>(points, law, motion, twist, h),
+            (true, false) => wrench_of_points::<true, false>(points, law, motion, twist, h),
+            (false, true) => wrench_of_points::<false, true>(points, law, motion, twist, h),
+            (false, false) => wrench_of_points::<false, false>(points, law, motion, twist, h),
         }
     }
 
@@ -305,7 +305,7 @@ impl Patch {
 ///               moves, and what the spring loses is the work of friction
 /// shear         T = −(E + a c_s v_t), cut to the same disc
 /// ```
-fn press<const BOND: bool, const HELD: bool>(
+fn wrench_of_points<const BOND: bool, const HELD: bool>(
     points: &mut [Points],
     law: &Law,
     motion: &Motion,

@@ -28,7 +28,7 @@ const DAMPED_STEPS: usize = 400;
 const DAMPED_PART: f64 = 0.1;
 
 /// Forces left on the blocks.
-struct Left {
+struct Unbalanced {
     /// Force and torque of each block, N and N m.
     forces: Vec<f64>,
     /// The largest, in parts of the stack's weight.
@@ -37,10 +37,10 @@ struct Left {
     block: usize,
 }
 
-fn left(assembly: &mut Assembly, forces: &mut Forces) -> Left {
+fn unbalanced(assembly: &mut Assembly, forces: &mut Forces) -> Unbalanced {
     assembly.forces(0.0, forces);
     let weight: f64 = assembly.bodies.iter().map(|body| body.mass).sum::<f64>() * assembly.gravity;
-    let mut left = Left {
+    let mut left = Unbalanced {
         forces: Vec::with_capacity(6 * assembly.bodies.len()),
         largest: 0.0,
         block: 0,
@@ -80,7 +80,7 @@ pub(super) fn settle(assembly: &mut Assembly, stack: &Stack) -> Result<(), Block
         }
         let mut least = f64::INFINITY;
         for number in 0..NEWTON_STEPS {
-            let left = left(assembly, &mut forces);
+            let left = unbalanced(assembly, &mut forces);
             if left.largest < LEFT_MOST || (left.largest < LEFT_ROUNDING && left.largest > 0.5 * least) {
                 return check_standing(assembly, stack);
             }
@@ -105,7 +105,7 @@ pub(super) fn settle(assembly: &mut Assembly, stack: &Stack) -> Result<(), Block
             }
         }
     }
-    let left = left(assembly, &mut forces);
+    let left = unbalanced(assembly, &mut forces);
     Err(BlocksError::NoRest {
         iterations,
         residual: left.largest,

@@ -78,8 +78,8 @@ impl Rigid {
     /// use dolmen::structure::stack::JointMaterial;
     /// let alike = JointMaterial::with_friction(0.6);
     /// let easier = JointMaterial { friction_kinetic: 0.5, ..alike };
-    /// assert_eq!(Rigid::usual_step_s(&dolmen::validation::p10(alike, 9.81)?), 1e-3);
-    /// assert_eq!(Rigid::usual_step_s(&dolmen::validation::p10(easier, 9.81)?), 2e-4);
+    /// assert_eq!(Rigid::usual_step_s(&dolmen::comparisons::p10(alike, 9.81)?), 1e-3);
+    /// assert_eq!(Rigid::usual_step_s(&dolmen::comparisons::p10(easier, 9.81)?), 2e-4);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn usual_step_s(stack: &Stack) -> f64 {

@@ -16,7 +16,7 @@ use super::block_skyline::SIX;
 use super::rigid_faces::{Face, Stiffness, add_wrench, velocity};
 use super::rigid_point::{Part, Six};
 use super::rigid_solve::{
-    Found, LEFT_MOST_M_S, Momentum, OFF_MOST_M_S, Pressing, Solved, Solver, ahead, held_of, hold_impulses,
+    Candidate, LEFT_MOST_M_S, Momentum, OFF_MOST_M_S, Pressing, Solved, Solver, ahead, held_of, hold_impulses,
 };
 
 /// Times that lifts and multipliers are carried over, and rounds in which none was better before it is given up. Chosen here.
@@ -37,8 +37,8 @@ impl Solver {
         v: &mut Vec<Six>,
         solved: &mut Solved,
     ) {
-        let mut best = Found {
-            off_m_s: solved.residual_m_s,
+        let mut best = Candidate {
+            residual_m_s: solved.residual_m_s,
             velocity: v.clone(),
             held: held_of(faces),
         };
@@ -52,15 +52,15 @@ impl Solver {
             let left = self.newton_on_cones(of, faces, v, &mut solved.newton_steps);
             hold_impulses(faces);
             // how far these impulses are from the law itself
-            let mut off_m_s = left;
+            let mut residual_m_s = left;
             for face in faces.iter_mut() {
                 let twist = face.twist_of(v);
-                face.press(&twist, false, None);
-                off_m_s = off_m_s.max(face.residual());
+                face.contact_force(&twist, false, None);
+                residual_m_s = residual_m_s.max(face.residual());
             }
-            if off_m_s < best.off_m_s {
-                best = Found {
-                    off_m_s,
+            if residual_m_s < best.residual_m_s {
+                best = Candidate {
+                    residual_m_s,
                     velocity: v.clone(),
                     held: held_of(faces),
                 };
@@ -68,7 +68,7 @@ impl Solver {
             } else {
                 worse += 1;
             }
-            if off_m_s <= OFF_MOST_M_S || worse == WORSE_MOST {
+            if residual_m_s <= OFF_MOST_M_S || worse == WORSE_MOST {
                 break;
             }
         }
@@ -76,7 +76,7 @@ impl Solver {
         for point in faces.iter_mut().flat_map(|face| &mut face.points) {
             point.impulse = point.held;
         }
-        solved.residual_m_s = best.off_m_s;
+        solved.residual_m_s = best.residual_m_s;
     }
 
     /// Makes the convex function of this round least; what is left of the momentum, m/s.

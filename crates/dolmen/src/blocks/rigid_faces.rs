@@ -210,7 +210,12 @@ impl Face {
     ///
     /// A point that would slip one way and then the other is taken for stuck in the next Newton step: `swung` says that there
     /// was one, so that the sum is not that of the law.
-    pub(super) fn press(&mut self, twist: &Six, presume: bool, stiffness: Option<&mut Stiffness>) -> Six {
+    pub(super) fn contact_force(
+        &mut self,
+        twist: &Six,
+        presume: bool,
+        stiffness: Option<&mut Stiffness>,
+    ) -> Six {
         let presume = presume && self.warm;
         self.swung = presume;
         let softness = self.softness;

@@ -62,7 +62,7 @@ pub(super) struct Solved {
 
 /// How Newton steps are taken.
 #[derive(Clone, Copy, Debug)]
-struct Way {
+struct NewtonOptions {
     /// Begin with what pressed and slipped before, instead of asking the law.
     presume: bool,
     /// Times that a step is halved until it betters the balance.
@@ -72,7 +72,7 @@ struct Way {
 
 /// What is left of the momentum.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Left {
+pub(super) struct MomentumResidual {
     /// Its largest part, as a velocity, m/s.
     pub(super) largest_m_s: f64,
     /// Kinetic energy of all, J.
@@ -81,8 +81,8 @@ pub(super) struct Left {
 
 /// A solution on the way, and how far it is from the law.
 #[derive(Clone, Debug)]
-pub(super) struct Found {
-    pub(super) off_m_s: f64,
+pub(super) struct Candidate {
+    pub(super) residual_m_s: f64,
     pub(super) velocity: Vec<Six>,
     pub(super) held: Vec<Vec<[f64; 3]>>,
 }
@@ -92,7 +92,7 @@ pub(super) struct Found {
 pub(super) enum Pressing {
     /// By the law itself.
     ByLaw {
-        /// Take what pressed and slipped for what will, as [`Face::press`] does.
+        /// Take what pressed and slipped for what will, as [`Face::contact_force`] does.
         presume: bool,
     },
     /// By the convex problem with the lifts held.
@@ -140,8 +140,8 @@ impl Solver {
         worst_m_s: f64,
     ) -> Solved {
         let mut solved = Solved::default();
-        let start = Found {
-            off_m_s: f64::INFINITY,
+        let start = Candidate {
+            residual_m_s: f64::INFINITY,
             velocity: v.clone(),
             held: held_of(faces),
         };
@@ -164,7 +164,7 @@ impl Solver {
         of: Momentum<'_>,
         faces: &mut [Face],
         v: &mut Vec<Six>,
-        start: Found,
+        start: Candidate,
         solved: &mut Solved,
     ) {
         let (mut softness, mut harder, mut failures) = (SOFTEST_FIRST, HARDER, 0);
@@ -177,22 +177,22 @@ impl Solver {
                 face.softness = softness;
             }
             solved.rounds += 1;
-            let careful = Way {
+            let careful = NewtonOptions {
                 presume: false,
                 line_steps: LINE_STEPS,
                 steps_most: SOFT_STEPS,
             };
             let left = self.newton(of, faces, v, careful, &mut solved.newton_steps);
             if left <= LEFT_MOST_M_S {
-                let before = last.off_m_s;
+                let before = last.residual_m_s;
                 let now = faces.iter().map(Face::residual).fold(0.0, f64::max);
                 hold_impulses(faces);
-                last = Found {
-                    off_m_s: now,
+                last = Candidate {
+                    residual_m_s: now,
                     velocity: v.clone(),
                     held: held_of(faces),
                 };
-                if now < best.off_m_s {
+                if now < best.residual_m_s {
                     best.clone_from(&last);
                 }
                 let stays = softness == 1.0 && now > SLOWEST * before && now <= STAYS_M_S;
@@ -220,7 +220,7 @@ impl Solver {
                 point.impulse = point.held;
             }
         }
-        solved.residual_m_s = best.off_m_s;
+        solved.residual_m_s = best.residual_m_s;
     }
 
     /// Solves by Newton steps on the law itself.
@@ -228,12 +228,12 @@ impl Solver {
         let mut off = f64::INFINITY;
         for round in 0..DIRECT_ROUNDS {
             solved.rounds += 1;
-            let way = Way {
+            let options = NewtonOptions {
                 presume: round == 0,
                 line_steps: 0,
                 steps_most: DIRECT_STEPS,
             };
-            let left = self.newton(of, faces, v, way, &mut solved.newton_steps);
+            let left = self.newton(of, faces, v, options, &mut solved.newton_steps);
             let now = faces.iter().map(Face::residual).fold(0.0, f64::max);
             solved.residual_m_s = left.max(now);
             let far = left > LEFT_MOST_M_S || now > SLOWEST * off;
@@ -252,17 +252,17 @@ impl Solver {
         of: Momentum<'_>,
         faces: &mut [Face],
         v: &mut [Six],
-        way: Way,
+        options: NewtonOptions,
         steps: &mut usize,
     ) -> f64 {
-        let mut presume = way.presume;
+        let mut presume = options.presume;
         for face in faces.iter_mut() {
             face.forget();
         }
         let mut change = vec![[0.0; SIX]; v.len()];
         let mut trial = v.to_vec();
         let mut left = f64::INFINITY;
-        for _ in 0..way.steps_most {
+        for _ in 0..options.steps_most {
             let now = self.balance(of, faces, v, Pressing::ByLaw { presume }, true);
             let presumed = faces.iter().any(|face| face.swung);
             left = if presumed { f64::INFINITY } else { now.largest_m_s };
@@ -280,7 +280,7 @@ impl Solver {
             // half the step until less is left; the last half is taken whatever it leaves
             let mut part = 1.0;
             ahead(&mut trial, v, &change, part);
-            let halvings = if presumed { 0 } else { way.line_steps };
+            let halvings = if presumed { 0 } else { options.line_steps };
             for _ in 0..halvings {
                 if self
                     .balance(of, faces, &trial, Pressing::ByLaw { presume: false }, false)
@@ -306,14 +306,14 @@ impl Solver {
         v: &[Six],
         pressing: Pressing,
         with_matrix: bool,
-    ) -> Left {
+    ) -> MomentumResidual {
         self.momentum_left(of, v, with_matrix);
         for face in faces.iter_mut() {
             let twist = face.twist_of(v);
             let mut k: Stiffness = [[0.0; 6]; 6];
             let stiffness = with_matrix.then_some(&mut k);
             let wrench = match pressing {
-                Pressing::ByLaw { presume } => face.press(&twist, presume, stiffness),
+                Pressing::ByLaw { presume } => face.contact_force(&twist, presume, stiffness),
                 Pressing::OnCones => face.press_on_cones(&twist, stiffness),
             };
             self.push(face, &wrench);
@@ -377,8 +377,8 @@ impl Solver {
     }
 
     /// The size of the right side; infinite if it is no number.
-    fn left(&self, of: Momentum<'_>) -> Left {
-        let mut left = Left::default();
+    fn left(&self, of: Momentum<'_>) -> MomentumResidual {
+        let mut left = MomentumResidual::default();
         for (body, of) in of.inertia.iter().enumerate().skip(1) {
             let right = &self.right[self.rows[body]];
             for i in 0..3 {
@@ -434,7 +434,7 @@ impl Solver {
     }
 }
 
-impl Found {
+impl Candidate {
     /// Takes it up again.
     pub(super) fn take(&self, faces: &mut [Face], v: &mut Vec<Six>) {
         v.clone_from(&self.velocity);

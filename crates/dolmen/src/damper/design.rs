@@ -3,9 +3,10 @@
 //! The unknowns are x and y over the floor's size, ln f and ln ζ, and ln of shares of the mass; places beyond the edge count
 //! as the nearest point of it.
 
-use super::spot::DAMPING_MOST;
+use super::damper_slopes::{JudgedSlopes, MovedDampers, pieces_of};
+use super::single_damper::DAMPING_MOST;
 use super::{DamperError, Judged, PlacedDamper, Plan};
-use crate::numeric::{Minimax, Piece, Worst, all_by_differences, by_differences, highest, minimax};
+use crate::numeric::{Minimax, Piece, Worst, by_differences, maximum_between, minimax};
 
 /// What is to be made small.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -323,18 +324,23 @@ impl Search<'_> {
 
     /// ln of each function whose largest is made small: standard deviations, alone and with what strokes beyond the limit cost.
     fn values(&self, dampers: &[PlacedDamper]) -> Option<Vec<f64>> {
-        let d = self.options.detuning_ratio;
-        let factors: &[f64] = if d > 0.0 { &[1.0, 1.0 - d, 1.0 + d] } else { &[1.0] };
+        let factors = self.detunings().into_iter();
+        let judged = factors.map(|factor| self.plan.at_nodes(&detuned(dampers, factor)));
+        self.values_of(&judged.collect::<Vec<_>>())
+    }
+
+    /// Factors of frequencies that are off.
+    fn detunings(&self) -> Vec<f64> {
+        match self.options.detuning_ratio {
+            d if d > 0.0 => vec![1.0, 1.0 - d, 1.0 + d],
+            _ => vec![1.0],
+        }
+    }
+
+    /// The same of the standard deviations for each detuning.
+    fn values_of(&self, all_judged: &[Judged]) -> Option<Vec<f64>> {
         let mut all = Vec::new();
-        for factor in factors {
-            let detuned: Vec<PlacedDamper> = dampers
-                .iter()
-                .map(|damper| PlacedDamper {
-                    frequency_hz: factor * damper.frequency_hz,
-                    ..*damper
-                })
-                .collect();
-            let judged = self.plan.at_nodes(&detuned);
+        for judged in all_judged {
             let weighted = judged
                 .point_rms
                 .iter()
@@ -347,7 +353,7 @@ impl Search<'_> {
                 }
                 _ => weighted.map(f64::ln).collect(),
             };
-            all.extend(self.priced(values, &judged)?);
+            all.extend(self.priced(values, judged)?);
         }
         Some(all)
     }
@@ -393,7 +399,7 @@ impl Search<'_> {
     fn amplitude(&self, dampers: &[PlacedDamper], which: usize, omega: f64) -> Option<f64> {
         let loads = self.plan.problem().loads.len();
         let table = self.plan.table(omega, 1.0).ok()?;
-        let response = self.plan.responses(&table, &self.plan.rides(dampers))?[which];
+        let response = self.plan.responses(&table, &self.plan.damper_rows(dampers))?[which];
         Some((self.weights[which / loads] * response.norm()).ln())
     }
 
@@ -401,13 +407,13 @@ impl Search<'_> {
     pub(super) fn peaks(&self, dampers: &[PlacedDamper]) -> Option<Vec<Peak>> {
         let (points, loads) = (self.plan.problem().points.len(), self.plan.problem().loads.len());
         let tables = &self.plan.nodes;
-        let rides = self.plan.rides(dampers);
+        let damper_rows = self.plan.damper_rows(dampers);
         let all: Vec<Vec<f64>> = tables
             .iter()
             .map(|table| {
                 Some(
                     self.plan
-                        .responses(table, &rides)?
+                        .responses(table, &damper_rows)?
                         .iter()
                         .map(|h| h.norm())
                         .collect(),
@@ -420,7 +426,7 @@ impl Search<'_> {
             for i in 1..tables.len() - 1 {
                 if size(i) > size(i - 1) && size(i) >= size(i + 1) {
                     let at = |w: f64| self.amplitude(dampers, which, w).unwrap_or(f64::NEG_INFINITY);
-                    let omega = highest(&at, tables[i - 1].omega, tables[i + 1].omega);
+                    let omega = maximum_between(&at, tables[i - 1].omega, tables[i + 1].omega);
                     peaks.push(Peak {
                         which,
                         omega,
@@ -436,6 +442,15 @@ impl Search<'_> {
         }
         Some(peaks)
     }
+}
+
+/// The same dampers, their frequencies off by a factor.
+fn detuned(dampers: &[PlacedDamper], factor: f64) -> Vec<PlacedDamper> {
+    let each = dampers.iter().map(|damper| PlacedDamper {
+        frequency_hz: factor * damper.frequency_hz,
+        ..*damper
+    });
+    each.collect()
 }
 
 pub(super) struct Peak {
@@ -495,7 +510,12 @@ impl Worst for Search<'_> {
             }
             return Some(pieces);
         }
-        // all functions move together: differences of the whole list
-        all_by_differences(x, |x| self.values(&self.dampers(x)))
+        let of_factor = |factor: f64| {
+            let rows = |x: &[f64]| self.plan.damper_rows(&detuned(&self.dampers(x), factor));
+            let moved = MovedDampers::of_each(x, rows);
+            self.plan.slopes_at_nodes(None, &rows(x), &moved)
+        };
+        let found: Option<Vec<JudgedSlopes>> = self.detunings().into_iter().map(of_factor).collect();
+        pieces_of(&found?, |judged| self.values_of(judged))
     }
 }

@@ -395,7 +395,7 @@ impl Plan {
                     trials
                         .iter()
                         .flat_map(|dampers| {
-                            self.at_node(&table, &self.rides(dampers))
+                            self.at_node(&table, &self.damper_rows(dampers))
                                 .into_iter()
                                 .take(points)
                         })

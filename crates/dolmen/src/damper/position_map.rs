@@ -1,6 +1,6 @@
 //! What a damper does at each place of its floor.
 
-use super::spot::{DAMPING_MOST, Spot, SpotSearch};
+use super::single_damper::{DAMPING_MOST, SingleDamper, SingleDamperSearch};
 use super::{ColumnAsMass, DamperError, Goal, PlacedDamper, Plan, TuningRule};
 use crate::numeric::{Minimax, minimax};
 use rayon::prelude::*;
@@ -164,9 +164,9 @@ pub fn position_map(
                 if site.nearest_m(place_m).1 > 0.0 {
                     continue;
                 }
-                let spot = Spot::new(plan, &PlacedDamper { place_m, ..*damper });
+                let single = SingleDamper::new(plan, &PlacedDamper { place_m, ..*damper });
                 if options.tuning != MapTuning::Best {
-                    *cell = looked.tuned(&spot, place_m, &mut None);
+                    *cell = looked.tuned(&single, place_m, &mut None);
                     continue;
                 }
                 let far =
@@ -175,7 +175,7 @@ pub fn position_map(
                     .iter()
                     .reduce(|best, next| if far(&next) < far(&best) { next } else { best });
                 let starts: Vec<PlacedDamper> = near.map_or(Vec::new(), |(_, valleys)| valleys.clone());
-                *cell = looked.followed(&spot, place_m, &starts, &mut before);
+                *cell = looked.followed(&single, place_m, &starts, &mut before);
             }
         });
     if options.tuning == MapTuning::Best {
@@ -205,8 +205,8 @@ pub(super) fn along_line(
         },
     };
     let each = places_m.iter().filter_map(|&place_m| {
-        let spot = Spot::new(plan, &PlacedDamper { place_m, ..*damper });
-        looked.best_of_several(&spot, place_m)
+        let single = SingleDamper::new(plan, &PlacedDamper { place_m, ..*damper });
+        looked.best_of_several(&single, place_m)
     });
     each.collect()
 }
@@ -263,24 +263,24 @@ impl Looked<'_> {
                 place_m,
                 ..self.given
             };
-            let spot = Spot::new(self.plan, &there);
-            let valleys = self.valleys(&spot, place_m);
+            let single = SingleDamper::new(self.plan, &there);
+            let valleys = self.valleys(&single, place_m);
             (place_m, valleys.iter().map(|cell| cell.damper).collect())
         });
         each.collect()
     }
 
     /// The damper tuned to a place, the best of all valleys of a grid.
-    fn best_of_several(&self, spot: &Spot, place_m: [f64; 2]) -> Option<MapCell> {
+    fn best_of_several(&self, single: &SingleDamper, place_m: [f64; 2]) -> Option<MapCell> {
         if self.options.tuning != MapTuning::Best {
-            return self.tuned(spot, place_m, &mut None);
+            return self.tuned(single, place_m, &mut None);
         }
-        let valleys = self.valleys(spot, place_m).into_iter();
+        let valleys = self.valleys(single, place_m).into_iter();
         valleys.reduce(|best, next| if next.cost < best.cost { next } else { best })
     }
 
     /// Where the valleys of a place lead: the lowest of a grid of frequency and damping, each followed down.
-    fn valleys(&self, spot: &Spot, place_m: [f64; 2]) -> Vec<MapCell> {
+    fn valleys(&self, single: &SingleDamper, place_m: [f64; 2]) -> Vec<MapCell> {
         let [low, high] = self.range_hz().map(f64::ln);
         let frequencies = ((high - low) / GRID_STEP).ceil() as usize + 1;
         let least = self.plan.damping_least();
@@ -295,7 +295,7 @@ impl Looked<'_> {
         };
         let dampings = GRID_DAMPING.len();
         let costs: Vec<f64> = (0..frequencies * dampings)
-            .map(|k| self.cost_of(spot, &at(k / dampings, k % dampings)))
+            .map(|k| self.cost_of(single, &at(k / dampings, k % dampings)))
             .collect();
         let is_valley = |k: &usize| {
             let (i, j) = (k / dampings, k % dampings);
@@ -311,19 +311,19 @@ impl Looked<'_> {
         lowest.truncate(VALLEYS_MOST);
         let down = lowest.into_iter().filter_map(|k| {
             let start = at(k / dampings, k % dampings);
-            self.tuned(spot, place_m, &mut Some(Before::of(&start)))
+            self.tuned(single, place_m, &mut Some(Before::of(&start)))
         });
         down.collect()
     }
 
-    fn cost_of(&self, spot: &Spot, damper: &PlacedDamper) -> f64 {
-        self.cell(spot, *damper).cost
+    fn cost_of(&self, single: &SingleDamper, damper: &PlacedDamper) -> f64 {
+        self.cell(single, *damper).cost
     }
 
     /// The damper tuned to a place from the tunings of others, those that promise most.
     fn followed(
         &self,
-        spot: &Spot,
+        single: &SingleDamper,
         place_m: [f64; 2],
         starts: &[PlacedDamper],
         before: &mut Option<Before>,
@@ -338,7 +338,7 @@ impl Looked<'_> {
                     damping_ratio: start.x[1].exp(),
                     ..self.given
                 };
-                (self.cost_of(spot, &damper), start)
+                (self.cost_of(single, &damper), start)
             })
             .collect();
         all.sort_by(|(a, _), (b, _)| a.total_cmp(b));
@@ -348,7 +348,7 @@ impl Looked<'_> {
                 break;
             }
             let mut ended = Some(start);
-            let found = self.tuned(spot, place_m, &mut ended);
+            let found = self.tuned(single, place_m, &mut ended);
             if let Some(found) = found.filter(|found| best.as_ref().is_none_or(|best| found.cost < best.cost))
             {
                 best = Some(found);
@@ -359,7 +359,12 @@ impl Looked<'_> {
     }
 
     /// The damper tuned to a place.
-    fn tuned(&self, spot: &Spot, place_m: [f64; 2], before: &mut Option<Before>) -> Option<MapCell> {
+    fn tuned(
+        &self,
+        single: &SingleDamper,
+        place_m: [f64; 2],
+        before: &mut Option<Before>,
+    ) -> Option<MapCell> {
         let mut damper = PlacedDamper {
             place_m,
             ..self.given
@@ -392,7 +397,7 @@ impl Looked<'_> {
                 let [low, high] = range_hz.map(f64::ln);
                 start[0] = start[0].clamp(low + WITHIN, high - WITHIN);
                 let limits = (range_hz, self.plan.damping_least());
-                let mut search = SpotSearch::new(spot, &self.weights, self.mean(), limits);
+                let mut search = SingleDamperSearch::new(single, &self.weights, self.mean(), limits);
                 let found = minimax(start, &options, &mut search)?;
                 [damper.frequency_hz, damper.damping_ratio] = search.within(&found.x);
                 *before = Some(Before {
@@ -401,11 +406,11 @@ impl Looked<'_> {
                 });
             }
         }
-        Some(self.cell(spot, damper))
+        Some(self.cell(single, damper))
     }
 
-    fn cell(&self, spot: &Spot, damper: PlacedDamper) -> MapCell {
-        let values = spot.judge(damper.frequency_hz, damper.damping_ratio);
+    fn cell(&self, single: &SingleDamper, damper: PlacedDamper) -> MapCell {
+        let values = single.judge(damper.frequency_hz, damper.damping_ratio);
         let point_rms: Vec<f64> = values.iter().map(|value| value.ln_rms.exp()).collect();
         let weighted = point_rms
             .iter()
@@ -444,21 +449,21 @@ impl Looked<'_> {
                     (j > 0).then(|| at - columns),
                     (j + 1 < rows).then(|| at + columns),
                 ];
-                let spot = Spot::new(self.plan, &own.damper);
+                let single = SingleDamper::new(self.plan, &own.damper);
                 let others = neighbours.into_iter().flatten().filter_map(|k| cells[k].as_ref());
                 let borrowed = others.map(|other| {
                     let damper = PlacedDamper {
                         place_m: own.damper.place_m,
                         ..other.damper
                     };
-                    self.cell(&spot, damper)
+                    self.cell(&single, damper)
                 });
                 let best = borrowed.reduce(|best, next| if next.cost < best.cost { next } else { best });
                 let Some(best) = best.filter(|best| best.cost < own.cost * (1.0 - BETTER)) else {
                     continue;
                 };
                 let mut before = Some(Before::of(&best.damper));
-                let found = self.tuned(&spot, own.damper.place_m, &mut before);
+                let found = self.tuned(&single, own.damper.place_m, &mut before);
                 if let Some(found) = found.filter(|found| found.cost < own.cost) {
                     cells[at] = Some(found);
                     changed = true;

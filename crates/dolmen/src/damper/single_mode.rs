@@ -211,7 +211,7 @@ fn peaks(of: TunedMass, acts: Acts) -> Vec<f64> {
     let size = |r: f64| response(of, acts, r).norm_sqr();
     let samples: Vec<f64> = (0..=SAMPLES).map(|i| size(at(i))).collect();
     let tops = (1..SAMPLES).filter(|&i| samples[i] > samples[i - 1] && samples[i] >= samples[i + 1]);
-    tops.map(|i| crate::numeric::highest(&size, at(i - 1), at(i + 1)))
+    tops.map(|i| crate::numeric::maximum_between(&size, at(i - 1), at(i + 1)))
         .collect()
 }
 

@@ -3,10 +3,11 @@
 //! The unknowns are the logarithms of what of each damper is tuned: frequency and damping ratio of a mass or a column, both pairs of a
 //! liquid column mass, and where it is wished the coefficient of a dashpot.
 
-use super::ride::{Coupling, Ride};
-use super::spot::DAMPING_MOST;
+use super::damper_coupling::{Coupling, DamperRow};
+use super::damper_slopes::{MovedDampers, pieces_of};
+use super::single_damper::DAMPING_MOST;
 use super::{AttachedDamper, DamperError, DamperKind, DesignEnd, Freedom, Goal, Judged, Plan, judge};
-use crate::numeric::{Minimax, Piece, Worst, all_by_differences, minimax};
+use crate::numeric::{Minimax, Piece, Worst, minimax};
 
 /// How dampers are tuned together.
 #[derive(Clone, Debug, PartialEq)]
@@ -73,12 +74,12 @@ pub fn tune_together(
     if options.goal == Goal::LargestPeak {
         return Err(DamperError::NoMap);
     }
-    let rides = plan.rides_of(start)?;
+    let damper_rows = plan.damper_rows_of(start)?;
     let mut search = Search {
         plan,
         start,
-        couplings: plan.couplings(&rides),
-        rides,
+        couplings: plan.couplings(&damper_rows),
+        damper_rows,
         options,
     };
     let given = search.unknowns();
@@ -155,7 +156,7 @@ enum Knob {
 struct Search<'a> {
     plan: &'a Plan,
     start: &'a [AttachedDamper],
-    rides: Vec<Ride>,
+    damper_rows: Vec<DamperRow>,
     /// They keep their places.
     couplings: Vec<Coupling>,
     options: &'a TogetherOptions,
@@ -237,20 +238,19 @@ impl Search<'_> {
             .collect()
     }
 
+    fn rows(&self, x: &[f64]) -> Vec<DamperRow> {
+        let each = self.damper_rows.iter().zip(self.kinds(x));
+        each.map(|(row, kind)| DamperRow {
+            row: row.row.clone(),
+            kind,
+        })
+        .collect()
+    }
+
     /// ln of each function whose largest is made small.
-    fn values(&self, x: &[f64]) -> Option<Vec<f64>> {
-        let rides: Vec<Ride> = self
-            .rides
-            .iter()
-            .zip(self.kinds(x))
-            .map(|(ride, kind)| Ride {
-                row: ride.row.clone(),
-                kind,
-            })
-            .collect();
-        let judged = self.plan.coupled_at_nodes(&self.couplings, &rides);
+    fn values(&self, judged: &Judged) -> Option<Vec<f64>> {
         let mut values = match self.options.goal {
-            Goal::MeanSquare => vec![cost_of(&judged, Goal::MeanSquare).ln()],
+            Goal::MeanSquare => vec![cost_of(judged, Goal::MeanSquare).ln()],
             _ => judged.point_rms.iter().map(|rms| rms.ln()).collect(),
         };
         let own = values.clone();
@@ -300,10 +300,15 @@ fn value(kinds: &mut [DamperKind], knob: Knob) -> Option<&mut f64> {
 
 impl Worst for Search<'_> {
     fn worst(&mut self, x: &[f64]) -> Option<f64> {
-        self.values(x)?.into_iter().reduce(f64::max)
+        let judged = self.plan.coupled_at_nodes(&self.couplings, &self.rows(x));
+        self.values(&judged)?.into_iter().reduce(f64::max)
     }
 
     fn pieces(&mut self, x: &[f64]) -> Option<Vec<Piece>> {
-        all_by_differences(x, |x| self.values(x))
+        let moved = MovedDampers::of_each(x, |x| self.rows(x));
+        let found = self
+            .plan
+            .slopes_at_nodes(Some(&self.couplings), &self.rows(x), &moved)?;
+        pieces_of(&[found], |judged| self.values(&judged[0]))
     }
 }

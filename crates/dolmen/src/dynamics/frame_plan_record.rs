@@ -3,7 +3,7 @@
 use super::DynamicsError;
 use super::frame_history::{FrameEnergy, FrameHistory, FrameOutcome, FramePeak, Slip, Turn};
 use super::frame_model::{Slider, State};
-use super::frame_plan_steps::{Steps, Way};
+use super::frame_plan_steps::{Direction, Steps};
 use super::frame_record::{REST_M_S, peaks_at_samples};
 use super::frame_rest::rest_m;
 
@@ -68,17 +68,17 @@ impl PlanRecord {
         let has_changed = self.slipped != steps.slips;
         self.slipped.clone_from(&steps.slips);
         for (d, history) in self.histories.iter_mut().enumerate() {
-            let way = &steps.ways[d];
+            let direction = &steps.directions[d];
             history.steps += 1;
             history.events += usize::from(has_changed);
             history.duration_s = at_s;
-            let State { y, v, .. } = &way.state;
+            let State { y, v, .. } = &direction.state;
             for i in 0..y.len() {
                 larger(&mut history.displacement_peaks[i], y[i], at_s);
-                larger(&mut history.drift_peaks[i], way.model.across(i, y), at_s);
+                larger(&mut history.drift_peaks[i], direction.model.across(i, y), at_s);
                 follow(
                     (&mut self.open[d][i], &mut history.slips),
-                    (way, i),
+                    (direction, i),
                     steps.slips[i],
                     at_s,
                 );
@@ -95,7 +95,7 @@ impl PlanRecord {
             }
         }
         for (i, leaned) in self.leaned.iter_mut().enumerate() {
-            let drift = [0, 1].map(|d| steps.ways[d].model.across(i, &steps.ways[d].state.y));
+            let drift = [0, 1].map(|d| steps.directions[d].model.across(i, &steps.directions[d].state.y));
             *leaned = drift[0].hypot(drift[1]) / self.heights_m[i];
         }
     }
@@ -109,52 +109,57 @@ impl PlanRecord {
 
     /// Takes a sample.
     pub(super) fn sample(&mut self, steps: &Steps, at_s: f64) {
-        for (history, way) in self.histories.iter_mut().zip(&steps.ways) {
+        for (history, direction) in self.histories.iter_mut().zip(&steps.directions) {
             history.time_s.push(at_s);
-            let acceleration = way.acceleration_m_s2(at_s);
+            let acceleration = direction.acceleration_m_s2(at_s);
             for (i, acceleration) in acceleration.iter().enumerate() {
-                history.displacement_m[i].push(way.state.y[i]);
-                history.velocity_m_s[i].push(way.state.v[i]);
+                history.displacement_m[i].push(direction.state.y[i]);
+                history.velocity_m_s[i].push(direction.state.v[i]);
                 history.acceleration_m_s2[i].push(*acceleration);
-                history.friction_force_n[i].push(way.friction_n[i]);
+                history.friction_force_n[i].push(direction.friction_n[i]);
             }
             history.energy.push(FrameEnergy {
-                kinetic_j: way.model.kinetic_j(&way.state.v),
-                stored_j: way.model.stored_j(&stuck(way)),
-                input_j: way.input_j,
-                friction_j: way.friction_j,
-                damping_j: way.damping_j,
+                kinetic_j: direction.model.kinetic_j(&direction.state.v),
+                stored_j: direction.model.stored_j(&stuck(direction)),
+                input_j: direction.input_j,
+                friction_j: direction.friction_j,
+                damping_j: direction.damping_j,
             });
         }
     }
 
     pub(super) fn finish(mut self, steps: &Steps, outcome: FrameOutcome) -> [FrameHistory; 2] {
         for (d, history) in self.histories.iter_mut().enumerate() {
-            let way = &steps.ways[d];
-            for i in 0..way.state.y.len() {
+            let direction = &steps.directions[d];
+            for i in 0..direction.state.y.len() {
                 let at_s = history.duration_s;
-                follow((&mut self.open[d][i], &mut history.slips), (way, i), false, at_s);
+                follow(
+                    (&mut self.open[d][i], &mut history.slips),
+                    (direction, i),
+                    false,
+                    at_s,
+                );
             }
             peaks_at_samples(history);
             history.outcome = outcome;
-            history.residual_m.clone_from(&way.state.y);
+            history.residual_m.clone_from(&direction.state.y);
             history.rest_m = match outcome {
-                FrameOutcome::Finished => rest_m(&way.model, &stuck(way), &way.stays_n()),
-                FrameOutcome::DriftLimit { .. } | FrameOutcome::Stopped { .. } => way.state.y.clone(),
+                FrameOutcome::Finished => rest_m(&direction.model, &stuck(direction), &direction.stays_n()),
+                FrameOutcome::DriftLimit { .. } | FrameOutcome::Stopped { .. } => direction.state.y.clone(),
             };
-            history.at_rest = way.state.v.iter().all(|v| v.abs() <= REST_M_S);
+            history.at_rest = direction.state.v.iter().all(|v| v.abs() <= REST_M_S);
         }
         self.histories
     }
 }
 
 /// The state with every slider held where it is.
-fn stuck(way: &Way) -> State {
-    let n = way.state.y.len();
+fn stuck(direction: &Direction) -> State {
+    let n = direction.state.y.len();
     State {
         slider: vec![Slider::Stuck; n],
-        offset_m: (0..n).map(|i| way.slider_m(i)).collect(),
-        ..way.state.clone()
+        offset_m: (0..n).map(|i| direction.slider_m(i)).collect(),
+        ..direction.state.clone()
     }
 }
 
@@ -167,12 +172,12 @@ fn larger(peak: &mut FramePeak, value_m: f64, at_s: f64) {
 /// Opens, ends and turns the slip of a storey in one direction.
 fn follow(
     (open, slips): (&mut Option<Open>, &mut Vec<Slip>),
-    (way, storey): (&Way, usize),
+    (direction, storey): (&Direction, usize),
     is_slipping: bool,
     at_s: f64,
 ) {
-    let rubs = way.model.friction[storey].limits_n();
-    let share = rubs.map_or(0.0, |[_, kinetic_n]| way.friction_n[storey] / kinetic_n);
+    let rubs = direction.model.friction[storey].limits_n();
+    let share = rubs.map_or(0.0, |[_, kinetic_n]| direction.friction_n[storey] / kinetic_n);
     let sign = match is_slipping && share.abs() > NO_SHARE {
         true => share.signum(),
         false => 0.0,
@@ -180,7 +185,7 @@ fn follow(
     if open.is_some_and(|of| of.sign == sign) || open.is_none() && sign == 0.0 {
         return;
     }
-    let place_m = way.slider_m(storey);
+    let place_m = direction.slider_m(storey);
     if let Some(of) = open.take() {
         slips.push(Slip {
             storey,

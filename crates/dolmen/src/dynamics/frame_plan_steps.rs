@@ -13,7 +13,7 @@ const SWEPT: f64 = 1e-11;
 const SWEEPS_MOST: usize = 200_000;
 
 /// One direction, with what does not change from step to step.
-pub(super) struct Way {
+pub(super) struct Direction {
     pub(super) model: Model,
     k: Matrix,
     c: Option<Matrix>,
@@ -31,7 +31,7 @@ pub(super) struct Way {
 
 /// A frame in steps.
 pub(super) struct Steps {
-    pub(super) ways: [Way; 2],
+    pub(super) directions: [Direction; 2],
     pub(super) slips: Vec<bool>,
     pub(super) heights_m: Vec<f64>,
     pub(super) drift_ratio_most: f64,
@@ -47,7 +47,7 @@ struct Slipped {
     work_j: f64,
 }
 
-impl Way {
+impl Direction {
     fn new(frame: &FrictionFrame, load: &FrameLoad, start: &FrameRun, h: f64) -> Result<Self, DynamicsError> {
         let model = Model::of(frame)?;
         let n = model.levels();
@@ -74,7 +74,7 @@ impl Way {
         };
         let input_j = model.kinetic_j(&state.v) + model.stored_j(&state);
         let friction_n = (0..n).map(|i| model.jenkins_force(i, &state)).collect();
-        Ok(Way {
+        Ok(Direction {
             model,
             k,
             c,
@@ -170,9 +170,9 @@ impl Steps {
     pub(super) fn new((frames, loads, runs): Both<'_>, step_s: f64) -> Result<Self, DynamicsError> {
         let storeys = frames[0].frame().storeys();
         Ok(Steps {
-            ways: [
-                Way::new(frames[0], loads[0], runs[0], step_s)?,
-                Way::new(frames[1], loads[1], runs[1], step_s)?,
+            directions: [
+                Direction::new(frames[0], loads[0], runs[0], step_s)?,
+                Direction::new(frames[1], loads[1], runs[1], step_s)?,
             ],
             slips: vec![false; storeys.len()],
             heights_m: storeys.iter().map(|storey| storey.height_m).collect(),
@@ -184,52 +184,52 @@ impl Steps {
     /// One step from `at_s`.
     pub(super) fn step(&mut self, at_s: f64) -> Result<(), DynamicsError> {
         let h = self.step_s;
-        let loads = [0, 1].map(|d| self.ways[d].loads_n(at_s, h));
-        let acts = [0, 1].map(|d| self.ways[d].acts_n(h, &loads[d]));
+        let loads = [0, 1].map(|d| self.directions[d].loads_n(at_s, h));
+        let acts = [0, 1].map(|d| self.directions[d].acts_n(h, &loads[d]));
         // drift speeds at the end without friction
         let free = [0, 1].map(|d| {
-            let speeds = self.ways[d].inverse.times(&acts[d]);
-            let model = &self.ways[d].model;
+            let speeds = self.directions[d].inverse.times(&acts[d]);
+            let model = &self.directions[d].model;
             (0..speeds.len())
                 .map(|i| model.across(i, &speeds))
                 .collect::<Vec<f64>>()
         });
         let (ends, works) = self.sweep(&free, at_s)?;
         for d in [0, 1] {
-            let way = &mut self.ways[d];
+            let direction = &mut self.directions[d];
             let over: Vec<f64> = (0..ends[d].len())
-                .map(|i| way.over_step_n(i, ends[d][i]))
+                .map(|i| direction.over_step_n(i, ends[d][i]))
                 .collect();
-            let rubs = way.on_levels(&over);
+            let rubs = direction.on_levels(&over);
             let left: Vec<f64> = acts[d]
                 .iter()
                 .zip(&rubs)
                 .map(|(acts, rubs)| acts - rubs)
                 .collect();
-            let after = way.inverse.times(&left);
-            let mean: Vec<f64> = way
+            let after = direction.inverse.times(&left);
+            let mean: Vec<f64> = direction
                 .state
                 .v
                 .iter()
                 .zip(&after)
                 .map(|(a, b)| 0.5 * (a + b))
                 .collect();
-            if let Some(c) = &way.c {
+            if let Some(c) = &direction.c {
                 let taken = c.times(&mean);
-                way.damping_j += h * mean.iter().zip(taken).map(|(v, f)| v * f).sum::<f64>();
+                direction.damping_j += h * mean.iter().zip(taken).map(|(v, f)| v * f).sum::<f64>();
             }
-            way.input_j += h * loads[d].iter().zip(&mean).map(|(f, v)| f * v).sum::<f64>();
+            direction.input_j += h * loads[d].iter().zip(&mean).map(|(f, v)| f * v).sum::<f64>();
             for i in 0..over.len() {
-                let stretch = way
+                let stretch = direction
                     .series_n_m(i)
-                    .map_or(0.0, |k| (ends[d][i] - way.friction_n[i]) / k);
-                way.friction_j += over[i] * (h * way.model.across(i, &mean) - stretch);
+                    .map_or(0.0, |k| (ends[d][i] - direction.friction_n[i]) / k);
+                direction.friction_j += over[i] * (h * direction.model.across(i, &mean) - stretch);
             }
-            for (y, v) in way.state.y.iter_mut().zip(&mean) {
+            for (y, v) in direction.state.y.iter_mut().zip(&mean) {
                 *y += h * v;
             }
-            way.state.v = after;
-            way.friction_n.clone_from(&ends[d]);
+            direction.state.v = after;
+            direction.friction_n.clone_from(&ends[d]);
         }
         for (slips, work_j) in self.slips.iter_mut().zip(works) {
             *slips = work_j > 0.0;
@@ -240,7 +240,7 @@ impl Steps {
     /// Forces of all storeys at the end of the step, and the work of friction in each.
     fn sweep(&self, free: &[Vec<f64>; 2], at_s: f64) -> Result<([Vec<f64>; 2], Vec<f64>), DynamicsError> {
         let n = self.slips.len();
-        let mut ends = [0, 1].map(|d| self.ways[d].friction_n.clone());
+        let mut ends = [0, 1].map(|d| self.directions[d].friction_n.clone());
         let mut works = vec![0.0; n];
         for _ in 0..SWEEPS_MOST {
             let mut change = 0.0_f64;
@@ -271,7 +271,7 @@ impl Steps {
 
     /// The slip force of a storey in a direction now; `None` where it does not rub.
     fn limit_n(&self, d: usize, storey: usize) -> Option<f64> {
-        let [fixed_n, kinetic_n] = self.ways[d].model.friction[storey].limits_n()?;
+        let [fixed_n, kinetic_n] = self.directions[d].model.friction[storey].limits_n()?;
         Some(if self.slips[storey] { kinetic_n } else { fixed_n })
     }
 
@@ -293,19 +293,22 @@ impl Steps {
         let (mut alpha, mut beta) = ([1.0; 2], [0.0; 2]);
         for d in [0, 1] {
             let Some(limit_n) = limits[d] else { continue };
-            let way = &self.ways[d];
+            let direction = &self.directions[d];
             let mut c = free[d][i];
             for (j, end_n) in ends[d].iter().enumerate().filter(|(j, _)| *j != i) {
-                c -= way.gives[(i, j)] * way.over_step_n(j, *end_n);
+                c -= direction.gives[(i, j)] * direction.over_step_n(j, *end_n);
             }
-            let g = way.gives[(i, i)];
-            match way.series_n_m(i) {
+            let g = direction.gives[(i, i)];
+            match direction.series_n_m(i) {
                 None => {
                     alpha[d] = h * g * limit_n * limit_n;
                     beta[d] = h * c * limit_n;
                 }
                 Some(k) => {
-                    let (before_n, speed) = (way.friction_n[i], way.model.across(i, &way.state.v));
+                    let (before_n, speed) = (
+                        direction.friction_n[i],
+                        direction.model.across(i, &direction.state.v),
+                    );
                     alpha[d] = (0.25 * h * g + 1.0 / k) * limit_n * limit_n;
                     beta[d] = (0.5 * h * (speed + c - 0.5 * g * before_n) + before_n / k) * limit_n;
                 }

@@ -3,13 +3,13 @@
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
 //! | R_k | `lag(k)` | E[y(t + k) y(t)ᵀ], channels × channels |
-//! | L | `segment` | samples a segment (pass.rs) |
+//! | L | `segment` | samples a segment (streaming_sums.rs) |
 //! | S | `starts` | number of start times t, the same for every lag |
 //!
 //! Any other window of the same record follows from these by displacement ([`Ends`]): no product is summed twice.
 
 use super::ModalError;
-use super::pass::Pass;
+use super::streaming_sums::StreamingSums;
 use crate::signal::Record;
 use std::f64::consts::PI;
 
@@ -80,7 +80,7 @@ pub(crate) fn correlate(record: &Record, lags: usize, blocks: usize) -> Result<C
             needed: (blocks + 1) * lags,
         });
     }
-    let mut pass = Pass::new(record, lags, segment);
+    let mut pass = StreamingSums::new(record, lags, segment);
     let segments = starts.div_ceil(segment);
     let mut sums: Vec<(usize, Vec<f64>)> = Vec::with_capacity(blocks);
     for j in 0..blocks {

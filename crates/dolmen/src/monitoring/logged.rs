@@ -206,20 +206,20 @@ pub fn logged_trend(series: &LoggedSeries, options: &LoggedOptions) -> Result<Lo
     }
     let usual = usual_gap(days);
     let breaks = breaks(&trend, &temperatures_c, options);
-    let mut worst: Option<(f64, Told)> = None;
+    let mut worst: Option<(f64, SlopeFit)> = None;
     let mut wanders = false;
     for block_days in BLOCKS_DAYS
         .into_iter()
         .filter(|block| *block == 1.0 || *block > usual)
     {
         let blocks = Blocks::of(&trend.daily, &temperatures_c, block_days);
-        let Some((told, correlation)) = told(&blocks, days, options, &breaks)? else {
+        let Some((fit, correlation)) = fitted_slope(&blocks, days, options, &breaks)? else {
             continue;
         };
         wanders = correlation >= WANDERS_FROM;
-        let sd = told.slope.seen_from_per_year;
+        let sd = fit.slope.seen_from_per_year;
         if worst.as_ref().is_none_or(|(most, _)| sd > *most) {
-            worst = Some((sd, Told { block_days, ..told }));
+            worst = Some((sd, SlopeFit { block_days, ..fit }));
         }
     }
     let Some((_, worst)) = worst else {
@@ -349,7 +349,7 @@ impl Blocks {
 }
 
 /// What medians of one length say.
-struct Told {
+struct SlopeFit {
     slope: TiltSlope,
     block_days: f64,
     season: Option<f64>,
@@ -456,12 +456,12 @@ impl Blocks {
 }
 
 /// The slope of medians, and how much neighbouring ones are correlated; `None` with too few of them.
-fn told(
+fn fitted_slope(
     blocks: &Blocks,
     days: &[f64],
     options: &LoggedOptions,
     breaks: &[MonthBreak],
-) -> Result<Option<(Told, f64)>, MonitoringError> {
+) -> Result<Option<(SlopeFit, f64)>, MonitoringError> {
     let n = blocks.days.len();
     let last = days[days.len() - 1];
     let (mut columns, works) = blocks.columns(last, options);
@@ -535,7 +535,7 @@ fn told(
             size: -fit.coefficients[first_break + i],
             sd: fit.sd[first_break + i],
         });
-    let told = Told {
+    let fit = SlopeFit {
         line: line.collect(),
         block_days: 1.0,
         season: amplitude(&fit.coefficients[wave]),
@@ -544,7 +544,7 @@ fn told(
         slope,
         levels,
     };
-    Ok(Some((told, disturbance.correlation)))
+    Ok(Some((fit, disturbance.correlation)))
 }
 
 #[cfg(test)]

@@ -133,10 +133,7 @@ pub(crate) fn by_differences(x: &[f64], mut value: impl FnMut(&[f64]) -> Option<
 }
 
 /// The same of functions that are computed together.
-pub(crate) fn all_by_differences(
-    x: &[f64],
-    mut values: impl FnMut(&[f64]) -> Option<Vec<f64>>,
-) -> Option<Vec<Piece>> {
+fn all_by_differences(x: &[f64], mut values: impl FnMut(&[f64]) -> Option<Vec<f64>>) -> Option<Vec<Piece>> {
     const H: f64 = 1e-5;
     let piece = |value| Piece {
         value,

@@ -352,8 +352,11 @@ impl GroundMotion {
         for (x, y) in x.iter_mut().zip(y) {
             (*x, *y) = (*x * cos - *y * sin, *x * sin + *y * cos);
         }
-        let horizontal = self.given[0] || self.given[1];
-        self.given = [horizontal, horizontal, self.given[2]];
+        // turned about, what lies along x stays there
+        if sin != 0.0 {
+            let horizontal = self.given[0] || self.given[1];
+            self.given = [horizontal, horizontal, self.given[2]];
+        }
         self.history.push(Processing::Rotated { angle_rad });
         Ok(self)
     }

@@ -52,7 +52,7 @@ pub use motion_sequence::{MotionSequence, motion_sequence};
 pub use motion_suite::{MotionSuite, SuiteCandidate, SuiteRule, motion_suite};
 pub use noise::{Noise, NoiseFilter, noise_motion};
 pub use processing::{LostSpan, Processing};
-pub use pulse::{PulseShape, pulse};
+pub use pulse::{PulseShape, pulse, pulse_periods_s};
 pub use record::{Channel, Quantity, Record};
 pub use response_spectrum::{SpectralOrdinate, response_spectrum};
 pub use same_shaking::{SAME_SHAKING, is_same_shaking};

@@ -52,6 +52,12 @@ impl PulseShape {
     }
 }
 
+/// Shortest and longest period of a pulse of this time step, s: 8 and 10⁷ steps.
+pub fn pulse_periods_s(time_step_s: f64) -> [f64; 2] {
+    const STEPS_LEAST: f64 = 8.0;
+    [STEPS_LEAST * time_step_s, SAMPLES_MOST * time_step_s]
+}
+
 /// A pulse along x of this period and largest acceleration, sampled; it begins and ends with a sample at zero.
 ///
 /// ```text
@@ -79,7 +85,6 @@ pub fn pulse(
     peak_acceleration_m_s2: f64,
     time_step_s: f64,
 ) -> Result<GroundMotion, SignalError> {
-    const STEPS_LEAST: f64 = 8.0;
     let refuse = |argument, given, allowed| {
         Err(SignalError::Argument {
             argument,
@@ -87,7 +92,8 @@ pub fn pulse(
             allowed,
         })
     };
-    if !(period_s >= STEPS_LEAST * time_step_s && period_s <= SAMPLES_MOST * time_step_s) {
+    let [least_s, most_s] = pulse_periods_s(time_step_s);
+    if !(least_s..=most_s).contains(&period_s) {
         return refuse("period_s", period_s, "8 to 10 million time steps");
     }
     if !(peak_acceleration_m_s2 > 0.0 && peak_acceleration_m_s2.is_finite()) {

@@ -10,7 +10,7 @@
 
 use super::free_columns::FreeColumns;
 use super::{StabilityError, Verdict, frame_stability};
-use crate::numeric::{Bracketing, bracketed_root, highest};
+use crate::numeric::{Bracketing, bracketed_root, maximum_between};
 use crate::structure::{Convention, Frame, StructureError};
 use dolmen_linalg::{Matrix, solve};
 
@@ -314,7 +314,7 @@ enum StoreyLaw {
 }
 
 /// How far a storey can be pushed.
-struct Reach {
+struct PushLimit {
     /// Drift, or rotation of columns, rad, at the end.
     end_at: f64,
     /// That at the greatest force.
@@ -354,12 +354,12 @@ impl StoreyLaw {
         }
     }
 
-    fn reach(&self, most_m: f64) -> Result<Reach, StabilityError> {
+    fn reach(&self, most_m: f64) -> Result<PushLimit, StabilityError> {
         let (end_at, greatest_at) = match self {
             StoreyLaw::Springs(net_n_m) => (most_m, if *net_n_m > 0.0 { most_m } else { 0.0 }),
             StoreyLaw::Columns(columns, _) => {
                 let end_rad = columns.rotation_at_rad(most_m)?;
-                let top_rad = highest(&|rotation| self.at(rotation).force_n, 0.0, end_rad);
+                let top_rad = maximum_between(&|rotation| self.at(rotation).force_n, 0.0, end_rad);
                 let candidates = [0.0, top_rad, end_rad];
                 let force = |rotation: &f64| self.at(*rotation).force_n;
                 let best = candidates
@@ -368,7 +368,7 @@ impl StoreyLaw {
                 (end_rad, best.unwrap_or(0.0))
             }
         };
-        Ok(Reach {
+        Ok(PushLimit {
             end_at,
             greatest_at,
             greatest: self.at(greatest_at),
@@ -380,7 +380,7 @@ impl StoreyLaw {
     }
 
     /// The drift at which it resists with a force; `None` where it never does.
-    fn drift_at(&self, force_n: f64, reach: &Reach) -> Result<Option<f64>, StabilityError> {
+    fn drift_at(&self, force_n: f64, reach: &PushLimit) -> Result<Option<f64>, StabilityError> {
         if force_n > reach.greatest.force_n || (reach.greatest_at == 0.0 && self.at(0.0).force_n <= 0.0) {
             return Ok(None);
         }
@@ -397,7 +397,7 @@ impl StoreyLaw {
         }))
     }
 
-    fn curve(&self, reach: &Reach) -> Vec<StoreyPoint> {
+    fn curve(&self, reach: &PushLimit) -> Vec<StoreyPoint> {
         if reach.end_at <= 0.0 {
             return Vec::new();
         }

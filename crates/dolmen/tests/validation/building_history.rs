@@ -4,6 +4,7 @@
 //            components, P-delta, masses damped beyond swinging.
 // TOLERANCE  1e-9 m.
 
+use dolmen::comparisons::{twenty_storeys, twenty_storeys_mass};
 use dolmen::dynamics::{
     BuildingHistory, BuildingRun, HistoryMethod, TunedMass, VibratingBuilding, building_history,
 };
@@ -12,7 +13,6 @@ use dolmen::structure::Building;
 use dolmen::structure::building::{
     BuildingDamping, Element, Floor, PDelta, PlanDirection, Storey, StoreyStiffness,
 };
-use dolmen::validation::{twenty_storeys, twenty_storeys_mass};
 use dolmen_linalg::{Matrix, solve};
 
 pub(super) fn el_centro(components: &[(Component, f64)]) -> GroundMotion {

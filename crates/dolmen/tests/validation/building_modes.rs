@@ -16,7 +16,7 @@ use dolmen::structure::building::{
 use dolmen_linalg::Matrix;
 
 fn twisting_floor() -> Building {
-    dolmen::validation::twisting_floor(1000.0).unwrap()
+    dolmen::comparisons::twisting_floor(1000.0).unwrap()
 }
 
 #[test]

@@ -5,6 +5,7 @@
 // TOLERANCE  half a unit of the last digit printed, of the time history 0.03 %: the source takes its peak from rounded samples.
 
 use super::building_history::{el_centro, stepped};
+use dolmen::comparisons::{twenty_storeys, twenty_storeys_mass};
 use dolmen::dynamics::{
     BuildingRun, DirectionalCombination, DynamicsError, ModalCombination, VibratingBuilding,
     building_history, correlation_coefficient, spectral_analysis,
@@ -12,7 +13,6 @@ use dolmen::dynamics::{
 use dolmen::signal::{Component, response_spectrum};
 use dolmen::structure::Building;
 use dolmen::structure::building::{BuildingDamping, Floor, PDelta, PlanDirection, Storey, StoreyStiffness};
-use dolmen::validation::{twenty_storeys, twenty_storeys_mass};
 
 const KIP_IN: f64 = 386.4;
 

@@ -15,10 +15,10 @@
 // PUBLISHED  Tables 1 and 3, text below Table 2. The rest (exact_): computed independently of this code.
 // TOLERANCE  half a unit of the last digit written down, a whole unit in Table 3, which cuts some digits off.
 
+use dolmen::comparisons::naju_flagpole;
 use dolmen::known::choi_2021 as paper;
 use dolmen::stability::{Verdict, chain_limits, chain_stability, failing_joint};
 use dolmen::structure::Chain;
-use dolmen::validation::naju_flagpole;
 use dolmen_linalg::symmetric_eigenvalues;
 
 pub(crate) fn naju() -> Chain {
@@ -41,7 +41,7 @@ fn assert_written(computed: &[f64], scale: f64, written: &[f64], digit: f64) {
 
 #[test]
 fn published_every_case_agrees() {
-    let cases = dolmen::validation::cases().unwrap();
+    let cases = dolmen::comparisons::cases().unwrap();
     let mine = cases.iter().filter(|case| case.source == "Choi (2021)");
     assert_eq!(mine.clone().count(), 27);
     for case in mine {

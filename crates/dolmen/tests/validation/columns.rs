@@ -6,7 +6,7 @@
 // TOLERANCE  1e-12 for the closed form; half a unit of the last digit written; order of convergence 2 ± 0.02;
 //            frequencies 1e-7, at which the search for the degree ends.
 
-use dolmen::validation::{Case, cases};
+use dolmen::comparisons::{Case, cases};
 
 fn of(source: &str) -> Vec<Case> {
     cases()

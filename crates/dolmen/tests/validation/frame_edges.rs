@@ -286,6 +286,38 @@ fn exact_drift_of_a_map_is_that_between_the_samples() {
 }
 
 #[test]
+fn exact_how_far_a_steady_point_is_from_the_steady_state() {
+    // the same closed form over frequencies and damping: what a map says of itself
+    for (zeta, most) in [
+        (0.005, 0.34),
+        (0.01, 0.1),
+        (0.02, 0.02),
+        (0.05, 1e-4),
+        (0.1, 1e-4),
+    ] {
+        let storeys = frame(&[(1.0, 1e6, 0.0)], Convention::Drift);
+        let omega = TAU;
+        let linear = FrictionFrame::new(storeys, vec![omega * omega], vec![StoreyFriction::None])
+            .unwrap()
+            .with_damping(ViscousDamping::Modal(zeta))
+            .unwrap();
+        let wide = (0..24).map(|i| 0.1 * 100_f64.powf(f64::from(i) / 23.0));
+        let near = (0..40).map(|i| 0.9 + 0.005 * f64::from(i));
+        let frequencies_hz: Vec<f64> = wide.chain(near).collect();
+        let map = harmonic_map(&linear, &frequencies_hz, &[2.0], &mut |_| true).unwrap();
+        let mut steady = 0;
+        for point in map.iter().filter(|point| point.steady) {
+            let g = point.frequency_hz;
+            let wanted = 2.0 / (omega * omega * (1.0 - g * g).hypot(2.0 * zeta * g));
+            let off = (point.deformation[0] / wanted - 1.0).abs();
+            assert!(off < most, "{off:e} at {g} Hz, damping {zeta}");
+            steady += 1;
+        }
+        assert!(steady > 0 && (zeta < 0.05 || steady == 64), "{steady} at {zeta}");
+    }
+}
+
+#[test]
 fn refuses_more_samples_than_memory_holds() {
     let storeys = frame(&[(1.0, 1.0, 0.0)], Convention::Drift);
     let free = FrictionFrame::new(storeys, vec![1.0], vec![StoreyFriction::None]).unwrap();

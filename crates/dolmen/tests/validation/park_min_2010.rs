@@ -13,12 +13,12 @@
 // PUBLISHED  k = 202, 15.1 kN/mm. The rest (exact_): computed independently of this code, or by known::park_min_2010.
 // TOLERANCE  half a unit of the last digit written down; published stiffness: what ±0.05 Hz makes of it.
 
+use dolmen::comparisons::{cases, heunginjimun_gate, heunginjimun_gate_as_printed};
 use dolmen::known::park_min_2010 as paper;
 use dolmen::structure::{
     Choice, Convention, Frame, FrameStiffness, MeasuredMode, ShapePoint, StiffnessSolutions, Storey,
     frame_stiffness, stiffness_from_frequencies, stiffness_from_shape, stiffness_range,
 };
-use dolmen::validation::{cases, heunginjimun_gate, heunginjimun_gate_as_printed};
 
 const MN: f64 = 1e6;
 

@@ -7,9 +7,9 @@
 // TOLERANCE  half a unit of the last digit; 1e-8 between both ways: what a solution of the limit analysis misses is 1e-9.
 
 use dolmen::assess::{StackCheckOptions, check_stack};
+use dolmen::comparisons::{p10, p20};
 use dolmen::stability::stack::{LimitAnalysisStatus, LimitKind};
 use dolmen::structure::stack::{Block, JointMaterial, Placement, Solid, Stack, StackError};
-use dolmen::validation::{p10, p20};
 
 fn thresholds(stack: &Stack) -> (LimitKind, f64, f64) {
     let check = check_stack(stack, &StackCheckOptions::default()).unwrap();

@@ -9,6 +9,7 @@
 use dolmen::blocks::{
     AfterFall, BlocksError, ContactRule, Outcome, Springs, StackHistory, Start, simulate_springs, stack_modes,
 };
+use dolmen::comparisons::p10;
 use dolmen::known::sliding::{Friction, record_slip, sine_slip};
 use dolmen::known::twisting::{
     disc_final_speed_ratio, rectangle_spin_deceleration_rad_s2, spin_down_angle_rad, spin_down_time_s,
@@ -16,7 +17,6 @@ use dolmen::known::twisting::{
 use dolmen::signal::{Component, GroundMotion};
 use dolmen::structure::stack::Body;
 use dolmen::structure::stack::{Block, JointMaterial, Placement, SideSupport, Solid, Stack, Tie};
-use dolmen::validation::p10;
 
 const STONE_M: [f64; 3] = [0.3, 0.2, 0.1];
 const GRAVITY_M_S2: f64 = 9.81;

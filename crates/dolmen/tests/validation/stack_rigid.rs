@@ -7,6 +7,7 @@
 
 use crate::stack_rocking::{fell_at_once, pulse, tilts};
 use dolmen::blocks::{ContactRule, Outcome, Rigid, StackHistory, Start, simulate_rigid};
+use dolmen::comparisons::{p10, p20};
 use dolmen::known::overturning::{Equation, Pulse, first_overturning};
 use dolmen::known::rocking::{
     amplitude_rad, frequency_parameter_rad_s, impact_times_s, quarter_period_s, slenderness_rad,
@@ -16,7 +17,6 @@ use dolmen::known::sliding::{Friction, sine_slip};
 use dolmen::known::twisting::{rectangle_spin_deceleration_rad_s2, spin_down_angle_rad};
 use dolmen::signal::{Component, GroundMotion};
 use dolmen::structure::stack::{Block, Body, JointMaterial, Placement, SideSupport, Solid, Stack, Tie};
-use dolmen::validation::{p10, p20};
 
 const HALF_WIDTH_M: f64 = 0.2;
 const HALF_HEIGHT_M: f64 = 1.0;

@@ -8,6 +8,7 @@ mod slips;
 mod surveys;
 mod swapped;
 mod temperature;
+mod which_part;
 
 pub use difference::{Difference, Evidence};
 pub use directions::ExchangedDirections;
@@ -16,3 +17,4 @@ pub use notes::ChangeNote;
 pub use surveys::{SurveyChangeOptions, Surveyed, survey_change};
 pub use swapped::{SwappedChannels, TurnedChannel};
 pub use temperature::{FittedTemperature, TEMPERATURE_SURVEYS_LEAST, TemperatureEffect};
+pub use which_part::{FrequencyChange, PartFit, WhichPart, which_part};

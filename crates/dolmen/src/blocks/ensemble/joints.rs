@@ -1,4 +1,4 @@
-//! The springs law on a contact patch for several runs at once: as [`Patch::press`], point by point.
+//! The springs law on a contact patch for several runs at once: as [`Patch::wrench`], point by point.
 
 use super::super::outline::Outline;
 use super::super::patch::{LANES, Patch, TINY};
@@ -250,7 +250,7 @@ impl<S: Simd> JointLanes<S> {
 
     /// Adds the forces of a step to the two bodies' loads; what friction took, and where the patch has drifted.
     #[inline(always)]
-    pub(super) fn press(
+    pub(super) fn add_contact_forces(
         &mut self,
         bodies: &[BodyLanes<S>],
         loads: &mut [Load<S>],

@@ -1,7 +1,7 @@
 //! Many runs at once, side by side in the lanes of the machine's vectors.
 
+mod batch;
 mod bodies;
-mod herd;
 mod joints;
 mod lanes;
 mod queue;

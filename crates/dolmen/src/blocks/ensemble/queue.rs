@@ -22,14 +22,14 @@ pub struct StackRun<'a> {
 pub(super) struct Queue<'a, 'w> {
     pub(super) waiting: VecDeque<(usize, StackRun<'a>)>,
     /// Runs that start again with a shorter step.
-    pub(super) again: Vec<Ride<'a>>,
+    pub(super) again: Vec<LaneRun<'a>>,
     pub(super) settled: Option<(StackRun<'a>, Settled)>,
     pub(super) progress: &'w mut dyn FnMut(usize, f64) -> bool,
     pub(super) each: &'w mut dyn FnMut(usize, Result<StackHistory, BlocksError>),
 }
 
 /// A run on its way, with its index and the attempt it is at.
-pub(super) struct Ride<'a> {
+pub(super) struct LaneRun<'a> {
     pub(super) index: usize,
     given: StackRun<'a>,
     settled: Settled,
@@ -40,10 +40,10 @@ pub(super) struct Ride<'a> {
 impl<'a> Queue<'a, '_> {
     /// The next run that goes side by side with others; those that do not, and those that can't start, are done at once.
     /// `None` when there is none left.
-    pub(super) fn next(&mut self) -> Option<Ride<'a>> {
+    pub(super) fn next(&mut self) -> Option<LaneRun<'a>> {
         loop {
-            if let Some(ride) = self.again.pop() {
-                return Some(ride);
+            if let Some(lane_run) = self.again.pop() {
+                return Some(lane_run);
             }
             let (index, given) = self.waiting.pop_front()?;
             let StackRun {
@@ -52,7 +52,7 @@ impl<'a> Queue<'a, '_> {
                 options,
             } = given;
             match self.start(index, given) {
-                Ok(ride) if ride.run.assembly.only_dry_patches() => return Some(ride),
+                Ok(lane_run) if lane_run.run.assembly.only_dry_patches() => return Some(lane_run),
                 Ok(_) => {
                     let mut progress = |time_s| (self.progress)(index, time_s);
                     let history = simulate_springs(stack, motion, options, &mut progress);
@@ -64,23 +64,27 @@ impl<'a> Queue<'a, '_> {
     }
 
     /// Hands the history of a run on, or has it start again with a shorter step.
-    pub(super) fn end(&mut self, ride: Ride<'a>) {
+    pub(super) fn end(&mut self, lane_run: LaneRun<'a>) {
         let StackRun {
             stack,
             motion,
             options,
-        } = ride.given;
-        let attempt = match ride.attempt.judge(ride.run.finish(), options) {
-            Ok(history) => return (self.each)(ride.index, Ok(history)),
+        } = lane_run.given;
+        let attempt = match lane_run.attempt.judge(lane_run.run.finish(), options) {
+            Ok(history) => return (self.each)(lane_run.index, Ok(history)),
             Err(again) => again,
         };
-        match Run::new(stack, &ride.settled, motion, options, attempt.h) {
-            Ok(run) => self.again.push(Ride { attempt, run, ..ride }),
-            Err(error) => (self.each)(ride.index, Err(error)),
+        match Run::new(stack, &lane_run.settled, motion, options, attempt.h) {
+            Ok(run) => self.again.push(LaneRun {
+                attempt,
+                run,
+                ..lane_run
+            }),
+            Err(error) => (self.each)(lane_run.index, Err(error)),
         }
     }
 
-    fn start(&mut self, index: usize, given: StackRun<'a>) -> Result<Ride<'a>, BlocksError> {
+    fn start(&mut self, index: usize, given: StackRun<'a>) -> Result<LaneRun<'a>, BlocksError> {
         let StackRun {
             stack,
             motion,
@@ -96,7 +100,7 @@ impl<'a> Queue<'a, '_> {
         let attempt = Attempt::first(&settled);
         let run = Run::new(stack, &settled, motion, options, attempt.h)?;
         self.settled = Some((given, settled.clone()));
-        Ok(Ride {
+        Ok(LaneRun {
             index,
             given,
             settled,

@@ -5,7 +5,7 @@
 
 use super::super::error::BlocksError;
 use super::super::history::StackHistory;
-use super::herd::Herd;
+use super::batch::Batch;
 use super::queue::{Queue, StackRun};
 use pulp::{Arch, Simd, WithSimd};
 
@@ -74,7 +74,7 @@ impl WithSimd for Queue<'_, '_> {
     #[inline(always)]
     fn with_simd<S: Simd>(mut self, simd: S) {
         if let Some(first) = self.next() {
-            Herd::new(simd, first).drive(&mut self);
+            Batch::new(simd, first).drive(&mut self);
         }
     }
 }

@@ -75,7 +75,7 @@ impl Default for JointFactorsOptions {
 /// ```
 /// use dolmen::blocks::{JointFactorsOptions, MeasuredStackMode, StackMotion, joint_factors};
 /// use dolmen::structure::{MeasuredMode, stack::JointMaterial};
-/// let stack = dolmen::validation::p10(JointMaterial::default(), 9.81)?;
+/// let stack = dolmen::comparisons::p10(JointMaterial::default(), 9.81)?;
 /// let mode = MeasuredMode { frequency_hz: 6.0, frequency_sd_hz: 0.06, frequency_changes_hz: vec![], shape: vec![] };
 /// let measured = [MeasuredStackMode { motion: StackMotion::X, mode }];
 /// let found = joint_factors(&stack, &measured, &JointFactorsOptions::default())?;

@@ -9,7 +9,7 @@
 use super::building_peaks::{BuildingPeaks, Peak};
 use super::complex_modes::{Steps, complex_modes};
 use super::exponential::ExponentialSteps;
-use super::looking::Looker;
+use super::peak_tracking::PeakTracker;
 use super::peaks::{Kept, Watcher};
 use super::stepping::{Ground, Stepping, walk};
 use super::vibrating::VibratingBuilding;
@@ -283,16 +283,16 @@ impl Over<'_> {
     ) -> BuildingHistory {
         let (own, points) = (stepping.outputs().rows(), self.watched.len());
         let watcher = Watcher::new(self.building, stepping, self.watched);
-        let mut looker = Looker::new(watcher.reaches(), watcher.others());
+        let mut tracker = PeakTracker::new(watcher.floor_extents(), watcher.others());
         let mut kept = match self.histories {
             Histories::Kept => Some(Kept::new(own, points, self.steps)),
             Histories::PeaksAlone => None,
         };
         let mut see = |block: &Matrix, first: usize, now: usize| {
-            watcher.see(block, (first, now), &mut looker, kept.as_mut());
+            watcher.see(block, (first, now), &mut tracker, kept.as_mut());
         };
         let states = walk(stepping, &watcher.outputs, self.steps, ground, &mut see);
-        let (largest, longest) = looker.found();
+        let (largest, longest) = tracker.found();
         let looked = (&largest[..], &longest[..]);
         let found = watcher.peaks(looked, (self.steps + 1, self.h), &states, stepping, ground);
         let Kept {

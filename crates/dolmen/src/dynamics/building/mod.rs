@@ -1,11 +1,11 @@
 //! Buildings that twist under moving ground: exact between the samples, with or without tuned masses; and by response spectra.
 
-mod between;
+mod between_steps;
 mod building_peaks;
 mod complex_modes;
 mod exponential;
 mod history;
-mod looking;
+mod peak_tracking;
 mod peaks;
 mod secular;
 mod spectrum_analysis;

@@ -1,8 +1,8 @@
 //! What is looked at in a run, as rows of its state, and the largest values of all.
 
-use super::between::Between;
+use super::between_steps::BetweenSteps;
 use super::building_peaks::{BuildingPeaks, FloorPeak, Peak, ResultantDrift, StoreyPeak};
-use super::looking::{LOOKED_AT, Longest, Looker, Reach, factors, reaches};
+use super::peak_tracking::{FloorExtent, Longest, PeakTracker, TRACKED, factors, floor_extents};
 use super::stepping::{Ground, Stepping};
 use super::vibrating::VibratingBuilding;
 use dolmen_linalg::Matrix;
@@ -16,7 +16,7 @@ pub(super) struct Watcher {
     floors: usize,
     /// Centres of mass of the floors, m.
     centres_m: Vec<[f64; 2]>,
-    reaches: Vec<Reach>,
+    floor_extents: Vec<FloorExtent>,
     /// ιᵀ K: only the lowest storey's walls hold to the ground.
     base_rows: [Vec<f64>; 3],
     /// Rows of the points over the coordinates.
@@ -103,7 +103,7 @@ impl Watcher {
                 .iter()
                 .map(|floor| floor.centre_m)
                 .collect(),
-            reaches: reaches(building),
+            floor_extents: floor_extents(building),
             base_rows: building.building().base_rows(),
             watched: watched.to_vec(),
             own: own.rows(),
@@ -121,8 +121,8 @@ impl Watcher {
         2 * self.masses() + 3 + 2 * self.watched.len()
     }
 
-    pub(super) fn reaches(&self) -> &[Reach] {
-        &self.reaches
+    pub(super) fn floor_extents(&self) -> &[FloorExtent] {
+        &self.floor_extents
     }
 
     /// A block of `now` steps from `first` on, a column a row of the outputs: largest values, and histories where they are kept.
@@ -130,13 +130,13 @@ impl Watcher {
         &self,
         block: &Matrix,
         (first, now): (usize, usize),
-        looker: &mut Looker<'_>,
+        tracker: &mut PeakTracker<'_>,
         kept: Option<&mut Kept>,
     ) {
         let (masses, points) = (self.masses(), self.watched.len());
-        looker.storeys(block, (first, now));
+        tracker.storeys(block, (first, now));
         for k in 0..masses {
-            looker.other(k, &block.column(3 * self.floors + k)[..now], first);
+            tracker.other(k, &block.column(3 * self.floors + k)[..now], first);
         }
         let sum = |row: &[f64]| -> Vec<f64> {
             let mut sum = vec![0.0; now];
@@ -149,15 +149,15 @@ impl Watcher {
         };
         let base = self.base_rows.each_ref().map(|row| sum(&row[..3]));
         for (axis, values) in base.iter().enumerate() {
-            looker.other(masses + axis, values, first);
+            tracker.other(masses + axis, values, first);
         }
         let moved: Vec<Vec<f64>> = self.watched.iter().map(|row| sum(row)).collect();
         for (i, values) in moved.iter().enumerate() {
-            looker.other(masses + 3 + i, values, first);
+            tracker.other(masses + 3 + i, values, first);
         }
         for k in 0..points + masses {
             let felt = &block.column(self.own + k)[..now];
-            looker.other(masses + 3 + points + k, felt, first);
+            tracker.other(masses + 3 + points + k, felt, first);
         }
         let Some(kept) = kept else { return };
         for i in 0..now {
@@ -190,7 +190,7 @@ impl Watcher {
             .filter(|(value, _)| *value != 0.0)
             .map(|(_, step)| *step);
         let around = moved.chain(longest.iter().flatten().map(|longest| longest.step));
-        let between = Between::new(stepping, (steps, h), ground, states, around);
+        let between = BetweenSteps::new(stepping, (steps, h), ground, states, around);
         let mut row = vec![0.0; self.outputs.rows()];
         let each = all.iter().enumerate().map(|(which, &found)| {
             self.row(which, &mut row);
@@ -201,13 +201,13 @@ impl Watcher {
         let resultants: Vec<ResultantDrift> = each
             .map(|(storey, longest)| self.resultant(storey, longest, &between))
             .collect();
-        let (storeys, rest) = peaks.split_at(LOOKED_AT * n);
+        let (storeys, rest) = peaks.split_at(TRACKED * n);
         let (strokes, rest) = rest.split_at(masses);
         let (base, rest) = rest.split_at(3);
         let (moved, rest) = rest.split_at(points);
         let (felt, rates) = rest.split_at(points);
         let larger = |a: Peak, b: Peak| if b.value.abs() > a.value.abs() { b } else { a };
-        let storeys = storeys.chunks_exact(LOOKED_AT);
+        let storeys = storeys.chunks_exact(TRACKED);
         Found {
             watched: moved.iter().zip(felt).map(|(a, b)| [*a, *b]).collect(),
             building: BuildingPeaks {
@@ -220,7 +220,7 @@ impl Watcher {
                     })
                     .collect(),
                 storeys: storeys
-                    .zip(&self.reaches)
+                    .zip(&self.floor_extents)
                     .zip(resultants)
                     .map(|((p, reach), resultant)| StoreyPeak {
                         resultant,
@@ -244,11 +244,11 @@ impl Watcher {
         &self,
         storey: usize,
         corners: &[Longest],
-        between: &Between<'_, impl Stepping>,
+        between: &BetweenSteps<'_, impl Stepping>,
     ) -> ResultantDrift {
         let of = |value: usize| {
             let mut row = vec![0.0; self.outputs.rows()];
-            self.row(LOOKED_AT * storey + value, &mut row);
+            self.row(TRACKED * storey + value, &mut row);
             row
         };
         let (drift_x, drift_y, twist) = (of(3), of(4), of(5));
@@ -256,7 +256,7 @@ impl Watcher {
             drift.iter().zip(&twist).map(|(d, t)| d + arm * t).collect()
         };
         let most = corners.iter().map(Longest::squared).fold(0.0, f64::max);
-        let each = corners.iter().zip(&self.reaches[storey].corners);
+        let each = corners.iter().zip(&self.floor_extents[storey].corners);
         let near = each.filter(|(found, _)| found.squared() >= NEAR_LONGEST * most);
         let tops = near.map(|(found, from_centre)| {
             let (along_x, along_y) = (
@@ -286,9 +286,9 @@ impl Watcher {
                 }
             }
         };
-        let (storey, value) = (which / LOOKED_AT, which % LOOKED_AT);
+        let (storey, value) = (which / TRACKED, which % TRACKED);
         if storey < n {
-            let [own, below] = factors(value, &self.reaches[storey]);
+            let [own, below] = factors(value, &self.floor_extents[storey]);
             for k in 0..3 {
                 add(3 * storey + k, own[k]);
                 if storey > 0 {
@@ -297,7 +297,7 @@ impl Watcher {
             }
             return;
         }
-        let other = which - LOOKED_AT * n;
+        let other = which - TRACKED * n;
         let base = other.wrapping_sub(masses);
         let point = base.wrapping_sub(3);
         if other < masses {

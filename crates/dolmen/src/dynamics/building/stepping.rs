@@ -36,7 +36,17 @@ pub(super) fn walk(
     ground: &dyn Fn(usize) -> Ground,
     see: &mut dyn FnMut(&Matrix, usize, usize),
 ) -> Vec<Vec<f64>> {
-    let arch = Arch::new();
+    walk_on(Arch::new(), (stepping, outputs), steps, ground, see)
+}
+
+/// The same on vectors of a width.
+fn walk_on(
+    arch: Arch,
+    (stepping, outputs): (&impl Stepping, &Matrix),
+    steps: usize,
+    ground: &dyn Fn(usize) -> Ground,
+    see: &mut dyn FnMut(&Matrix, usize, usize),
+) -> Vec<Vec<f64>> {
     let count = outputs.rows();
     let mut block = Matrix::zeros(count, BLOCK);
     let mut values = Matrix::zeros(BLOCK, outputs.columns());
@@ -92,4 +102,81 @@ pub(super) fn states_at(
         found.push(state.clone());
     }
     found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// s′ = A s + B a of as many states as A has rows.
+    struct Plain {
+        of_state: Vec<Vec<f64>>,
+        outputs: Matrix,
+    }
+
+    impl Stepping for Plain {
+        fn outputs(&self) -> &Matrix {
+            &self.outputs
+        }
+
+        #[inline(always)]
+        fn advance(&self, from: &[f64], to: &mut [f64], ground: Ground) {
+            for (row, to) in self.of_state.iter().zip(to) {
+                *to = ground[0][0] - 0.3 * ground[1][1];
+                for (a, from) in row.iter().zip(from) {
+                    *to += a * from;
+                }
+            }
+        }
+
+        fn rate_row(&self, row: &[f64]) -> Vec<f64> {
+            row.to_vec()
+        }
+
+        fn ground_of_row(&self, _row: &[f64]) -> [f64; 2] {
+            [0.0; 2]
+        }
+    }
+
+    #[test]
+    fn holds_a_walk_has_the_same_bits_on_any_vectors() {
+        const STATES: usize = 13;
+        let number = |i: usize, j: usize| ((7 * i + 11 * j) as f64).sin() / STATES as f64;
+        let stepping = Plain {
+            of_state: (0..STATES)
+                .map(|i| (0..STATES).map(|j| number(i, j)).collect())
+                .collect(),
+            outputs: Matrix::zeros(1, 1),
+        };
+        let mut outputs = Matrix::zeros(STATES, 5);
+        for (at, value) in outputs.as_mut_slice().iter_mut().enumerate() {
+            *value = number(at, 3);
+        }
+        let ground = |step: usize| [[(0.1 * step as f64).sin(); 2]; 2];
+        #[allow(unused_mut, reason = "other machines have one")]
+        let mut archs = vec![Arch::Scalar];
+        #[cfg(target_arch = "x86_64")]
+        {
+            archs.extend(pulp::x86::V3::try_new().map(Arch::V3));
+            archs.extend(pulp::x86::V4::try_new().map(Arch::V4));
+        }
+        let walked: Vec<_> = archs
+            .into_iter()
+            .map(|arch| {
+                let mut seen: Vec<f64> = Vec::new();
+                let states = walk_on(
+                    arch,
+                    (&stepping, &outputs),
+                    300,
+                    &ground,
+                    &mut |values, _, now| {
+                        (0..5).for_each(|column| seen.extend(&values.column(column)[..now]));
+                    },
+                );
+                (states, seen)
+            })
+            .collect();
+        assert!(walked[0].1.len() == 1500 && walked[0].1.iter().any(|value| *value != 0.0));
+        assert!(walked.iter().all(|other| *other == walked[0]));
+    }
 }

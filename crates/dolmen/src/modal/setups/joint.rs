@@ -1,9 +1,9 @@
 //! Several setups as one identification: their correlations brought to one shaking and stacked (PreGER).
 
+use super::common_excitation::{Setup, stacked};
 use super::merge_setups::{MergeSetups, MergedSetups};
-use super::one_shaking::{Setup, stacked};
 use super::pairing::{ObservedMode, pair_modes};
-use super::places::{Places, Seat};
+use super::sensor_places::{ChannelPlace, SensorPlaces};
 use crate::modal::accept::{accepted, candidates, join, taken_out};
 use crate::modal::quality::doubt_channels;
 use crate::modal::quality::remark;
@@ -105,13 +105,13 @@ pub fn joint_setups(
     if others.is_empty() {
         return Err(ModalError::Setups { given: 1 });
     }
-    let mut places = Places::of(first.channels());
-    let own = (0..first.channels().len()).map(|place| Seat {
+    let mut places = SensorPlaces::of(first.channels());
+    let own = (0..first.channels().len()).map(|place| ChannelPlace {
         place,
         sign: 1.0,
         known: false,
     });
-    let mut seats: Vec<Vec<Seat>> = vec![own.collect()];
+    let mut channel_places: Vec<Vec<ChannelPlace>> = vec![own.collect()];
     for (i, record) in others.iter().enumerate() {
         let (given_hz, first_hz) = (record.sampling_rate_hz(), first.sampling_rate_hz());
         if (given_hz / first_hz - 1.0).abs() > 1e-9 {
@@ -121,7 +121,7 @@ pub fn joint_setups(
                 first_hz,
             });
         }
-        seats.push(places.seats(record.channels(), i + 1, place_within_m)?);
+        channel_places.push(places.channel_places(record.channels(), i + 1, place_within_m)?);
     }
     let references = places.seen_by(records.len());
     if references.is_empty() {
@@ -143,8 +143,8 @@ pub fn joint_setups(
     settings.references.clone_from(&references);
     let duration_s: f64 = records.iter().map(Record::duration_s).sum();
     let mut setups = Vec::with_capacity(records.len());
-    for (record, seats) in records.iter().zip(&seats) {
-        setups.push(Setup::new(record, seats, &references, &ssi)?);
+    for (record, channel_places) in records.iter().zip(&channel_places) {
+        setups.push(Setup::new(record, channel_places, &references, &ssi)?);
     }
     let strength: Vec<f64> = setups
         .iter()
@@ -191,8 +191,8 @@ pub fn joint_setups(
         duration_s,
         history: first.history().to_vec(),
     };
-    let places_of = |seats: &Vec<Seat>| seats.iter().map(|s| s.place).collect();
-    let seen: Vec<(&Record, Vec<usize>)> = records.iter().zip(seats.iter().map(places_of)).collect();
+    let places_of = |channel_places: &Vec<ChannelPlace>| channel_places.iter().map(|s| s.place).collect();
+    let seen: Vec<(&Record, Vec<usize>)> = records.iter().zip(channel_places.iter().map(places_of)).collect();
     let before = modes.modes.clone();
     test_for_machines(&seen, &options, &mut modes, &mut notes)?;
     refused.extend(taken_out(&before, &modes.modes, of_steady));

@@ -4,8 +4,8 @@
 
 use super::merged_mode::{Growing, MergedMode};
 use super::pairing::{ObservedMode, Pairing, pair_modes};
-use super::places::Places;
 use super::reference_gains::{ReferenceFault, reference_faults};
+use super::sensor_places::SensorPlaces;
 use crate::modal::{ModalError, Modes};
 
 /// Options of [`merge_setups`].
@@ -83,12 +83,13 @@ pub fn merge_setups(setups: &[Modes], options: &MergeSetups) -> Result<MergedSet
     if others.is_empty() {
         return Err(ModalError::Setups { given: 1 });
     }
-    let mut places = Places::of(&first.channels);
+    let mut places = SensorPlaces::of(&first.channels);
     let mut growing: Vec<Growing> = first.modes.iter().map(Growing::of).collect();
     let mut partial = Vec::new();
     for (index, setup) in others.iter().enumerate() {
         let number = index + 1;
-        let seats = places.seats(&setup.channels, number, options.pairing.place_within_m)?;
+        let channel_places =
+            places.channel_places(&setup.channels, number, options.pairing.place_within_m)?;
         let known: Vec<ObservedMode> = growing.iter().map(|g| g.observed(&places)).collect();
         let paired = pair_modes(&known, &ObservedMode::all(setup, 0), &options.pairing)?;
         for &alone in &paired.only_first {
@@ -107,7 +108,7 @@ pub fn merge_setups(setups: &[Modes], options: &MergeSetups) -> Result<MergedSet
         for pair in &paired.pairs {
             let mut mode = growing[pair.first].clone();
             mode.doubtful |= pair.doubtful();
-            mode.add(&setup.modes[pair.second], &seats, places.channels.len());
+            mode.add(&setup.modes[pair.second], &channel_places, places.channels.len());
             next.push(mode);
         }
         growing = next;

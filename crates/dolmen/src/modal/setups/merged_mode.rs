@@ -8,7 +8,7 @@
 
 use super::agreement::{Agreement, Known, Mean, mean};
 use super::pairing::{ObservedMode, ObservedPoint};
-use super::places::{Places, Seat};
+use super::sensor_places::{ChannelPlace, SensorPlaces};
 use crate::modal::indicators::{assurance, normalized, phase_collinearity};
 use crate::modal::{ModalError, Mode};
 use dolmen_linalg::Complex64;
@@ -66,7 +66,7 @@ impl Growing {
     }
 
     /// As it is paired with the modes of the next setup.
-    pub(super) fn observed(&self, places: &Places) -> ObservedMode {
+    pub(super) fn observed(&self, places: &SensorPlaces) -> ObservedMode {
         let points = self.sum.iter().zip(&places.channels).enumerate();
         let shape = points
             .map(|(place, (_, channel))| ObservedPoint {
@@ -83,10 +83,15 @@ impl Growing {
     }
 
     /// Scales a mode of the next setup to this one, and lays it beside.
-    pub(super) fn add(&mut self, mode: &Mode, seats: &[Seat], places: usize) {
-        let turned: Vec<Complex64> = mode.shape.iter().zip(seats).map(|(x, s)| x * s.sign).collect();
+    pub(super) fn add(&mut self, mode: &Mode, channel_places: &[ChannelPlace], places: usize) {
+        let turned: Vec<Complex64> = mode
+            .shape
+            .iter()
+            .zip(channel_places)
+            .map(|(x, s)| x * s.sign)
+            .collect();
         let own = variances(mode);
-        let known: Vec<(usize, Seat)> = seats
+        let known: Vec<(usize, ChannelPlace)> = channel_places
             .iter()
             .copied()
             .enumerate()
@@ -114,10 +119,11 @@ impl Growing {
         self.sum.resize(places, Complex64::ZERO);
         self.variance.resize(places, 0.0);
         self.count.resize(places, 0.0);
-        for (c, seat) in seats.iter().enumerate() {
-            self.sum[seat.place] += scale * turned[c];
-            self.variance[seat.place] += scale.norm_sqr() * own[c] + scale_variance * turned[c].norm_sqr();
-            self.count[seat.place] += 1.0;
+        for (c, channel_place) in channel_places.iter().enumerate() {
+            self.sum[channel_place.place] += scale * turned[c];
+            self.variance[channel_place.place] +=
+                scale.norm_sqr() * own[c] + scale_variance * turned[c].norm_sqr();
+            self.count[channel_place.place] += 1.0;
         }
         self.reference_assurance
             .push((known.len() > 1).then(|| assurance(&a, &b)));

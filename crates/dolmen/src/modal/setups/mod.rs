@@ -1,13 +1,13 @@
 //! Several setups of one survey: which sensors and modes are one, and what they show together.
 
 mod agreement;
+mod common_excitation;
 mod joint;
 mod merge_setups;
 mod merged_mode;
-mod one_shaking;
 mod pairing;
-mod places;
 mod reference_gains;
+mod sensor_places;
 
 pub use agreement::Agreement;
 pub use joint::{JointSetups, joint_setups};

@@ -8,7 +8,7 @@
 //! | θ, u, V | `rotation_rad`, `drift_m`, `force_n` | rotation of the columns, displacement of the head, force on all columns | rad, m, N |
 
 use super::foot::FootSection;
-use crate::numeric::{Bracketing, bracketed_root, highest, nodes_15};
+use crate::numeric::{Bracketing, bracketed_root, maximum_between, nodes_15};
 use crate::stability::StabilityError;
 
 /// Equal columns that stand free, with what they carry on their heads.
@@ -150,7 +150,7 @@ impl FreeColumns {
             return Ok(None);
         }
         let uplift_rad = self.section.uplift_rotation_rad(bed, self.normal_n());
-        let greatest_rad = highest(&|rotation| self.restoring_n(rotation), uplift_rad, rigid_rad);
+        let greatest_rad = maximum_between(&|rotation| self.restoring_n(rotation), uplift_rad, rigid_rad);
         let balance = |rotation: f64| self.restoring_n(rotation);
         let falls_rad = bracketed_root(balance, greatest_rad, rigid_rad, &Bracketing::default())?;
         Ok(Some(ColumnStanding {

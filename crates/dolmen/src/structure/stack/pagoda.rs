@@ -81,7 +81,7 @@ pub struct Pagoda {
 /// ```
 ///
 /// Storeys are similar: their heights shrink as their widths do, half body, half eave, the eave 1.68 times as wide as the
-/// body. The base is two steps in the proportions of [`p20`](crate::validation::p20), as wide as the first body asks.
+/// body. The base is two steps in the proportions of [`p20`](crate::comparisons::p20), as wide as the first body asks.
 ///
 /// # Errors
 /// [`StackError::Dimension`] for a factor out of its range; [`StackError::Pagoda`] if the taper leaves no width at the top, or

@@ -117,7 +117,7 @@ impl Stack {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::validation::p10;
+    use crate::comparisons::p10;
 
     #[test]
     fn holds_small_differences_are_small_and_those_of_their_seed() {

@@ -1,0 +1,111 @@
+// SOURCE     Natural modes of the changed structure from `dolmen check` of another project file, in which one joint or storey has less stiffness.
+// GOAL       `compare` names the part that changed, how much of it is left, and what cannot be told apart.
+// TOLERANCE  what the frequencies' stated deviation of 0.2 % allows: the interval that is printed
+
+use super::stores::json;
+use super::verbs::Scratch;
+use serde_json::Value;
+use std::fmt::Write as _;
+use std::fs;
+
+fn pole(joints: [f64; 3], surveys: &str) -> String {
+    let [low, middle, top] = joints;
+    format!(
+        "schema = 1\nkind = \"chain\"\nname = \"pole\"\nevidence = \"measured\"\n\
+         units = {{ length = \"m\", force = \"kN\", stiffness = \"kN*m/rad\" }}\n\
+         links = [\n{{ name = \"low\", weight = 40, length = 3.5, centroid = 1.7 }},\n\
+         {{ name = \"middle\", weight = 18, length = 2.8, centroid = 1.3 }},\n\
+         {{ name = \"top\", weight = 8, length = 2.0, centroid = 0.9 }},\n]\n\
+         joints = [{{ stiffness = {low} }}, {{ stiffness = {middle} }}, {{ stiffness = {top} }}]\n{surveys}"
+    )
+}
+
+const GIVEN: [f64; 3] = [3000.0, 900.0, 300.0];
+
+fn frequencies_hz(scratch: &Scratch, joints: [f64; 3]) -> Vec<f64> {
+    fs::write(scratch.path().join("project.toml"), pole(joints, "")).unwrap();
+    let check = json(scratch, "check .");
+    let modes = check
+        .pointer("/state/check/chain/modes")
+        .and_then(Value::as_array)
+        .unwrap();
+    modes
+        .iter()
+        .map(|mode| mode["frequency_hz"].as_f64().unwrap())
+        .collect()
+}
+
+fn survey(date: &str, frequencies_hz: &[f64]) -> String {
+    let mut text = format!("\n[survey.{date}]\ntemperature_c = 15\nfrequencies.x = [");
+    for hz in frequencies_hz {
+        write!(text, "{{ value = {hz:.6}, cov = 0.002 }}, ").unwrap();
+    }
+    text + "]\n"
+}
+
+#[test]
+fn agrees_compare_names_the_joint_that_loosened() {
+    let scratch = Scratch::new("changed-part");
+    let before = frequencies_hz(&scratch, GIVEN);
+    for (at, name) in ["low", "middle", "top"].into_iter().enumerate() {
+        let mut joints = GIVEN;
+        joints[at] *= 0.75;
+        let after = frequencies_hz(&scratch, joints);
+        let surveys = survey("2024-05-01", &before) + &survey("2026-05-01", &after);
+        fs::write(scratch.path().join("project.toml"), pole(GIVEN, &surveys)).unwrap();
+        let found = json(&scratch, "compare .");
+        let part = found.pointer("/parts/0").unwrap();
+        let best = &part["fits"][0];
+        assert_eq!(
+            (&best["part"], &part["candidates"]),
+            (&name.into(), &1.into()),
+            "{part}"
+        );
+        assert!(
+            (best["stiffness_left"].as_f64().unwrap() / 0.75 - 1.0).abs() < 2e-3,
+            "{best}"
+        );
+        assert!(best["stiffness_left_lower"].as_f64() < Some(0.75), "{best}");
+        let said = scratch.briefly("compare .").stdout.replace("\n    ", " ");
+        assert!(
+            said.contains(&format!("it is the joint below ‘{name}’: 75 %")),
+            "{said}"
+        );
+        let korean = scratch.briefly("compare . --language ko").stdout;
+        assert!(korean.contains(&format!("‘{name}’ 하부 접합면")), "{korean}");
+    }
+}
+
+#[test]
+fn agrees_what_no_part_or_every_part_explains_is_said() {
+    let scratch = Scratch::new("changed-parts");
+    let before = frequencies_hz(&scratch, GIVEN);
+    let alike = frequencies_hz(&scratch, GIVEN.map(|k| 0.85 * k));
+    let said = |after: &[f64]| {
+        let surveys = survey("2024-05-01", &before) + &survey("2026-05-01", after);
+        fs::write(scratch.path().join("project.toml"), pole(GIVEN, &surveys)).unwrap();
+        scratch.dolmen("compare .").stdout.replace("\n    ", " ")
+    };
+    let answer = said(&alike);
+    assert!(
+        answer.contains("No single part of the model explains"),
+        "{answer}"
+    );
+    assert!(
+        answer.contains("All parts alike explain the changes as well: 85 %"),
+        "{answer}"
+    );
+    let odd = [0.97 * before[0], 1.03 * before[1], 0.97 * before[2]];
+    let answer = said(&odd);
+    assert!(
+        answer.contains("No single part of the model explains"),
+        "{answer}"
+    );
+    assert!(!answer.contains("All parts alike"), "{answer}");
+    // nothing changed: no part is looked for
+    let answer = said(&before);
+    assert!(
+        !answer.contains("single part") && !answer.contains("alone changed"),
+        "{answer}"
+    );
+}

@@ -1,0 +1,141 @@
+// SOURCE     The source of every crate, laid out by rustfmt.
+// GOAL       A function is read in one look: at most 100 lines. Lists of sentences or of cases are named; those that are still to be split
+//            stand with their lines, and may only become shorter.
+// TOLERANCE  none.
+
+use super::layout::{root, rust_files};
+use std::fs;
+
+/// Most lines of a function, from `fn` to its last brace.
+const LINES_MOST: usize = 100;
+/// Functions that are a list: a sentence for each variant, or one published case after the other.
+const LISTS: [&str; 10] = [
+    "dolmen-report/src/identification/notes.rs stiffness_note",
+    "dolmen-report/src/modal/notes.rs note_words",
+    "dolmen-report/src/modal/steps.rs step_words",
+    "dolmen-report/src/processing.rs step",
+    "dolmen/src/assess/stack_notes.rs fmt",
+    "dolmen/src/comparisons/fragility.rs cases",
+    "dolmen/src/comparisons/kim_koo_hong_2018.rs cases",
+    "dolmen/src/modal/notes.rs fmt",
+    "dolmen/src/signal/processing.rs fmt",
+    "dolmen/src/structure/stiffness_note.rs fmt",
+];
+/// Functions that are still longer, with their lines: to be split where they are next touched.
+const STILL: [(&str, usize); 20] = [
+    ("dolmen/src/stability/stack/limit_pieces.rs pieces", 159),
+    ("dolmen-work/src/frame/simulate.rs simulate", 147),
+    ("dolmen-project/src/reader.rs number", 135),
+    ("dolmen/src/dynamics/chain_series.rs coefficients", 133),
+    ("dolmen/src/blocks/patch.rs wrench_of_points", 133),
+    ("dolmen-project/src/read.rs of_raw", 111),
+    ("dolmen/src/modal/settings.rs choose", 129),
+    ("dolmen/src/monitoring/alarm.rs judge", 127),
+    ("dolmen/src/modal/setups/joint.rs joint_setups", 121),
+    ("dolmen-project/src/stack/shape.rs shape", 121),
+    ("dolmen/src/modal/driven/identify_driven.rs of_driven", 120),
+    ("dolmen-work/src/watch.rs watch_surveys", 120),
+    ("dolmen-project/src/tabled.rs list", 119),
+    ("dolmen/src/blocks/rigid_faces.rs contact_force", 118),
+    ("dolmen-project/src/stack/read.rs stack", 117),
+    ("dolmen-project/src/building/place_damper.rs build", 108),
+    ("dolmen-work/src/motion/suite.rs suite", 105),
+    ("dolmen-project/src/loads/read.rs loads", 102),
+    ("dolmen/src/damper/plan.rs choose_frequencies", 101),
+    ("dolmen-records/src/records/csv_start.rs find", 101),
+];
+
+struct Long {
+    name: String,
+    line: usize,
+    lines: usize,
+}
+
+/// The name in a line that begins a function.
+fn function(line: &str) -> Option<&str> {
+    let mut words = line.trim_start();
+    for word in ["pub(crate) ", "pub(super) ", "pub ", "const ", "async "] {
+        words = words.strip_prefix(word).unwrap_or(words);
+    }
+    let name = words.strip_prefix("fn ")?;
+    name.split(|c: char| !c.is_alphanumeric() && c != '_').next()
+}
+
+/// Functions of more than `most` lines: each ends with the brace that stands as far in as it began.
+fn longer(text: &str, most: usize) -> Vec<Long> {
+    let lines: Vec<&str> = text.lines().collect();
+    let mut found = Vec::new();
+    for (at, line) in lines.iter().enumerate() {
+        let Some(name) = function(line) else { continue };
+        let within = line.len() - line.trim_start().len();
+        let end = format!("{}}}", &line[..within]);
+        let none = format!("{};", &line[..within]);
+        let length = lines[at..]
+            .iter()
+            .position(|line| {
+                **line == end || line.ends_with('}') && line.contains("fn ") || line.starts_with(&none)
+            })
+            .map_or(0, |last| last + 1);
+        if length > most {
+            found.push(Long {
+                name: name.to_owned(),
+                line: at + 1,
+                lines: length,
+            });
+        }
+    }
+    found
+}
+
+#[test]
+fn holds_functions_can_be_read_in_one_look() {
+    let crates = fs::canonicalize(root().join("crates")).unwrap();
+    let mut seen = Vec::new();
+    for entry in fs::read_dir(&crates).unwrap() {
+        for file in rust_files(&entry.unwrap().path().join("src")) {
+            let text = fs::read_to_string(&file).unwrap();
+            let code = text.split("#[cfg(test)]\nmod ").next().unwrap_or_default();
+            for long in longer(code, LINES_MOST) {
+                let path = file.strip_prefix(&crates).unwrap().display();
+                let name = format!("{path} {}", long.name);
+                let known = STILL.iter().find(|(still, _)| *still == name);
+                let allowed = known.map_or(LINES_MOST, |(_, lines)| *lines);
+                assert!(
+                    LISTS.contains(&name.as_str()) || long.lines <= allowed,
+                    "{name}, line {}: {} lines, at most {allowed}: split it by what it does",
+                    long.line,
+                    long.lines
+                );
+                seen.push((name, long.lines));
+            }
+        }
+    }
+    for (still, lines) in STILL {
+        let now = seen.iter().find(|(name, _)| name == still);
+        assert_eq!(
+            now.map(|(_, lines)| *lines),
+            Some(lines),
+            "{still} is shorter: write so here"
+        );
+    }
+    for list in LISTS {
+        assert!(
+            seen.iter().any(|(name, _)| name == list),
+            "{list} is short: take it out"
+        );
+    }
+}
+
+#[test]
+fn refuses_a_long_function_in_a_sample() {
+    let inner = "        let x = 1;\n".repeat(4);
+    let text = format!(
+        "impl A {{\n    pub(crate) fn long<T>(\n        a: T,\n    ) {{\n{inner}    }}\n\n    fn short() {{}}\n}}\nfn last() {{\n    x\n}}\n"
+    );
+    let found = longer(&text, 6);
+    let [long] = &found[..] else {
+        panic!("{}", found.len())
+    };
+    assert_eq!((long.name.as_str(), long.line, long.lines), ("long", 2, 8));
+    assert!(longer(&text, 8).is_empty());
+}

@@ -1,0 +1,141 @@
+//! What moves in a damper, its mass and its frequency, from what is given of them.
+
+use super::damper::{DamperFrequency, DamperMass, MassPart, MovingPart};
+use super::file::DamperKindRaw;
+use crate::quantity::Quantity;
+use crate::wrong::{Common, WrongDamper};
+use dolmen_words::message::Both;
+
+/// What is wrong with a damper as a whole.
+pub(super) struct Refused {
+    pub(super) message: WrongDamper,
+    pub(super) help: Both,
+}
+
+impl Refused {
+    fn because(message: WrongDamper, help: impl Into<Both>) -> Box<Self> {
+        let help = help.into();
+        Box::new(Refused { message, help })
+    }
+}
+
+/// What is written of a liquid column.
+pub(super) struct Liquid {
+    pub(super) length_ratio: Option<Quantity>,
+    pub(super) share: Option<Quantity>,
+    pub(super) frequency: Option<Quantity>,
+    pub(super) length: Option<Quantity>,
+    pub(super) damping_ratio: Option<Quantity>,
+}
+
+pub(super) fn mass_of(
+    mass: Option<Quantity>,
+    ratio: Option<Quantity>,
+    path: &str,
+) -> Result<DamperMass, Box<Refused>> {
+    let path = path.to_owned();
+    match (mass, ratio) {
+        (Some(mass), None) => Ok(DamperMass::Mass(mass)),
+        (None, Some(ratio)) => Ok(DamperMass::Ratio(ratio)),
+        (Some(_), Some(_)) => Err(Refused::because(
+            WrongDamper::HasBothMassAnd { path },
+            Common::KeepOneOfThem,
+        )),
+        (None, None) => Err(Refused::because(
+            WrongDamper::HasNeitherMassNor { path },
+            WrongDamper::GiveMassOrMass,
+        )),
+    }
+}
+
+/// The frequency from itself, its ratio to that of the mode, the length of the column, or the tuning.
+pub(super) fn frequency_of(
+    given: [Option<Quantity>; 3],
+    is_tuned: bool,
+    path: &str,
+) -> Result<DamperFrequency, Box<Refused>> {
+    let path = path.to_owned();
+    if given.iter().flatten().count() > 1 {
+        return Err(Refused::because(
+            WrongDamper::HasItsFrequencyTwice { path },
+            Common::KeepOneOfThem,
+        ));
+    }
+    match given {
+        [Some(frequency), ..] => Ok(DamperFrequency::Frequency(frequency)),
+        [_, Some(ratio), _] => Ok(DamperFrequency::Ratio(ratio)),
+        [.., Some(length)] => Ok(DamperFrequency::Length(length)),
+        _ if is_tuned => Ok(DamperFrequency::Tuned),
+        _ => Err(Refused::because(
+            WrongDamper::HasNoFrequency { path },
+            WrongDamper::GiveFrequencyFrequencyRatio,
+        )),
+    }
+}
+
+/// A damping ratio is given or tuned; a tuning that gives neither it nor the frequency is of no use.
+pub(super) fn judge_damping(
+    is_given: bool,
+    is_tuned: bool,
+    frequency: &DamperFrequency,
+    path: &str,
+) -> Result<(), Box<Refused>> {
+    let path = path.to_owned();
+    if !is_given && !is_tuned {
+        return Err(Refused::because(
+            WrongDamper::HasNoDampingRatio { path },
+            WrongDamper::GiveDampingRatioOn,
+        ));
+    }
+    if is_tuned && is_given && !matches!(frequency, DamperFrequency::Tuned) {
+        return Err(Refused::because(
+            WrongDamper::NamesTuningButGives { path },
+            WrongDamper::TakeTuningOutOr,
+        ));
+    }
+    Ok(())
+}
+
+/// What moves; `None` if the parts of a mass were refused before.
+pub(super) fn moving_part(
+    kind: DamperKindRaw,
+    liquid: Liquid,
+    parts: Option<Vec<MassPart>>,
+    path: &str,
+) -> Result<Option<MovingPart>, Box<Refused>> {
+    let path = path.to_owned();
+    if matches!(kind, DamperKindRaw::Tmd | DamperKindRaw::Link) {
+        return Ok(parts.map(MovingPart::Masses));
+    }
+    let Some(length_ratio) = liquid.length_ratio else {
+        return Err(Refused::because(
+            WrongDamper::HasNoLengthRatio { path },
+            WrongDamper::GiveHorizontalLengthOf,
+        ));
+    };
+    if matches!(kind, DamperKindRaw::Tlcd) {
+        return Ok(Some(MovingPart::Column { length_ratio }));
+    }
+    let liquid_frequency = match (liquid.frequency, liquid.length) {
+        (Some(frequency), None) => DamperFrequency::Frequency(frequency),
+        (None, Some(length)) => DamperFrequency::Length(length),
+        _ => {
+            return Err(Refused::because(
+                WrongDamper::NeedsOneOfLiquid { path },
+                WrongDamper::GiveLiquidSFrequency,
+            ));
+        }
+    };
+    match (liquid.share, liquid.damping_ratio) {
+        (Some(liquid_share), Some(liquid_damping_ratio)) => Ok(Some(MovingPart::ColumnMass {
+            length_ratio,
+            liquid_share,
+            liquid_frequency,
+            liquid_damping_ratio,
+        })),
+        _ => Err(Refused::because(
+            WrongDamper::NeedsLiquidShareAnd { path },
+            WrongDamper::GiveLiquidSPart,
+        )),
+    }
+}

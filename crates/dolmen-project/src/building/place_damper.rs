@@ -1,0 +1,340 @@
+//! A damper of a project file placed on the building that it damps: masses, frequencies and damping ratios as numbers.
+
+use super::built_damper::{BuiltDamper, TunedTo};
+use super::damper::{
+    Around, DamperBody, DamperFault, DamperFrequency, DamperMass, DamperPart, MassPart, MovingPart,
+};
+use crate::quantity::Pick;
+use crate::wrong::StillMode;
+use dolmen::damper::{AttachedDamper, ColumnAsMass, DamperKind, TuningRule};
+use dolmen::structure::building::{BuildingMode, PlanDirection};
+use std::f64::consts::TAU;
+
+/// What several masses take from the damper that they make up, where they give nothing of their own.
+struct WholeDamper {
+    place_m: [f64; 2],
+    mass_kg: f64,
+    frequency_hz: f64,
+    damping_ratio: f64,
+    mode: usize,
+    /// Frequency of that mode.
+    mode_hz: f64,
+    /// The rule that frequency and damping follow from.
+    rule: Option<TuningRule>,
+    /// Room for the stroke, and for the liquid's, m.
+    rooms_m: [Option<f64>; 2],
+}
+
+/// A mode where a damper stands.
+struct AtMode {
+    modal_mass_kg: f64,
+    frequency_hz: f64,
+    damping_ratio: f64,
+}
+
+impl MovingPart {
+    /// α of a column alone; 1 of a mass on a spring.
+    fn length_ratio(&self, pick: Pick<'_>) -> f64 {
+        match self {
+            MovingPart::Column { length_ratio } => pick(length_ratio),
+            MovingPart::Masses(_) | MovingPart::ColumnMass { .. } => 1.0,
+        }
+    }
+}
+
+impl DamperPart {
+    pub(super) fn build(&self, around: &Around<'_>, pick: Pick<'_>) -> Result<Vec<BuiltDamper>, DamperFault> {
+        let place_m = [pick(&self.place[0]), pick(&self.place[1])];
+        let room_m = self.stroke.as_ref().map(&mut *pick);
+        let liquid_room_m = self.liquid_stroke.as_ref().map(&mut *pick);
+        let rooms_m = [room_m, liquid_room_m];
+        let built = |name, place_m, row, kind| self.built(name, place_m, (row, kind), rooms_m);
+        let row = self.row(around, self.floor, place_m)?;
+        let (moving, mass, mode, frequency, damping_ratio, tuning) = match &self.body {
+            DamperBody::Link {
+                coefficient,
+                to_floor,
+                to_place,
+            } => {
+                let to_place_m = to_place
+                    .as_ref()
+                    .map_or(place_m, |to| [pick(&to[0]), pick(&to[1])]);
+                let other = match to_floor {
+                    0 => vec![0.0; row.len()],
+                    floor => self.row(around, *floor, to_place_m)?,
+                };
+                let AttachedDamper { kind, row } = AttachedDamper::link(pick(coefficient), &row, &other);
+                return Ok(vec![BuiltDamper {
+                    to: Some((*to_floor, to_place_m)),
+                    ..built(self.name.clone(), place_m, row, kind)
+                }]);
+            }
+            DamperBody::Moving {
+                moving,
+                mass,
+                mode,
+                frequency,
+                damping_ratio,
+                tuning,
+            } => (moving, mass, *mode, frequency, damping_ratio, *tuning),
+        };
+        let at = self.at_mode(around, mode, place_m, &row)?;
+        let [mass_kg, mass_ratio] = self.mass(mass, (mode, &at), around, pick)?;
+        let length_ratio = moving.length_ratio(pick);
+        let tuned = tuning
+            .map(|rule| ColumnAsMass::new(mass_ratio, length_ratio).rule(rule, at.damping_ratio))
+            .transpose()?;
+        let by_rule = matches!(frequency, DamperFrequency::Tuned) && damping_ratio.is_none();
+        let gravity = around.gravity_m_s2;
+        let mut hz = |of: &DamperFrequency| match of {
+            DamperFrequency::Frequency(frequency) => pick(frequency),
+            DamperFrequency::Ratio(ratio) => pick(ratio) * at.frequency_hz,
+            DamperFrequency::Length(length) => (2.0 * gravity / pick(length)).sqrt() / TAU,
+            DamperFrequency::Tuned => tuned.map_or(f64::NAN, |t| t.frequency_ratio * at.frequency_hz),
+        };
+        let frequency_hz = hz(frequency);
+        let liquid_hz = match &**moving {
+            MovingPart::ColumnMass { liquid_frequency, .. } => hz(liquid_frequency),
+            _ => f64::NAN,
+        };
+        let damping_ratio = match (damping_ratio, tuned) {
+            (Some(ratio), _) => pick(ratio),
+            (None, Some(tuned)) => tuned.damping_ratio,
+            (None, None) => f64::NAN,
+        };
+        let whole = |kind| BuiltDamper {
+            tuned_to: Some(TunedTo { mode, mass_ratio }),
+            tuning: tuning.filter(|_| by_rule),
+            ..built(self.name.clone(), place_m, row.clone(), kind)
+        };
+        Ok(match &**moving {
+            MovingPart::Masses(parts) if parts.is_empty() => vec![whole(DamperKind::TunedMass {
+                mass_kg,
+                frequency_hz,
+                damping_ratio,
+            })],
+            MovingPart::Masses(parts) => {
+                let whole = WholeDamper {
+                    place_m,
+                    mass_kg,
+                    frequency_hz,
+                    damping_ratio,
+                    mode,
+                    mode_hz: at.frequency_hz,
+                    rule: tuning.filter(|_| by_rule),
+                    rooms_m,
+                };
+                self.several(parts, &whole, around, pick)?
+            }
+            MovingPart::Column { .. } => vec![whole(DamperKind::LiquidColumn {
+                liquid_mass_kg: mass_kg,
+                length_ratio,
+                frequency_hz,
+                damping_ratio,
+            })],
+            MovingPart::ColumnMass {
+                length_ratio,
+                liquid_share,
+                liquid_damping_ratio,
+                ..
+            } => {
+                let liquid = pick(liquid_share) * mass_kg;
+                vec![whole(DamperKind::LiquidColumnMass {
+                    container_mass_kg: mass_kg - liquid,
+                    liquid_mass_kg: liquid,
+                    length_ratio: pick(length_ratio),
+                    frequency_hz,
+                    damping_ratio,
+                    liquid_frequency_hz: liquid_hz,
+                    liquid_damping_ratio: pick(liquid_damping_ratio),
+                })]
+            }
+        })
+    }
+
+    fn built(
+        &self,
+        name: String,
+        place_m: [f64; 2],
+        (row, kind): (Vec<f64>, DamperKind),
+        [room_m, liquid_room_m]: [Option<f64>; 2],
+    ) -> BuiltDamper {
+        BuiltDamper {
+            name,
+            floor: self.floor,
+            place_m,
+            direction: self.direction,
+            kind,
+            row,
+            tuned_to: None,
+            tuning: None,
+            room_m,
+            liquid_room_m,
+            to: None,
+        }
+    }
+
+    /// Its mass, kg, and that over the modal mass.
+    fn mass(
+        &self,
+        mass: &DamperMass,
+        (mode, at): (usize, &AtMode),
+        around: &Around<'_>,
+        pick: Pick<'_>,
+    ) -> Result<[f64; 2], DamperFault> {
+        let [mass_kg, mass_ratio] = match mass {
+            DamperMass::Mass(mass) => [pick(mass), pick(mass) / at.modal_mass_kg],
+            DamperMass::Ratio(ratio) => [pick(ratio) * at.modal_mass_kg, pick(ratio)],
+        };
+        if mass_ratio > 1.0 {
+            return Err(DamperFault::Heavy {
+                name: self.name.clone(),
+                mass_ratio,
+                mode,
+                modal_mass_kg: at.modal_mass_kg,
+            });
+        }
+        let building_kg = around.vibrating.building().mass_kg();
+        if mass_kg > building_kg {
+            return Err(DamperFault::HeavierThanAll {
+                name: self.name.clone(),
+                mass_kg,
+                building_kg,
+                mode,
+            });
+        }
+        Ok([mass_kg, mass_ratio])
+    }
+
+    /// A damper for each of several masses.
+    fn several(
+        &self,
+        parts: &[MassPart],
+        whole: &WholeDamper,
+        around: &Around<'_>,
+        pick: Pick<'_>,
+    ) -> Result<Vec<BuiltDamper>, DamperFault> {
+        let mut all = Vec::with_capacity(parts.len());
+        for (i, part) in parts.iter().enumerate() {
+            let share = pick(&part.share);
+            let own_hz = match &part.frequency {
+                None => whole.frequency_hz,
+                Some(DamperFrequency::Frequency(frequency)) => pick(frequency),
+                Some(DamperFrequency::Ratio(ratio)) => pick(ratio) * whole.mode_hz,
+                Some(_) => whole.frequency_hz,
+            };
+            let own_ratio = part
+                .damping_ratio
+                .as_ref()
+                .map_or(whole.damping_ratio, &mut *pick);
+            let kind = DamperKind::TunedMass {
+                mass_kg: share * whole.mass_kg,
+                frequency_hz: own_hz,
+                damping_ratio: own_ratio,
+            };
+            let own_place = part
+                .place
+                .as_ref()
+                .map_or(whole.place_m, |place| [pick(&place[0]), pick(&place[1])]);
+            let row = self.row(around, self.floor, own_place)?;
+            let own = self.at_mode(around, whole.mode, own_place, &row)?;
+            all.push(BuiltDamper {
+                tuned_to: Some(TunedTo {
+                    mode: whole.mode,
+                    mass_ratio: share * whole.mass_kg / own.modal_mass_kg,
+                }),
+                tuning: whole
+                    .rule
+                    .filter(|_| part.frequency.is_none() && part.damping_ratio.is_none()),
+                ..self.built(
+                    format!("{}-{}", self.name, i + 1),
+                    own_place,
+                    (row, kind),
+                    whole.rooms_m,
+                )
+            });
+        }
+        Ok(all)
+    }
+
+    fn row(&self, around: &Around<'_>, floor: usize, [x_m, y_m]: [f64; 2]) -> Result<Vec<f64>, DamperFault> {
+        let row = around
+            .vibrating
+            .building()
+            .point_row(floor, x_m, y_m, self.direction);
+        row.map_err(|why| DamperFault::Place {
+            name: self.name.clone(),
+            why,
+        })
+    }
+
+    fn at_mode(
+        &self,
+        around: &Around<'_>,
+        number: usize,
+        place_m: [f64; 2],
+        row: &[f64],
+    ) -> Result<AtMode, DamperFault> {
+        /// A mode that moves less than this part of its largest is still there. Our choice.
+        const STILL: f64 = 1e-6;
+        /// Modes whose frequencies are this near, relatively, are one.
+        const ONE_FREQUENCY: f64 = 1e-6;
+        let name = self.name.clone();
+        let (building, modes) = (around.vibrating.building(), around.vibrating.modes());
+        let Some((index, mode)) = number.checked_sub(1).and_then(|j| Some((j, modes.modes.get(j)?))) else {
+            return Err(DamperFault::Mode {
+                name,
+                mode: number,
+                most: modes.modes.len(),
+            });
+        };
+        // of modes of one frequency all move, in the proportion that moves the place most
+        let near = |other: &&BuildingMode| (other.omega_rad_s / mode.omega_rad_s - 1.0).abs() < ONE_FREQUENCY;
+        let together: Vec<&BuildingMode> = modes.modes.iter().filter(near).collect();
+        let moved_by = |row: &[f64]| -> f64 {
+            let each = together.iter();
+            each.map(|mode| row.iter().zip(&mode.shape).map(|(r, phi)| r * phi).sum::<f64>())
+                .fold(0.0, f64::hypot)
+        };
+        let along = moved_by(row);
+        let base = 3 * (self.floor - 1);
+        let moves = |direction| {
+            let row = building
+                .point_row(self.floor, place_m[0], place_m[1], direction)
+                .unwrap_or_default();
+            moved_by(&row)
+        };
+        let (u, v) = (moves(PlanDirection::X), moves(PlanDirection::Y));
+        let gyration = building
+            .floors()
+            .get(self.floor - 1)
+            .map_or(0.0, |floor| floor.gyration_m);
+        let size = u.hypot(v).max(gyration * mode.shape[base + 2].abs());
+        if along.abs() <= STILL * size || size == 0.0 {
+            let why = if u.abs().max(v.abs()) <= STILL * size {
+                StillMode::TurnsAboutIt
+            } else if v.abs() <= STILL * u.abs() {
+                StillMode::OnlyInX
+            } else if u.abs() <= STILL * v.abs() {
+                StillMode::OnlyInY
+            } else {
+                StillMode::Across
+            };
+            return Err(DamperFault::Still {
+                name,
+                mode: number,
+                why: why.into(),
+            });
+        }
+        Ok(AtMode {
+            modal_mass_kg: 1.0 / (along * along),
+            frequency_hz: mode.frequency_hz,
+            damping_ratio: around
+                .vibrating
+                .damping_ratios()
+                .get(index)
+                .copied()
+                .unwrap_or(0.0),
+        })
+    }
+}

@@ -1,0 +1,61 @@
+//! A unit of length that is wrong for the whole file: one fault at `units.length`, not one a stone.
+
+use super::content::Structure;
+use super::error::Fault;
+use super::quantity::Quantity;
+use super::reader::Reader;
+use super::wrong::Slip;
+use std::collections::BTreeMap;
+
+/// Lengths that look like slips from which they are one slip. Chosen here: two may be two.
+const SLIPS_LEAST: usize = 3;
+/// Share of the bare lengths of the file from which the unit is wrong, not they. Chosen here.
+const SHARE_LEAST: f64 = 0.25;
+/// Most units that a slip may stand for: one is proposed.
+const UNITS: [&str; 3] = ["mm", "cm", "m"];
+
+/// Puts one fault in the place of many, where most of them ask for the same other unit of length.
+pub(super) fn one_for_all(reader: &mut Reader, text: &str, structure: &Structure) {
+    let span = reader.place("units.length");
+    let given = text.get(span.clone()).filter(|_| !span.is_empty());
+    let unit = given.map_or("m", |written| written.trim_matches(['"', '\'']));
+    let inputs = structure.inputs();
+    let is_bare = |input: &&&Quantity| {
+        let written = text.get(reader.place(&input.path)).unwrap_or("a");
+        input.unit == "m" && !written.chars().any(char::is_alphabetic)
+    };
+    let bare: Vec<&str> = inputs
+        .iter()
+        .filter(is_bare)
+        .map(|input| input.path.as_str())
+        .collect();
+    let mut asked: BTreeMap<&str, usize> = BTreeMap::new();
+    let mut slips = 0;
+    for fault in &reader.faults {
+        let meant = UNITS
+            .into_iter()
+            .find(|meant| fault.asks_for(meant) && *meant != unit);
+        if let Some(meant) = meant.filter(|_| bare.contains(&fault.path.as_str())) {
+            *asked.entry(meant).or_default() += 1;
+            slips += 1;
+        }
+    }
+    let Some((meant, votes)) = asked.into_iter().max_by_key(|(_, votes)| *votes) else {
+        return;
+    };
+    let is_of_all = slips >= SLIPS_LEAST && 2 * votes > slips;
+    if !is_of_all || (slips as f64) < SHARE_LEAST * bare.len() as f64 {
+        return;
+    }
+    let (unit, meant) = (unit.to_owned(), meant.to_owned());
+    let bare: Vec<String> = bare.into_iter().map(str::to_owned).collect();
+    let is_of_length =
+        |fault: &Fault| bare.contains(&fault.path) && UNITS.into_iter().any(|of| fault.asks_for(of));
+    reader.faults.retain(|fault| !is_of_length(fault));
+    let message = Slip::LengthsAllOff { count: slips, unit };
+    let fault = Fault::new(span.clone(), "units.length", message).help(Slip::MeantUnitOfLength { meant });
+    reader.fault(match span.is_empty() {
+        true => fault.at_top(),
+        false => fault,
+    });
+}

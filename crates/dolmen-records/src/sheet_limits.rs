@@ -1,0 +1,174 @@
+//! How much a workbook may ask of its reader, told before it is read: a few bytes must not become much memory or time.
+
+use crate::sheet_error::{
+    COLUMNS_MOST, ROWS_MOST, SheetError, UNPACKED_A_BYTE_MOST, UNPACKED_BYTES_FREE, UNPACKED_BYTES_MOST,
+    unreadable,
+};
+use calamine::Xlsx;
+use quick_xml::Reader;
+use quick_xml::events::{BytesStart, Event};
+use std::io::{BufReader, Cursor, Read as _};
+
+/// Cells between the corners of any sheet, however few of them hold something. Chosen here: they take 80 MB.
+const AREA_FREE: usize = ROWS_MOST * COLUMNS_MOST;
+/// Most cells between the corners of a larger sheet for one that holds something. Chosen here: of a log that gives one of its channels in ten a line.
+const AREA_A_CELL: usize = 10;
+
+/// Unpacks every part once and keeps nothing: what a workbook says of its size need not be true.
+pub(crate) fn refuse_bomb(bytes: &[u8]) -> Result<(), SheetError> {
+    let mut archive = zip::ZipArchive::new(Cursor::new(bytes)).map_err(unreadable)?;
+    let most = (UNPACKED_A_BYTE_MOST * bytes.len() as u64).clamp(UNPACKED_BYTES_FREE, UNPACKED_BYTES_MOST);
+    let mut left = most;
+    for number in 0..archive.len() {
+        let part = archive.by_index(number).map_err(unreadable)?;
+        let unpacked = std::io::copy(&mut part.take(left + 1), &mut std::io::sink()).map_err(unreadable)?;
+        left = left
+            .checked_sub(unpacked)
+            .ok_or(SheetError::TooLarge { most_mib: most >> 20 })?;
+    }
+    Ok(())
+}
+
+/// Refuses a sheet with a cell far from the others before room is made for all between: one at XFD1048576 would take half a terabyte.
+pub(crate) fn refuse_far(
+    book: &mut Xlsx<Cursor<&[u8]>>,
+    name: &str,
+    rows_most: usize,
+) -> Result<(), SheetError> {
+    let (mut most, mut cells) = ((0, 0), 0);
+    let mut far = |(row, column): (u32, u32)| {
+        most = (most.0.max(row as usize + 1), most.1.max(column as usize + 1));
+        let (rows, columns) = most;
+        match rows > rows_most || columns > COLUMNS_MOST {
+            true => Err(SheetError::TooMany { rows, columns }),
+            false => Ok(()),
+        }
+    };
+    let mut each = book.worksheet_cells_reader(name).map_err(unreadable)?;
+    while let Some(cell) = each.next_cell().map_err(unreadable)? {
+        far(cell.get_position())?;
+        cells += 1;
+    }
+    drop(each);
+    let mut each = book.worksheet_cells_reader(name).map_err(unreadable)?;
+    while let Some(cell) = each.next_formula().map_err(unreadable)? {
+        far(cell.get_position())?;
+    }
+    let (rows, columns) = most;
+    match rows * columns > AREA_FREE.max(AREA_A_CELL * cells) {
+        true => Err(SheetError::Sparse { rows, columns, cells }),
+        false => Ok(()),
+    }
+}
+
+/// Refuses sheets of a workbook (ODS) that repeat what they hold, or leave so much empty, that they become larger than any table: a row that says it stands
+/// there a million times takes a hundred bytes, and gigabytes once read. Rows and cells that hold nothing at the end of a sheet count for nothing: LibreOffice
+/// writes them up to its last.
+pub(crate) fn refuse_repeats(bytes: &[u8]) -> Result<(), SheetError> {
+    let mut archive = zip::ZipArchive::new(Cursor::new(bytes)).map_err(unreadable)?;
+    let Ok(part) = archive.by_name("content.xml") else {
+        return Ok(()); // what reads the workbook says so
+    };
+    let mut reader = Reader::from_reader(BufReader::new(part));
+    // as calamine reads it, so that both see the same
+    let config = reader.config_mut();
+    config.check_end_names = false;
+    config.check_comments = false;
+    config.expand_empty_elements = true;
+    let (mut sheet, mut whole) = (Extent::default(), 0_usize);
+    let mut buffer = Vec::new();
+    loop {
+        match reader.read_event_into(&mut buffer).map_err(unreadable)? {
+            Event::Start(tag) => match tag.name().as_ref() {
+                "table:table" => sheet = Extent::default(),
+                "table:table-row" => sheet.begin_row(repeats(&tag, "table:number-rows-repeated")),
+                "table:table-cell" | "table:covered-table-cell" => {
+                    let raw = tag.attributes_raw();
+                    let holds = raw.contains("office:") || raw.contains("formula");
+                    sheet.begin_cell(repeats(&tag, "table:number-columns-repeated"), holds);
+                }
+                _ => {}
+            },
+            Event::End(tag) => match tag.name().as_ref() {
+                "table:table-row" => sheet.end_row()?,
+                "table:table-cell" | "table:covered-table-cell" => sheet.end_cell(),
+                "table:table" => {
+                    whole = whole.saturating_add(sheet.filled_rows.saturating_mul(sheet.filled_columns));
+                    if whole > AREA_FREE {
+                        let (rows, columns) = (sheet.filled_rows, sheet.filled_columns);
+                        return Err(SheetError::TooMany { rows, columns });
+                    }
+                }
+                _ => {}
+            },
+            Event::Text(text) => sheet.cell.holds |= !text.trim().is_empty(),
+            Event::CData(_) | Event::GeneralRef(_) => sheet.cell.holds = true,
+            Event::Eof => return Ok(()),
+            _ => {}
+        }
+        buffer.clear();
+    }
+}
+
+/// How far a sheet reaches.
+#[derive(Default)]
+struct Extent {
+    /// Rows before the one that is read, and how often that one stands there.
+    rows: usize,
+    row_repeats: usize,
+    /// Cells of the row before the one that is read, and those up to the last that holds something.
+    columns: usize,
+    filled_in_row: usize,
+    cell: Repeated,
+    /// Up to the last that holds something.
+    filled_rows: usize,
+    filled_columns: usize,
+}
+
+/// A cell, how often it stands there, and whether it holds something.
+#[derive(Clone, Copy, Default)]
+struct Repeated {
+    times: usize,
+    holds: bool,
+}
+
+impl Extent {
+    fn begin_row(&mut self, row_repeats: usize) {
+        (self.row_repeats, self.columns, self.filled_in_row) = (row_repeats, 0, 0);
+    }
+
+    fn begin_cell(&mut self, times: usize, holds: bool) {
+        self.cell = Repeated { times, holds };
+    }
+
+    fn end_cell(&mut self) {
+        self.columns = self.columns.saturating_add(self.cell.times);
+        if self.cell.holds {
+            self.filled_in_row = self.columns;
+        }
+        self.cell = Repeated::default();
+    }
+
+    fn end_row(&mut self) -> Result<(), SheetError> {
+        self.rows = self.rows.saturating_add(self.row_repeats);
+        if self.filled_in_row == 0 {
+            return Ok(());
+        }
+        self.filled_rows = self.rows;
+        self.filled_columns = self.filled_columns.max(self.filled_in_row);
+        let (rows, columns) = (self.filled_rows, self.filled_columns);
+        match rows > ROWS_MOST || columns > COLUMNS_MOST {
+            true => Err(SheetError::TooMany { rows, columns }),
+            false => Ok(()),
+        }
+    }
+}
+
+/// How often a row or cell stands there; what is no number counts as more than any table has.
+fn repeats(tag: &BytesStart<'_>, name: &str) -> usize {
+    match tag.try_get_attribute(name) {
+        Ok(None) => 1,
+        Ok(Some(found)) => found.value.parse().unwrap_or(usize::MAX),
+        Err(_) => usize::MAX,
+    }
+}

@@ -1,0 +1,46 @@
+//! Notes on the file as documents have them: by what the inputs are called, without the lines and paths of a text that a reader of the page does not see.
+
+use crate::html::words::input_words;
+use dolmen_project::{Project, Warning};
+use dolmen_words::message::Both;
+use dolmen_words::{Sentence, messages};
+
+messages! {
+    /// A note on the file in a document.
+    pub(crate) enum Noted in "warned" {
+        Said { words: Both } => { en: "{words}", ko: "{words}" },
+        Slip { words: Both } => { en: "! PROBABLY A SLIP: {words}", ko: "! 입력 오류 의심: {words}" },
+    }
+}
+
+/// A note with the words of the inputs in the place of their paths.
+pub(crate) fn warned(project: &Project, warning: &Warning) -> Sentence {
+    Noted::Said {
+        words: in_words(project, warning),
+    }
+    .into()
+}
+
+/// A probable slip, the same.
+pub(crate) fn slip(project: &Project, warning: &Warning) -> Sentence {
+    Noted::Slip {
+        words: in_words(project, warning),
+    }
+    .into()
+}
+
+fn in_words(project: &Project, warning: &Warning) -> Both {
+    let inputs = project.inputs();
+    let mut paths: Vec<&str> = inputs.iter().map(|input| input.path.as_str()).collect();
+    paths.sort_by_key(|path| std::cmp::Reverse(path.len())); // "links[1].weight" is part of "links[11].weight" in none
+    paths.dedup();
+    Both::of(|language| {
+        let mut said = warning.message.text(language);
+        for path in paths.iter().filter(|path| path.contains(['[', '.'])) {
+            if said.contains(path) {
+                said = said.replace(path, &input_words(&project.structure, path, language));
+            }
+        }
+        said
+    })
+}

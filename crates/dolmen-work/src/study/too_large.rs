@@ -1,0 +1,33 @@
+//! Studies that would not end, or whose results no memory holds.
+
+use super::error::StudyError;
+use crate::error::WorkError;
+use dolmen_project::StudyPart;
+
+/// Most scans of a study: more do not fit into memory with their results. Chosen here.
+const SCANS_MOST: usize = 10_000_000;
+/// Most points of the maps of a study, of all its cases. Chosen here: a point takes a millisecond, so that they take half an hour on one core.
+const POINTS_MOST: usize = 1_000_000;
+
+/// Refuses more scans or points of maps than are computed, of a study under so many motions.
+pub(super) fn refuse_too_large(study: &StudyPart, motions: usize) -> Result<(), WorkError> {
+    let cases = study.combinations().saturating_mul(study.samples.unwrap_or(1));
+    let scans = cases
+        .saturating_mul(motions.max(1))
+        .saturating_mul(study.turns_rad.len());
+    if scans > SCANS_MOST {
+        let most = SCANS_MOST;
+        return Err(StudyError::StudyTooLarge { scans, most }.into());
+    }
+    let Some(part) = &study.harmonic else {
+        return Ok(());
+    };
+    let sides = [part.frequencies_hz.len(), part.accelerations_m_s2.len()];
+    match sides.into_iter().fold(cases, usize::saturating_mul) {
+        points if points > POINTS_MOST => {
+            let most = POINTS_MOST;
+            Err(StudyError::MapsTooLarge { points, most }.into())
+        }
+        _ => Ok(()),
+    }
+}

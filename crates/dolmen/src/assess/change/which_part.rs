@@ -1,0 +1,304 @@
+//! Which part of a structure explains how its frequencies changed.
+//!
+//! | symbol | code | meaning |
+//! |:--|:--|:--|
+//! | r, σ | `relative`, `sd` | measured relative change of a frequency, and its standard deviation |
+//! | ρ(s) | `changes_of` | the same of the model whose part has s times its stiffness |
+//! | χ² | `chi_squared` | Σ ((r − ρ(s))/σ)² at the s that makes it least |
+
+use crate::numeric::{chi_squared_above, chi_squared_quantile, maximum_between};
+
+/// Stiffness of a part over what it was, within which it is sought. Chosen here.
+const FACTOR: [f64; 2] = [0.02, 5.0];
+/// Factors tried before the least is refined.
+const TRIED: usize = 33;
+/// Halvings of the way from the best factor to where an interval ends: to 1e-5 of it.
+const BISECTIONS: usize = 20;
+/// A part whose pattern would be as far from the measured one in less than this share of cases does not explain it.
+const EXPLAINS_FROM: f64 = 0.01;
+/// Confidence of an interval, and of telling two parts apart.
+const CONFIDENCE: f64 = 0.95;
+
+/// Measured change of one frequency.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FrequencyChange {
+    /// After over before, less 1.
+    pub relative: f64,
+    /// Its standard deviation.
+    pub sd: f64,
+}
+
+/// How well one part explains all changes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PartFit {
+    /// Its place among the parts; `None` for all parts alike.
+    pub part: Option<usize>,
+    /// Stiffness after over before.
+    pub factor: f64,
+    /// Interval of that at 95 %, within 0.02 to 5.
+    pub factor_interval: [f64; 2],
+    /// Sum of squares that it leaves.
+    pub chi_squared: f64,
+    /// Probability of as much by chance.
+    pub p_value: f64,
+}
+
+impl PartFit {
+    /// Whether what it leaves may be chance.
+    pub fn explains(&self) -> bool {
+        self.p_value >= EXPLAINS_FROM
+    }
+}
+
+/// Which part explains a change.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WhichPart {
+    /// Each part, the best first.
+    pub parts: Vec<PartFit>,
+    /// All parts alike.
+    pub alike: PartFit,
+    /// Sum of squares if nothing changed.
+    pub unchanged: f64,
+}
+
+impl WhichPart {
+    /// Those that explain the change as well as the best does, to 95 %: none where the best does not explain it.
+    pub fn candidates(&self) -> &[PartFit] {
+        let Some(best) = self.parts.first().filter(|best| best.explains()) else {
+            return &[];
+        };
+        let within = self
+            .parts
+            .iter()
+            .take_while(|of| of.chi_squared <= best.chi_squared + apart());
+        &self.parts[..within.count()]
+    }
+
+    /// Whether all parts alike explain it as well as the best part does.
+    pub fn is_alike_possible(&self) -> bool {
+        let best = self.parts.first().map_or(f64::INFINITY, |of| of.chi_squared);
+        self.alike.explains() && self.alike.chi_squared <= best + apart()
+    }
+}
+
+/// Difference of two sums of squares beyond which 95 % tell one free number from another.
+fn apart() -> f64 {
+    chi_squared_quantile(CONFIDENCE, 1.0).unwrap_or(3.841_458_820_694_124)
+}
+
+/// Which part of `parts` explains the changes of the frequencies of a structure, if the stiffness of one part alone changed and no mass did.
+///
+/// `changes_of` gives the relative changes of the same frequencies for a part, or all alike, with so many times its stiffness; `None` where the structure
+/// cannot be so. `None` as a result for fewer than two frequencies or parts, or a deviation that is none.
+///
+/// # Limits
+/// It says which **one** part explains the pattern if the model is right. Two parts that changed together, a lost mass or weather look like a part that is
+/// none of them, or like none. Deviations are taken as known and as independent.
+///
+/// # Example
+/// ```
+/// use dolmen::assess::{FrequencyChange, which_part};
+/// // f² = Σ w k: the first frequency feels both parts, the second the second alone
+/// let weights = [[0.5, 0.5], [0.0, 1.0]];
+/// let model = |part: Option<usize>, factor: f64| {
+///     let of = |w: [f64; 2]| {
+///         let k = [0, 1].map(|at| if part.is_none_or(|of| of == at) { factor } else { 1.0 });
+///         (w[0] * k[0] + w[1] * k[1]).sqrt() - 1.0
+///     };
+///     Some(weights.map(of).to_vec())
+/// };
+/// let measured = [f64::sqrt(0.9) - 1.0, 0.0].map(|relative| FrequencyChange { relative, sd: 0.002 });
+/// let found = which_part(&measured, 2, model).unwrap();
+/// let candidates = found.candidates();
+/// assert_eq!((candidates.len(), candidates[0].part), (1, Some(0)));
+/// assert!((candidates[0].factor - 0.8).abs() < 1e-6);
+/// ```
+pub fn which_part(
+    changes: &[FrequencyChange],
+    parts: usize,
+    changes_of: impl Fn(Option<usize>, f64) -> Option<Vec<f64>>,
+) -> Option<WhichPart> {
+    let are_known = changes
+        .iter()
+        .all(|of| of.sd > 0.0 && of.sd.is_finite() && of.relative.is_finite());
+    if changes.len() < 2 || parts < 2 || !are_known {
+        return None;
+    }
+    let left = |model: &[f64]| -> f64 {
+        let pairs = changes.iter().zip(model);
+        pairs
+            .map(|(of, model)| ((of.relative - model) / of.sd).powi(2))
+            .sum()
+    };
+    let fit = |part: Option<usize>| -> Option<PartFit> {
+        let of = |factor: f64| changes_of(part, factor).map_or(f64::INFINITY, |model| left(&model));
+        fitted(part, changes.len(), &of)
+    };
+    let mut all: Vec<PartFit> = (0..parts).filter_map(|part| fit(Some(part))).collect();
+    all.sort_by(|a, b| a.chi_squared.total_cmp(&b.chi_squared));
+    (!all.is_empty()).then_some(())?;
+    Some(WhichPart {
+        parts: all,
+        alike: fit(None)?,
+        unchanged: left(&vec![0.0; changes.len()]),
+    })
+}
+
+fn fitted(part: Option<usize>, frequencies: usize, left: &impl Fn(f64) -> f64) -> Option<PartFit> {
+    let [low, high] = FACTOR;
+    let ratio = (high / low).powf(1.0 / (TRIED - 1) as f64);
+    let tried: Vec<[f64; 2]> = (0..TRIED)
+        .map(|at| low * ratio.powi(at as i32))
+        .map(|factor| [factor, left(factor)])
+        .collect();
+    let [near, of_near] = tried.into_iter().min_by(|a, b| a[1].total_cmp(&b[1]))?;
+    if !of_near.is_finite() {
+        return None;
+    }
+    let refined = maximum_between(
+        &|factor| -left(factor),
+        (near / ratio).max(low),
+        (near * ratio).min(high),
+    );
+    let of_refined = left(refined);
+    let (factor, chi_squared) = match of_refined <= of_near {
+        true => (refined, of_refined),
+        false => (near, of_near),
+    };
+    let bound = |end: f64| {
+        let is_within = |factor: f64| left(factor) <= chi_squared + apart();
+        if is_within(end) {
+            return end;
+        }
+        let (mut inside, mut outside) = (factor, end);
+        for _ in 0..BISECTIONS {
+            let middle = (inside * outside).sqrt();
+            if is_within(middle) {
+                inside = middle;
+            } else {
+                outside = middle;
+            }
+        }
+        inside
+    };
+    Some(PartFit {
+        part,
+        factor,
+        factor_interval: [bound(low), bound(high)],
+        chi_squared,
+        p_value: chi_squared_above(chi_squared, (frequencies - 1) as f64).ok()?,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numeric::Random;
+
+    /// Relative changes of a shear frame of three storeys of equal masses, by its own eigenvalues: those of K by Jacobi's rotations.
+    fn frame(k: [f64; 3]) -> Vec<f64> {
+        let mut a = [
+            [k[0] + k[1], -k[1], 0.0],
+            [-k[1], k[1] + k[2], -k[2]],
+            [0.0, -k[2], k[2]],
+        ];
+        for _ in 0..50 {
+            for (p, q) in [(0, 1), (0, 2), (1, 2)] {
+                let angle = 0.5 * f64::atan2(2.0 * a[p][q], a[q][q] - a[p][p]);
+                let (s, c) = angle.sin_cos();
+                for row in &mut a {
+                    (row[p], row[q]) = (c * row[p] - s * row[q], s * row[p] + c * row[q]);
+                }
+                let (first, second) = (a[p], a[q]);
+                for i in 0..3 {
+                    a[p][i] = c * first[i] - s * second[i];
+                    a[q][i] = s * first[i] + c * second[i];
+                }
+            }
+        }
+        let mut all: Vec<f64> = (0..3).map(|i| a[i][i].sqrt()).collect();
+        all.sort_by(f64::total_cmp);
+        all
+    }
+
+    const GIVEN: [f64; 3] = [3.0, 2.0, 1.5];
+
+    fn changes_of(part: Option<usize>, factor: f64) -> Option<Vec<f64>> {
+        let mut k = GIVEN;
+        for (at, k) in k.iter_mut().enumerate() {
+            *k *= if part.is_none_or(|of| of == at) {
+                factor
+            } else {
+                1.0
+            };
+        }
+        let pairs = frame(k).into_iter().zip(frame(GIVEN));
+        Some(pairs.map(|(after, before)| after / before - 1.0).collect())
+    }
+
+    fn drawn(part: Option<usize>, factor: f64, sd: f64, random: &mut Random) -> Vec<FrequencyChange> {
+        let model = changes_of(part, factor).unwrap().into_iter();
+        model
+            .map(|of| FrequencyChange {
+                relative: of + sd * random.normal(),
+                sd,
+            })
+            .collect()
+    }
+
+    #[test]
+    fn exact_the_storey_that_loosened_and_by_how_much() {
+        for (part, factor) in [(0, 0.7), (1, 0.85), (2, 0.6), (1, 1.3)] {
+            let exact: Vec<FrequencyChange> = changes_of(Some(part), factor)
+                .unwrap()
+                .into_iter()
+                .map(|relative| FrequencyChange { relative, sd: 0.002 })
+                .collect();
+            let found = which_part(&exact, 3, changes_of).unwrap();
+            let best = &found.candidates()[0];
+            assert_eq!((found.candidates().len(), best.part), (1, Some(part)));
+            assert!((best.factor / factor - 1.0).abs() < 1e-6, "{best:?}");
+            assert!(best.chi_squared < 1e-8 && !found.is_alike_possible());
+            let [low, high] = best.factor_interval;
+            assert!(low < factor && factor < high && high - low < 0.1);
+        }
+    }
+
+    #[test]
+    fn holds_the_interval_and_the_candidates_hold_the_truth_in_95_of_100() {
+        let mut random = Random::new(11, 0);
+        let (mut inside, mut named, mut told) = (0, 0, 0);
+        const RUNS: usize = 200;
+        for run in 0..RUNS {
+            let part = run % 3;
+            let found = which_part(&drawn(Some(part), 0.85, 0.004, &mut random), 3, changes_of).unwrap();
+            let candidates = found.candidates();
+            named += usize::from(candidates.iter().any(|of| of.part == Some(part)));
+            told += usize::from(candidates.len() == 1);
+            let own = found.parts.iter().find(|of| of.part == Some(part)).unwrap();
+            let [low, high] = own.factor_interval;
+            inside += usize::from(low <= 0.85 && 0.85 <= high);
+        }
+        // binomial, three deviations of 95 %
+        assert!(inside >= 181 && named >= 181, "{inside} {named} {told}");
+        assert!(told > RUNS / 2, "{told}");
+    }
+
+    #[test]
+    fn holds_what_is_alike_everywhere_and_what_no_part_explains_are_called_so() {
+        let mut random = Random::new(12, 0);
+        let alike = which_part(&drawn(None, 0.9, 0.002, &mut random), 3, changes_of).unwrap();
+        assert!(
+            alike.is_alike_possible() && alike.candidates().is_empty(),
+            "{alike:?}"
+        );
+        let odd = [-0.05, 0.05, -0.05].map(|relative| FrequencyChange { relative, sd: 0.002 });
+        let odd = which_part(&odd, 3, changes_of).unwrap();
+        assert!(odd.candidates().is_empty() && !odd.is_alike_possible());
+        // one frequency tells no part from another
+        assert_eq!(
+            which_part(&drawn(None, 0.9, 0.002, &mut random)[..1], 3, changes_of),
+            None
+        );
+    }
+}

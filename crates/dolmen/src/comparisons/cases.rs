@@ -1,0 +1,53 @@
+//! All cases, source by source.
+
+use super::{
+    Case, ValidationError, aftershocks, arches, building_motion, choi_2021, chopra_2017, columns, dampers,
+    driven_modes, dry_friction, earthquakes, fragility, free_columns, free_decay, gusts, hwang_min_hong,
+    joined, kim_koo_hong_2018, local_mechanisms, owen_prieur_2017, park_min_2010, pushed_frames, pyoma2,
+    rigid_blocks, second_methods, setups, survey_change, watch, wind,
+};
+
+/// All cases, source by source.
+///
+/// # Errors
+/// [`ValidationError`] if one cannot be computed: a fault of this crate.
+///
+/// # Example
+/// ```
+/// let cases = dolmen::comparisons::cases()?;
+/// assert!(cases.iter().all(|case| case.agrees()));
+/// # Ok::<(), dolmen::comparisons::ValidationError>(())
+/// ```
+pub fn cases() -> Result<Vec<Case>, ValidationError> {
+    let sources = [
+        choi_2021::cases()?,
+        columns::cases()?,
+        free_columns::cases()?,
+        wind::cases()?,
+        pushed_frames::cases()?,
+        gusts::cases()?,
+        park_min_2010::cases()?,
+        kim_koo_hong_2018::cases()?,
+        rigid_blocks::cases(),
+        arches::cases()?,
+        local_mechanisms::cases()?,
+        dry_friction::cases()?,
+        hwang_min_hong::cases()?,
+        chopra_2017::cases()?,
+        building_motion::cases()?,
+        dampers::cases()?,
+        fragility::cases()?,
+        aftershocks::cases()?,
+        owen_prieur_2017::cases()?,
+        free_decay::cases()?,
+        driven_modes::cases()?,
+        earthquakes::cases()?,
+        joined::cases()?,
+        pyoma2::cases()?,
+        setups::cases()?,
+        survey_change::cases()?,
+        watch::cases()?,
+        second_methods::cases()?,
+    ];
+    Ok(sources.into_iter().flatten().collect())
+}

@@ -1,0 +1,9 @@
+//! What is done with each input stands in bodies/sites.rs: the tests of dolmen-cli run it too.
+#![no_main]
+
+use libfuzzer_sys::fuzz_target;
+
+#[path = "../bodies/sites.rs"]
+mod body;
+
+fuzz_target!(|bytes: &[u8]| body::run(bytes));
