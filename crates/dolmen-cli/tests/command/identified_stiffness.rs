@@ -74,7 +74,7 @@ fn exact_joints_of_the_latest_survey_have_the_stiffness_of_the_closed_form() {
     ] {
         assert!(said.words().contains(words), "{words}: {}", said.words());
     }
-    // the survey that is named instead
+    // the survey that the file names instead
     let other = POLE.replace(
         "\"identified\"",
         "{ source = \"identified\", survey = \"2025-01-01\" }",

@@ -1,5 +1,5 @@
 // SOURCE     Histories made here: yearly inspections, two directions read at different times, surveys without a temperature, exchanged marks.
-// GOAL       What counts for the exit status and `watch --all` stands in the words, and nothing that nobody read is said.
+// GOAL       What counts for the exit status and `watch --all` stands in the words, and no value stands there that nobody read.
 // TOLERANCE  none: words and exit statuses.
 
 use super::stores::{good, json};
