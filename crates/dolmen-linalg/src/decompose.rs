@@ -269,10 +269,32 @@ pub fn eigen(a: &Matrix) -> Result<Eigen, LinalgError> {
 /// [`LinalgError::Shape`], [`LinalgError::NotFinite`], [`LinalgError::NoConvergence`].
 pub fn hermitian_eigen(a: &ComplexMatrix) -> Result<HermitianEigen, LinalgError> {
     const WHAT: &str = "hermitian_eigen";
+    let e = square_complex(WHAT, a)?
+        .self_adjoint_eigen(Side::Lower)
+        .map_err(|_| LinalgError::NoConvergence { what: WHAT })?;
+    Ok(HermitianEigen {
+        values: e.S().column_vector().iter().map(|z| z.re).collect(),
+        vectors: owned_complex(e.U()),
+    })
+}
+
+/// Eigenvalues of a Hermitian matrix, ascending (its lower triangle is read).
+///
+/// # Errors
+/// As [`hermitian_eigen`].
+pub fn hermitian_eigenvalues(a: &ComplexMatrix) -> Result<Vec<f64>, LinalgError> {
+    const WHAT: &str = "hermitian_eigenvalues";
+    square_complex(WHAT, a)?
+        .self_adjoint_eigenvalues(Side::Lower)
+        .map_err(|_| LinalgError::NoConvergence { what: WHAT })
+}
+
+/// As faer has it, if it is square and finite.
+fn square_complex(what: &'static str, a: &ComplexMatrix) -> Result<Mat<Complex64>, LinalgError> {
     let (rows, columns) = (a.rows(), a.columns());
     if rows != columns || rows == 0 {
         return Err(LinalgError::Shape {
-            what: WHAT,
+            what,
             rows,
             columns,
             needed: "square and not empty",
@@ -282,20 +304,13 @@ pub fn hermitian_eigen(a: &ComplexMatrix) -> Result<HermitianEigen, LinalgError>
         let z = a.as_slice()[at];
         let value = if z.re.is_finite() { z.im } else { z.re };
         return Err(LinalgError::NotFinite {
-            what: WHAT,
+            what,
             row: at % rows,
             column: at / rows,
             value,
         });
     }
-    let m: Mat<Complex64> = Mat::from_fn(rows, columns, |i, j| a[(i, j)]);
-    let e = m
-        .self_adjoint_eigen(Side::Lower)
-        .map_err(|_| LinalgError::NoConvergence { what: WHAT })?;
-    Ok(HermitianEigen {
-        values: e.S().column_vector().iter().map(|z| z.re).collect(),
-        vectors: owned_complex(e.U()),
-    })
+    Ok(Mat::from_fn(rows, columns, |i, j| a[(i, j)]))
 }
 
 #[cfg(test)]

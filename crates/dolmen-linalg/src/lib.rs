@@ -13,7 +13,8 @@ mod triangular;
 
 pub use decompose::{
     Eigen, HermitianEigen, Qr, Svd, SymmetricEigen, cholesky, eigen, generalized_symmetric_eigen,
-    hermitian_eigen, qr, solve, solve_least_squares, svd, symmetric_eigen, symmetric_eigenvalues,
+    hermitian_eigen, hermitian_eigenvalues, qr, solve, solve_least_squares, svd, symmetric_eigen,
+    symmetric_eigenvalues,
 };
 pub use error::LinalgError;
 pub use leading::{Operator, leading_svd};

@@ -60,15 +60,23 @@ pub(crate) fn lags_before(lags: usize, factor: usize) -> usize {
     }
 }
 
-/// Correlations for lags 0 to `lags` in `blocks` consecutive blocks of time.
-///
-/// ```text
-/// R_k = 1/S Σ y(t + k) y(t)ᵀ,  t = 0 … S - 1,  S = samples - lags      shape: channels × channels
-/// ```
-/// Each lag sums over the same start times, so that all lags weigh the record alike. The mean of each channel is
-/// removed while reading; the record is not copied.
-pub(crate) fn correlate(record: &Record, lags: usize, blocks: usize) -> Result<Correlations, ModalError> {
-    let (l, n) = (record.channels().len(), record.length());
+/// How a record is cut for one pass over it.
+pub(crate) struct Windows {
+    /// Start times, the same for every lag.
+    pub(crate) starts: usize,
+    /// Samples a segment.
+    pub(crate) segment: usize,
+}
+
+impl Windows {
+    pub(crate) fn segments(&self) -> usize {
+        self.starts.div_ceil(self.segment)
+    }
+}
+
+/// Of a record long enough for so many lags in so many blocks of time.
+pub(crate) fn windows(record: &Record, lags: usize, blocks: usize) -> Result<Windows, ModalError> {
+    let n = record.length();
     let starts = n.saturating_sub(lags);
     let fast = lags.max(SEGMENT_LEAST).next_power_of_two();
     let segment = fast.min(starts / blocks.max(1)); // a short record has short blocks: FFTs of any length
@@ -80,13 +88,33 @@ pub(crate) fn correlate(record: &Record, lags: usize, blocks: usize) -> Result<C
             needed: (blocks + 1) * lags,
         });
     }
-    let mut pass = StreamingSums::new(record, lags, segment);
-    let segments = starts.div_ceil(segment);
+    Ok(Windows { starts, segment })
+}
+
+/// Correlations for lags 0 to `lags` in `blocks` consecutive blocks of time.
+///
+/// ```text
+/// R_k = 1/S Σ y(t + k) y(t)ᵀ,  t = 0 … S - 1,  S = samples - lags      shape: channels × channels
+/// ```
+/// Each lag sums over the same start times, so that all lags weigh the record alike. The mean of each channel is
+/// removed while reading; the record is not copied.
+pub(crate) fn correlate(record: &Record, lags: usize, blocks: usize) -> Result<Correlations, ModalError> {
+    let l = record.channels().len();
+    let windows = windows(record, lags, blocks)?;
+    let (starts, segment) = (windows.starts, windows.segment);
+    let mut pass = StreamingSums::new(record, 0..l, lags, segment);
+    let segments = windows.segments();
     let mut sums: Vec<(usize, Vec<f64>)> = Vec::with_capacity(blocks);
     for j in 0..blocks {
         let range = j * segments / blocks..(j + 1) * segments / blocks;
         let count = (range.end * segment).min(starts) - range.start * segment;
-        sums.push((count, pass.block(range, starts)));
+        let mut sum = vec![0.0; (lags + 1) * l * l];
+        pass.block(range, starts, |[a, b], of_pair| {
+            for (of_lag, t) in sum.chunks_exact_mut(l * l).zip(of_pair) {
+                of_lag[a * l + b] = *t;
+            }
+        });
+        sums.push((count, sum));
     }
     let size = (lags + 1) * l * l;
     let mut mean = vec![0.0; size];

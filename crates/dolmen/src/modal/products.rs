@@ -2,13 +2,14 @@
 //!
 //! | symbol | code | meaning | shape |
 //! |:--|:--|:--|:--|
-//! | F, P | `future`, `past` | spectra of segments | channels a bin and segment |
-//! | Σ F P* | `sums` | summed over segments | channels × channels a bin |
+//! | F, P | `future`, `past` | spectra of segments | rows, channels a bin and segment |
+//! | Σ F P* | `sums` | summed over segments | rows × channels a bin |
 //!
 //! Eight bins of one channel lie together; of each group of bins the segments, and of each segment the channels: four pairs of channels
 //! are summed over all segments in registers, and each sum is read and written once for all of them.
 
 use pulp::{Arch, Simd, WithSimd};
+use std::ops::Range;
 
 /// Bins that lie together: a whole number of registers of every processor, and one line of its cache.
 pub(super) const WIDTH: usize = 8;
@@ -48,21 +49,27 @@ impl Segments {
         self.held = 0;
     }
 
-    /// Takes the next segment: group after group of all its channels.
-    pub(super) fn push(&mut self, spectra: &[Bins]) {
-        let l = self.channels;
-        for (group, from) in self.next().zip(spectra.chunks_exact(l)) {
-            group.copy_from_slice(from);
+    /// Takes the next segment: group after group of all channels, of which these are held.
+    pub(super) fn push(&mut self, spectra: &[Bins], of: Range<usize>) {
+        let all = self.all(spectra);
+        for (group, from) in self.next().zip(spectra.chunks_exact(all)) {
+            group.copy_from_slice(&from[of.clone()]);
         }
         self.held += 1;
     }
 
+    /// Channels of which each group of these spectra is.
+    fn all(&self, spectra: &[Bins]) -> usize {
+        spectra.len() / (self.bins.len() / (self.most * self.channels))
+    }
+
     /// Takes the sum of two consecutive segments: a shift by half the FFT length is a factor (-1)^bin, and groups begin at even bins.
-    pub(super) fn push_shifted_sum(&mut self, past: &[Bins], next: &[Bins]) {
-        let l = self.channels;
-        let both = past.chunks_exact(l).zip(next.chunks_exact(l));
+    pub(super) fn push_shifted_sum(&mut self, past: &[Bins], next: &[Bins], of: Range<usize>) {
+        let all = self.all(past);
+        let both = past.chunks_exact(all).zip(next.chunks_exact(all));
         for (group, (past, next)) in self.next().zip(both) {
-            for (sum, (past, next)) in group.iter_mut().zip(past.iter().zip(next)) {
+            let both = past[of.clone()].iter().zip(&next[of.clone()]);
+            for (sum, (past, next)) in group.iter_mut().zip(both) {
                 shifted_sum(&mut sum.re, &past.re, &next.re);
                 shifted_sum(&mut sum.im, &past.im, &next.im);
             }
@@ -95,7 +102,7 @@ fn shifted_sum(sum: &mut [f64; WIDTH], past: &[f64; WIDTH], next: &[f64; WIDTH])
     }
 }
 
-/// sums += Σ future × conj(past) over the segments, of every pair of channels: group after group, each row by row.
+/// sums += Σ future × conj(past) over the segments, of every row with every channel: group after group, each row by row.
 pub(super) fn add_products(sums: &mut [Bins], future: &Segments, past: &Segments) {
     Arch::new().dispatch(Products { sums, future, past });
 }
@@ -111,16 +118,16 @@ impl WithSimd for Products<'_> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        let l = self.future.channels;
+        let size @ [rows, l] = [self.future.channels, self.past.channels];
         let both = self.future.groups().zip(self.past.groups());
-        for (sums, both) in self.sums.chunks_exact_mut(l * l).zip(both) {
-            for a in (0..l).step_by(2) {
+        for (sums, both) in self.sums.chunks_exact_mut(rows * l).zip(both) {
+            for a in (0..rows).step_by(2) {
                 for b in (0..l).step_by(2) {
-                    match (l - a, l - b) {
-                        (1, 1) => tile::<S, 1, 1>(simd, sums, both, [a, b], l),
-                        (1, _) => tile::<S, 1, 2>(simd, sums, both, [a, b], l),
-                        (_, 1) => tile::<S, 2, 1>(simd, sums, both, [a, b], l),
-                        _ => tile::<S, 2, 2>(simd, sums, both, [a, b], l),
+                    match (rows - a, l - b) {
+                        (1, 1) => tile::<S, 1, 1>(simd, sums, both, [a, b], size),
+                        (1, _) => tile::<S, 1, 2>(simd, sums, both, [a, b], size),
+                        (_, 1) => tile::<S, 2, 1>(simd, sums, both, [a, b], size),
+                        _ => tile::<S, 2, 2>(simd, sums, both, [a, b], size),
                     }
                 }
             }
@@ -135,12 +142,12 @@ fn tile<S: Simd, const A: usize, const B: usize>(
     sums: &mut [Bins],
     (future, past): (&[Bins], &[Bins]),
     [a, b]: [usize; 2],
-    l: usize,
+    [rows, l]: [usize; 2],
 ) {
     for v in 0..WIDTH / S::F64_LANES {
         let part = |x: &Bins| [S::as_simd_f64s(&x.re).0[v], S::as_simd_f64s(&x.im).0[v]];
         let mut tile = [[[simd.splat_f64s(0.0); 2]; B]; A];
-        for (f, p) in future.chunks_exact(l).zip(past.chunks_exact(l)) {
+        for (f, p) in future.chunks_exact(rows).zip(past.chunks_exact(l)) {
             let (Some(f), Some(p)) = (f[a..].first_chunk::<A>(), p[b..].first_chunk::<B>()) else {
                 continue;
             };
@@ -185,19 +192,21 @@ mod tests {
                     .collect()
             };
             let (future, past) = (made(), made());
-            let held = |all: &[Vec<Bins>]| {
-                let mut held = Segments::new(l, groups, segments + 1);
-                all.iter().for_each(|one| held.push(one));
+            let held = |all: &[Vec<Bins>], of: Range<usize>| {
+                let mut held = Segments::new(of.len(), groups, segments + 1);
+                all.iter().for_each(|one| held.push(one, of.clone()));
                 held
             };
-            let mut sums = vec![Bins::default(); l * l * groups];
+            let first = l / 3; // of three channels the last two are rows
+            let rows = l - first;
+            let mut sums = vec![Bins::default(); rows * l * groups];
             // twice: sums are added to
             for _ in 0..2 {
-                add_products(&mut sums, &held(&future), &held(&past));
+                add_products(&mut sums, &held(&future, first..l), &held(&past, 0..l));
             }
             let z = |x: &Bins, k: usize| Complex64::new(x.re[k], x.im[k]);
             for (at, sum) in sums.iter().enumerate() {
-                let (g, a, b) = (at / (l * l), at / l % l, at % l);
+                let (g, a, b) = (at / (rows * l), first + at / l % rows, at % l);
                 for k in 0..WIDTH {
                     let pairs = future.iter().zip(&past);
                     let exact: Complex64 = pairs

@@ -3,6 +3,7 @@
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
 //! | L | `segment` | samples a segment; each FFT holds 2L |
+//! | | `rows` | channels whose products with all channels are summed in this pass |
 //! | | `groups` | groups of bins that lie together |
 
 use super::products::{Bins, Segments, WIDTH, add_products};
@@ -10,12 +11,15 @@ use crate::signal::Record;
 use realfft::RealFftPlanner;
 use std::ops::Range;
 
-/// Segments whose spectra are multiplied in one go: their part of one group of bins, of 32 channels, stays in the second cache.
+/// Segments whose spectra are multiplied in one go: their part of one group of bins, of 32 channels, stays in the second cache. Fewer where
+/// their spectra would take more memory than this.
 const SEGMENTS_AT_ONCE: usize = 16;
+const SPECTRA_BYTES: usize = 1 << 25;
 
 pub(super) struct StreamingSums<'a> {
     reader: Reader<'a>,
     inverse: std::sync::Arc<dyn realfft::ComplexToReal<f64>>,
+    rows: Range<usize>,
     lags: usize,
     segment: usize,
     /// Start of the segment whose spectra `kept` holds for the next step, if it does.
@@ -29,7 +33,8 @@ pub(super) struct StreamingSums<'a> {
 }
 
 impl<'a> StreamingSums<'a> {
-    pub(super) fn new(record: &'a Record, lags: usize, segment: usize) -> Self {
+    /// Of these channels with all channels.
+    pub(super) fn new(record: &'a Record, rows: Range<usize>, lags: usize, segment: usize) -> Self {
         let mut planner = RealFftPlanner::new();
         let forward = planner.plan_fft_forward(2 * segment);
         let inverse = planner.plan_fft_inverse(2 * segment);
@@ -39,6 +44,8 @@ impl<'a> StreamingSums<'a> {
             .collect();
         let groups = (segment + 1).div_ceil(WIDTH);
         let spectra = vec![Bins::default(); l * groups];
+        let bytes = l * groups * size_of::<Bins>();
+        let at_once = (SPECTRA_BYTES / bytes).clamp(2, SEGMENTS_AT_ONCE);
         let scratch = forward.get_scratch_len().max(inverse.get_scratch_len());
         StreamingSums {
             reader: Reader {
@@ -56,9 +63,10 @@ impl<'a> StreamingSums<'a> {
             kept: spectra.clone(),
             next: spectra.clone(),
             ahead: spectra,
-            future: Segments::new(l, groups, SEGMENTS_AT_ONCE),
-            past: Segments::new(l, groups, SEGMENTS_AT_ONCE),
-            sums: vec![Bins::default(); l * l * groups],
+            future: Segments::new(rows.len(), groups, at_once),
+            past: Segments::new(l, groups, at_once),
+            sums: vec![Bins::default(); rows.len() * l * groups],
+            rows,
         }
     }
 
@@ -69,9 +77,14 @@ impl<'a> StreamingSums<'a> {
         range.flat_map(sample).collect()
     }
 
-    /// Σ y(t + k) y(t)ᵀ over the start times of the given segments, lag after lag.
-    pub(super) fn block(&mut self, segments: Range<usize>, starts: usize) -> Vec<f64> {
-        let step = self.segment;
+    /// Σ y(t + k) y(t)ᵀ over the start times of the given segments: each pair of channels and its lags go to `use_it`.
+    pub(super) fn block(
+        &mut self,
+        segments: Range<usize>,
+        starts: usize,
+        use_it: impl FnMut([usize; 2], &mut [f64]),
+    ) {
+        let (step, rows) = (self.segment, self.rows.clone());
         self.sums.fill(Bins::default());
         let last = segments.end;
         for i in segments {
@@ -83,12 +96,12 @@ impl<'a> StreamingSums<'a> {
             }
             self.reader.spectra(from + step..from + 2 * step, &mut self.next);
             if whole {
-                self.future.push_shifted_sum(&self.kept, &self.next);
+                self.future.push_shifted_sum(&self.kept, &self.next, rows.clone());
             } else {
                 self.reader.spectra(from..from + 2 * step, &mut self.ahead);
-                self.future.push(&self.ahead);
+                self.future.push(&self.ahead, rows.clone());
             }
-            self.past.push(&self.kept);
+            self.past.push(&self.kept, 0..self.reader.means.len());
             std::mem::swap(&mut self.kept, &mut self.next);
             self.kept_from = Some(from + step);
             if self.future.is_full() || i + 1 == last {
@@ -97,17 +110,18 @@ impl<'a> StreamingSums<'a> {
                 self.past.clear();
             }
         }
-        self.lags_of()
+        self.each_pair(use_it);
     }
 
-    fn lags_of(&mut self) -> Vec<f64> {
+    fn each_pair(&mut self, mut use_it: impl FnMut([usize; 2], &mut [f64])) {
         let l = self.reader.means.len();
         let Reader {
             bins, time, scratch, ..
         } = &mut self.reader;
-        let mut out = vec![0.0; (self.lags + 1) * l * l];
-        for pair in 0..l * l {
-            let groups = self.sums.chunks_exact(l * l);
+        let pairs = self.rows.len() * l;
+        let share = 1.0 / (2 * self.segment) as f64;
+        for pair in 0..pairs {
+            let groups = self.sums.chunks_exact(pairs);
             for (target, group) in bins.chunks_mut(WIDTH).zip(groups) {
                 let sum = &group[pair];
                 for ((z, re), im) in target.iter_mut().zip(&sum.re).zip(&sum.im) {
@@ -117,12 +131,10 @@ impl<'a> StreamingSums<'a> {
             bins[0].im = 0.0;
             bins[self.segment].im = 0.0;
             let _ = self.inverse.process_with_scratch(bins, time, scratch); // lengths are the plan's own
-            let lags = out.chunks_exact_mut(l * l).zip(time.iter());
-            for (of_lag, t) in lags {
-                of_lag[pair] = t / (2 * self.segment) as f64;
-            }
+            let lags = &mut time[..=self.lags];
+            lags.iter_mut().for_each(|t| *t *= share);
+            use_it([self.rows.start + pair / l, pair % l], lags);
         }
-        out
     }
 }
 

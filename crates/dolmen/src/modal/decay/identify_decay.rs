@@ -2,7 +2,6 @@
 
 use super::blows::blows;
 use super::mode_decay::{Decay, ModeDecay};
-use crate::modal::correlations::correlate;
 use crate::modal::indicators::largest;
 use crate::modal::modal_analysis::{ModalAnalysis, of_peaks};
 use crate::modal::options::Identify;
@@ -209,8 +208,7 @@ fn beats(poles: usize, swings: &[AtAmplitude]) -> bool {
 pub(crate) fn short_spectrum(record: &Record, options: &Fdd) -> Result<FddResult, ModalError> {
     const LINES: usize = 64;
     let lines = LINES.max(record.length() / PARTS).min(record.length() / 4);
-    let correlations = correlate(record, lines, 1)?;
-    peaks_of(record, &SpectralMatrices::new(&correlations), options)
+    peaks_of(record, &SpectralMatrices::of(record, lines)?, options)
 }
 
 #[cfg(test)]

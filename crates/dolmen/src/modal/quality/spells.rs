@@ -136,8 +136,9 @@ impl Lines {
                 .map(|(y, h)| y * h)
                 .collect();
             strengths.push(part.iter().map(|y| y * y).sum());
-            for (powers, k) in powers.iter_mut().zip(&offsets) {
-                powers.push(power_at(&part, (f + k * line_hz) / rate_hz));
+            let at = powers_at(&part, &offsets, |k| (f + k * line_hz) / rate_hz);
+            for (powers, power) in powers.iter_mut().zip(at) {
+                powers.push(power);
             }
         }
         Some(Lines { strengths, powers })
@@ -175,14 +176,27 @@ fn along(record: &Record, mode: &Mode) -> Vec<f64> {
     along
 }
 
-/// abs(Σ x_t e^(−2πiνt))² by Goertzel's recurrence, ν in cycles a sample.
-fn power_at(x: &[f64], cycles_a_sample: f64) -> f64 {
-    let twice_cos = 2.0 * (2.0 * PI * cycles_a_sample).cos();
-    let (mut last, mut before) = (0.0, 0.0);
-    for x in x {
-        (last, before) = (x + twice_cos * last - before, last);
+/// abs(Σ x_t e^(−2πiνt))² by Goertzel's recurrence, ν in cycles a sample, of several lines side by side: each waits for its last sample.
+fn powers_at(x: &[f64], offsets: &[f64], cycles_a_sample: impl Fn(f64) -> f64) -> Vec<f64> {
+    const LANES: usize = 24; // three registers of the widest kind: the lines about one mode
+    let mut powers = Vec::with_capacity(offsets.len());
+    for some in offsets.chunks(LANES) {
+        let mut twice_cos = [0.0; LANES];
+        for (twice_cos, k) in twice_cos.iter_mut().zip(some) {
+            *twice_cos = 2.0 * (2.0 * PI * cycles_a_sample(*k)).cos();
+        }
+        let (mut last, mut before) = ([0.0; LANES], [0.0; LANES]);
+        for x in x {
+            for ((last, before), twice_cos) in last.iter_mut().zip(&mut before).zip(&twice_cos) {
+                (*last, *before) = (x + twice_cos * *last - *before, *last);
+            }
+        }
+        let ends = last.iter().zip(&before).zip(&twice_cos).take(some.len());
+        powers.extend(
+            ends.map(|((last, before), twice_cos)| last * last + before * before - twice_cos * last * before),
+        );
     }
-    last * last + before * before - twice_cos * last * before
+    powers
 }
 
 #[cfg(test)]

@@ -8,8 +8,8 @@
 //! | a(τ) | `decay` | its correlation, complex: modulus decays, phase turns |
 //! | w(τ) | `parzen` | window of the correlations that S came from |
 
-use super::fdd::{Fdd, FddResult, SpectralMatrices, parzen, peaks_of};
-use crate::modal::correlations::correlate;
+use super::fdd::{Fdd, FddResult, peaks_of};
+use super::spectral_matrices::{SpectralMatrices, parzen};
 use crate::modal::error::refused;
 use crate::modal::indicators::assurance;
 use crate::modal::{Criteria, Method, ModalError, Mode};
@@ -83,8 +83,7 @@ pub fn efdd(record: &Record, options: &Efdd) -> Result<FddResult, ModalError> {
         return refused("assurance_least", options.assurance_least, "between 0 and 1");
     }
     let lines = options.fdd.lines_of(record)?;
-    let correlations = correlate(record, lines, 1)?;
-    let matrices = SpectralMatrices::new(&correlations);
+    let matrices = SpectralMatrices::of(record, lines)?;
     let mut found = peaks_of(record, &matrices, &options.fdd)?;
     found.modes.method = options.method;
     let step_hz = 0.5 * record.sampling_rate_hz() / lines as f64;

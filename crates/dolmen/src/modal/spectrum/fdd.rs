@@ -2,17 +2,16 @@
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | S(f) | `spectral_matrix` | one-sided spectral density, channels × channels | unit²/Hz |
-//! | R_k | `Correlations::lag` | correlations | unit² |
-//! | M | `lags` | largest lag of the window | - |
+//! | S(f) | `SpectralMatrices` | one-sided spectral density, channels × channels | unit²/Hz |
+//! | R_k | | correlations (spectral_matrices.rs) | unit² |
+//! | M | `lines` | largest lag of the window | - |
 
-use crate::modal::correlations::{Correlations, correlate};
+use super::spectral_matrices::SpectralMatrices;
 use crate::modal::error::refused;
 use crate::modal::indicators::{largest, normalized, phase_collinearity};
 use crate::modal::{Method, ModalError, Mode, Modes};
 use crate::signal::Record;
-use dolmen_linalg::{Complex64, ComplexMatrix, HermitianEigen, Matrix, hermitian_eigen};
-use realfft::RealFftPlanner;
+use dolmen_linalg::{HermitianEigen, Matrix, hermitian_eigen, hermitian_eigenvalues};
 use std::ops::Range;
 
 /// Spectral lines never exceed this: finer ones cost memory and show nothing more.
@@ -133,8 +132,7 @@ impl FddResult {
 /// windowed correlations (Blackman & Tukey), which are shared with SSI, not from averaged periodograms.
 pub fn fdd(record: &Record, options: &Fdd) -> Result<FddResult, ModalError> {
     let lines = options.lines_of(record)?;
-    let correlations = correlate(record, lines, 1)?;
-    peaks_of(record, &SpectralMatrices::new(&correlations), options)
+    peaks_of(record, &SpectralMatrices::of(record, lines)?, options)
 }
 
 impl Fdd {
@@ -166,7 +164,7 @@ pub(crate) fn peaks_of(
     let step_hz = 0.5 * record.sampling_rate_hz() / lines as f64;
     let mut singular_values = Vec::with_capacity(lines + 1);
     for line in 0..=lines {
-        let mut s = hermitian_eigen(&matrices.at(line))?.values;
+        let mut s = hermitian_eigenvalues(&matrices.at(line))?;
         s.reverse();
         s.iter_mut().for_each(|s| *s = s.max(0.0));
         singular_values.push(s);
@@ -254,59 +252,6 @@ fn shape_sd(e: &HermitianEigen, parts: f64) -> Vec<f64> {
     let size = first[most].norm_sqr();
     let of = |c: usize| (variance(c) + first[c].norm_sqr() / size * variance(most)) / size;
     (0..l).map(|c| (0.5 * of(c)).sqrt()).collect()
-}
-
-/// Lower triangle of S at every line, one pair of channels after the other.
-pub(crate) struct SpectralMatrices {
-    pub(super) channels: usize,
-    pub(super) lines: usize,
-    pairs: Vec<realfft::num_complex::Complex<f64>>,
-}
-
-impl SpectralMatrices {
-    pub(crate) fn new(r: &Correlations) -> Self {
-        let (l, m) = (r.channels, r.lags);
-        let plan = RealFftPlanner::new().plan_fft_forward(2 * m);
-        let (mut time, mut bins) = (plan.make_input_vec(), plan.make_output_vec());
-        let mut pairs = Vec::with_capacity(l * (l + 1) / 2 * (m + 1));
-        for a in 0..l {
-            for b in 0..=a {
-                time[m] = 0.0;
-                for k in 0..m {
-                    let weight = 2.0 * r.step_s * parzen(k as f64 / m as f64);
-                    time[k] = weight * r.lag(k)[a * l + b];
-                    if k > 0 {
-                        time[2 * m - k] = weight * r.lag(k)[b * l + a];
-                    }
-                }
-                let _ = plan.process(&mut time, &mut bins); // lengths are the plan's own
-                pairs.extend_from_slice(&bins);
-            }
-        }
-        SpectralMatrices {
-            channels: l,
-            lines: m,
-            pairs,
-        }
-    }
-
-    pub(super) fn at(&self, line: usize) -> ComplexMatrix {
-        ComplexMatrix::from_fn(self.channels, self.channels, |i, j| {
-            let (a, b) = (i.max(j), i.min(j));
-            let z = self.pairs[(a * (a + 1) / 2 + b) * (self.lines + 1) + line];
-            let im = if a == b { 0.0 } else { z.im };
-            Complex64::new(z.re, if i >= j { im } else { -im })
-        })
-    }
-}
-
-/// Parzen's lag window at x = lag over the longest lag, 0 to 1.
-pub(super) fn parzen(x: f64) -> f64 {
-    if x <= 0.5 {
-        1.0 - 6.0 * x * x * (1.0 - x)
-    } else {
-        2.0 * (1.0 - x).powi(3)
-    }
 }
 
 pub(crate) fn decibel(power: f64) -> f64 {

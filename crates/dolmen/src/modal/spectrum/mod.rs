@@ -8,11 +8,13 @@ mod half_spectra;
 mod plscf;
 mod plscf_options;
 mod reference_channels;
+mod spectral_matrices;
 
 pub use efdd::{Efdd, efdd};
 pub use fdd::{Fdd, FddResult, SingularSpectrum, fdd};
-pub(super) use fdd::{SpectralMatrices, decibel, peaks, peaks_of};
+pub(super) use fdd::{decibel, peaks, peaks_of};
 pub(super) use fraction_deviation::FractionScatter;
 pub use plscf::{MatrixFraction, plscf};
 pub use plscf_options::Plscf;
 pub(super) use reference_channels::keeping_most;
+pub(super) use spectral_matrices::SpectralMatrices;

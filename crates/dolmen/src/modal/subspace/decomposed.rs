@@ -1,5 +1,6 @@
 //! Singular values and vectors of the matrix that each subspace method decomposes.
 
+use super::block_hankel::FuturePast;
 use super::hankel::{future_past, past_past};
 use super::ssi_options::Ssi;
 use crate::modal::ModalError;
@@ -25,15 +26,24 @@ pub(crate) struct Decomposed {
 
 /// Of the correlations.
 pub(super) fn of_covariance(r: &Correlations, options: &Ssi) -> Result<Decomposed, ModalError> {
-    of_matrix(
-        &future_past(r, &options.references, options.block_rows),
-        options.order_most,
-    )
+    let (references, br) = (&options.references, options.block_rows);
+    let operator = FuturePast::new(r, references, br);
+    of_operator(&operator, options.order_most, || {
+        Ok(future_past(r, references, br))
+    })
 }
 
 /// Of a matrix of correlations.
 pub(crate) fn of_matrix(cross: &Matrix, order_most: usize) -> Result<Decomposed, ModalError> {
-    let f = leading(&Covariance(cross), order_most, || Ok(cross.clone()))?;
+    of_operator(&Covariance(cross), order_most, || Ok(cross.clone()))
+}
+
+fn of_operator(
+    cross: &dyn Operator,
+    order_most: usize,
+    dense: impl Fn() -> Result<Matrix, LinalgError>,
+) -> Result<Decomposed, ModalError> {
+    let f = leading(cross, order_most, dense)?;
     let n = order_most.min(f.s.len());
     Ok(Decomposed {
         x: over_singular_values(&f, n),
@@ -53,12 +63,13 @@ pub(super) fn of_data(record: &Record, r: &Correlations, options: &Ssi) -> Resul
         }
         None => return of_samples(record, options),
     };
-    let cross = future_past(r, &options.references, options.block_rows);
+    let (references, br) = (&options.references, options.block_rows);
     let projected = Projected {
-        cross: &cross,
+        cross: &FuturePast::new(r, references, br),
         lower: &lower,
     };
     let f = leading(&projected, options.order_most, || {
+        let cross = future_past(r, references, br);
         Ok(solve_lower(&lower, cross.transpose())?.transpose())
     })?;
     let n = options.order_most.min(f.s.len());
@@ -174,19 +185,19 @@ impl Operator for Covariance<'_> {
 
 /// Y⁺ Y⁻ᵀ L⁻ᵀ, not formed.
 struct Projected<'a> {
-    cross: &'a Matrix,
+    cross: &'a FuturePast,
     lower: &'a Matrix,
 }
 
 impl Operator for Projected<'_> {
     fn shape(&self) -> [usize; 2] {
-        [self.cross.rows(), self.cross.columns()]
+        self.cross.shape()
     }
     fn times(&self, x: Matrix) -> Result<Matrix, LinalgError> {
-        Ok(self.cross * &solve_lower_transposed(self.lower, x)?)
+        self.cross.times(solve_lower_transposed(self.lower, x)?)
     }
     fn transpose_times(&self, y: Matrix) -> Result<Matrix, LinalgError> {
-        solve_lower(self.lower, self.cross.transpose_times(&y))
+        solve_lower(self.lower, self.cross.transpose_times(y)?)
     }
 }
 

@@ -1,5 +1,6 @@
 //! Modes from stochastic subspaces: decompositions, poles of all orders, their deviations and clusters.
 
+mod block_hankel;
 mod clusters;
 mod decomposed;
 mod hankel;

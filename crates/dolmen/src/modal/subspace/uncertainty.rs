@@ -2,15 +2,15 @@
 //!
 //! | symbol | code | meaning | shape |
 //! |:--|:--|:--|:--|
-//! | dG | `beside` | Y⁺ Y⁻ᵀ of one block's deviation: the Hankel matrix of its lags | m × r br, m = l br |
+//! | dG | | Y⁺ Y⁻ᵀ of one block's deviation: the Hankel matrix of its lags | m × r br, m = l br |
 //! | X | `x` | U = (Y⁺ Y⁻ᵀ) X: V S⁻¹, of the data-driven method L⁻ᵀ V S⁻¹ | r br × N |
 //! | D | `d` | dG X | m × N |
 //! | ↑, ↓ | `up`, `down` | without the last, the first block row | m - l rows |
 //! | E, F, G | `e`, `f`, `g` | Uᵀ D, Qᵀ D↓, Qᵀ D↑ | N × N |
-//! | J, K | `j`, `k` | D↑ᵀ U↓, D↑ᵀ U↑ | N × N |
+//! | J, K | `j`, `k` | D↑ᵀ U↓, D↑ᵀ U↑ = Gᵀ R | N × N |
 //! | χ, φ | `left`, `right` | left and right eigenvectors of A, χᵀφ = 1 | n |
 
-use super::hankel::side_by_side;
+use super::block_hankel::BlockHankel;
 use super::ssi::{Pole, Subspace, back_substitute, state};
 use crate::modal::ModalError;
 use crate::modal::indicators::largest;
@@ -52,9 +52,12 @@ impl Deviations for Propagation<'_> {
 /// ```text
 /// dU = (I - U Uᵀ) D                                     the part inside span(U) turns U and A alike: no pole moves
 /// dA φ = R⁻¹ [(F - λ G) φ - (Qᵀ U↓ - λ R) E φ] + (RᵀR)⁻¹ (J - λ K) φ      leading n × n blocks; shape: n × 1
-/// dλ = χᵀ dA φ;   dφ = Σ φ_k χ_kᵀ dA φ / (λ - λ_k)
+/// dλ = χᵀ dA φ = wᵀ (F - λ G) φ + vᵀ (J - λ K) φ,   w = R⁻ᵀ χ,   v = R⁻¹ w
+/// dφ = Σ φ_k χ_kᵀ dA φ / (λ - λ_k)
 /// var(f) = b/(b-1) Σ df²                                over the b blocks of time
 /// ```
+/// In dλ the middle term of dA φ is zero: χᵀ R⁻¹ (Qᵀ U↓ - λ R) = χᵀ (A - λ) = 0.
+///
 /// Everything of a block that any order needs are five N × N matrices, N the highest order: no Kronecker product is
 /// formed and no block's Hankel matrix either. Of the data-driven method the change of L turns V and moves U within its
 /// span, but for the part that noise alone holds: to first order D is the same expression with its own X.
@@ -71,14 +74,26 @@ pub struct Propagation<'a> {
     subspace: &'a Subspace,
     blocks: Vec<Block>,
     /// State matrices decomposed so far, by order.
-    orders: Vec<Option<Order>>,
+    orders: Vec<Option<Known>>,
+}
+
+/// One order, and how far each block of time moves its eigenvalues.
+struct Known {
+    order: Order,
+    /// dλ of the eigenvalues of the upper half plane, 0 of the others: eigenvalues in rows, blocks in columns.
+    moves: ComplexMatrix,
 }
 
 impl<'a> Propagation<'a> {
     /// Projects every block's deviation: the work that all poles share.
     pub fn new(subspace: &'a Subspace) -> Self {
-        let of_lags = subspace.correlations.deviations.iter();
-        let of_lags = of_lags.map(|lags| Block::new(subspace, &changes(subspace, lags)));
+        let (l, br) = (subspace.correlations.channels, subspace.block_rows);
+        let mut x = None;
+        let of_lags = subspace.correlations.deviations.iter().map(|lags| {
+            let hankel = BlockHankel::new(lags, l, &subspace.references, br);
+            let x = x.get_or_insert_with(|| hankel.transformed(&subspace.x));
+            Block::new(subspace, &hankel.times_transformed(x))
+        });
         let of_setups = subspace.moved.iter().map(|d| Block::new(subspace, d));
         Propagation {
             subspace,
@@ -92,12 +107,11 @@ impl<'a> Propagation<'a> {
     /// # Errors
     /// [`ModalError::Linalg`].
     pub fn frequency_sd_hz(&mut self, pole: &Pole) -> Result<f64, ModalError> {
-        let (order, blocks, subspace) = self.order(pole)?;
-        let index = nearest(&order.values, pole.eigenvalue);
-        let changes = blocks.iter().map(|b| {
-            let d_lambda = order.along(index, &order.state_change(subspace, b, index));
-            frequency_and_damping(pole, d_lambda, subspace.sampling_rate_hz)[0]
-        });
+        let (known, blocks, subspace) = self.order(pole)?;
+        let index = nearest(&known.order.values, pole.eigenvalue);
+        let rate_hz = subspace.sampling_rate_hz;
+        let changes = (0..blocks.len()).map(|b| known.moves[(index, b)]);
+        let changes = changes.map(|d_lambda| frequency_and_damping(pole, d_lambda, rate_hz)[0]);
         let sum: f64 = changes.map(|d| d * d).sum();
         Ok((correction(blocks.len()) * sum).sqrt())
     }
@@ -107,7 +121,7 @@ impl<'a> Propagation<'a> {
     /// # Errors
     /// [`ModalError::Linalg`].
     pub fn deviation(&mut self, pole: &Pole) -> Result<PoleDeviation, ModalError> {
-        let (order, blocks, subspace) = self.order(pole)?;
+        let (Known { order, .. }, blocks, subspace) = self.order(pole)?;
         let index = nearest(&order.values, pole.eigenvalue);
         let shape = leading_times(&subspace.u, pole.shape.len(), order.right.column(index));
         let (mut z2, mut s2) = (0.0, vec![0.0; pole.shape.len()]);
@@ -139,16 +153,18 @@ impl<'a> Propagation<'a> {
         })
     }
 
-    fn order(&mut self, pole: &Pole) -> Result<(&Order, &[Block], &'a Subspace), ModalError> {
+    fn order(&mut self, pole: &Pole) -> Result<(&Known, &[Block], &'a Subspace), ModalError> {
         let slot = &mut self.orders[pole.order];
-        let order = match slot {
-            Some(order) => order,
+        let known = match slot {
+            Some(known) => known,
             None => {
                 let a = state(&self.subspace.upper.r, &self.subspace.shifted, pole.order);
-                slot.insert(Order::of(&a)?)
+                let order = Order::of(&a)?;
+                let moves = order.moves(self.subspace, &self.blocks);
+                slot.insert(Known { order, moves })
             }
         };
-        Ok((order, &self.blocks, self.subspace))
+        Ok((known, &self.blocks, self.subspace))
     }
 }
 
@@ -192,30 +208,16 @@ impl Block {
     fn new(s: &Subspace, d: &Matrix) -> Self {
         let (l, m, n) = (s.correlations.channels, s.u.rows(), s.order_most);
         let (up, down) = (d.block(0, 0, m - l, n), d.block(l, 0, m - l, n));
-        let (u_up, u_down) = (s.u.block(0, 0, m - l, n), s.u.block(l, 0, m - l, n));
+        let g = s.upper.q.transpose_times(&up);
         Block {
             e: s.u.transpose_times(d),
             f: s.upper.q.transpose_times(&down),
-            g: s.upper.q.transpose_times(&up),
-            j: up.transpose_times(&u_down),
-            k: up.transpose_times(&u_up),
+            j: up.transpose_times(&s.u.block(l, 0, m - l, n)),
+            k: g.transpose_times(&s.upper.r),
+            g,
             top: d.block(0, 0, l, n),
         }
     }
-}
-
-/// D = dG X, block row by block row.
-fn changes(s: &Subspace, lags: &[f64]) -> Matrix {
-    let (l, r, br) = (s.correlations.channels, s.references.len(), s.block_rows);
-    let beside = side_by_side(lags, l, &s.references, br);
-    let mut d = Matrix::zeros(l * br, s.order_most);
-    for i in 0..br {
-        let row = &beside.block(0, i * r, l, r * br) * &s.x;
-        for j in 0..s.order_most {
-            d.column_mut(j)[i * l..(i + 1) * l].copy_from_slice(row.column(j));
-        }
-    }
-    d
 }
 
 /// Eigenvalues and vectors of the state matrix of one order.
@@ -247,6 +249,41 @@ impl Order {
             right: e.vectors,
             left,
         })
+    }
+
+    /// dλ of the eigenvalues of the upper half plane by each block's deviation, all of them at once.
+    fn moves(&self, s: &Subspace, blocks: &[Block]) -> ComplexMatrix {
+        let n = self.n;
+        let upper: Vec<usize> = (0..n).filter(|&k| self.values[k].im > 0.0).collect();
+        let p = upper.len();
+        // real parts beside imaginary ones
+        let phi = Matrix::from_fn(n, 2 * p, |i, j| {
+            let z = self.right[(i, upper[j % p])];
+            if j < p { z.re } else { z.im }
+        });
+        let weights = upper.iter().map(|&k| {
+            let mut w = self.left.column(k).to_vec();
+            forward_substitute(&s.upper.r, &mut w);
+            let mut v = w.clone();
+            back_substitute_complex(&s.upper.r, &mut v);
+            [w, v]
+        });
+        let weights: Vec<[Vec<Complex64>; 2]> = weights.collect();
+        let mut moves = ComplexMatrix::zeros(n, blocks.len());
+        for (b, block) in blocks.iter().enumerate() {
+            let [f, g, j, k] = [&block.f, &block.g, &block.j, &block.k].map(|m| &m.block(0, 0, n, n) * &phi);
+            let along = |weight: &[Complex64], m: &Matrix, at: usize| -> Complex64 {
+                let (re, im) = (m.column(at), m.column(p + at));
+                let parts = re.iter().zip(im).map(|(re, im)| Complex64::new(*re, *im));
+                weight.iter().zip(parts).map(|(w, m)| w * m).sum()
+            };
+            for (at, (&index, [w, v])) in upper.iter().zip(&weights).enumerate() {
+                let lambda = self.values[index];
+                moves[(index, b)] = along(w, &f, at) - lambda * along(w, &g, at) + along(v, &j, at)
+                    - lambda * along(v, &k, at);
+            }
+        }
+        moves
     }
 
     /// dA φ of the pole at `index` for one block's deviation.
