@@ -158,7 +158,11 @@ mod tests {
         };
         for (row, column) in [(1_048_575, 16_383), (1000, 0), (3, 256)] {
             let (rows, columns) = (row as usize + 1, usize::from(column) + 1);
-            let far = SheetError::TooMany { rows, columns };
+            let far = SheetError::TooMany {
+                rows,
+                columns,
+                rows_most: ROWS_MOST,
+            };
             assert_eq!(told(row, column), Err(ScoreFormError::Sheet(far)));
         }
         assert_eq!(told(999, 3), Err(ScoreFormError::Missing { key: "storeys" }));

@@ -1,7 +1,7 @@
 //! Tables of stones and storeys as people keep them: XLSX, ODS and CSV to rows of cells that know their place.
 
 use crate::sheet_error::{COLUMNS_MOST, ROWS_MOST, SheetError, unreadable};
-use crate::sheet_limits::{refuse_bomb, refuse_far, refuse_repeats};
+use crate::sheet_limits::{refuse_bomb, refuse_far, refuse_repeats, too_many};
 use crate::text_code::decoded;
 use calamine::{Data, DataRef, Dimensions, ExcelDateTime, Ods, Range, Reader, Xlsx};
 use std::io::Cursor;
@@ -163,8 +163,13 @@ fn refuse_formula(formulas: &Range<String>) -> Result<(), SheetError> {
 fn cells(range: &Range<Data>, of: SheetUse) -> Result<Vec<Vec<SheetCell>>, SheetError> {
     let (first_row, first_column) = range.start().unwrap_or_default();
     let (rows, columns) = range.get_size();
-    if rows > of.rows_most() || columns > COLUMNS_MOST {
-        return Err(SheetError::TooMany { rows, columns });
+    let rows_most = of.rows_most();
+    if rows > rows_most || columns > COLUMNS_MOST {
+        return Err(SheetError::TooMany {
+            rows,
+            columns,
+            rows_most,
+        });
     }
     let cell = |row: usize, column: usize, value: &Data| {
         let place = place(row + first_row as usize, column + first_column as usize);
@@ -231,8 +236,7 @@ fn of_text(bytes: &[u8]) -> Result<Vec<Vec<SheetCell>>, SheetError> {
     for (number, record) in reader.records().enumerate() {
         let record = record.map_err(unreadable)?;
         if number >= ROWS_MOST || record.len() > COLUMNS_MOST {
-            let (rows, columns) = (number + 1, record.len());
-            return Err(SheetError::TooMany { rows, columns });
+            return Err(too_many(number + 1, record.len()));
         }
         let cell = |(column, field): (usize, &str)| {
             let (place, field) = (place(number, column), field.trim());
@@ -314,9 +318,40 @@ mod tests {
             read_sheet(&far, "stones.xlsx", None).unwrap_err(),
             SheetError::TooMany {
                 rows: 1_048_576,
-                columns: 16_384
+                columns: 16_384,
+                rows_most: ROWS_MOST
             }
         );
+    }
+
+    #[test]
+    fn refuses_a_cell_whose_place_no_sheet_has() {
+        use std::io::{Read as _, Write as _};
+        let mut packed = zip::ZipArchive::new(Cursor::new(book(heads))).unwrap();
+        let with = |from: &str, to: &str, packed: &mut zip::ZipArchive<Cursor<Vec<u8>>>| {
+            let mut archive = zip::ZipWriter::new(Cursor::new(Vec::new()));
+            for number in 0..packed.len() {
+                let mut part = packed.by_index(number).unwrap();
+                let mut text = String::new();
+                part.read_to_string(&mut text).unwrap();
+                archive
+                    .start_file(part.name().unwrap(), zip::write::SimpleFileOptions::default())
+                    .unwrap();
+                archive.write_all(text.replace(from, to).as_bytes()).unwrap();
+            }
+            read_sheet(&archive.finish().unwrap().into_inner(), "stones.xlsx", None)
+        };
+        assert_eq!(with("r=\"C4\"", "r = 'C4'", &mut packed).unwrap().len(), 2);
+        for (to, place) in [
+            ("r='C44444444'", "C44444444"),
+            ("s=\">\" r=\"CCCCCCCCCC4\"", "CCCC"),
+        ] {
+            let place = place.to_owned();
+            assert_eq!(
+                with("r=\"C4\"", to, &mut packed).unwrap_err(),
+                SheetError::NoPlace { place }
+            );
+        }
     }
 
     #[test]
@@ -360,7 +395,7 @@ mod tests {
         let filled = "<table:table-cell office:value='1'><text:p>1</text:p></table:table-cell>";
         let text = "<table:table-cell>\n<text:p>a</text:p></table:table-cell>";
         let empty = "<table:table-cell table:number-columns-repeated=\"16384\">\n</table:table-cell>";
-        let too_many = |rows, columns| Err(SheetError::TooMany { rows, columns });
+        let too_many = |rows, columns| Err(too_many(rows, columns));
         // what LibreOffice writes up to its last row and column
         let end = row("\"1048000\"", empty);
         assert_eq!(

@@ -31,6 +31,8 @@ pub enum SheetError {
         rows: usize,
         /// Columns.
         columns: usize,
+        /// Rows that are read.
+        rows_most: usize,
     },
     /// Few cells far from one another.
     Sparse {
@@ -40,6 +42,11 @@ pub enum SheetError {
         columns: usize,
         /// Cells that hold something.
         cells: usize,
+    },
+    /// A cell stands where no sheet has one.
+    NoPlace {
+        /// How its place begins.
+        place: String,
     },
     /// There is no such sheet.
     NoSuchSheet {

@@ -14,19 +14,113 @@ const AREA_FREE: usize = ROWS_MOST * COLUMNS_MOST;
 /// Most cells between the corners of a larger sheet for one that holds something. Chosen here: of a log that gives one of its channels in ten a line.
 const AREA_A_CELL: usize = 10;
 
-/// Unpacks every part once and keeps nothing: what a workbook says of its size need not be true.
+/// Unpacks every part once and keeps nothing: what a workbook says of its size need not be true, nor need its cells lie where a sheet has any.
 pub(crate) fn refuse_bomb(bytes: &[u8]) -> Result<(), SheetError> {
     let mut archive = zip::ZipArchive::new(Cursor::new(bytes)).map_err(unreadable)?;
     let most = (UNPACKED_A_BYTE_MOST * bytes.len() as u64).clamp(UNPACKED_BYTES_FREE, UNPACKED_BYTES_MOST);
     let mut left = most;
     for number in 0..archive.len() {
         let part = archive.by_index(number).map_err(unreadable)?;
-        let unpacked = std::io::copy(&mut part.take(left + 1), &mut std::io::sink()).map_err(unreadable)?;
+        let mut places = Places::default();
+        let unpacked = std::io::copy(&mut part.take(left + 1), &mut places).map_err(unreadable)?;
+        if let Some(place) = places.beyond {
+            return Err(SheetError::NoPlace { place });
+        }
         left = left
             .checked_sub(unpacked)
             .ok_or(SheetError::TooLarge { most_mib: most >> 20 })?;
     }
     Ok(())
+}
+
+/// Letters and digits of the place of a cell: XFD1048576 is the last.
+const LETTERS_MOST: usize = 3;
+const DIGITS_MOST: usize = 7;
+
+/// Looks at the places of cells (attributes `r` and `ref`) as the bytes of a part go by: calamine counts with what stands there, however long it is.
+#[derive(Default)]
+struct Places {
+    within: Within,
+    /// Name of the attribute that is read, and whether it has ended.
+    name: Vec<u8>,
+    name_ended: bool,
+    /// The place that is read, and its letters and digits.
+    place: Vec<u8>,
+    letters: usize,
+    digits: usize,
+    /// The first that no sheet has.
+    beyond: Option<String>,
+}
+
+/// Where in XML a byte stands.
+#[derive(Clone, Copy, Default)]
+enum Within {
+    #[default]
+    Text,
+    Tag,
+    /// A value, by its quote, and whether it gives places.
+    Value(u8, bool),
+}
+
+impl Places {
+    fn read(&mut self, byte: u8) {
+        match (self.within, byte) {
+            (Within::Text, b'<') => (self.within, self.name_ended) = (Within::Tag, true),
+            (Within::Text, _) => {}
+            (Within::Tag, b'>') => self.within = Within::Text,
+            (Within::Tag, b'"' | b'\'') => {
+                self.within = Within::Value(byte, matches!(&self.name[..], b"r" | b"ref"));
+                self.between();
+            }
+            (Within::Tag, b'=') => {}
+            (Within::Tag, _) if byte.is_ascii_whitespace() => self.name_ended = true,
+            (Within::Tag, _) => {
+                if std::mem::take(&mut self.name_ended) {
+                    self.name.clear();
+                }
+                if self.name.len() < 8 {
+                    self.name.push(byte);
+                }
+            }
+            (Within::Value(quote, _), _) if byte == quote => {
+                (self.within, self.name_ended) = (Within::Tag, true);
+            }
+            (Within::Value(_, true), _) => self.of_place(byte),
+            (Within::Value(_, false), _) => {}
+        }
+    }
+
+    fn of_place(&mut self, byte: u8) {
+        if !byte.is_ascii_alphanumeric() {
+            return self.between();
+        }
+        self.letters += usize::from(byte.is_ascii_alphabetic());
+        self.digits += usize::from(byte.is_ascii_digit());
+        self.place.push(byte);
+        if self.letters > LETTERS_MOST || self.digits > DIGITS_MOST {
+            self.beyond = Some(String::from_utf8_lossy(&self.place).into_owned());
+        }
+    }
+
+    fn between(&mut self) {
+        self.place.clear();
+        (self.letters, self.digits) = (0, 0);
+    }
+}
+
+impl std::io::Write for Places {
+    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+        let mut each = bytes.iter();
+        while self.beyond.is_none()
+            && let Some(byte) = each.next()
+        {
+            self.read(*byte);
+        }
+        Ok(bytes.len())
+    }
+    fn flush(&mut self) -> std::io::Result<()> {
+        Ok(())
+    }
 }
 
 /// Refuses a sheet with a cell far from the others before room is made for all between: one at XFD1048576 would take half a terabyte.
@@ -40,7 +134,11 @@ pub(crate) fn refuse_far(
         most = (most.0.max(row as usize + 1), most.1.max(column as usize + 1));
         let (rows, columns) = most;
         match rows > rows_most || columns > COLUMNS_MOST {
-            true => Err(SheetError::TooMany { rows, columns }),
+            true => Err(SheetError::TooMany {
+                rows,
+                columns,
+                rows_most,
+            }),
             false => Ok(()),
         }
     };
@@ -58,6 +156,15 @@ pub(crate) fn refuse_far(
     match rows * columns > AREA_FREE.max(AREA_A_CELL * cells) {
         true => Err(SheetError::Sparse { rows, columns, cells }),
         false => Ok(()),
+    }
+}
+
+/// Of a table of parts.
+pub(crate) fn too_many(rows: usize, columns: usize) -> SheetError {
+    SheetError::TooMany {
+        rows,
+        columns,
+        rows_most: ROWS_MOST,
     }
 }
 
@@ -96,7 +203,7 @@ pub(crate) fn refuse_repeats(bytes: &[u8]) -> Result<(), SheetError> {
                     whole = whole.saturating_add(sheet.filled_rows.saturating_mul(sheet.filled_columns));
                     if whole > AREA_FREE {
                         let (rows, columns) = (sheet.filled_rows, sheet.filled_columns);
-                        return Err(SheetError::TooMany { rows, columns });
+                        return Err(too_many(rows, columns));
                     }
                 }
                 _ => {}
@@ -158,7 +265,7 @@ impl Extent {
         self.filled_columns = self.filled_columns.max(self.filled_in_row);
         let (rows, columns) = (self.filled_rows, self.filled_columns);
         match rows > ROWS_MOST || columns > COLUMNS_MOST {
-            true => Err(SheetError::TooMany { rows, columns }),
+            true => Err(too_many(rows, columns)),
             false => Ok(()),
         }
     }

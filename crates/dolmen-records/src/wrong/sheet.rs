@@ -2,7 +2,7 @@
 
 use crate::photo::{PHOTO_PIXELS_MOST, PhotoError};
 use crate::score_form::ScoreFormError;
-use crate::sheet_error::{COLUMNS_MOST, ROWS_MOST, SheetError};
+use crate::sheet_error::{COLUMNS_MOST, SheetError};
 use dolmen_words::sentences;
 
 sentences! {
@@ -19,13 +19,17 @@ sentences! {
             en: "unpacks to more than {most_mib} MiB, too much for a file of its size: save only the table of this structure, or as CSV",
             ko: "압축을 풀면 {most_mib} MiB를 넘어 파일 크기에 비해 너무 크다. 이 구조물의 표만 저장하거나 CSV로 저장한다",
         },
-        TooMany { rows, columns } as { rows, columns, rows_most: ROWS_MOST, columns_most: COLUMNS_MOST } => {
+        TooMany { rows, columns, rows_most } as { rows, columns, rows_most, columns_most: COLUMNS_MOST } => {
             en: "has {rows} rows and {columns} columns, but at most {rows_most} and {columns_most} are read",
             ko: "{rows}행 {columns}열인데 {rows_most}행 {columns_most}열까지만 읽는다",
         },
         Sparse { rows, columns, cells } => {
             en: "reaches over {rows} rows and {columns} columns, of which {cells} cells hold something: delete what stands far from the table",
             ko: "{rows}행 {columns}열에 걸쳐 있는데 값이 있는 셀은 {cells}개이다. 표에서 멀리 떨어진 값을 지운다",
+        },
+        NoPlace { place } => {
+            en: "has a cell at {place}…, where no sheet has one (the last is XFD1048576): it is damaged; save the table again",
+            ko: "{place}… 위치의 셀이 있는데 시트에는 그런 위치가 없다(마지막은 XFD1048576). 파일이 손상되었으므로 표를 다시 저장한다",
         },
         NoSuchSheet { name, known } => {
             en: "has no sheet \"{name}\": it has {known}",
