@@ -129,7 +129,7 @@ fn run(cli: &Cli, typed: &Typed) -> anyhow::Result<Outcome> {
         Verb::Motion(options) => motion::run(options, typed, manner),
         Verb::Report(options) => report::run(options, typed, manner),
         Verb::Demo(options) => report::demo(options, manner),
-        Verb::Schema => tools::schema(),
+        Verb::Schema => tools::schema(manner),
         Verb::Words { export } => tools::words(export.as_deref(), manner),
         Verb::Validate => validate::run(manner.json),
         Verb::Doctor => validate::doctor(),

@@ -90,8 +90,8 @@ pub(crate) fn completions(shell: clap_complete::Shell) -> Result<Outcome> {
     Ok(Outcome::Done)
 }
 
-pub(crate) fn schema() -> Result<Outcome> {
-    say(&format!("{:#}\n", json_schema()))?;
+pub(crate) fn schema(manner: &Manner) -> Result<Outcome> {
+    say(&format!("{:#}\n", json_schema(manner.language())))?;
     Ok(Outcome::Done)
 }
 

@@ -1,18 +1,63 @@
 //! The JSON schema of a project file, from the types that read it.
 
 use super::file::{FileRaw, KindRaw};
+use super::wrong::korean;
+use dolmen_words::Language;
 use schemars::generate::SchemaSettings;
 use serde_json::{Map, Value, json};
 
-/// The JSON schema of project files (draft 2020-12), for editors.
+/// The JSON schema of project files (draft 2020-12), for editors, its descriptions in a language.
 ///
 /// # Example
 /// ```
-/// let schema = dolmen_project::json_schema();
+/// use dolmen_project::json_schema;
+/// use dolmen_words::Language;
+/// let [schema, korean] = [Language::English, Language::Korean].map(json_schema);
 /// assert_eq!(schema["properties"]["schema"]["const"], 1);
-/// assert!(schema["properties"]["links"]["description"].as_str().is_some_and(|d| d.contains("lowest first")));
+/// let of_links = |schema: &serde_json::Value| schema["properties"]["links"]["description"].to_string();
+/// assert!(of_links(&schema).contains("lowest first"));
+/// assert!(of_links(&korean).contains("아래"));
 /// ```
-pub fn json_schema() -> Value {
+pub fn json_schema(language: Language) -> Value {
+    let mut schema = complete();
+    if language == Language::Korean {
+        described(&mut schema, &mut korean);
+    }
+    schema
+}
+
+/// Puts other words into the place of descriptions, where there are any.
+fn described(schema: &mut Value, words: &mut impl FnMut(&str) -> Option<&'static str>) {
+    match schema {
+        Value::Object(object) => {
+            for (key, value) in object {
+                match value {
+                    Value::String(text) if key == "description" => {
+                        if let Some(other) = words(text) {
+                            *text = other.to_owned();
+                        }
+                    }
+                    value => described(value, words),
+                }
+            }
+        }
+        Value::Array(list) => list.iter_mut().for_each(|value| described(value, words)),
+        _ => {}
+    }
+}
+
+/// All descriptions of the schema.
+#[cfg(test)]
+pub(super) fn descriptions() -> std::collections::BTreeSet<String> {
+    let mut seen = std::collections::BTreeSet::new();
+    described(&mut complete(), &mut |text| {
+        seen.insert(text.to_owned());
+        None
+    });
+    seen
+}
+
+fn complete() -> Value {
     let mut schema = of_file();
     if let Some(object) = schema.as_object_mut() {
         let needs = |kind: &str, key: &str| {
@@ -184,7 +229,7 @@ mod tests {
 
     #[test]
     fn holds_the_schema_names_every_key_and_no_null() {
-        let schema = json_schema();
+        let schema = json_schema(Language::English);
         let text = schema.to_string();
         assert!(!text.contains("null"), "{text}");
         assert_eq!(schema["required"], json!(["schema", "kind", "name"]));

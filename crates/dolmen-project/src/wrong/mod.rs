@@ -44,7 +44,7 @@ pub(crate) use parser::{AtItsPlace, Expected, OfParser, of_parser};
 pub(crate) use records::WrongRecords;
 pub(crate) use report::WrongReport;
 pub(crate) use said::said;
-pub(crate) use schema_words::{Meaning, Needed, OtherMeaning, of_schema};
+pub(crate) use schema_words::{Needed, korean, of_schema};
 pub(crate) use site::WrongSite;
 pub(crate) use slips::Slip;
 pub(crate) use stack::WrongStack;
@@ -72,7 +72,7 @@ pub(crate) fn either<T: AsRef<str>>(words: &[T]) -> Both {
 }
 
 /// All sentences of errors of project files.
-pub const ERRORS: [&[Template]; 32] = [
+pub const ERRORS: [&[Template]; 30] = [
     Framed::TEMPLATES,
     Common::TEMPLATES,
     WrongToml::TEMPLATES,
@@ -82,8 +82,6 @@ pub const ERRORS: [&[Template]; 32] = [
     WrongUnit::TEMPLATES,
     Slip::TEMPLATES,
     WrongTable::TEMPLATES,
-    Meaning::TEMPLATES,
-    OtherMeaning::TEMPLATES,
     Needed::TEMPLATES,
     WrongSite::TEMPLATES,
     WrongStack::TEMPLATES,

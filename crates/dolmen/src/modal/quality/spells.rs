@@ -298,14 +298,19 @@ mod tests {
     }
 
     #[test]
-    fn exact_power_of_a_line() {
+    fn exact_powers_of_more_lines_than_stand_side_by_side() {
         let x = [1.0, -2.0, 0.5, 3.0, -1.0];
-        let nu = 0.23;
-        let sum: Complex64 = x
-            .iter()
-            .enumerate()
-            .map(|(t, x)| Complex64::from_polar(*x, -2.0 * PI * nu * t as f64))
-            .sum();
-        assert!((power_at(&x, nu) / sum.norm_sqr() - 1.0).abs() < 1e-12);
+        let offsets: Vec<f64> = (0..30).map(f64::from).collect();
+        let nu = |k: f64| 0.03 + 0.015 * k;
+        let found = powers_at(&x, &offsets, nu);
+        assert_eq!(found.len(), offsets.len());
+        for (power, k) in found.iter().zip(&offsets) {
+            let sum: Complex64 = x
+                .iter()
+                .enumerate()
+                .map(|(t, x)| Complex64::from_polar(*x, -2.0 * PI * nu(*k) * t as f64))
+                .sum();
+            assert!((power / sum.norm_sqr() - 1.0).abs() < 1e-10, "{k} {power}");
+        }
     }
 }
