@@ -98,6 +98,37 @@ pub(crate) struct New {
     pub(crate) kind: Kind,
     /// Folder to make; it must not exist or be empty
     pub(crate) directory: PathBuf,
+    #[command(flatten)]
+    pub(crate) of_scan: OfScan,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct OfScan {
+    /// Cut this closed mesh of a whole pagoda (OBJ, STL, PLY) into its stones, instead of copying an example
+    #[arg(long, value_name = "FILE", requires = "beds")]
+    pub(crate) scan: Option<PathBuf>,
+    /// Heights of its beds, m in the coordinates of the file, lowest first: 0.35,1.05
+    #[arg(
+        long,
+        value_name = "METRES",
+        value_delimiter = ',',
+        requires = "scan",
+        allow_negative_numbers = true
+    )]
+    pub(crate) beds: Vec<f64>,
+    /// Unit of the file; recognised by its height without it, and stated
+    #[arg(long, value_enum, requires = "scan")]
+    pub(crate) unit: Option<ScanUnit>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum ScanUnit {
+    /// Metres
+    M,
+    /// Centimetres
+    Cm,
+    /// Millimetres
+    Mm,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

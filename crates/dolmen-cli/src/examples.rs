@@ -4,6 +4,8 @@ use crate::cli::{Kind, New};
 use crate::manner::Manner;
 use crate::outcome::Outcome;
 use crate::say::say;
+use crate::scanned;
+use crate::typed_path::for_a_shell;
 use crate::wrong::{CommandError, Noted};
 use anyhow::Result;
 use dolmen_records::{FileError, Files};
@@ -96,6 +98,9 @@ pub(crate) fn example_text(name: &str, file: &str) -> Result<&'static str> {
 }
 
 pub(crate) fn run(options: &New, manner: &Manner) -> Result<Outcome> {
+    if let Some(scan) = &options.of_scan.scan {
+        return scanned::run(options, &options.of_scan, scan, manner);
+    }
     let directory = &options.directory;
     copy_example(example_of(options.kind), directory)?;
     if !manner.quiet {
@@ -123,15 +128,4 @@ pub(crate) fn run(options: &New, manner: &Manner) -> Result<Outcome> {
         say(&(lines.join("\n") + "\n"))?;
     }
     Ok(Outcome::Done)
-}
-
-/// A path as it can be pasted into a shell: in double quotes, which all shells know, where it needs any.
-fn for_a_shell(path: &str) -> String {
-    let is_plain = |c: char| c.is_alphanumeric() || "_-./\\:+,@".contains(c);
-    let is_quotable = |c: char| !"\"$`!".contains(c);
-    match (path.chars().all(is_plain), path.chars().all(is_quotable)) {
-        (true, _) => path.to_owned(),
-        (false, true) => format!("\"{path}\""),
-        (false, false) => format!("'{}'", path.replace('\'', "'\\''")),
-    }
 }

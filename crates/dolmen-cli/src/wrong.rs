@@ -284,6 +284,11 @@ messages! {
             en: "Next: put your own numbers in it (its README.md says what each means), then",
             ko: "다음: 자신의 값을 넣고(각 값의 뜻은 README.md 참조) 실행한다.",
         },
+        NextOfScan { folder: String } => {
+            en: "{folder} holds the stones, project.toml and drawing.svg. Next: look at the drawing, put your own density and friction into the file, then",
+            ko: "{folder}에 석재 메시, project.toml, drawing.svg를 썼다. 다음: 도면을 확인하고 밀도와 마찰계수를 실제 값으로 고친 뒤 실행한다.",
+        },
+        ForPagodas => { en: "cuts a scan into the stones of a pagoda (dolmen new pagoda)", ko: "스캔을 탑의 석재로 자를 때(dolmen new pagoda) 쓴다" },
         ForPulses => { en: "gives the period of a pulse (--make, but for noise)", ko: "--make로 만드는 펄스의 주기이다" },
         ForNearFault => { en: "shapes a near-fault pulse (--make near-fault)", ko: "근단층 펄스(--make near-fault)의 형상이다" },
         ForNoise => { en: "is for noise (--make noise)", ko: "잡음(--make noise)에 쓴다" },

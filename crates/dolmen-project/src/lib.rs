@@ -79,6 +79,7 @@ pub use doubts::{likely, looks_like_radians};
 pub use error::{Problem, ProjectError, headed};
 pub use frame::{
     Axial, ColumnsPart, DirectionPart, FootPart, FrameLean, FramePart, FrictionPart, SlipForces, StoreyPart,
+    TenonsPart,
 };
 pub use heaviness::Heaviness;
 pub use loads::{

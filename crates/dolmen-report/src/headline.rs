@@ -132,6 +132,10 @@ messages! {
             en: "leaning as surveyed ({survey}: {tilt})",
             ko: "실측 기울기 반영({survey} 조사: {tilt})",
         },
+        MadeUp { surveys: Vec<String> } => {
+            en: "made up, not measured: survey {surveys}",
+            ko: "실측이 아닌 가상 조사: {surveys}",
+        },
         Assumed { assumed: usize, all: usize } => {
             en: "assumed inputs: {assumed} of {all}",
             ko: "가정한 입력: {all}개 중 {assumed}개",
@@ -239,6 +243,10 @@ fn parts(judged: &VersionJudgement) -> Vec<Sentence> {
         let (number, of) = (of.number, of.of);
         Headline::Solution { number, of }.into()
     }));
+    if !judged.made_up_surveys.is_empty() {
+        let surveys = judged.made_up_surveys.clone();
+        all.push(Headline::MadeUp { surveys }.into());
+    }
     if judged.inputs.assumed > 0 {
         let (assumed, inputs) = (judged.inputs.assumed, judged.inputs.all);
         all.push(Headline::Assumed { assumed, all: inputs }.into());
@@ -467,6 +475,7 @@ mod tests {
             after: None,
             solution: None,
             inputs: AssumedInputs { assumed: 3, all: 12 },
+            made_up_surveys: Vec::new(),
         }
     }
 

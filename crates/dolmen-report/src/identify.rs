@@ -1,7 +1,7 @@
 //! `dolmen identify` on a terminal: modes and stiffness from every survey.
 
 use crate::brief::{all_findings_text, brief_text, notes_text};
-use crate::check::project_text;
+use crate::check::{made_up_text, project_text};
 use crate::document::{Finding, TextStyle, Tone, document_text, wrapped};
 use crate::{identification, modal};
 use dolmen_words::{Sentence, messages};
@@ -26,6 +26,7 @@ messages! {
 /// What was identified from every survey.
 pub fn identification_text(answer: &IdentifyAnswer, style: TextStyle) -> String {
     let mut out = project_text(&answer.project, &answer.file, style);
+    out += &made_up_text(&answer.project, style);
     out.push('\n');
     if let Some(nothing) = nothing(answer) {
         let nothing = Sentence::from(nothing).text(style.language);

@@ -39,6 +39,7 @@ mod motion;
 mod paper;
 mod processing;
 mod rank;
+mod scanned;
 mod score;
 mod sensors;
 pub mod sentences;
@@ -65,6 +66,7 @@ pub use identification::written_back_text;
 pub use identify::identification_text;
 pub use motion::{motion_report_text, suite_text};
 pub use rank::rank_text;
+pub use scanned::scan_text;
 pub use score::{score_quality_text, score_text};
 pub use sensors::sensors_text;
 

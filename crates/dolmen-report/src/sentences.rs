@@ -9,8 +9,8 @@ use crate::surveys_given::Given;
 use crate::{
     after_first, building, building_simulation, chain, change, check, demand, document, engineer, figures,
     frame, frame_simulation, headline, identification, kept, limits, loads, modal, motion, processing, rank,
-    score, sensors, simulated, stack, stack_simulation, study, text, tune, warned, watch, wind_simulation,
-    xlsx,
+    scanned, score, sensors, simulated, stack, stack_simulation, study, text, tune, warned, watch,
+    wind_simulation, xlsx,
 };
 use dolmen_words::Template;
 
@@ -58,6 +58,7 @@ pub fn sentences() -> Vec<Template> {
     groups.extend(motion::TEMPLATES);
     groups.extend(score::TEMPLATES);
     groups.extend(rank::TEMPLATES);
+    groups.extend(scanned::TEMPLATES);
     groups.extend(sensors::TEMPLATES);
     groups.extend(kept::TEMPLATES);
     groups.extend(figures::TEMPLATES);

@@ -374,7 +374,7 @@ impl Incoming<'_> {
             taken_on: date(&survey.name),
             datum: survey.datum.clone(),
             note: survey.note.clone(),
-            source: survey.source.clone(),
+            source: survey.filed_as(),
         });
         if let Some(value) = survey.temperature_c {
             rows.part(&EnvironmentRow {

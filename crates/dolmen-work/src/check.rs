@@ -8,6 +8,7 @@ use crate::frame::tilts::tilts as tilts_of_frame;
 use crate::judgement::{measured_frequencies, superseded_by};
 use crate::kinds;
 use crate::opened::Opened;
+use crate::stack::shared_courses::heights_that_others_share;
 use crate::state::{Check, FrequencyContradiction, Sampled, SensitivityOf, State, TiltCheck, VariantAnswer};
 use crate::survey_dates::date;
 use crate::wrong::Place;
@@ -15,7 +16,7 @@ use dolmen::assess::{Sensitivity, elasticity, probability};
 use dolmen::numeric::Random;
 use dolmen::stability::Verdict;
 use dolmen_project::{Pick, Project, Quantity, Structure};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// What is asked beyond the check itself.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -107,6 +108,9 @@ pub(crate) fn state_of(project: &Project, options: &CheckOptions) -> Result<Opti
     kinds::add_wind(&mut check, project, &mut Quantity::nominal)?;
     if options.beside_the_verdict || project.site.is_some() {
         kinds::add_local_mechanisms(&mut check);
+    }
+    if options.beside_the_verdict {
+        kinds::add_frequency_by_height(&mut check, project);
     }
     let sampled = match options.sampling {
         Some(sampling) => sampled(project, sampling)?,
@@ -331,10 +335,15 @@ fn sensitivities(project: &Project, of: SensitivityOf) -> Result<Vec<Sensitivity
     let mut all = Vec::new();
     // a corner moved by itself leaves the bed that it shares with the next stone
     let is_corner = |input: &&Quantity| input.path.contains(".points[");
+    // and a stone higher than its neighbours leaves theirs
+    let shared = match &project.structure {
+        Structure::Stack(part) => heights_that_others_share(part),
+        _ => BTreeSet::new(),
+    };
     for input in project
         .structure_inputs()
         .into_iter()
-        .filter(|input| !is_corner(input))
+        .filter(|input| !is_corner(input) && !shared.contains(&input.path))
     {
         let elasticity = elasticity(input.value, |changed| -> Result<f64, WorkError> {
             let mut pick = |q: &Quantity| if q.path == input.path { changed } else { q.value };

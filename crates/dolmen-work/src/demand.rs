@@ -4,6 +4,7 @@ use crate::chain::loads::AtRest;
 use crate::error::WorkError;
 use crate::judgement::first_sway;
 use crate::part_limit::Compared;
+use crate::stack::by_velocity::velocity_demand;
 use crate::stack::frequencies::all_modes;
 use crate::state::{
     Check, DemandAnswer, Leaning, LocalMechanismAgainstSite, SpectralAt, StackAnswer, TiltCheck,
@@ -29,6 +30,7 @@ pub(crate) fn of(
     let mut answer = DemandAnswer {
         site: part.demand()?,
         stack: None,
+        by_velocity: None,
         local_mechanisms: Vec::new(),
         compared: Compared::default(),
         drift_limit: project.drift_limit.clone(),
@@ -65,6 +67,10 @@ pub(crate) fn of(
             let options = StackCheckOptions::default();
             answer.stack = stack_against_site(&stack.stack, &options, &answer.site, modes.as_deref())?;
             answer.local_mechanisms = local_mechanisms(stack, &answer.site);
+            let rocks = stack.check.rocking;
+            // a table at another damping ratio, or that ends too early, leaves it out
+            answer.by_velocity =
+                rocks.and_then(|block| velocity_demand(block, stack.stack.gravity_m_s2(), &answer.site).ok());
             if answer.stack.is_none() {
                 answer.refused = Some(NotHeld::NoGround.into());
             }

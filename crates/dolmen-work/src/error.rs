@@ -3,6 +3,7 @@
 use crate::change_fault::ChangeFault;
 use crate::motion::MotionRequestError;
 use crate::portfolio::PortfolioError;
+use crate::scanned::ScanError;
 use crate::score::ScoreDesignsError;
 use crate::sensors::SensorsError;
 use crate::study::{JournalError, StudyError};
@@ -83,6 +84,8 @@ pub enum WorkError {
     Portfolio(Box<PortfolioError>),
     /// A table of designs is refused.
     Designs(Box<ScoreDesignsError>),
+    /// A scan gives no stones.
+    Scan(Box<ScanError>),
     /// Sensors cannot be planned.
     Sensors(Box<SensorsError>),
     /// A journal cannot be read.
@@ -387,6 +390,7 @@ handed_on! {
     Change: ChangeFault,
     Portfolio: PortfolioError,
     Designs: ScoreDesignsError,
+    Scan: ScanError,
     Sensors: SensorsError,
     Journal: JournalError,
     Assess: AssessError,
@@ -409,6 +413,7 @@ impl WorkError {
         Some(match self {
             WorkError::MotionRequest(why) => why.as_ref(),
             WorkError::Study(why) => why.as_ref(),
+            WorkError::Scan(why) => why.as_ref(),
             WorkError::Sensors(why) => why.as_ref(),
             WorkError::File(why) => why.as_ref(),
             WorkError::Project(why) => why.as_ref(),

@@ -54,6 +54,7 @@ mod rate_slip;
 mod record;
 pub mod record_seen;
 mod report;
+pub mod scanned;
 pub mod score;
 pub mod sensor_alarms;
 pub mod sensors;

@@ -1,9 +1,10 @@
 //! Whether a version of a structure stands, and everything that speaks for or against it.
 
 use crate::building::BuildingAnswer;
-use crate::frame::{DirectionLean, StoreyColumns};
+use crate::frame::{DirectionLean, StoreyColumns, TenonsCheck};
 use crate::loads::LoadsAnswer;
 use crate::part_limit::Compared;
+use crate::stack::{FrequencyByHeight, VelocityDemand};
 use dolmen::assess::demand::{
     DriftLimit, LocalMechanismCapacity, LocalMechanismDemand, SiteDemand, StackDemandCheck,
 };
@@ -53,6 +54,8 @@ pub struct DemandAnswer {
     pub site: SiteDemand,
     /// A stack against it; `None` for other structures, and where the site gives no acceleration of the ground.
     pub stack: Option<StackDemandCheck>,
+    /// The part of a stack that lifts first against the spectral velocity; `None` of other structures, and where it does not rock first.
+    pub by_velocity: Option<VelocityDemand>,
     /// Local mechanisms of a stack against it, as codes want them: beside that, and they decide nothing.
     pub local_mechanisms: Vec<LocalMechanismAgainstSite>,
     /// Storeys, joints and dampers against what limits them.
@@ -203,6 +206,8 @@ pub struct StackAnswer {
     pub beside: Vec<BesideInSmallMotion>,
     /// Local mechanisms as codes want them, a direction each; none if it does not stand. `None` where they were not asked for.
     pub local_mechanisms: Option<Vec<LocalMechanismRow>>,
+    /// Frequencies of pagodas like it, of other heights and storeys; empty of a stack that no factors make, and where they were not asked for.
+    pub frequency_by_height: Vec<FrequencyByHeight>,
 }
 
 impl StackAnswer {
@@ -295,6 +300,8 @@ pub struct DirectionCheck {
     pub lean: Option<DirectionLean>,
     /// What free-standing columns hold, of the storeys that have some.
     pub columns: Vec<StoreyColumns>,
+    /// What its tenons with slack add once they bear; `None` without any, or where its stiffness is not known.
+    pub tenons: Option<TenonsCheck>,
 }
 
 /// A variant and whether it stands.

@@ -7,7 +7,7 @@ use serde_json::Value;
 use std::collections::BTreeSet;
 use std::fs;
 
-const COMMANDS: [&str; 55] = [
+const COMMANDS: [&str; 57] = [
     "check examples/naju_flagpole/two_directions.toml",
     "check examples/naju_flagpole/side_posts.toml",
     "simulate examples/naju_flagpole/side_posts.toml --motion el-centro --duration 3",
@@ -44,6 +44,8 @@ const COMMANDS: [&str; 55] = [
     "simulate examples/naju_flagpole --variant wedged --motion el-centro-1940-ns --keep-first 2",
     "simulate examples/heunginjimun_gate --variant soft_below --motion el-centro-1940-ns --keep-first 2",
     "check examples/heunginjimun_gate/two_directions.toml",
+    "check examples/heunginjimun_gate/loose_tenons.toml",
+    "simulate examples/heunginjimun_gate/loose_tenons.toml --motion el-centro",
     "simulate examples/heunginjimun_gate/two_directions.toml --motion el-centro --keep-first 6 --variant leaning",
     "simulate examples/free_columns/rigid_stones.toml --motion el-centro-1940-ns --keep-first 2",
     "simulate examples/several_dampers --motion el-centro-1940-ns --keep-first 2",

@@ -72,6 +72,8 @@ pub(crate) struct DirectionRaw {
     pub(super) damping_ratio: Option<At<QuantityRaw>>,
     /// Dry friction of the storeys: for `dolmen simulate`.
     pub(super) friction: Option<At<FrictionRaw>>,
+    /// Tenons that bear only after a slack, beside stiffness and friction: for `dolmen check` and `dolmen simulate`.
+    pub(super) tenons: Option<At<TenonsRaw>>,
 }
 
 /// A component of a motion.
@@ -100,6 +102,22 @@ pub(super) struct FrictionRaw {
     pub(super) slipping_stiffness: Option<At<Vec<At<QuantityRaw>>>>,
     /// "drift" (the default), or "displacement" as eq. 11 of Park and Min (2010) is printed.
     pub(super) acts_on: Option<At<FrictionActsOnRaw>>,
+}
+
+/// Tenons with slack in a direction of a frame, all of a storey taken together.
+#[derive(Debug, serde::Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct TenonsRaw {
+    /// Rotation of the columns before the tenons bear, to either side, each storey, lowest first: 0.004, "4 mm/m".
+    #[schemars(required)]
+    pub(super) slack: Option<At<Vec<At<QuantityRaw>>>>,
+    /// Stiffness of the tenons of each storey once they bear, beside that of the direction, lowest first; 0 for a storey without.
+    #[schemars(required)]
+    pub(super) stiffness: Option<At<Vec<At<QuantityRaw>>>>,
+    /// Force at which the faces of the tenons of each storey crush, lowest first; without it they never do.
+    pub(super) crushing_force: Option<At<Vec<At<QuantityRaw>>>>,
+    /// Crushed depth, as drift, at which a face has half of its stiffness left; without it a face keeps all of it.
+    pub(super) half_stiffness_depth: Option<At<QuantityRaw>>,
 }
 
 /// The law of a slider.

@@ -5,7 +5,7 @@ use crate::loads::LoadPart;
 use crate::quantity::{Pick, Quantity};
 use crate::sought::Sought;
 use dolmen::dynamics::{
-    DynamicsError, FrictionActsOn, FrictionFrame, StoreyFriction, ViscousDamping, slip_forces_n,
+    DynamicsError, FrictionActsOn, FrictionFrame, StoreyFriction, Tenon, ViscousDamping, slip_forces_n,
 };
 use dolmen::signal::Component;
 use dolmen::stability::{FootSection, FreeColumns, StabilityError};
@@ -134,6 +134,8 @@ pub struct DirectionPart {
     pub damping_ratio: Option<Quantity>,
     /// Dry friction, if given.
     pub friction: Option<FrictionPart>,
+    /// Tenons with slack, if given.
+    pub tenons: Option<TenonsPart>,
 }
 
 /// Slip forces of the storeys.
@@ -313,7 +315,7 @@ impl FramePart {
         let frame = self.build(pick)?;
         let Some(friction) = &part.friction else {
             let none = vec![StoreyFriction::None; whole_n_m.len()];
-            return damped(FrictionFrame::new(frame, whole_n_m, none)?, part, pick);
+            return furnished(FrictionFrame::new(frame, whole_n_m, none)?, part, pick);
         };
         let slipping_n_m: Option<Vec<f64>> = friction
             .slipping_stiffness
@@ -322,7 +324,24 @@ impl FramePart {
         let sliders = friction.build(&frame, (&whole_n_m, slipping_n_m.as_deref()), pick)?;
         let own = slipping_n_m.unwrap_or(whole_n_m);
         let built = FrictionFrame::new(frame, own, sliders)?.acting_on(friction.acts_on);
-        damped(built, part, pick)
+        furnished(built, part, pick)
+    }
+
+    /// The tenons of each storey in a direction, lowest first; `None` where it has none.
+    ///
+    /// # Errors
+    /// As [`FramePart::build`].
+    pub fn tenons(
+        &self,
+        direction: &str,
+        pick: Pick<'_>,
+    ) -> Result<Option<Vec<Option<Tenon>>>, StructureError> {
+        let part = self.directions.iter().find(|own| own.name == direction);
+        let Some(tenons) = part.and_then(|part| part.tenons.as_ref()) else {
+            return Ok(None);
+        };
+        let frame = self.build(pick)?;
+        Ok(Some(tenons.build(&frame, pick)))
     }
 
     /// Stiffness of each storey while every slider slips, N/m; `None` where friction takes no stiffness with it.
@@ -348,6 +367,9 @@ impl FramePart {
         for direction in &self.directions {
             all.extend(direction.stiffness.iter().flatten());
             all.extend(&direction.damping_ratio);
+            if let Some(tenons) = &direction.tenons {
+                tenons.inputs(all);
+            }
             let Some(friction) = &direction.friction else {
                 continue;
             };
@@ -363,12 +385,19 @@ impl FramePart {
     }
 }
 
-/// A frame with the damping of its direction.
-fn damped(
+/// A frame with the tenons and the damping of its direction.
+fn furnished(
     frame: FrictionFrame,
     part: &DirectionPart,
     pick: Pick<'_>,
 ) -> Result<Option<FrictionFrame>, DynamicsError> {
+    let frame = match &part.tenons {
+        None => frame,
+        Some(tenons) => {
+            let built = tenons.build(frame.frame(), pick);
+            frame.with_tenons(built)?
+        }
+    };
     Ok(Some(match &part.damping_ratio {
         None => frame,
         Some(ratio) => frame.with_damping(ViscousDamping::Modal(pick(ratio)))?,
@@ -410,5 +439,45 @@ impl FrictionPart {
             },
         });
         Ok(built.collect())
+    }
+}
+
+/// Tenons of a frame in one direction, all of a storey taken together.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TenonsPart {
+    /// Rotation of the columns before the tenons bear, to either side, each storey, lowest first.
+    pub slack: Vec<Quantity>,
+    /// Stiffness once they bear, N/m; 0 for a storey without.
+    pub stiffness: Vec<Quantity>,
+    /// Force at which their faces crush, N, each storey; `None` if they never do.
+    pub crushing_force: Option<Vec<Quantity>>,
+    /// Crushed depth, as drift, at which a face has half of its stiffness left, m; `None` if it keeps all of it.
+    pub half_stiffness_depth: Option<Quantity>,
+}
+
+impl TenonsPart {
+    /// The tenons of each storey, each input with the value that `pick` chooses.
+    pub fn build(&self, frame: &Frame, pick: Pick<'_>) -> Vec<Option<Tenon>> {
+        let half_stiffness_depth_m = self.half_stiffness_depth.as_ref().map(&mut *pick);
+        let storeys = frame.storeys().iter().enumerate();
+        let each = storeys.map(|(i, storey)| {
+            let stiffness_n_m = self.stiffness.get(i).map(&mut *pick)?;
+            let slack = self.slack.get(i).map(&mut *pick)?;
+            let crushing = self.crushing_force.as_ref().and_then(|forces| forces.get(i));
+            (stiffness_n_m > 0.0).then(|| Tenon {
+                slack_m: slack * storey.height_m,
+                stiffness_n_m,
+                crushing_force_n: crushing.map(&mut *pick),
+                half_stiffness_depth_m,
+            })
+        });
+        each.collect()
+    }
+
+    pub(super) fn inputs<'a>(&'a self, all: &mut Vec<&'a Quantity>) {
+        all.extend(&self.slack);
+        all.extend(&self.stiffness);
+        all.extend(self.crushing_force.iter().flatten());
+        all.extend(&self.half_stiffness_depth);
     }
 }

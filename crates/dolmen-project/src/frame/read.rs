@@ -4,6 +4,7 @@ use super::columns::{agree, columns};
 use super::file::{AlongRaw, AxialRaw, ConventionRaw, DirectionRaw, StoreyRaw};
 use super::friction::friction;
 use super::part::{Axial, DirectionPart, FramePart, StoreyPart};
+use super::tenons::tenons as tenons_of;
 use crate::content::WarningKind;
 use crate::error::Fault;
 use crate::file::FileRaw;
@@ -118,6 +119,12 @@ fn alone_agree(reader: &mut Reader, frame: &FramePart) -> bool {
             (Convention::Drift, Some(_)) => Some((
                 WrongFrame::AloneRubs { path: path.clone() },
                 WrongFrame::TakeFrictionOut {
+                    direction: direction.name.clone(),
+                },
+            )),
+            (Convention::Drift, None) if direction.tenons.is_some() => Some((
+                WrongFrame::AloneHasTenons { path: path.clone() },
+                WrongFrame::TakeTenonsOut {
                     direction: direction.name.clone(),
                 },
             )),
@@ -306,6 +313,8 @@ fn directions(
                 (storeys, stiffness.as_deref()),
             )
         });
+        let tenons = direction.value.tenons.as_ref();
+        let tenons = tenons.and_then(|raw| tenons_of(reader, raw, &format!("{path}.tenons"), storeys));
         sound &= reader.faults.len() == before;
         all.push(DirectionPart {
             name: name.clone(),
@@ -314,29 +323,30 @@ fn directions(
             sought: left_to,
             damping_ratio,
             friction,
+            tenons,
         });
     }
     for name in surveyed {
         if !all.iter().any(|direction| &direction.name == name) {
-            all.push(DirectionPart {
-                name: name.clone(),
-                along: of_name(name).filter(|own| all.iter().all(|other| other.along != Some(*own))),
-                stiffness: None,
-                sought: None,
-                damping_ratio: None,
-                friction: None,
-            });
+            let own = of_name(name).filter(|own| all.iter().all(|other| other.along != Some(*own)));
+            all.push(unknown(name, own));
         }
     }
     if all.is_empty() {
-        all.push(DirectionPart {
-            name: "x".to_owned(),
-            along: Some(Component::X),
-            stiffness: None,
-            sought: None,
-            damping_ratio: None,
-            friction: None,
-        });
+        all.push(unknown("x", Some(Component::X)));
     }
     sound.then_some(all)
+}
+
+/// A direction of which nothing is written.
+fn unknown(name: &str, along: Option<Component>) -> DirectionPart {
+    DirectionPart {
+        name: name.to_owned(),
+        along,
+        stiffness: None,
+        sought: None,
+        damping_ratio: None,
+        friction: None,
+        tenons: None,
+    }
 }

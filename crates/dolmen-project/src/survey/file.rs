@@ -15,6 +15,8 @@ pub(crate) struct SurveyRaw {
     pub(super) note: Option<String>,
     /// Where it was published or filed.
     pub(super) source: Option<String>,
+    /// Whether nobody measured it: its numbers are made up, and the headline says so; false if not given.
+    pub(super) made_up: Option<At<bool>>,
     /// Air temperature, °C.
     pub(super) temperature_c: Option<At<f64>>,
     /// The mark that levels and tilts refer to.

@@ -89,6 +89,8 @@ pub struct Survey {
     pub note: Option<String>,
     /// Where it was published or filed.
     pub source: Option<String>,
+    /// Whether nobody measured it: its frequencies count as assumed, and headlines say so.
+    pub is_made_up: bool,
     /// Air temperature, °C.
     pub temperature_c: Option<f64>,
     /// The mark that levels and tilts refer to.
@@ -133,6 +135,15 @@ pub enum Merge {
 }
 
 impl Survey {
+    /// Where it is filed; one that nobody measured says so wherever it is read again.
+    pub fn filed_as(&self) -> Option<String> {
+        match (self.is_made_up, &self.source) {
+            (true, Some(source)) => Some(format!("made up, not measured: {source}")),
+            (true, None) => Some("made up, not measured".to_owned()),
+            (false, source) => source.clone(),
+        }
+    }
+
     /// Its tilt by all directions together, horizontal / vertical; 0 where it states none.
     pub fn tilt_together(&self) -> f64 {
         let squares = self.tilt.values().map(|tilt| tilt.ratio * tilt.ratio);

@@ -10,6 +10,7 @@ use super::records::RecordSource;
 use crate::error::Fault;
 use crate::file_number::{At, NumberRaw};
 use crate::measure::{Bound, Measure};
+use crate::quantity::Evidence;
 use crate::reader::Reader;
 use crate::report::PartNames;
 use crate::units::tilt_ratio;
@@ -100,6 +101,10 @@ fn survey(reader: &mut Reader, name: &str, raw: &At<SurveyRaw>) -> Survey {
     for listed in modes.values() {
         ascending(reader, listed);
     }
+    let is_made_up = raw.made_up.as_ref().is_some_and(|given| given.value);
+    if is_made_up {
+        modes.values_mut().flatten().for_each(assume);
+    }
     let mut tilt = BTreeMap::new();
     for (direction, raw) in raw.tilt.iter().flatten() {
         if let Some(read) = self::tilt(reader, raw, &format!("{path}.tilt.{direction}")) {
@@ -112,6 +117,7 @@ fn survey(reader: &mut Reader, name: &str, raw: &At<SurveyRaw>) -> Survey {
         name: name.to_owned(),
         note: raw.note.clone(),
         source: raw.source.clone(),
+        is_made_up,
         temperature_c: reader.within(
             raw.temperature_c.as_ref(),
             &format!("{path}.temperature_c"),
@@ -132,6 +138,16 @@ fn survey(reader: &mut Reader, name: &str, raw: &At<SurveyRaw>) -> Survey {
             .earthquake
             .as_ref()
             .map(|raw| earthquake(reader, &raw.value, &format!("{path}.earthquake"))),
+    }
+}
+
+/// Nobody measured it.
+fn assume(mode: &mut SurveyMode) {
+    let frequency = &mut mode.frequency;
+    frequency.source = Some(Evidence::Assumed);
+    frequency.cov_source = frequency.cov.map(|_| Evidence::Assumed);
+    if let Some(damping) = &mut mode.damping_ratio {
+        damping.source = Some(Evidence::Assumed);
     }
 }
 

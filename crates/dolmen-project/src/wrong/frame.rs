@@ -114,6 +114,26 @@ messages! {
             en: "{path} = 0: nothing but columns holds the storey, so that no joint rubs there",
             ko: "{path} = 0: 기둥만으로 지지되는 층에는 마찰하는 접합부가 없다",
         },
+        AloneHasTenons { path: String } => {
+            en: "{path} = 0: nothing but columns holds the storey, so that it has no tenons",
+            ko: "{path} = 0: 기둥만으로 지지되는 층에는 장부가 없다",
+        },
+        TakeTenonsOut { direction: String } => {
+            en: "take direction.{direction}.tenons out, or give the stiffness within their slack",
+            ko: "direction.{direction}.tenons를 삭제하거나 유격 안의 강성을 입력한다",
+        },
+        SlackIsRotation => {
+            en: "slack is a rotation, drift over height of the storey: 0.004 or \"4 mm/m\"; a storey that leans by 0.1 has fallen",
+            ko: "slack은 층고에 대한 층간변위, 곧 회전각이다. 0.004 또는 \"4 mm/m\"로 쓰며 0.1이면 전도로 본다",
+        },
+        HalfWithoutCrushing { half_path: String } => {
+            en: "{half_path} is given, but no crushing_force: nothing is ever crushed",
+            ko: "{half_path}이(가) 있는데 crushing_force가 없어 압괴가 일어나지 않는다",
+        },
+        GiveCrushingForce => {
+            en: "give crushing_force of each storey, or take half_stiffness_depth out",
+            ko: "층마다 crushing_force를 입력하거나 half_stiffness_depth를 삭제한다",
+        },
         TakeFrictionOut { direction: String } => {
             en: "take direction.{direction}.friction out, or give the stiffness of its joints",
             ko: "direction.{direction}.friction을 삭제하거나 접합부의 강성을 입력한다",

@@ -8,6 +8,11 @@ use dolmen_words::message::Both;
 pub enum MeshError {
     /// None of the formats.
     Unknown,
+    /// A cloud of points, which bounds nothing.
+    PointCloud {
+        /// Its format.
+        format: &'static str,
+    },
     /// No faces.
     NoFaces {
         /// How many vertices it holds.

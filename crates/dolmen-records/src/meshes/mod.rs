@@ -7,6 +7,7 @@ mod ply;
 mod read;
 mod stl;
 mod write;
+mod write_ply;
 
 pub use error::MeshError;
 pub use mesh::Mesh;
@@ -18,3 +19,4 @@ pub use write::{
     BlockPose, PoseError, SeriesFile, poses_as_drawn, series_pvd, stack_3dec, stack_json, stack_obj,
     stack_vtu,
 };
+pub use write_ply::mesh_ply;

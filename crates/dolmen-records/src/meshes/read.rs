@@ -55,6 +55,56 @@ pub fn read_mesh(bytes: &[u8]) -> Result<Mesh, MeshError> {
         Some(MeshFormat::Obj) => read_obj(bytes),
         Some(MeshFormat::StlText | MeshFormat::StlBinary) => read_stl(bytes),
         Some(MeshFormat::Ply) => read_ply(bytes),
-        None => Err(MeshError::Unknown),
+        None => Err(match cloud(bytes) {
+            Some(format) => MeshError::PointCloud { format },
+            None => MeshError::Unknown,
+        }),
+    }
+}
+
+/// The format of a cloud of points that the first bytes give away.
+fn cloud(bytes: &[u8]) -> Option<&'static str> {
+    let known = [
+        (&b"LASF"[..], "LAS, LAZ"),
+        (&b"ASTM-E57"[..], "E57"),
+        (&b"# .PCD"[..], "PCD"),
+    ];
+    let found = known.into_iter().find(|(start, _)| bytes.starts_with(start));
+    found.map(|(_, format)| format)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::meshes::mesh_ply;
+
+    #[test]
+    fn refuses_clouds_of_points_by_their_format() {
+        for (start, format) in [
+            ("LASF\0\0", "(LAS, LAZ)"),
+            ("ASTM-E57\u{1}", "(E57)"),
+            ("# .PCD v0.7", "(PCD)"),
+        ] {
+            let said = read_mesh(start.as_bytes()).unwrap_err().to_string();
+            assert!(
+                said.starts_with("the file is a cloud of points") && said.contains(format),
+                "{said}"
+            );
+            assert!(said.contains("make a closed mesh of it first"), "{said}");
+        }
+    }
+
+    #[test]
+    fn exact_ply_is_read_as_it_was_written() {
+        let mesh = Mesh {
+            vertices: vec![
+                [0.1, 0.0, 1.0 / 3.0],
+                [1.0, -2e-7, 0.0],
+                [0.0, 1.0, 0.0],
+                [0.0, 0.0, 1e9],
+            ],
+            triangles: vec![[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]],
+        };
+        assert_eq!(read_mesh(&mesh_ply(&mesh)).unwrap(), mesh);
     }
 }

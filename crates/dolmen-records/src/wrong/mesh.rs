@@ -11,6 +11,10 @@ sentences! {
             en: "the file is no OBJ, STL or PLY: none of them begins like this; export the mesh as one of these",
             ko: "OBJ, STL, PLY 파일이 아니다. 이들 형식의 시작과 다르다. 셋 중 하나로 내보낸다",
         },
+        PointCloud { format } => {
+            en: "the file is a cloud of points ({format}) and bounds no stone: make a closed mesh of it first, for example in CloudCompare or MeshLab (Poisson surface), and export that as OBJ, STL or PLY",
+            ko: "파일이 점군({format})이라 석재를 둘러싸는 면이 없다. CloudCompare나 MeshLab(푸아송 표면 재구성) 등으로 닫힌 메시를 먼저 만들어 OBJ, STL, PLY로 내보낸다",
+        },
         NoFaces { vertices } => {
             en: "the file holds {vertices} vertices but no faces: export a mesh, not a cloud of points",
             ko: "파일에 꼭짓점 {vertices}개만 있고 면이 없다. 점군이 아니라 메시로 내보낸다",

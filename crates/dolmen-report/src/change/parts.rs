@@ -10,8 +10,8 @@ use dolmen_work::changed_part::ChangedPart;
 messages! {
     /// Which part explains a change.
     pub(crate) enum Parted in "change.parts" {
-        One { part: Sentence, factor: Quantity, low: Quantity, high: Quantity, count: usize, next: Sentence, chance: Quantity } => {
-            en: "If the model is right and one part alone changed, it is {part}: {factor} of its stiffness is left (95 %: {low} to {high}; frequencies: {count}). The next best, {next}, fits with p = {chance}. Look there first.",
+        One { part: Sentence, factor: Quantity, low: Quantity, high: Quantity, count: usize, next: Sentence, chance: Sentence } => {
+            en: "If the model is right and one part alone changed, it is {part}: {factor} of its stiffness is left (95 %: {low} to {high}; frequencies: {count}). The next best, {next}, fits with {chance}. Look there first.",
             ko: "모델이 옳고 한 부위만 변하였다면 {part}이며 강성은 이전의 {factor}이다(95 % 구간 {low}–{high}, 고유진동수 {count}개). 그다음으로 잘 맞는 {next}의 유의확률은 {chance}이다. 이곳을 먼저 점검한다.",
         },
         Several { parts: Vec<Sentence>, count: usize } => {
@@ -22,8 +22,8 @@ messages! {
             en: "{part} ({factor} of its stiffness, {low} to {high})",
             ko: "{part}(강성 {factor}, {low}–{high})",
         },
-        None { count: usize, chance: Quantity } => {
-            en: "No single part of the model explains the pattern of the changes (frequencies: {count}, best p = {chance}): several parts, the mass or the weather changed, or the model is not that of the structure.",
+        None { count: usize, chance: Sentence } => {
+            en: "No single part of the model explains the pattern of the changes (frequencies: {count}, best {chance}): several parts, the mass or the weather changed, or the model is not that of the structure.",
             ko: "모델의 어느 한 부위의 변화로도 변화 양상이 설명되지 않는다(고유진동수 {count}개, 최대 유의확률 {chance}). 여러 부위, 질량 또는 기온이 변하였거나 모델이 실제와 다르다.",
         },
         Alike { factor: Quantity, low: Quantity, high: Quantity } => {
@@ -44,6 +44,9 @@ messages! {
         FactorHead => { en: "stiffness left", ko: "남은 강성" },
         IntervalHead => { en: "95 %", ko: "95 %" },
         AllParts => { en: "all alike", ko: "전체 동일" },
+        Chance { value: Quantity } => { en: "p = {value}", ko: "{value}" },
+        Below { bound: Quantity } => { en: "< {bound}", ko: "{bound} 미만" },
+        NoChance { bound: Quantity } => { en: "p < {bound}", ko: "{bound} 미만" },
         Interval { low: Quantity, high: Quantity } => { en: "{low} to {high}", ko: "{low}–{high}" },
     }
 }
@@ -55,8 +58,19 @@ fn share(of: f64) -> Quantity {
     Quantity::new(of, Unit::percent(), Digits::Fixed(0))
 }
 
-fn chance(of: f64) -> Quantity {
-    Quantity::ratio(of, 2)
+/// Chances below this are given as less than it: the tail of a fit says no more. Chosen here.
+const CHANCE_LEAST: f64 = 1e-3;
+
+fn chance(of: f64) -> Sentence {
+    match of < CHANCE_LEAST {
+        true => Parted::NoChance {
+            bound: Quantity::ratio(CHANCE_LEAST, 1),
+        },
+        false => Parted::Chance {
+            value: Quantity::ratio(of, 2),
+        },
+    }
+    .into()
 }
 
 fn name(of: &ChangedPart, fit: &PartFit) -> Sentence {
@@ -149,7 +163,12 @@ pub(super) fn section(document: &mut Document<'_>, parts: &[ChangedPart]) {
                 Cell::words(name(of, fit)),
                 Cell::number(share(fit.factor)),
                 Cell::words(Parted::Interval { low, high }),
-                Cell::number(chance(fit.p_value)),
+                match fit.p_value < CHANCE_LEAST {
+                    true => Cell::words(Parted::Below {
+                        bound: Quantity::ratio(CHANCE_LEAST, 1),
+                    }),
+                    false => Cell::number(Quantity::ratio(fit.p_value, 2)),
+                },
             ]
         };
         document.put(Block::Table(Table {

@@ -27,9 +27,13 @@ messages! {
         FeltPeak { peak: Quantity } => { en: " (peak acceleration {peak})", ko: "(최대가속도 {peak})" },
         FeltOnly => { en: "", ko: "" },
         OneIn { inverse: Quantity } => { en: "1/{inverse}", ko: "1/{inverse}" },
-        TiltUnchecked { tilt: Sentence, direction: String, survey: String } => {
-            en: "The tilt of {tilt} measured in direction {direction} (survey {survey}) is not checked against overturning: that needs the joints' stiffness and bed widths.",
-            ko: "{direction} 방향 실측 기울기 {tilt}({survey} 조사)에 대한 전도 검토는 하지 못하였다. 접합부 강성과 접합면 폭이 필요하다.",
+        TiltAlong { tilt: Sentence, direction: String } => {
+            en: "{tilt} in direction {direction}",
+            ko: "{direction} 방향 {tilt}",
+        },
+        TiltUnchecked { tilts: Vec<Sentence>, survey: String } => {
+            en: "The measured tilt of {tilts} (survey {survey}) is not checked against overturning: that needs the joints' stiffness and bed widths.",
+            ko: "실측 기울기({tilts}, {survey} 조사)에 대한 전도 검토는 하지 못하였다. 접합부 강성과 접합면 폭이 필요하다.",
         },
         TiltUnused { tilt: Sentence, direction: String, survey: String } => {
             en: "The tilt of {tilt} measured in direction {direction} (survey {survey}) is not used: storeys start plumb here. What leans pushes sideways with that share of its weight.",
@@ -135,8 +139,32 @@ messages! {
 /// Of all surveys that speak of the model.
 pub(super) fn measured(state: &State) -> Vec<Finding> {
     let contradictions = state.contradictions.iter().map(contradiction);
-    let tilts = state.tilts.iter().map(|of| tilt(of, &state.check));
-    contradictions.chain(tilts).collect()
+    let checked = state.tilts.iter().filter(|of| !is_unchecked(of, &state.check));
+    let tilts = checked.map(|of| tilt(of, &state.check));
+    contradictions.chain(tilts).chain(unchecked(state)).collect()
+}
+
+/// Whether a chain or stack says nothing of how far it may lean.
+fn is_unchecked(of: &TiltCheck, check: &Check) -> bool {
+    of.uplift_tilt.is_none() && matches!(check, Check::Chain(_) | Check::Stack(_))
+}
+
+/// The tilts of each survey that are held against nothing, all directions in one.
+fn unchecked(state: &State) -> Vec<Finding> {
+    let of_all = state.tilts.iter().filter(|of| is_unchecked(of, &state.check));
+    let mut by_survey: Vec<(String, Vec<Sentence>)> = Vec::new();
+    for of in of_all {
+        let along = Measured::TiltAlong {
+            tilt: one_in(of.tilt),
+            direction: of.direction.clone(),
+        };
+        match by_survey.iter_mut().find(|(survey, _)| *survey == of.survey) {
+            Some((_, tilts)) => tilts.push(along.into()),
+            None => by_survey.push((of.survey.clone(), vec![along.into()])),
+        }
+    }
+    let said = |(survey, tilts)| Finding::key(Tone::Unknown, Measured::TiltUnchecked { tilts, survey });
+    by_survey.into_iter().map(said).collect()
 }
 
 /// A measured tilt against the limit that the file sets.
@@ -316,24 +344,12 @@ fn one_in(ratio: f64) -> Sentence {
 fn tilt(of: &TiltCheck, check: &Check) -> Finding {
     let (tilt, direction, survey) = (one_in(of.tilt), of.direction.clone(), of.survey.clone());
     let Some(uplift) = of.uplift_tilt else {
-        return match check {
-            Check::Frame(_) | Check::Building(_) => Finding::key(
-                Tone::Warn,
-                Measured::TiltUnused {
-                    tilt,
-                    direction,
-                    survey,
-                },
-            ),
-            Check::Chain(_) | Check::Stack(_) => Finding::key(
-                Tone::Unknown,
-                Measured::TiltUnchecked {
-                    tilt,
-                    direction,
-                    survey,
-                },
-            ),
+        let unused = Measured::TiltUnused {
+            tilt,
+            direction,
+            survey,
         };
+        return Finding::key(Tone::Warn, unused);
     };
     let limit = one_in(uplift);
     if let Check::Frame(_) = check {

@@ -15,7 +15,7 @@ pub(crate) use findings::findings;
 pub(crate) use from_surveys::from_surveys_text;
 pub(crate) use measured::{over_the_years, tilt_beyond};
 pub use project::against_text;
-pub(crate) use project::{doubtful, project_text};
+pub(crate) use project::{doubtful, made_up_text, project_text};
 pub(crate) use sampled::sections as scatter_sections;
 pub use text::check_text;
 pub(crate) use variants::{section as variants_section, title};

@@ -45,6 +45,10 @@ messages! {
         PDelta => { en: "P-delta from the masses", ko: "질량에 의한 P-델타 고려" },
         NoPDelta => { en: "P-delta left out", ko: "P-델타 제외" },
         BuildingFault { why: String } => { en: "building that cannot be: {why}", ko: "성립할 수 없는 건물 모델: {why}" },
+        MadeUp { surveys: Vec<String> } => {
+            en: "made up, not measured: survey {surveys}; what follows from it is an illustration",
+            ko: "실측이 아닌 가상 조사: {surveys}. 이에 따른 결과는 예시이다",
+        },
         Survey => { en: "measured, not modelled", ko: "계측만 하고 모델링하지 않음" },
         File { file: String, size: Sentence } => { en: "{file}: {size}", ko: "{file}: {size}" },
         Source { source: String } => { en: "source: {source}", ko: "출처: {source}" },
@@ -81,6 +85,17 @@ pub(crate) fn project_text(project: &Project, file: &str, style: TextStyle) -> S
         });
     }
     out + &doubtful_text(project, style)
+}
+
+/// That surveys of the file were not measured; nothing where all were. A check says it in its verdict.
+pub(crate) fn made_up_text(project: &Project, style: TextStyle) -> String {
+    let made_up = project.surveys.iter().filter(|survey| survey.is_made_up);
+    let surveys: Vec<String> = made_up.map(|survey| survey.name.clone()).collect();
+    if surveys.is_empty() {
+        return String::new();
+    }
+    let said = Sentence::from(Size::MadeUp { surveys }).text(style.language);
+    wrapped(&said, "  ", "    ", style.columns())
 }
 
 /// What is probably a slip in the file, for a document: to be read before any answer.

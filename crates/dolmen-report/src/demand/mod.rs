@@ -7,6 +7,7 @@ mod local_mechanisms;
 mod periods;
 mod site;
 mod unverified;
+mod velocity;
 mod words;
 
 pub(crate) use findings::findings;
@@ -46,7 +47,7 @@ messages! {
 }
 
 /// The sentences on the demand of a site as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 9] = [
+pub(crate) const TEMPLATES: [&[Template]; 10] = [
     findings::Found::TEMPLATES,
     first::First::TEMPLATES,
     words::Words::TEMPLATES,
@@ -56,6 +57,7 @@ pub(crate) const TEMPLATES: [&[Template]; 9] = [
     comparison::Compared::TEMPLATES,
     local_mechanisms::Local::TEMPLATES,
     periods::Periods::TEMPLATES,
+    velocity::ByVelocity::TEMPLATES,
 ];
 
 /// The section of a site.
@@ -72,6 +74,9 @@ pub(crate) fn sections(answer: &DemandAnswer) -> Document<'_> {
     match &answer.stack {
         Some(stack) => {
             comparison::section(&mut document, stack);
+            if let Some(of) = &answer.by_velocity {
+                velocity::section(&mut document, of);
+            }
             local_mechanisms::section(&mut document, answer);
         }
         None => periods::section(&mut document, &answer.spectral),

@@ -200,12 +200,14 @@ fn energy(simulation: &FrameSimulation, language: Language) -> Lines {
             points: over_time(simulation, &values, 1e-3),
         }
     };
-    let parts = vec![
+    let has_tenons = simulation.frame.tenons().iter().any(Option::is_some);
+    let mut parts = vec![
         part(Signs::PutIn, |e| e.input_j),
         part(Signs::TakenByFriction, |e| e.friction_j),
         part(Signs::TakenByDashpots, |e| e.damping_j),
         part(Signs::MovingAndInSprings, |e| e.kinetic_j + e.stored_j),
     ];
+    parts.extend(has_tenons.then(|| part(Signs::TakenByCrushing, |e| e.crushing_j)));
     Lines {
         axis: Axes::Energy,
         title: Titles::WhereTheEnergyWent,

@@ -2,6 +2,7 @@
 
 use super::columns;
 use super::notes::load_note;
+use super::tenons;
 use crate::document::{Finding, Tone};
 use crate::load_factor::load_factor_finding;
 use dolmen::assess::{FrameCheck, FrameNote};
@@ -47,6 +48,7 @@ pub(crate) fn findings(directions: &[DirectionCheck]) -> Vec<Finding> {
         let own = of_direction(&direction.check)
             .into_iter()
             .chain(slipping(direction))
+            .chain(tenons(direction))
             .chain(columns)
             .map(|found| Finding {
                 sentence: Found::OfDirection {
@@ -89,6 +91,16 @@ fn slipping(direction: &DirectionCheck) -> Option<Finding> {
     let factor = Quantity::beside_one(slipping.load_factor, 4);
     let decides = slipping.load_factor < stuck.load_factor && slipping.verdict != Verdict::Stable;
     decides.then(|| Finding::key(Tone::of(slipping.verdict), Found::Slipping { factor }))
+}
+
+/// That it rests on the stiffness within the slack of its tenons.
+fn tenons(direction: &DirectionCheck) -> Option<Finding> {
+    let lowest = direction
+        .check
+        .modes
+        .first()
+        .filter(|mode| mode.omega_squared > 0.0);
+    tenons::finding(direction.tenons.as_ref()?, lowest.map(|mode| mode.frequency_hz))
 }
 
 fn needs(geometric_n_m: &[f64]) -> Values {

@@ -6,6 +6,7 @@ mod modes;
 mod notes;
 mod slipping;
 mod storeys;
+mod tenons;
 
 pub(crate) use findings::findings;
 
@@ -35,7 +36,7 @@ messages! {
 }
 
 /// The sentences on frames as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 8] = [
+pub(crate) const TEMPLATES: [&[Template]; 9] = [
     findings::Found::TEMPLATES,
     notes::Loads::TEMPLATES,
     Stability::TEMPLATES,
@@ -44,6 +45,7 @@ pub(crate) const TEMPLATES: [&[Template]; 8] = [
     slipping::Slipping::TEMPLATES,
     columns::Found::TEMPLATES,
     columns::FreeColumns::TEMPLATES,
+    tenons::Tenons::TEMPLATES,
 ];
 
 /// The sections of a frame.
@@ -63,6 +65,9 @@ pub(crate) fn sections<'a>(part: &FramePart, directions: &'a [DirectionCheck]) -
         modes::section(&mut document, frame.clone(), &direction.check);
         if let Some(slipping) = &direction.slipping {
             slipping::section(&mut document, slipping);
+        }
+        if let Some(tenons) = &direction.tenons {
+            tenons::section(&mut document, tenons);
         }
         for columns in &direction.columns {
             columns::section(&mut document, columns);

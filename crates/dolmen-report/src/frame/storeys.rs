@@ -96,7 +96,7 @@ fn caption(stability: Option<&FrameStability>) -> Vec<Sentence> {
     vec![first.into(), meaning.into(), Storeys::LowestFirst.into()]
 }
 
-fn significant(value_si: f64, unit: &Unit, digits: usize) -> Quantity {
+pub(super) fn significant(value_si: f64, unit: &Unit, digits: usize) -> Quantity {
     Quantity::new(value_si, unit.clone(), Digits::Significant(digits))
 }
 

@@ -1,6 +1,8 @@
 //! How simulated frames ended.
 
 use super::beside;
+use super::tenons;
+use super::title::title;
 use crate::document::{Finding, Tone};
 use crate::limits;
 use crate::simulated::{
@@ -16,11 +18,6 @@ use dolmen_work::frame::{ColumnsAlone, ColumnsInMotion, FrameSimulation};
 messages! {
     /// How a frame ended.
     pub(crate) enum Ending in "frame.simulation.ending" {
-        Direction { direction: String } => { en: "Direction {direction}", ko: "{direction} 방향" },
-        Version { direction: String, variant: Sentence } => {
-            en: "Direction {direction}, {variant}",
-            ko: "{direction} 방향, {variant}",
-        },
         Finished { drift: Quantity, name: String, residual: Quantity } => {
             en: "the largest drift is {drift}, in ‘{name}’; the top comes to rest {residual} off.",
             ko: "최대 층간변위는 ‘{name}’의 {drift}이고, 최상층의 잔류 변위는 {residual}이다.",
@@ -118,6 +115,7 @@ pub(super) fn own(simulation: &FrameSimulation) -> Vec<Finding> {
     all.extend(tilt_left_out(simulation));
     all.extend(loads(simulation));
     all.extend(together(simulation));
+    all.extend(tenons::findings(simulation));
     // what fell has said so
     if !simulation.falls() {
         all.extend(limits(simulation));
@@ -281,16 +279,6 @@ pub(super) fn finding(simulation: &FrameSimulation) -> Finding {
         ending(simulation),
     );
     Finding::key(tone, capitalised(said))
-}
-
-/// Direction and variant.
-pub(super) fn title(simulation: &FrameSimulation) -> Sentence {
-    let direction = simulation.direction.clone();
-    let variant = version_name(simulation.variant.as_deref(), simulation.variant_title.as_ref());
-    match variant {
-        None => Ending::Direction { direction }.into(),
-        Some(variant) => Ending::Version { direction, variant }.into(),
-    }
 }
 
 /// How it ended, in a sentence that begins with a small letter.

@@ -5,6 +5,8 @@ mod ending;
 mod friction;
 mod run;
 mod storeys;
+mod tenons;
+mod title;
 
 pub(crate) use ending::findings;
 
@@ -41,20 +43,22 @@ messages! {
             ko: "‘{name}’의 층 전단력-층간변위 이력곡선.",
         },
         LoopMeaning => {
-            en: "The area within is what friction and damping take.",
-            ko: "둘러싸인 면적이 마찰과 감쇠로 소산된 에너지이다.",
+            en: "The area within is what friction, crushing and damping take.",
+            ko: "둘러싸인 면적이 마찰·압괴·감쇠로 소산된 에너지이다.",
         },
     }
 }
 
 /// The sentences on simulated frames as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 6] = [
+pub(crate) const TEMPLATES: [&[Template]; 8] = [
     beside::Beside::TEMPLATES,
     ending::Ending::TEMPLATES,
     Shown::TEMPLATES,
     storeys::Storeys::TEMPLATES,
     friction::Friction::TEMPLATES,
     run::Run::TEMPLATES,
+    tenons::Tenons::TEMPLATES,
+    title::Title::TEMPLATES,
 ];
 
 /// How it ended; in full each storey and the balance of energy.
@@ -82,7 +86,7 @@ pub(crate) fn sections<'a>(simulations: &[&'a FrameSimulation]) -> Document<'a> 
 
 fn ended(document: &mut Document<'_>, simulation: &FrameSimulation) {
     document.heading(Simulated::Earthquake {
-        of: ending::title(simulation),
+        of: title::title(simulation),
     });
     let said = capitalised(ending::ending(simulation));
     document.put(match simulation.falls() {
@@ -96,7 +100,8 @@ fn ended(document: &mut Document<'_>, simulation: &FrameSimulation) {
         .chain(ending::leans(simulation))
         .chain(ending::tilt_left_out(simulation))
         .chain(ending::loads(simulation))
-        .chain(ending::together(simulation));
+        .chain(ending::together(simulation))
+        .chain(tenons::findings(simulation));
     document
         .blocks
         .extend(without.map(|found| Block::Note(found.sentence)));
@@ -109,6 +114,9 @@ fn details<'a>(document: &mut Document<'a>, simulation: &'a FrameSimulation) {
     document.put(Block::Table(storeys::model(simulation)));
     friction::notes(document, &simulation.frame);
     document.put(Block::Table(storeys::response(simulation)));
+    document
+        .blocks
+        .extend(tenons::table(simulation).map(Block::Table));
     if let Some(of) = simulation.beside.as_ref().filter(|of| !of.sensors.is_empty()) {
         document.put(Block::Table(beside::table(of)));
     }

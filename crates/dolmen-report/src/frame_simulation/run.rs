@@ -17,6 +17,7 @@ messages! {
         Kinetic => { en: "moving", ko: "운동" },
         Springs => { en: "in springs", ko: "스프링" },
         Friction => { en: "friction", ko: "마찰 소산" },
+        Crushing => { en: "crushed tenons", ko: "장부 압괴" },
         Dashpots => { en: "dashpots", ko: "점성 소산" },
         Exact { events: usize, series: usize, duration: Quantity } => {
             en: "Exact between the changes from sticking to slipping or back, each located, {events} in number: {duration} in {series} Taylor series.",
@@ -65,20 +66,25 @@ pub(super) fn run(document: &mut Document<'_>, simulation: &FrameSimulation) {
 
 fn energy(simulation: &FrameSimulation) -> Table {
     let end = simulation.history.energy.last().copied().unwrap_or_default();
-    let parts = [
+    let mut parts = vec![
         (Run::Input, end.input_j),
         (Run::Kinetic, end.kinetic_j),
         (Run::Springs, end.stored_j),
         (Run::Friction, end.friction_j),
-        (Run::Dashpots, end.damping_j),
     ];
-    let unit = energy_unit(&parts.each_ref().map(|(_, energy_j)| *energy_j));
+    let has_tenons = simulation.frame.tenons().iter().any(Option::is_some);
+    parts.extend(has_tenons.then_some((Run::Crushing, end.crushing_j)));
+    parts.push((Run::Dashpots, end.damping_j));
+    let unit = energy_unit(&parts.iter().map(|(_, energy_j)| *energy_j).collect::<Vec<f64>>());
     let joules = |energy_j: f64| Quantity::new(energy_j, unit.clone(), Digits::Significant(4));
     let left = Quantity::ratio(simulation.history.energy_left_over_ratio(), 2);
     let row = parts.iter().map(|(_, energy_j)| Cell::number(joules(*energy_j)));
     Table {
         caption: vec![Run::Energy.into(), Run::EnergyMeaning { left }.into()],
         rows: vec![row.collect()],
-        columns: parts.map(|(head, _)| Column::numbers(head, unit.clone())).into(),
+        columns: parts
+            .into_iter()
+            .map(|(head, _)| Column::numbers(head, unit.clone()))
+            .collect(),
     }
 }

@@ -91,6 +91,7 @@ pub(crate) fn gate() -> ProjectReport {
         check: check_frame(&frame, None).unwrap(),
         slipping: None,
         columns: Vec::new(),
+        tenons: None,
     });
     let check = Check::Frame(checks.collect());
     let survey = SurveyAnswer {

@@ -9,7 +9,7 @@ use dolmen::assess::FrameCheck;
 use dolmen_project::{Project, WhyNotIdentified};
 use dolmen_words::Language;
 use dolmen_work::answer::CheckAnswer;
-use dolmen_work::frame::{Springs, StoreyColumns};
+use dolmen_work::frame::{SECANT_DRIFT_RATIO, Springs, StoreyColumns};
 use dolmen_work::judgement::judge_check;
 use dolmen_work::state::{Check, DirectionCheck, SensitivityOf, State};
 use serde_json::{Value, json};
@@ -110,6 +110,20 @@ fn direction(direction: &DirectionCheck) -> Value {
         "direction": direction.direction,
         "check": frame(&direction.check),
         "slipping": direction.slipping.as_ref().map(frame),
+        "tenons": direction.tenons.as_ref().map(|tenons| json!({
+            "bearing": frame(&tenons.bearing),
+            "storeys": tenons.storeys.iter().map(|of| json!({
+                "storey": of.storey + 1,
+                "slack_m": of.tenon.slack_m,
+                "within_slack_n_m": of.within_slack_n_m,
+                "bearing_n_m": of.bearing_n_m(),
+                "secant_n_m": of.secant_n_m(),
+                "secant_drift_ratio": SECANT_DRIFT_RATIO,
+                "crushing_force_n": of.tenon.crushing_force_n,
+                "crushing_drift_m": of.crushing_drift_m(),
+                "half_stiffness_depth_m": of.tenon.half_stiffness_depth_m,
+            })).collect::<Vec<_>>(),
+        })),
         "columns": direction.columns.iter().map(columns).collect::<Vec<_>>(),
         "lean": direction.lean.as_ref().map(|lean| json!({
             "tilt": lean.tilt, "at_rest": lean.at_rest, "falls_from": lean.most,

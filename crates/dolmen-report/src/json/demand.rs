@@ -25,6 +25,17 @@ pub(super) fn demand(answer: &DemandAnswer) -> Value {
         "spectral": answer.spectral,
         "refused": answer.refused.as_ref().map(|why| &why.english),
         "stack": answer.stack.as_ref().map(stack),
+        "by_velocity": answer.by_velocity.as_ref().map(|of| json!({
+            "spectral_velocity_m_s": of.velocity.velocity_m_s,
+            "period_s": of.velocity.period_s,
+            "slenderness_rad": of.block.slenderness_rad,
+            "frequency_parameter_rad_s": of.block.frequency_parameter_rad_s,
+            "radius_m": of.block.radius_m,
+            "critical_slenderness_rad": of.critical_slenderness_rad,
+            "ratio": of.ratio(),
+            "published_3_rad": of.published_3_rad,
+            "published_2a_m_s2": of.published_2a_m_s2,
+        })),
         "local_mechanisms": local_mechanisms_demand(&answer.local_mechanisms),
         "near_below": DemandVerdict::NEAR_BELOW,
     })

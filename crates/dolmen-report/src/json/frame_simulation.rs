@@ -2,7 +2,7 @@
 
 use super::simulation::motion_json;
 use crate::limits::parts_json;
-use dolmen::dynamics::{FrameOutcome, FrictionActsOn, RockingOutcome, StoreyFriction};
+use dolmen::dynamics::{FrameOutcome, FrictionActsOn, RockingOutcome, StoreyFriction, TenonFace};
 use dolmen_work::frame::{ColumnsInMotion, FrameBeside, FrameSimulation, FrameTogether, SensorBeside};
 use serde_json::{Value, json};
 
@@ -17,6 +17,7 @@ pub fn frame_simulation_json(simulation: &FrameSimulation) -> Value {
             "name": name,
             "stiffness_n_m": simulation.frame.stiffness_n_m()[i],
             "friction": friction(&simulation.frame.friction()[i]),
+            "tenons": tenons(simulation, i),
             "peak_drift_m": drift.value_m, "peak_drift_at_s": drift.at_s, "peak_drift_at_samples_m": drift.at_samples_m,
             "peak_displacement_m": level.value_m, "peak_displacement_at_s": level.at_s,
             "peak_displacement_at_samples_m": level.at_samples_m,
@@ -58,8 +59,26 @@ pub fn frame_simulation_json(simulation: &FrameSimulation) -> Value {
         "storeys": storeys.collect::<Vec<_>>(),
         "energy": {
             "input_j": end.input_j, "kinetic_j": end.kinetic_j, "stored_j": end.stored_j, "friction_j": end.friction_j,
+            "crushing_j": end.crushing_j,
             "damping_j": end.damping_j, "left_over_ratio": history.energy_left_over_ratio(),
         },
+    })
+}
+
+/// The tenons of a storey, as built and at the end.
+fn tenons(simulation: &FrameSimulation, storey: usize) -> Value {
+    let built = simulation.frame.tenons().get(storey).copied().flatten();
+    let Some(tenon) = built else {
+        return Value::Null;
+    };
+    let faces = simulation.history.tenons.get(storey).copied().flatten();
+    let face = |face: TenonFace| json!({ "slack_m": face.gap_m, "crushed_m": face.crushed_m, "stiffness_n_m": face.stiffness_n_m });
+    json!({
+        "slack_m": tenon.slack_m,
+        "stiffness_n_m": tenon.stiffness_n_m,
+        "crushing_force_n": tenon.crushing_force_n,
+        "half_stiffness_depth_m": tenon.half_stiffness_depth_m,
+        "faces_at_end": faces.map(|faces| faces.map(face)),
     })
 }
 

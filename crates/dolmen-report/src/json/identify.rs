@@ -26,6 +26,7 @@ use serde_json::{Value, json};
 pub fn identification_json(answer: &IdentifyAnswer) -> Value {
     json!({
         "project": project(&answer.project, &answer.file),
+        "made_up_surveys": answer.project.surveys.iter().filter(|of| of.is_made_up).map(|of| &of.name).collect::<Vec<_>>(),
         "surveys": answer.surveys.iter().map(survey).collect::<Vec<_>>(),
     })
 }

@@ -54,6 +54,7 @@ fn version(version: &VersionJudgement) -> Value {
         "leans": version.leans.as_ref().map(|of| json!({ "survey": of.survey, "tilt": of.tilt })),
         "solution": version.solution.map(|of| json!({ "number": of.number, "of": of.of })),
         "after": version.after.as_ref().map(|of| json!({ "first": of.first, "second": of.second })),
+        "made_up_surveys": version.made_up_surveys,
         "assumed_inputs": version.inputs.assumed,
         "inputs": version.inputs.all,
     })

@@ -185,7 +185,7 @@ pub(super) fn outcome_of(stack: &Stack, history: &StackHistory) -> Value {
         Outcome::Stood => json!({ "kind": "stood" }),
         Outcome::Uplifted { joint, at_s } => {
             let [upper, lower] = joint_names(joint);
-            json!({ "kind": "uplifted", "joint": joint, "upper": upper, "lower": lower, "at_s": at_s })
+            json!({ "kind": "rocked_and_stood", "joint": joint, "upper": upper, "lower": lower, "at_s": at_s })
         }
         Outcome::Slid {
             block,

@@ -31,6 +31,12 @@ pub(super) fn stack(answer: &StackAnswer) -> Value {
         "supports": check.supports.as_ref().map(|supports| self::supports(stack, supports)),
         "capacity": check.capacity,
         "frequencies": answer.frequencies.as_ref().map(frequencies),
+        "frequency_by_height": answer.frequency_by_height.iter().map(|of| json!({
+            "storeys": of.storeys,
+            "points": of.points.iter().map(|point| json!({
+                "body_height_m": point.body_height_m, "height_m": point.height_m, "frequency_hz": point.frequency_hz,
+            })).collect::<Vec<_>>(),
+        })).collect::<Vec<_>>(),
         "side_supports_in_frequencies": answer.beside,
         "local_mechanisms": local_mechanisms(answer),
         "period_of_thumb_s": check.period_of_thumb.period_s,

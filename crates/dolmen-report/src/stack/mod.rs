@@ -3,6 +3,7 @@
 mod beside;
 mod findings;
 mod frequencies;
+mod frequency_by_height;
 mod lean;
 mod limits;
 mod local_mechanisms;
@@ -66,7 +67,7 @@ messages! {
 }
 
 /// The sentences on stacks as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 14] = [
+pub(crate) const TEMPLATES: [&[Template]; 15] = [
     verdict::Judged::TEMPLATES,
     findings::Found::TEMPLATES,
     lean::Leaning::TEMPLATES,
@@ -80,6 +81,7 @@ pub(crate) const TEMPLATES: [&[Template]; 14] = [
     supports::Supports::TEMPLATES,
     beside::Beside::TEMPLATES,
     frequencies::Frequencies::TEMPLATES,
+    frequency_by_height::ByHeight::TEMPLATES,
     variants::Variants::TEMPLATES,
 ];
 
@@ -110,6 +112,7 @@ pub(crate) fn sections<'a>(answer: &'a StackAnswer, fits: &[SpringFit], shaking:
     directions(&mut document, answer, shaking);
     supports::section(&mut document, answer);
     frequencies::section(&mut document, answer, fits);
+    frequency_by_height::section(&mut document, answer);
     local_mechanisms::section(&mut document, answer);
     document
 }

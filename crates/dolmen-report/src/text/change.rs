@@ -2,7 +2,7 @@
 
 use crate::brief::notes_text;
 use crate::change::{findings, sections, undated};
-use crate::check::project_text;
+use crate::check::{made_up_text, project_text};
 use crate::document::{Finding, TextStyle, document_text, findings_text};
 use dolmen_work::answer::CompareAnswer;
 
@@ -12,7 +12,10 @@ pub fn change_text(answer: &CompareAnswer, style: TextStyle) -> String {
     let mut found: Vec<Finding> = undated(answer).into_iter().collect();
     found.extend(findings(answer));
     let said = found.iter().filter(|finding| style.is_full || finding.is_key);
-    let mut out = project_text(project, &answer.file, style) + "\n" + &findings_text(said, style);
+    let mut out = project_text(project, &answer.file, style)
+        + &made_up_text(project, style)
+        + "\n"
+        + &findings_text(said, style);
     if style.is_full {
         out += &document_text(&sections(answer), style);
     }

@@ -1,7 +1,7 @@
 //! What goes into a simulated motion.
 
 use crate::brief::notes_text;
-use crate::check::{from_surveys_text, project_text, tilt_beyond};
+use crate::check::{from_surveys_text, made_up_text, project_text, tilt_beyond};
 use crate::document::{Document, TextStyle, document_text, findings_text, wrapped};
 use crate::simulated::{doubted, motion_section};
 use dolmen_project::{Project, Structure};
@@ -38,7 +38,9 @@ pub fn simulation_inputs_text(
     for motion in motions {
         motion_section(&mut document, motion);
     }
-    let mut head = project_text(project, file, style) + &from_surveys_text(project, style);
+    let mut head = project_text(project, file, style)
+        + &made_up_text(project, style)
+        + &from_surveys_text(project, style);
     // a survey is of the structure as it is
     if variant.is_none() {
         head += &findings_text(&tilt_beyond(project), style);

@@ -205,7 +205,7 @@ fn holds_every_end_has_its_word_and_its_kind() {
         (
             Outcome::Uplifted { joint: 1, at_s: 0.1 },
             "It rocked and stood; ",
-            "uplifted",
+            "rocked_and_stood",
         ),
         (
             Outcome::Slid {

@@ -55,6 +55,7 @@ korean_of! {
     }
     handed on ValidationError::Structure(why) => why;
     handed on ValidationError::Stack(why) => why;
+    handed on ValidationError::Slice(why) => why;
     handed on ValidationError::Building(why) => why;
     handed on ValidationError::Plan(why) => why;
     handed on ValidationError::Stability(why) => why;

@@ -14,7 +14,7 @@ use dolmen::signal::SignalError;
 use dolmen::stability::StabilityError;
 use dolmen::structure::StructureError;
 use dolmen::structure::building::{BuildingError, PlanStiffnessError};
-use dolmen::structure::stack::StackError;
+use dolmen::structure::stack::{SliceError, StackError};
 use dolmen::structure::wind::WindError;
 use dolmen_linalg::LinalgError;
 use std::error::Error;
@@ -35,6 +35,7 @@ pub fn of_the_science<'e>(error: &'e (dyn Error + 'static)) -> Option<&'e dyn Ar
         PlanStiffnessError,
         SignalError,
         StabilityError,
+        SliceError,
         StackError,
         StructureError,
         ValidationError,

@@ -32,6 +32,7 @@ korean_of! {
         DynamicsError::Count { argument, given, needed } => "{argument}의 항목이 {given}개인데 골조의 층은 {needed}개이다. 층마다 하나를 준다", argument = phrase(argument);
         DynamicsError::NoState { at_s, tried } => "{at_s} s에서 {tried}번 시도해도 고착과 미끄러짐의 상태를 찾지 못했다. 한 층의 마찰이 다른 층보다 너무 작거나 골조의 값들이 서로 너무 다르다";
         DynamicsError::NotConverged { step_s, change, most } => "시간 간격을 {step_s} s로 줄여도 최대 층간변위가 {change}만큼 바뀐다. 허용은 {most}이다. output_step_s를 줄이거나 마찰이 거의 0인 층이 있는지 확인한다";
+        DynamicsError::TenonsRubBothWays { directions } => "접합부가 두 방향에서 함께 마찰할 때는 유격이 있는 장부를 둘 수 없는데 두 방향 중 {directions}개에 있다. 한 방향씩 흔들거나 한쪽의 장부 또는 마찰을 뺀다";
         DynamicsError::TooManyEvents { at_s, events } => "{at_s} s에서 1e-9 s 안에 고착과 미끄러짐이 {events}번 바뀌었다. 거의 0인 마찰력이 있는지 확인한다";
         DynamicsError::NoSwing { displacement_m } => "골조를 {displacement_m} m에서 놓을 수 없다. 모든 마찰면이 고착되어도 지금 상태로 쓰러진다. 먼저 강성을 입력한다";
         DynamicsError::SwingFalls { displacement_m, storey, at_s } => "{displacement_m} m에서 놓으면 {at_s} s에 골조의 {storey}층이 작은 층간변위 이론의 범위를 넘어 기운다. 더 작은 변위로 하거나 마찰면이 미끄러지는 동안 서 있는지 확인한다";

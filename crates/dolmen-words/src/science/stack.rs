@@ -2,7 +2,7 @@
 
 use super::phrase::phrase;
 use crate::errors::korean_of;
-use dolmen::structure::stack::StackError;
+use dolmen::structure::stack::{SliceError, StackError};
 
 korean_of! {
     StackError {
@@ -39,4 +39,21 @@ korean_of! {
         StackError::Direction { quantity, given } => "{quantity}이(가) {given:?}인데 유한한 수의 벡터이고 모두 0이 아니어야 한다", quantity = phrase(quantity);
         StackError::Position { quantity, given } => "{quantity}이(가) {given:?}인데 유한한 수 세 개이어야 한다", quantity = phrase(quantity);
     }
+}
+
+korean_of! {
+    SliceError {
+        SliceError::NoBeds => "접합면의 높이가 없다. 탑에는 석재 사이의 접합면이 하나 이상 있다. 각 접합면의 높이를 쓴다";
+        SliceError::NotFinite { given } => "접합면의 높이가 {given}인데 유한한 수(m)이어야 한다";
+        SliceError::Unsorted { first_m, then_m } => "접합면 {then_m} m이(가) {first_m} m 뒤에 있다. 낮은 것부터 한 번씩 쓴다";
+        SliceError::Outside { bed_m, low_m, high_m } => "접합면 {bed_m} m이(가) {low_m:.4}~{high_m:.4} m에 걸친 스캔 밖에 있다. 파일의 좌표에서 잰 높이를 m로 쓴다";
+        SliceError::Thin { low_m, high_m, least_m } => "{low_m:.4}~{high_m:.4} m의 석재 두께가 {thickness_mm:.1} mm인데 {least_mm:.0} mm 이상이어야 한다. 접합면 하나를 뺀다", thickness_mm = 1e3 * (high_m - low_m), least_mm = 1e3 * least_m;
+        SliceError::Air { bed_m } => "접합면으로 쓴 높이 {bed_m} m에 석재가 없다. 높이를 고친다";
+        SliceError::Hollow { bed_m, area_m2 } => "높이 {bed_m} m의 단면에 {area_m2:.4} m²의 구멍이 있다. 빈 곳을 둘러싼 접합면은 자르지 않는다. 메시의 빈 곳을 메우거나 석재를 점의 입체로 입력한다";
+        SliceError::Crossed { bed_m } => "높이 {bed_m} m의 단면 외곽선이 스스로 만나거나 교차한다. 접합면을 몇 mm 옮기거나 그곳의 메시를 고친다";
+        SliceError::Corners { bed_m, given, most } => "높이 {bed_m} m의 단면에 모서리점이 {given}개 있는데 {most}개까지 자른다. 메시를 성기게 만든다(모서리 길이 5~50 mm면 충분하다)";
+        SliceError::Void { volume_m3 } => "메시의 닫힌 조각 하나가 안팎이 뒤집혀 있다({size_m3:.6} m³). 석재 안에 있는 면을 삭제하거나 그 삼각형의 방향을 뒤집는다", size_m3 = volume_m3.abs();
+        SliceError::Volume { ratio, whole_m3, allowed } => "석재의 부피 합이 스캔 부피 {whole_m3:.5} m³의 {percent:.2} %인데 100 ± {allowed:.1} %이어야 한다. 접합면 부근의 스캔이 자르기에 너무 거칠거나 스스로를 뚫고 지나간다", percent = 100.0 * ratio, allowed = 100.0 * allowed;
+    }
+    handed on SliceError::Mesh(why) => why;
 }

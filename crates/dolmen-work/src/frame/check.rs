@@ -2,6 +2,7 @@
 
 use super::columns::columns;
 use super::lean::DirectionLean;
+use super::tenons::tenons;
 use crate::error::WorkError;
 use crate::state::DirectionCheck;
 use dolmen::assess::check_frame;
@@ -23,6 +24,7 @@ pub(crate) fn check(part: &FramePart, pick: Pick<'_>) -> Result<Vec<DirectionChe
         checks.push(DirectionCheck {
             direction: direction.name.clone(),
             lean: DirectionLean::of(part, &frame, direction, &columns, pick)?,
+            tenons: tenons(part, &frame, (&direction.name, stiffness.as_deref()), pick)?,
             columns,
             check,
             slipping,

@@ -5,14 +5,15 @@ use super::columns::alone_most;
 use super::lean::leaning;
 use super::loads::with_loads;
 use super::simulate::storey_names;
+use super::tenons::bearing_n_m;
 use crate::error::WorkError;
 use crate::part_limit::{Compared, NotCompared, Part, PartLimit, WhyNotCompared};
 use dolmen::assess::demand::{DriftLimit, SiteDemand, frame_drifts_by_spectrum};
 use dolmen::structure::Frame;
 use dolmen_project::{DirectionPart, FramePart, Quantity};
 
-/// The elastic drifts by the spectrum of the site, in each direction that stands: with every joint stuck or every joint slipping, whichever
-/// drifts further; the lean as surveyed, at rest, of all directions together, takes its part of what is allowed.
+/// The elastic drifts by the spectrum of the site, in each direction that stands: with every joint stuck, every joint slipping, or every tenon
+/// bearing, whichever drifts further; the lean as surveyed, at rest, of all directions together, takes its part of what is allowed.
 pub(crate) fn by_spectrum(
     part: &FramePart,
     site: &SiteDemand,
@@ -85,6 +86,16 @@ fn drifts(
             return Ok(Err(WhyNotCompared::FallsSlipping));
         };
         for (largest, drift_m) in largest.iter_mut().zip(drifts_m) {
+            *largest = largest.max(drift_m);
+        }
+    }
+    if let Some(tenons) = part
+        .tenons(&direction.name, &mut Quantity::nominal)
+        .map_err(WorkError::from)?
+    {
+        let bearing = bearing_n_m(&tenons, &stuck);
+        let drifts_m = frame_drifts_by_spectrum(frame, &bearing, site, damping_ratio)?;
+        for (largest, drift_m) in largest.iter_mut().zip(drifts_m.into_iter().flatten()) {
             *largest = largest.max(drift_m);
         }
     }

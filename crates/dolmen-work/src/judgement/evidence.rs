@@ -112,7 +112,12 @@ impl Evidence {
     /// The same with what records gave.
     pub(crate) fn with_records(project: &Project, check: &Check, found: &[RecordFrequency]) -> Evidence {
         let mut measured = measured_frequencies(&project.surveys, check);
-        measured.extend(found.iter().filter_map(|of| {
+        let is_made_up = |name: &str| {
+            let mut surveys = project.surveys.iter();
+            surveys.any(|survey| survey.name == name && survey.is_made_up)
+        };
+        let found = found.iter().filter(|of| !is_made_up(&of.survey));
+        measured.extend(found.filter_map(|of| {
             Some(MeasuredFrequency {
                 survey: of.survey.clone(),
                 direction: of.direction.to_owned(),
@@ -142,7 +147,8 @@ impl Evidence {
                 .values()
                 .any(|modes| lowest_measured(modes).is_some())
         };
-        let has_records = |survey: &&Survey| survey.records.is_some() || !survey.setups.is_empty();
+        let has_records =
+            |survey: &&Survey| !survey.is_made_up && (survey.records.is_some() || !survey.setups.is_empty());
         let last = |which: &dyn Fn(&&Survey) -> bool| {
             let surveys = project.surveys.iter().filter(which);
             surveys

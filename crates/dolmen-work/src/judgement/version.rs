@@ -46,6 +46,8 @@ pub struct VersionJudgement {
     pub solution: Option<Solution>,
     /// How many inputs nobody has measured.
     pub inputs: AssumedInputs,
+    /// Surveys of the file that nobody measured.
+    pub made_up_surveys: Vec<String>,
 }
 
 /// One of several accepted solutions.
@@ -127,6 +129,7 @@ impl VersionJudgement {
             after: None,
             solution: None,
             inputs: AssumedInputs::default(),
+            made_up_surveys: Vec::new(),
         }
     }
 
@@ -267,6 +270,8 @@ pub(super) fn version(
     }
     version.solution = Solution::of(project);
     version.inputs = AssumedInputs::of(project);
+    let made_up = project.surveys.iter().filter(|survey| survey.is_made_up);
+    version.made_up_surveys = made_up.map(|survey| survey.name.clone()).collect();
     version
 }
 

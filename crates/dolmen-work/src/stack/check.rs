@@ -29,6 +29,7 @@ pub(crate) fn check(part: &StackPart, pick: Pick<'_>) -> Result<StackAnswer, Wor
         lean: part.lean.clone(),
         frequencies,
         local_mechanisms: None,
+        frequency_by_height: Vec::new(),
     })
 }
 

@@ -10,6 +10,7 @@ use crate::flags::ForeignFlag;
 use crate::kept::StoreFault;
 use crate::motion::MotionRequestError;
 use crate::portfolio::PortfolioError;
+use crate::scanned::ScanError;
 use crate::score::ScoreDesignsError;
 use crate::sensors::SensorsError;
 use crate::study::{JournalError, StudyError};
@@ -21,7 +22,7 @@ use dolmen_words::{Template, sayable};
 use std::error::Error;
 
 /// All sentences of the errors of this crate.
-pub const ERRORS: [&[Template]; 20] = [
+pub const ERRORS: [&[Template]; 21] = [
     WorkError::TEMPLATES,
     ChangeFault::TEMPLATES,
     MotionRequestError::TEMPLATES,
@@ -29,6 +30,7 @@ pub const ERRORS: [&[Template]; 20] = [
     JournalError::TEMPLATES,
     ScoreDesignsError::TEMPLATES,
     PortfolioError::TEMPLATES,
+    ScanError::TEMPLATES,
     SensorsError::TEMPLATES,
     StoreFault::TEMPLATES,
     FlagWords::TEMPLATES,
@@ -56,6 +58,7 @@ pub(crate) fn of_work<'e>(error: &'e (dyn Error + 'static)) -> Option<&'e dyn Ar
         JournalError,
         ScoreDesignsError,
         PortfolioError,
+        ScanError,
         SensorsError,
         ForeignFlag,
         StoreFault,

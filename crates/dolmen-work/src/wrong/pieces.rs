@@ -20,6 +20,7 @@ messages! {
         AllSetups => { en: "all setups as one", ko: "하나로 합친 측정 배치" },
         OfLog { name: String, file: String } => { en: "log {name}, {file}", ko: "기록 {name}, {file}" },
         OfSurvey { name: String } => { en: "survey {name}", ko: "조사 {name}" },
+        StonesOfScan { file: String } => { en: "the stones cut from {file}", ko: "{file}에서 자른 석재" },
         SensorsPlaced => { en: "placing sensors", ko: "센서 배치" },
         SpringsMeasured => {
             en: "springs that would have the measured frequencies of the surveys",

@@ -5,6 +5,7 @@ use crate::error::WorkError;
 use crate::known::known_beside;
 use crate::motion::MotionRequestError;
 use crate::portfolio::PortfolioError;
+use crate::scanned::ScanError;
 use crate::score::ScoreDesignsError;
 use crate::sensors::SensorsError;
 use crate::study::{JournalError, StudyError};
@@ -278,7 +279,7 @@ sentences! {
             ko: "palisaden에 기록이 없다",
         },
     }
-    handed on { File(Box<FileError>), Project(Box<ProjectError>), Record(Box<RecordError>), Motion(Box<MotionError>), Photo(Box<PhotoError>), Log(Box<LogError>), Angle(Box<AngleError>), StackPart(Box<StackFault>), DamperPart(Box<DamperFault>), Change(Box<ChangeFault>), Portfolio(Box<PortfolioError>), Designs(Box<ScoreDesignsError>), Sensors(Box<SensorsError>), Journal(Box<JournalError>), Assess(Box<AssessError>), Blocks(Box<BlocksError>), Building(Box<BuildingError>), Damper(Box<DamperError>), Dynamics(Box<DynamicsError>), Modal(Box<ModalError>), Numeric(Box<NumericError>), Signal(Box<SignalError>), Stability(Box<StabilityError>), Stack(Box<StackError>), Structure(Box<StructureError>), Validation(Box<ValidationError>), MotionRequest(Box<MotionRequestError>), Study(Box<StudyError>) }
+    handed on { File(Box<FileError>), Project(Box<ProjectError>), Record(Box<RecordError>), Motion(Box<MotionError>), Photo(Box<PhotoError>), Log(Box<LogError>), Angle(Box<AngleError>), StackPart(Box<StackFault>), DamperPart(Box<DamperFault>), Change(Box<ChangeFault>), Portfolio(Box<PortfolioError>), Designs(Box<ScoreDesignsError>), Scan(Box<ScanError>), Sensors(Box<SensorsError>), Journal(Box<JournalError>), Assess(Box<AssessError>), Blocks(Box<BlocksError>), Building(Box<BuildingError>), Damper(Box<DamperError>), Dynamics(Box<DynamicsError>), Modal(Box<ModalError>), Numeric(Box<NumericError>), Signal(Box<SignalError>), Stability(Box<StabilityError>), Stack(Box<StackError>), Structure(Box<StructureError>), Validation(Box<ValidationError>), MotionRequest(Box<MotionRequestError>), Study(Box<StudyError>) }
     caused by { Within: cause }
 }
 

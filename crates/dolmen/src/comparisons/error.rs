@@ -5,7 +5,7 @@ use crate::dynamics::DynamicsError;
 use crate::signal::SignalError;
 use crate::stability::StabilityError;
 use crate::structure::StructureError;
-use crate::structure::stack::StackError;
+use crate::structure::stack::{SliceError, StackError};
 
 /// Why a case could not be computed.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -16,6 +16,9 @@ pub enum ValidationError {
     /// A stack of a source was refused.
     #[error(transparent)]
     Stack(#[from] StackError),
+    /// A scan could not be cut.
+    #[error(transparent)]
+    Slice(#[from] SliceError),
     /// A building of a source was refused.
     #[error(transparent)]
     Building(#[from] crate::structure::building::BuildingError),
@@ -64,7 +67,7 @@ impl ValidationError {
             Self::Modal(why) => why.did_not_converge(),
             Self::Damper(why) => why.did_not_converge(),
             Self::Assess(why) => why.did_not_converge(),
-            Self::Stack(_) | Self::Wind(_) | Self::Signal(_) | Self::Monitoring(_) => false,
+            Self::Stack(_) | Self::Slice(_) | Self::Wind(_) | Self::Signal(_) | Self::Monitoring(_) => false,
         }
     }
 }

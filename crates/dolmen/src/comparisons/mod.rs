@@ -30,8 +30,10 @@ mod pyoma2;
 mod rigid_blocks;
 mod second_methods;
 mod setups;
+mod sliced_scans;
 mod stacks;
 mod survey_change;
+mod tenons;
 mod watch;
 mod wind;
 

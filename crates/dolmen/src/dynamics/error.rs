@@ -63,6 +63,14 @@ pub enum DynamicsError {
         /// What is allowed.
         most: f64,
     },
+    /// Tenons with slack where joints share friction in both directions.
+    #[error(
+        "{directions} of 2 directions have tenons with slack, but 0 may where joints rub in both directions at once: shake one direction at a time, or leave out the tenons or the friction of one"
+    )]
+    TenonsRubBothWays {
+        /// Directions that have tenons.
+        directions: usize,
+    },
     /// Events follow each other without end.
     #[error(
         "{events} changes between sticking and slipping within 1e-9 s of {at_s} s: look at the friction forces, of which one may be next to nothing"
@@ -207,6 +215,7 @@ impl DynamicsError {
             | Self::Storey { .. }
             | Self::Count { .. }
             | Self::NoState { .. }
+            | Self::TenonsRubBothWays { .. }
             | Self::TooManyEvents { .. }
             | Self::NoSwing { .. }
             | Self::SwingFalls { .. }

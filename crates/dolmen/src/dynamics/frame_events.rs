@@ -3,10 +3,12 @@
 use super::DynamicsError;
 use super::excitation::FrameLoad;
 use super::frame_friction::{FrictionFrame, StoreyFriction};
-use super::frame_model::{Model, Slider, State};
+use super::frame_model::{Model, Slider, State, drift_m};
 use super::frame_record::Recorder;
 use super::frame_run::FrameRun;
 use super::frame_series::Series;
+use super::frame_tenon::{Joint, TenonChange};
+use super::frame_tenon_events::tenon_event;
 use crate::numeric::{COEFFICIENTS_MOST, first_descent, polynomial_most};
 
 /// Changes of sliders closer than this are one event, s: what the problem asks its events to be located to.
@@ -27,6 +29,8 @@ pub(super) enum Change {
     Goes(f64),
     /// It has come to a stop.
     Stops,
+    /// The tenons of the storey change.
+    Tenon(TenonChange),
 }
 
 /// A frame on its way.
@@ -74,7 +78,12 @@ impl<'a> Motion<'a> {
             v: given(&options.start_velocity_m_s),
             slider: vec![Slider::Absent; n],
             offset_m: vec![0.0; n],
+            joint: Vec::new(),
         };
+        let tenons = frame.tenons.iter().enumerate();
+        state.joint = tenons
+            .map(|(i, tenon)| tenon.map(|tenon| Joint::at(tenon, drift_m(&state.y, i))))
+            .collect();
         for i in 0..n {
             let (across, speed) = (model.across(i, &state.y), model.across(i, &state.v));
             state.slider[i] = match model.friction[i] {
@@ -203,12 +212,22 @@ impl<'a> Motion<'a> {
         let mut first = 1.0_f64;
         let together = TOGETHER_S / h;
         for storey in 0..self.model.levels() {
-            let Some(event) = self.event_of(storey) else {
-                continue;
-            };
-            if event.sigma <= first + together {
-                first = first.min(event.sigma);
-                self.events.push(event);
+            let of_tenons = self.state.joint[storey].as_ref().and_then(|joint| {
+                let s = &self.series;
+                let below_m = storey.checked_sub(1).map_or(0.0, |below| s.y_most[below]);
+                let moved_m = s.y_most[storey].max(below_m);
+                tenon_event(joint, &s.drift[storey][..s.orders], moved_m)
+            });
+            let of_tenons = of_tenons.map(|(change, sigma)| Event {
+                sigma,
+                storey,
+                change: Change::Tenon(change),
+            });
+            for event in self.event_of(storey).into_iter().chain(of_tenons) {
+                if event.sigma <= first + together {
+                    first = first.min(event.sigma);
+                    self.events.push(event);
+                }
             }
         }
         self.events.retain(|event| event.sigma <= first + together);

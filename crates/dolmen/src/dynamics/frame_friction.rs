@@ -9,6 +9,7 @@
 //! | ζ | `damping_ratio` | damping of modes of the frame with every slider slipping | – |
 
 use super::DynamicsError;
+use super::frame_tenon::Tenon;
 use crate::structure::Frame;
 use dolmen_linalg::{Matrix, generalized_symmetric_eigen};
 
@@ -123,6 +124,8 @@ pub struct FrictionFrame {
     pub(super) stiffness_n_m: Vec<f64>,
     pub(super) friction: Vec<StoreyFriction>,
     pub(super) acts_on: FrictionActsOn,
+    /// Tenons of the storeys, on their drifts.
+    pub(super) tenons: Vec<Option<Tenon>>,
     pub(super) damping: ViscousDamping,
 }
 
@@ -151,6 +154,7 @@ impl FrictionFrame {
         Ok(FrictionFrame {
             frame,
             stiffness_n_m,
+            tenons: vec![None; friction.len()],
             friction,
             acts_on: FrictionActsOn::Drift,
             damping: ViscousDamping::None,
@@ -160,6 +164,25 @@ impl FrictionFrame {
     /// The same with the sliders on something else.
     pub fn acting_on(self, acts_on: FrictionActsOn) -> Self {
         FrictionFrame { acts_on, ..self }
+    }
+
+    /// The same with tenons in its storeys, beside their springs and friction.
+    ///
+    /// # Errors
+    /// [`DynamicsError::Count`]; [`DynamicsError::Storey`] for a slack that is negative, and a stiffness, force or depth that is not
+    /// positive.
+    pub fn with_tenons(self, tenons: Vec<Option<Tenon>>) -> Result<Self, DynamicsError> {
+        if tenons.len() != self.frame.storeys().len() {
+            return Err(DynamicsError::Count {
+                argument: "tenons",
+                given: tenons.len(),
+                needed: self.frame.storeys().len(),
+            });
+        }
+        for (i, tenon) in tenons.iter().enumerate() {
+            tenon.map_or(Ok(()), |tenon| tenon.check(i + 1))?;
+        }
+        Ok(FrictionFrame { tenons, ..self })
     }
 
     /// The same with viscous damping.
@@ -242,13 +265,18 @@ impl FrictionFrame {
         &self.friction
     }
 
+    /// Tenons of the storeys.
+    pub fn tenons(&self) -> &[Option<Tenon>] {
+        &self.tenons
+    }
+
     /// What the sliders act on.
     pub fn acts_on(&self) -> FrictionActsOn {
         self.acts_on
     }
 
-    /// Frequencies of the frame while every slider slips, or with `stuck` while every slider of a Jenkins element sticks, Hz,
-    /// lowest first; `None` for a shape in which the frame falls. A stuck Coulomb slider is rigid and does not enter.
+    /// Frequencies of the frame within the slack of its tenons, while every slider slips, or with `stuck` while every slider of a Jenkins
+    /// element sticks, Hz, lowest first; `None` for a shape in which the frame falls. A stuck Coulomb slider is rigid and does not enter.
     ///
     /// # Errors
     /// [`DynamicsError::Structure`] if the values differ by more than the numbers hold.

@@ -1,5 +1,7 @@
 //! What the motion of a frame gives: how it ended, and everything needed to draw, to doubt and to repeat it.
 
+use super::frame_tenon::TenonFace;
+
 /// How a run ended.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum FrameOutcome {
@@ -63,6 +65,8 @@ pub struct FrameEnergy {
     pub input_j: f64,
     /// Taken by friction.
     pub friction_j: f64,
+    /// Taken by tenons that crush.
+    pub crushing_j: f64,
     /// Taken by dashpots.
     pub damping_j: f64,
 }
@@ -70,7 +74,7 @@ pub struct FrameEnergy {
 impl FrameEnergy {
     /// What is left over: the fault of the computation.
     pub fn left_over_j(&self) -> f64 {
-        self.input_j - self.kinetic_j - self.stored_j - self.friction_j - self.damping_j
+        self.input_j - self.kinetic_j - self.stored_j - self.friction_j - self.crushing_j - self.damping_j
     }
 }
 
@@ -95,6 +99,8 @@ pub struct FrameHistory {
     pub displacement_peaks: Vec<FramePeak>,
     /// Largest drift of each storey.
     pub drift_peaks: Vec<FramePeak>,
+    /// Both faces of the tenons of each storey at the end, that of positive drift first; `None` of storeys without.
+    pub tenons: Vec<Option<[TenonFace; 2]>>,
     /// Times in which sliders slipped, in the order in which they ended.
     pub slips: Vec<Slip>,
     /// Turns of the top level, in order.
@@ -106,7 +112,8 @@ pub struct FrameHistory {
     pub rest_m: Vec<f64>,
     /// Whether everything stood still at the end, relative to the ground.
     pub at_rest: bool,
-    /// Times at which some slider began to slip, turned or stopped; changes at one time count once.
+    /// Times at which some slider began to slip, turned or stopped, or some tenon began to bear, opened, crushed or stopped; changes at
+    /// one time count once.
     pub events: usize,
     /// Series that were expanded.
     pub steps: usize,

@@ -114,6 +114,15 @@ pub fn simulate_frame_in_plan(
             allowed: "0 where both directions rub",
         });
     }
+    let with_tenons = frames
+        .iter()
+        .filter(|of| of.tenons.iter().any(Option::is_some))
+        .count();
+    if with_tenons > 0 {
+        return Err(DynamicsError::TenonsRubBothWays {
+            directions: with_tenons,
+        });
+    }
     let durations = [
         runs[0].check(frames[0], loads[0])?,
         runs[1].check(frames[1], loads[1])?,

@@ -3,7 +3,7 @@
 use super::DynamicsError;
 use super::frame_events::{Change, Event, Motion};
 use super::frame_friction::StoreyFriction;
-use super::frame_model::Slider;
+use super::frame_model::{Slider, drift_m};
 use super::frame_record::Recorder;
 
 /// Events closer than this count as a pile, s.
@@ -29,7 +29,17 @@ impl Motion<'_> {
             });
         }
         let before = self.state.slider.clone();
+        let mut slides = false;
         for &Event { storey, change, .. } in &self.events {
+            if let Change::Tenon(change) = change {
+                let across = drift_m(&self.state.y, storey);
+                if let Some(joint) = &mut self.state.joint[storey] {
+                    joint.change(change, across);
+                    recorder.happened(self.at_s);
+                }
+                continue;
+            }
+            slides = true;
             match (self.model.friction[storey], change) {
                 (StoreyFriction::Jenkins { .. }, Change::Goes(sign)) => {
                     self.state.slider[storey] = Slider::Slipping(sign);
@@ -69,7 +79,10 @@ impl Motion<'_> {
         }
         self.series.join(&self.model, &self.state);
         self.series.share_velocity(&self.model, &mut self.state);
-        self.unsettled = Some(before);
+        // where tenons alone change no force jumps, and no slider does
+        if slides {
+            self.unsettled = Some(before);
+        }
         Ok(())
     }
 

@@ -5,6 +5,7 @@ use super::excitation::TimeFunction;
 use super::frame_friction::{FrictionFrame, Sliders, StoreyFriction};
 use super::frame_model::{Model, Slider, State};
 use super::frame_rest::rest_m;
+use super::frame_tenon::Joint;
 
 /// What a lean puts on a frame in a run, and where the run begins.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,6 +40,11 @@ impl FrictionFrame {
                     v: vec![0.0; n],
                     slider: vec![Slider::Stuck; n],
                     offset_m: vec![0.0; n],
+                    joint: self
+                        .tenons
+                        .iter()
+                        .map(|tenon| tenon.map(|of| Joint::at(of, 0.0)))
+                        .collect(),
                 };
                 rest_m(&Model::of(self)?, &state, &forces_n)
             }

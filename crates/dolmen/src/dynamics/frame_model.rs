@@ -7,6 +7,7 @@
 
 use super::DynamicsError;
 use super::frame_friction::{FrictionFrame, StoreyFriction};
+use super::frame_tenon::Joint;
 use dolmen_linalg::Matrix;
 use std::ops::Range;
 
@@ -28,12 +29,16 @@ pub(super) struct State {
     pub(super) v: Vec<f64>,
     pub(super) slider: Vec<Slider>,
     pub(super) offset_m: Vec<f64>,
+    /// Tenons of each storey.
+    pub(super) joint: Vec<Option<Joint>>,
 }
 
 /// A frame as the series need it.
 pub(super) struct Model {
     pub(super) mass_kg: Vec<f64>,
     pub(super) friction: Vec<StoreyFriction>,
+    /// Stiffness of the tenons of each storey as built, N/m; 0 for none.
+    pub(super) tenon_n_m: Vec<f64>,
     /// Level below each slider; `None` for the ground.
     pub(super) below: Vec<Option<usize>>,
     pub(super) k: Rows,
@@ -127,6 +132,11 @@ impl Model {
         Ok(Model {
             mass_kg: frame.frame.storeys().iter().map(|s| s.mass_kg).collect(),
             friction: frame.friction.iter().map(|friction| friction.acting()).collect(),
+            tenon_n_m: frame
+                .tenons
+                .iter()
+                .map(|tenon| tenon.map_or(0.0, |of| of.stiffness_n_m))
+                .collect(),
             below: (0..n).map(|i| frame.below(i)).collect(),
             k: Rows::of(&k),
             c: frame.damping_matrix()?.as_ref().map(Rows::of),
@@ -159,6 +169,12 @@ impl Model {
                 if let Some(j) = self.below[i] {
                     stiffness[j] += 2.0 * stuck_stiffness_n_m;
                 }
+            }
+        }
+        for (i, tenon_n_m) in self.tenon_n_m.iter().enumerate() {
+            stiffness[i] += 2.0 * tenon_n_m;
+            if let Some(below) = i.checked_sub(1) {
+                stiffness[below] += 2.0 * tenon_n_m;
             }
         }
         let mut step = f64::INFINITY;
@@ -196,7 +212,11 @@ impl Model {
                 series += force * force / stuck_stiffness_n_m;
             }
         }
-        0.5 * (self.k.form(&state.y) + series)
+        let joints = state.joint.iter().enumerate();
+        let tenons: f64 = joints
+            .filter_map(|(i, joint)| Some(joint.as_ref()?.stored_j(drift_m(&state.y, i))))
+            .sum();
+        0.5 * (self.k.form(&state.y) + series) + tenons
     }
 
     /// Force in the Jenkins element of a storey, N.
@@ -214,4 +234,9 @@ impl Model {
             _ => 0.0,
         }
     }
+}
+
+/// Drift of a storey, m.
+pub(super) fn drift_m(y: &[f64], storey: usize) -> f64 {
+    y[storey] - storey.checked_sub(1).map_or(0.0, |below| y[below])
 }

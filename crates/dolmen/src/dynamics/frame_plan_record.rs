@@ -44,6 +44,7 @@ impl PlanRecord {
             drift_peaks: vec![FramePeak::default(); n],
             slips: Vec::new(),
             turns: Vec::new(),
+            tenons: vec![None; n],
             residual_m: Vec::new(),
             rest_m: Vec::new(),
             at_rest: false,
@@ -123,6 +124,7 @@ impl PlanRecord {
                 stored_j: direction.model.stored_j(&stuck(direction)),
                 input_j: direction.input_j,
                 friction_j: direction.friction_j,
+                crushing_j: 0.0,
                 damping_j: direction.damping_j,
             });
         }

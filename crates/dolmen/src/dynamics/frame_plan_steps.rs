@@ -71,6 +71,7 @@ impl Direction {
             v: given(&start.start_velocity_m_s),
             slider: vec![Slider::Stuck; n],
             offset_m: vec![0.0; n],
+            joint: vec![None; n],
         };
         let input_j = model.kinetic_j(&state.v) + model.stored_j(&state);
         let friction_n = (0..n).map(|i| model.jenkins_force(i, &state)).collect();

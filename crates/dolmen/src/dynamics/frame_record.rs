@@ -2,7 +2,7 @@
 
 use super::frame_friction::StoreyFriction;
 use super::frame_history::{FrameEnergy, FrameHistory, FrameOutcome, FramePeak, Slip, Turn};
-use super::frame_model::{Model, Slider, State};
+use super::frame_model::{Model, Slider, State, drift_m};
 use super::frame_rest::rest_m;
 use super::frame_series::{Series, at_with_rates};
 use super::frame_work::Work;
@@ -54,6 +54,7 @@ impl Recorder {
                 drift_peaks: vec![FramePeak::default(); n],
                 slips: Vec::new(),
                 turns: Vec::new(),
+                tenons: vec![None; n],
                 residual_m: Vec::new(),
                 rest_m: Vec::new(),
                 at_rest: false,
@@ -115,6 +116,7 @@ impl Recorder {
         for now in &mut self.now {
             now.slider.clone_from(&state.slider);
             now.offset_m.clone_from(&state.offset_m);
+            now.joint.clone_from(&state.joint);
         }
         self.work.expand(model, series);
         // the last sample may lie past the end by rounding
@@ -224,11 +226,16 @@ impl Recorder {
         if state.slider == before {
             return;
         }
+        self.happened(at_s);
+        self.follow_slips(model, state, before, at_s);
+    }
+
+    /// Counts a change.
+    pub(super) fn happened(&mut self, at_s: f64) {
         if at_s - self.last_event_s > ONE_EVENT_S {
             self.history.events += 1;
         }
         self.last_event_s = at_s;
-        self.follow_slips(model, state, before, at_s);
     }
 
     fn follow_slips(&mut self, model: &Model, state: &State, before: &[Slider], at_s: f64) {
@@ -280,6 +287,10 @@ impl Recorder {
         peaks_at_samples(&mut history);
         history.outcome = outcome;
         history.duration_s = at_s;
+        let joints = state.joint.iter().enumerate();
+        history.tenons = joints
+            .map(|(i, joint)| Some(joint.as_ref()?.faces_at(drift_m(&state.y, i))))
+            .collect();
         history.residual_m.clone_from(&state.y);
         history.rest_m = match outcome {
             FrameOutcome::Finished => rest_m(model, state, &self.stays_n),

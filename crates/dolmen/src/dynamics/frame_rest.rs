@@ -7,7 +7,8 @@
 //! | λ | | forces of the Coulomb sliders, which hold the drift they have | N |
 
 use super::frame_friction::StoreyFriction;
-use super::frame_model::{Model, State};
+use super::frame_model::{Model, State, drift_m};
+use super::frame_tenon::{Joint, TenonChange};
 use dolmen_linalg::{Matrix, solve};
 
 /// Displacements at rest, m: springs and elements in balance with forces that stay, every slider held where it is.
@@ -17,8 +18,39 @@ use dolmen_linalg::{Matrix, solve};
 /// [B        0 ] [λ] = [ 0],    y_rest = y + Δ              (levels + Coulomb sliders)²
 /// ```
 ///
-/// A frame that has no place to rest (its sliders held, it still falls) keeps y.
+/// Tenons bear, or do not, as the drifts at rest ask: one state after the other is tried until it agrees with the drifts it gives. A frame
+/// that has no place to rest (its sliders held, it still falls), or of which none is found, keeps y.
 pub(super) fn rest_m(model: &Model, state: &State, forces_n: &[f64]) -> Vec<f64> {
+    let mut joints: Vec<Option<Joint>> = state.joint.clone();
+    for (i, joint) in joints.iter_mut().enumerate() {
+        if let Some(joint) = joint {
+            joint.change(TenonChange::Stops, drift_m(&state.y, i));
+        }
+    }
+    for _ in 0..tries_most(joints.len()) {
+        let rest_m = with_tenons(model, state, forces_n, &joints);
+        let mut is_found = true;
+        for (i, joint) in joints.iter_mut().enumerate() {
+            if let Some(joint) = joint {
+                let then = joint.resting_at(drift_m(&rest_m, i));
+                is_found &= then.touch == joint.touch;
+                *joint = then;
+            }
+        }
+        if is_found {
+            return rest_m;
+        }
+    }
+    state.y.clone()
+}
+
+/// Tries for states of tenons: each storey has five, and one seldom changes twice.
+fn tries_most(storeys: usize) -> usize {
+    10 + 5 * storeys
+}
+
+/// The same with the tenons of each storey in the state given.
+fn with_tenons(model: &Model, state: &State, forces_n: &[f64], joints: &[Option<Joint>]) -> Vec<f64> {
     let n = model.levels();
     let is_held = |i: &usize| matches!(model.friction[*i], StoreyFriction::Coulomb { .. });
     let held: Vec<usize> = (0..n).filter(is_held).collect();
@@ -48,6 +80,21 @@ pub(super) fn rest_m(model: &Model, state: &State, forces_n: &[f64]) -> Vec<f64>
             for (other, sign_of_other) in ends(i) {
                 let Some(other) = other else { continue };
                 a[(level, other)] += sign * sign_of_other * stuck_stiffness_n_m;
+            }
+        }
+    }
+    for (i, joint) in joints.iter().enumerate() {
+        let Some([spring_n_m, at_zero_n]) = joint.as_ref().map(Joint::spring) else {
+            continue;
+        };
+        let force = spring_n_m * drift_m(&state.y, i) + at_zero_n;
+        let ends = [(Some(i), 1.0), (i.checked_sub(1), -1.0)];
+        for (level, sign) in ends {
+            let Some(level) = level else { continue };
+            right[(level, 0)] -= sign * force;
+            for (other, sign_of_other) in ends {
+                let Some(other) = other else { continue };
+                a[(level, other)] += sign * sign_of_other * spring_n_m;
             }
         }
     }

@@ -20,6 +20,7 @@
 use super::excitation::FrameLoad;
 use super::frame_friction::StoreyFriction;
 use super::frame_model::{Model, Rows, Slider, State};
+use super::frame_tenon::Joint;
 use crate::numeric::{COEFFICIENTS_MOST, polynomial_most};
 use std::ops::Range;
 
@@ -68,7 +69,9 @@ pub(super) struct Series {
     joined: bool,
     /// Springs of stuck Jenkins sliders, N/m, 0 for none.
     spring_n_m: Vec<f64>,
-    /// Forces that sliders put against the levels where the drift is 0, N.
+    /// Springs of tenons that bear, N/m, 0 for none.
+    tenon_n_m: Vec<f64>,
+    /// Forces that sliders and tenons put against the levels where the drift is 0, N.
     slider_n: Vec<f64>,
     /// Rows of roots; those of other levels are empty.
     pull: Rows,
@@ -99,6 +102,7 @@ impl Series {
             group_mass: zero.clone(),
             joined: false,
             spring_n_m: zero.clone(),
+            tenon_n_m: zero.clone(),
             slider_n: zero.clone(),
             pull: Rows::default(),
             drag: None,
@@ -146,6 +150,12 @@ impl Series {
             if let Some(j) = model.below[i] {
                 self.slider_n[j] -= force;
             }
+            let [tenon_n_m, tenon_n] = state.joint[i].as_ref().map_or([0.0; 2], Joint::spring);
+            self.tenon_n_m[i] = tenon_n_m;
+            self.slider_n[i] += tenon_n;
+            if let Some(j) = i.checked_sub(1) {
+                self.slider_n[j] -= tenon_n;
+            }
             let joined = state.slider[i] == Slider::Stuck
                 && matches!(model.friction[i], StoreyFriction::Coulomb { .. });
             self.joined |= joined;
@@ -173,6 +183,15 @@ impl Series {
                         let spring = sign * self.spring_n_m[storey];
                         self.sum[storey] += spring;
                         let below = model.below[storey];
+                        if let Some(j) = below {
+                            self.sum[j] -= spring;
+                        }
+                        columns = both(columns, below.unwrap_or(storey)..storey + 1);
+                    }
+                    if storey < self.n && self.tenon_n_m[storey] != 0.0 {
+                        let spring = sign * self.tenon_n_m[storey];
+                        self.sum[storey] += spring;
+                        let below = storey.checked_sub(1);
                         if let Some(j) = below {
                             self.sum[j] -= spring;
                         }
@@ -340,6 +359,13 @@ impl Series {
                         }
                     }
                 }
+                if storey < self.n && self.tenon_n_m[storey] != 0.0 {
+                    let spring = sign * self.tenon_n_m[storey];
+                    add(spring, &self.y[storey][from..]);
+                    if let Some(j) = storey.checked_sub(1) {
+                        add(-spring, &self.y[j][from..]);
+                    }
+                }
             }
             add(-model.mass_kg[i], &self.ground[from..]);
             if let Some(force) = self.forces.get(i) {
@@ -415,7 +441,14 @@ impl Series {
                 ) if k == 0 => kinetic_force_n,
                 _ => self.held[i][k].abs(),
             };
-            springs + dashpots + model.mass_kg[i] * self.ground[k].abs() + force + slider
+            let tenon = match state.joint[i].as_ref().map(Joint::spring) {
+                None => 0.0,
+                Some([spring_n_m, at_zero_n]) => {
+                    let constant_n = if k == 0 { at_zero_n.abs() } else { 0.0 };
+                    spring_n_m * drift_m_most(&self.y, i, k) + constant_n
+                }
+            };
+            springs + tenon + dashpots + model.mass_kg[i] * self.ground[k].abs() + force + slider
         };
         (0..self.n).map(of_level).fold(0.0, f64::max)
     }
@@ -443,6 +476,11 @@ impl Series {
         self.advance::<1>(k);
         self.hold(model, k, k + 1);
     }
+}
+
+/// Size of coefficient k of a drift, as the sum of those of its levels.
+fn drift_m_most(y: &[Coefficients], i: usize, k: usize) -> f64 {
+    y[i][k].abs() + i.checked_sub(1).map_or(0.0, |below| y[below][k].abs())
 }
 
 /// What lies in either range or between them; an empty one counts for nothing.

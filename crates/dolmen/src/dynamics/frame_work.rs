@@ -2,8 +2,9 @@
 
 use super::frame_friction::StoreyFriction;
 use super::frame_history::FrameEnergy;
-use super::frame_model::{Model, Slider, State};
+use super::frame_model::{Model, Slider, State, drift_m};
 use super::frame_series::Series;
+use super::frame_tenon::Joint;
 use crate::numeric::{COEFFICIENTS_MOST, polynomial};
 
 /// Coefficients of the work: a product of two series.
@@ -96,6 +97,16 @@ impl Work {
                 // it does not turn back within a series
                 let way = model.across(i, &to.y) - model.across(i, &from.y);
                 energy.friction_j += kinetic_force_n * way.abs();
+            }
+        }
+        for (i, joint) in from.joint.iter().enumerate() {
+            if let Some(force_n) = joint
+                .as_ref()
+                .map(Joint::crushing_n)
+                .filter(|force_n| *force_n > 0.0)
+            {
+                // it does not turn back within a series
+                energy.crushing_j += force_n * (drift_m(&to.y, i) - drift_m(&from.y, i)).abs();
             }
         }
         if model.damped() {

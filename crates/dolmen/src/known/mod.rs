@@ -5,6 +5,7 @@ mod bisection;
 pub mod choi_2021;
 pub mod columns;
 pub mod dry_friction;
+pub mod gap_spring;
 pub mod hwang_min_hong;
 pub mod liquid_column;
 pub mod overturning;

@@ -79,7 +79,7 @@ impl Solid {
     }
 }
 
-fn check_corners(vertices_m: &[[f64; 3]], triangles: &[[usize; 3]]) -> Result<(), StackError> {
+pub(super) fn check_corners(vertices_m: &[[f64; 3]], triangles: &[[usize; 3]]) -> Result<(), StackError> {
     for &given in vertices_m {
         if !given.iter().all(|value| value.is_finite()) {
             let quantity = "a vertex of a mesh";
@@ -107,7 +107,7 @@ fn check_corners(vertices_m: &[[f64; 3]], triangles: &[[usize; 3]]) -> Result<()
 }
 
 /// Each edge must have two triangles, one on each side.
-fn check_edges(vertices_m: &[[f64; 3]], triangles: &[[usize; 3]]) -> Result<(), StackError> {
+pub(super) fn check_edges(vertices_m: &[[f64; 3]], triangles: &[[usize; 3]]) -> Result<(), StackError> {
     let mut sides: BTreeMap<[usize; 2], [usize; 2]> = BTreeMap::new(); // triangles that run up it and down it
     for triangle in triangles {
         for edge in 0..3 {

@@ -8,3 +8,4 @@ mod surface;
 
 pub(super) use fit::fitted;
 pub(super) use plane::Plane;
+pub(super) use surface::noise_of;

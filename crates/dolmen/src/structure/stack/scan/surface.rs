@@ -137,6 +137,19 @@ impl Surface {
     }
 }
 
+/// Standard deviation of the vertices of a closed mesh off its surface, m; 0 of one that was modelled, whose faces are flat within `flat_m`.
+pub(in crate::structure::stack) fn noise_of(
+    vertices_m: &[[f64; 3]],
+    triangles: &[[usize; 3]],
+    flat_m: f64,
+) -> f64 {
+    let surface = Surface::new(vertices_m, triangles);
+    match surface.is_modelled(flat_m) {
+        true => 0.0,
+        false => surface.noise_m(),
+    }
+}
+
 /// The middle value; 0 of none.
 pub(super) fn median(values: &mut [f64]) -> f64 {
     let middle = values.len() / 2;

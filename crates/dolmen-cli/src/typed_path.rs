@@ -1,0 +1,12 @@
+//! Paths as a user types them.
+
+/// A path as it can be pasted into a shell: in double quotes, which all shells know, where it needs any.
+pub(crate) fn for_a_shell(path: &str) -> String {
+    let is_plain = |c: char| c.is_alphanumeric() || "_-./\\:+,@".contains(c);
+    let is_quotable = |c: char| !"\"$`!".contains(c);
+    match (path.chars().all(is_plain), path.chars().all(is_quotable)) {
+        (true, _) => path.to_owned(),
+        (false, true) => format!("\"{path}\""),
+        (false, false) => format!("'{}'", path.replace('\'', "'\\''")),
+    }
+}

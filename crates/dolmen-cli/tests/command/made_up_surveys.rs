@@ -1,0 +1,57 @@
+// SOURCE     The shipped flagpole, whose frequencies nobody measured, and a gate with a survey that contradicts its model.
+// GOAL       A survey that was not measured stands in the headline of every verb that reads it, and is no evidence for a model or against it.
+// TOLERANCE  none: printed words.
+
+use super::verbs::Scratch;
+use serde_json::Value;
+use std::fs;
+
+#[test]
+fn holds_every_headline_names_a_survey_that_nobody_measured() {
+    let scratch = Scratch::with_examples("made_up_headline");
+    for verb in ["check", "identify"] {
+        let answer = scratch.briefly(&format!("{verb} examples/naju_flagpole"));
+        let words = answer.stdout.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(
+            words.contains("made up, not measured: survey demonstration"),
+            "{verb}: {}",
+            answer.stdout
+        );
+        let korean = scratch.briefly(&format!("{verb} examples/naju_flagpole --language ko"));
+        assert!(
+            korean.stdout.contains("실측이 아닌 가상 조사: demonstration"),
+            "{verb}: {}",
+            korean.stdout
+        );
+    }
+    let found: Value =
+        serde_json::from_str(&scratch.dolmen("--json identify examples/naju_flagpole").stdout).unwrap();
+    assert_eq!(found["made_up_surveys"], serde_json::json!(["demonstration"]));
+    // one that was measured is not named
+    let gate = scratch.briefly("identify examples/heunginjimun_gate");
+    assert!(!gate.stdout.contains("made up"), "{}", gate.stdout);
+}
+
+#[test]
+fn holds_what_nobody_measured_contradicts_no_model() {
+    let scratch = Scratch::with_examples("made_up_evidence");
+    let path = scratch.path().join("examples/free_columns/project.toml");
+    let whole = fs::read_to_string(&path).unwrap();
+    let evidence = |of: &str| {
+        fs::write(
+            &path,
+            format!("{whole}\n[survey.2026-05-01]\n{of}frequencies = {{ x = [{{ value = 9.5, source = \"measured\" }}] }}\n"),
+        )
+        .unwrap();
+        let answer = scratch.briefly("check examples/free_columns");
+        assert!(answer.stderr.is_empty(), "{}", answer.stderr);
+        answer.stdout
+    };
+    let measured = evidence("");
+    assert!(measured.contains("contradicts"), "{measured}");
+    let made_up = evidence("made_up = true\n");
+    assert!(
+        !made_up.contains("contradicts") && made_up.contains("made up, not measured"),
+        "{made_up}"
+    );
+}

@@ -1,0 +1,38 @@
+//! A scan cut into stones as JSON.
+
+use dolmen_work::scanned::ScanAnswer;
+use serde_json::{Value, json};
+
+/// The cuts and the stones; the meshes are in their files.
+pub fn scan_json(answer: &ScanAnswer) -> Value {
+    let sliced = &answer.sliced;
+    let stones = answer.stones.iter().zip(&sliced.stones);
+    let stones = stones.map(|(stone, cut)| {
+        json!({
+            "name": stone.name,
+            "file": stone.file,
+            "course": cut.course + 1,
+            "volume_m3": stone.volume_m3,
+            "triangles": stone.triangles,
+        })
+    });
+    let beds = sliced.beds.iter().map(|bed| {
+        json!({
+            "given_m": bed.named_m,
+            "cut_m": bed.at_m,
+            "area_below_m2": bed.area_below_m2,
+            "area_above_m2": bed.area_above_m2,
+        })
+    });
+    json!({
+        "scan": answer.file,
+        "unit": answer.unit.symbol(),
+        "unit_is_recognised": answer.is_unit_recognised,
+        "moved_m": answer.moved_m,
+        "noise_m": sliced.noise_m,
+        "volume_m3": sliced.volume_m3,
+        "stones_over_scan_volume": sliced.volume_ratio,
+        "beds": beds.collect::<Vec<_>>(),
+        "stones": stones.collect::<Vec<_>>(),
+    })
+}

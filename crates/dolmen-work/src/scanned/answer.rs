@@ -1,0 +1,88 @@
+//! What is asked of a scan, and what comes of it.
+
+use crate::opened::Opened;
+use dolmen::structure::stack::Sliced;
+use serde::Serialize;
+
+/// Unit of a file of a mesh.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub enum ScanUnit {
+    /// Metres.
+    #[serde(rename = "m")]
+    Metres,
+    /// Centimetres.
+    #[serde(rename = "cm")]
+    Centimetres,
+    /// Millimetres.
+    #[serde(rename = "mm")]
+    Millimetres,
+}
+
+impl ScanUnit {
+    /// "mm".
+    pub fn symbol(self) -> &'static str {
+        match self {
+            ScanUnit::Metres => "m",
+            ScanUnit::Centimetres => "cm",
+            ScanUnit::Millimetres => "mm",
+        }
+    }
+
+    /// Metres of one.
+    pub(super) fn metres(self) -> f64 {
+        match self {
+            ScanUnit::Metres => 1.0,
+            ScanUnit::Centimetres => 0.01,
+            ScanUnit::Millimetres => 0.001,
+        }
+    }
+}
+
+/// A scan, and where it is to be cut.
+#[derive(Clone, Debug)]
+pub struct ScanRequest<'a> {
+    /// Name of its file.
+    pub file: String,
+    /// OBJ, STL or PLY.
+    pub bytes: &'a [u8],
+    /// Heights of the beds in the coordinates of the file, m, lowest first.
+    pub beds_m: Vec<f64>,
+    /// Unit of the file; `None` to recognise metres or millimetres.
+    pub unit: Option<ScanUnit>,
+}
+
+/// A stone of the project.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ScannedStone {
+    /// Its name in the project.
+    pub name: String,
+    /// The file of its mesh.
+    pub file: String,
+    /// Its volume, m³.
+    pub volume_m3: f64,
+    /// Triangles of its mesh.
+    pub triangles: usize,
+}
+
+/// The stones of a scan and the project that holds them.
+#[derive(Clone, Debug)]
+pub struct ScanAnswer {
+    /// Name of the file.
+    pub file: String,
+    /// The unit it was read in.
+    pub unit: ScanUnit,
+    /// Whether the unit was recognised by the height of the mesh, not given.
+    pub is_unit_recognised: bool,
+    /// Height of the mesh in the unit of the file.
+    pub height_in_file: f64,
+    /// By how much the stones were moved, m: the ground to 0, and what lies far off to the middle.
+    pub moved_m: [f64; 3],
+    /// The cuts.
+    pub sliced: Sliced,
+    /// The stones, lowest first.
+    pub stones: Vec<ScannedStone>,
+    /// Meshes by their file names, then the project file.
+    pub files: Vec<(String, Vec<u8>)>,
+    /// The project as it will be read.
+    pub opened: Opened,
+}

@@ -1,0 +1,10 @@
+//! A project from one scan: its mesh cut at the beds into stones.
+
+mod answer;
+mod error;
+mod project;
+mod stones;
+
+pub use answer::{ScanAnswer, ScanRequest, ScanUnit, ScannedStone};
+pub use error::ScanError;
+pub use stones::stones_of_scan;

@@ -1,0 +1,244 @@
+//! Tenons with slack: a spring that bears on one side or the other of a gap, crushes its faces, and softens as it does.
+//!
+//! | symbol | code | meaning | unit |
+//! |:--|:--|:--|:--|
+//! | δ | `drift_m` | drift of the storey | m |
+//! | g | `gap_m` | drift at which a face begins to bear, on its own side | m |
+//! | k | `stiffness_n_m` | stiffness of the joints of a storey once they bear, as it is now | N/m |
+//! | f | `crushing_force_n` | force at which the faces crush | N |
+//! | d | `crushed_m` | how far a face is crushed | m |
+//! | s | `sign` | +1 where the face of positive drift bears, −1 for the other | – |
+//!
+//! ```text
+//! free       −g₋ < δ < g₊          no force
+//! bearing    s δ ≥ g_s             k_s (δ − s g_s), at most f
+//! crushing   at f, s δ' > 0        s f, and g_s = s δ − f/k_s grows with δ
+//! opening    s δ = g_s, s δ' < 0   k_s = k_0/(1 + d_s/d_½)
+//! ```
+//! A face softens as it opens, when it stores nothing: no energy is made or lost by it.
+
+use super::DynamicsError;
+
+/// Tenons of one storey, taken together: two faces, alike as built.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tenon {
+    /// Drift before they bear, from upright to either side, m; 0 for none.
+    pub slack_m: f64,
+    /// Stiffness once they bear, N/m, beside the spring of the storey.
+    pub stiffness_n_m: f64,
+    /// Force at which the faces crush, N; `None` if they never do.
+    pub crushing_force_n: Option<f64>,
+    /// Crushed depth, as drift, at which a face has half of its stiffness left, m; `None` if it keeps all of it.
+    pub half_stiffness_depth_m: Option<f64>,
+}
+
+impl Tenon {
+    /// Secant stiffness at a drift before anything is crushed, N/m: force over drift.
+    ///
+    /// ```text
+    /// k (1 − g/|δ|), at most f/|δ|
+    /// ```
+    pub fn secant_stiffness_n_m(&self, drift_m: f64) -> f64 {
+        let bears_m = drift_m.abs() - self.slack_m;
+        if bears_m <= 0.0 {
+            return 0.0;
+        }
+        let force_n = (self.stiffness_n_m * bears_m).min(self.crushing_force_n.unwrap_or(f64::INFINITY));
+        force_n / drift_m.abs()
+    }
+
+    pub(super) fn check(&self, storey: usize) -> Result<(), DynamicsError> {
+        let refuse = |argument, given, allowed| {
+            Err(DynamicsError::Storey {
+                storey,
+                argument,
+                given,
+                allowed,
+            })
+        };
+        let positive = |x: f64| x > 0.0 && x.is_finite();
+        if !(self.slack_m >= 0.0 && self.slack_m.is_finite()) {
+            return refuse("slack_m", self.slack_m, "0 or a positive number");
+        }
+        let values = [
+            ("stiffness_n_m", Some(self.stiffness_n_m)),
+            ("crushing_force_n", self.crushing_force_n),
+            ("half_stiffness_depth_m", self.half_stiffness_depth_m),
+        ];
+        for (argument, given) in values {
+            if let Some(given) = given.filter(|given| !positive(*given)) {
+                return refuse(argument, given, "a positive number");
+            }
+        }
+        Ok(())
+    }
+
+    /// Stiffness that is left of a face crushed so far, N/m.
+    fn left_n_m(&self, crushed_m: f64) -> f64 {
+        match self.half_stiffness_depth_m {
+            Some(half_m) => self.stiffness_n_m / (1.0 + crushed_m / half_m),
+            None => self.stiffness_n_m,
+        }
+    }
+}
+
+/// What the tenons of a storey do.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Touch {
+    /// Nothing touches.
+    Free,
+    /// The face of this side bears.
+    Bearing(f64),
+    /// The face of this side is being crushed.
+    Crushing(f64),
+}
+
+/// A change of what they do.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum TenonChange {
+    /// The face of this side begins to bear.
+    Bears(f64),
+    /// It opens.
+    Opens,
+    /// It begins to crush.
+    Crushes,
+    /// It crushes no further.
+    Stops,
+}
+
+/// One face.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TenonFace {
+    /// Drift at which it begins to bear, on its own side, m.
+    pub gap_m: f64,
+    /// How far it is crushed, as drift, m.
+    pub crushed_m: f64,
+    /// Stiffness, N/m.
+    pub stiffness_n_m: f64,
+}
+
+/// Tenons of a storey in motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Joint {
+    pub(super) law: Tenon,
+    pub(super) touch: Touch,
+    /// That of positive drift, then that of negative.
+    pub(super) faces: [TenonFace; 2],
+}
+
+impl Joint {
+    /// At a drift; what lies beyond the crushing force there is crushed already.
+    pub(super) fn at(law: Tenon, drift_m: f64) -> Self {
+        let face = TenonFace {
+            gap_m: law.slack_m,
+            crushed_m: 0.0,
+            stiffness_n_m: law.stiffness_n_m,
+        };
+        let mut joint = Joint {
+            law,
+            touch: Touch::Free,
+            faces: [face; 2],
+        };
+        let sign = if drift_m < 0.0 { -1.0 } else { 1.0 };
+        let bears_m = sign * drift_m - law.slack_m;
+        if bears_m > 0.0 {
+            joint.touch = Touch::Bearing(sign);
+            if law
+                .crushing_force_n
+                .is_some_and(|most_n| law.stiffness_n_m * bears_m > most_n)
+            {
+                joint.crush_to(sign, drift_m);
+            }
+        }
+        joint
+    }
+
+    pub(super) fn face(&self, sign: f64) -> &TenonFace {
+        &self.faces[usize::from(sign < 0.0)]
+    }
+
+    fn face_mut(&mut self, sign: f64) -> &mut TenonFace {
+        &mut self.faces[usize::from(sign < 0.0)]
+    }
+
+    /// The face of a side is crushed to where it holds the crushing force at a drift.
+    fn crush_to(&mut self, sign: f64, drift_m: f64) {
+        let most_n = self.law.crushing_force_n.unwrap_or(f64::INFINITY);
+        let face = self.face_mut(sign);
+        let gap_m = sign * drift_m - most_n / face.stiffness_n_m;
+        let crushed_m = (gap_m - face.gap_m).max(0.0);
+        face.gap_m += crushed_m;
+        face.crushed_m += crushed_m;
+    }
+
+    /// The spring that acts, N/m, and the force where the drift is 0, N: force = spring × drift + the second.
+    pub(super) fn spring(&self) -> [f64; 2] {
+        match self.touch {
+            Touch::Free => [0.0, 0.0],
+            Touch::Bearing(sign) => {
+                let face = self.face(sign);
+                [face.stiffness_n_m, -sign * face.stiffness_n_m * face.gap_m]
+            }
+            Touch::Crushing(sign) => [0.0, sign * self.law.crushing_force_n.unwrap_or(0.0)],
+        }
+    }
+
+    /// Energy stored at a drift, J.
+    pub(super) fn stored_j(&self, drift_m: f64) -> f64 {
+        let (Touch::Bearing(sign) | Touch::Crushing(sign)) = self.touch else {
+            return 0.0;
+        };
+        let [spring_n_m, at_zero_n] = self.spring();
+        let force_n = spring_n_m * drift_m + at_zero_n;
+        0.5 * force_n * force_n / self.face(sign).stiffness_n_m
+    }
+
+    /// Power of crushing over the rate of the drift, N; 0 where nothing is being crushed.
+    pub(super) fn crushing_n(&self) -> f64 {
+        match (self.touch, self.law.crushing_force_n) {
+            (Touch::Crushing(_), Some(force_n)) => force_n,
+            _ => 0.0,
+        }
+    }
+
+    /// Changes at a drift.
+    pub(super) fn change(&mut self, change: TenonChange, drift_m: f64) {
+        self.touch = match (change, self.touch) {
+            (TenonChange::Bears(sign), _) => Touch::Bearing(sign),
+            (TenonChange::Opens, Touch::Bearing(sign)) => {
+                let law = self.law;
+                let face = self.face_mut(sign);
+                face.stiffness_n_m = law.left_n_m(face.crushed_m);
+                Touch::Free
+            }
+            (TenonChange::Crushes, Touch::Bearing(sign)) => Touch::Crushing(sign),
+            (TenonChange::Stops, Touch::Crushing(sign)) => {
+                self.crush_to(sign, drift_m);
+                Touch::Bearing(sign)
+            }
+            (_, as_it_is) => as_it_is,
+        };
+    }
+
+    /// What a frame at rest at a drift finds them do: crushing holds its force and no more.
+    pub(super) fn resting_at(mut self, drift_m: f64) -> Self {
+        let sign = if drift_m < 0.0 { -1.0 } else { 1.0 };
+        let face = self.face(sign);
+        let force_n = face.stiffness_n_m * (sign * drift_m - face.gap_m);
+        self.touch = if force_n <= 0.0 {
+            Touch::Free
+        } else if self.law.crushing_force_n.is_some_and(|most_n| force_n > most_n) {
+            Touch::Crushing(sign)
+        } else {
+            Touch::Bearing(sign)
+        };
+        self
+    }
+
+    /// The faces as they are at a drift: one that is being crushed is crushed to there.
+    pub(super) fn faces_at(&self, drift_m: f64) -> [TenonFace; 2] {
+        let mut joint = *self;
+        joint.change(TenonChange::Stops, drift_m);
+        joint.faces
+    }
+}

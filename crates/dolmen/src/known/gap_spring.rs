@@ -1,0 +1,54 @@
+//! A mass on a spring, and on another that bears only beyond a gap: closed forms.
+//!
+//! | symbol | code | meaning | unit |
+//! |:--|:--|:--|:--|
+//! | k, k_t | `within`, `bearing` | spring that always acts, and the one beyond the gap | N/m |
+//! | g | `gap` | displacement at which the second begins to bear, to either side | m |
+//! | A | `amplitude` | amplitude of a free swing | m |
+//! | f | `crushing` | force at which the face of the second spring crushes | N |
+//! | c | `friction` | slip force of a slider beside both | N |
+
+/// Time of one free swing, s.
+///
+/// ```text
+/// T = 4 [acos((g − e)/(A − e))/ω₁ + atan(ω₀ g/v)/ω₀]         A > g; ω₀ = √(k/m), ω₁ = √((k + k_t)/m), e = k_t g/(k + k_t)
+/// v = ω₁ √((A − e)² − (g − e)²)                                k = 0: the second term is g/v
+/// ```
+/// `None` where nothing brings it back: no spring within the gap, and A not beyond it.
+///
+/// # Source
+/// Each part of a quarter of the swing is that of a linear oscillator.
+///
+/// # Example
+/// ```
+/// // no spring within the gap: half a turn on the spring to either side, and four times the way g at speed ω (A − g)
+/// let period = dolmen::known::gap_spring::period_s([0.0, 4.0], 1.0, 0.5, 1.5).unwrap();
+/// assert!((period - (std::f64::consts::PI + 4.0 * 0.5 / 2.0)).abs() < 1e-14);
+/// ```
+pub fn period_s([within, bearing]: [f64; 2], mass: f64, gap: f64, amplitude: f64) -> Option<f64> {
+    let omega_0 = (within / mass).sqrt();
+    if amplitude <= gap {
+        return (within > 0.0).then(|| std::f64::consts::TAU / omega_0);
+    }
+    let whole = within + bearing;
+    let omega_1 = (whole / mass).sqrt();
+    let middle = bearing * gap / whole;
+    let (far, near) = (amplitude - middle, gap - middle);
+    let speed = omega_1 * (far * far - near * near).sqrt();
+    let beyond = (near / far).acos() / omega_1;
+    let inside = match within > 0.0 {
+        true => (omega_0 * gap / speed).atan() / omega_0,
+        false => gap / speed,
+    };
+    Some(4.0 * (beyond + inside))
+}
+
+/// How far the face is crushed when a mass with that energy, J, comes from the middle, without a spring within the gap, m.
+///
+/// ```text
+/// E = c (g + f/k_t + d) + f²/2k_t + f d                         0 where E does not reach f
+/// ```
+pub fn crushed_m(energy: f64, gap: f64, bearing: f64, [crushing, friction]: [f64; 2]) -> f64 {
+    let before = friction * (gap + crushing / bearing) + 0.5 * crushing * crushing / bearing;
+    ((energy - before) / (crushing + friction)).max(0.0)
+}
