@@ -26,13 +26,15 @@ const HEADS: [(&str, &str, &[&str]); 3] = [
     ("analysis", "analysis", &["mode", "mode_point", "earthquake"]),
 ];
 /// Every table in an order in which each comes after those that it refers to; the log stays where it was written.
-const ORDER: [&str; 12] = [
+const ORDER: [&str; 14] = [
     "raw",
     "structure",
     "survey",
     "arrival",
     "channel_fault",
     "stated_earthquake",
+    "inspection_item",
+    "made_up",
     "settings",
     "analysis",
     "survey_analysis",

@@ -2,6 +2,7 @@
 
 use crate::database::{Database, Value, all};
 use crate::error::StoreError;
+use crate::inspection_rows;
 use crate::incoming::{AIR_TEMPERATURE, PROJECT_FILE, refuse_path};
 use crate::rows::{
     AdoptionRow, AnalysisRow, ArrivalRow, EarthquakeRow, EnvironmentRow, LogRow, ModeRow, ProjectFileRow,
@@ -425,6 +426,8 @@ fn kept_survey(database: &mut dyn Database, row: SurveyRow) -> Result<KeptSurvey
         records,
         tilts: tilts.into_iter().map(kept_tilt).collect(),
         stated_modes: stated.into_iter().map(stated_mode).collect(),
+        inspections: inspection_rows::kept(database, &hash)?,
+        is_made_up: inspection_rows::is_made_up(database, &hash)?,
         analyses,
     })
 }

@@ -3,6 +3,7 @@
 use crate::database::Value;
 use crate::earthquake_rows;
 use crate::error::StoreError;
+use crate::inspection_rows;
 use crate::raw::Kept;
 use crate::rows::{
     AnalysisRow, ChannelFaultRow, ChannelRow, EnvironmentRow, ModePointRow, ModeRow, ProjectFileRow,
@@ -401,7 +402,9 @@ impl Incoming<'_> {
             };
             record(rows, source, &kept.hash, (hash, setup, station));
         }
-        // by itself: an earlier version kept the survey without it
+        // each by itself: an earlier version kept the survey without it
+        inspection_rows::entries(survey, hash).iter().for_each(|row| rows.put(row));
+        inspection_rows::made_up(survey, hash).iter().for_each(|row| rows.put(row));
         if let Some(of) = &survey.earthquake {
             rows.put(&earthquake_rows::stated(hash, of));
         }
@@ -417,11 +420,11 @@ fn sources(survey: &Survey) -> Vec<(i64, i64, &RecordSource)> {
     let each = survey.records.iter().chain(&survey.setups);
     let mut all = Vec::new();
     for (setup, source) in each.enumerate() {
-        let stations: Vec<&RecordSource> = match source.stations.as_slice() {
-            [] => vec![source],
-            stations => stations.iter().collect(),
+        let stations = match source.stations.as_slice() {
+            [] => std::slice::from_ref(source),
+            stations => stations,
         };
-        for (station, source) in stations.into_iter().enumerate() {
+        for (station, source) in stations.iter().enumerate() {
             all.push((setup as i64 + 1, station as i64 + 1, source));
         }
     }

@@ -3,54 +3,14 @@
 use crate::database::{Value, all};
 use crate::error::StoreError;
 use crate::find::{Exported, LAST_ANALYSIS, Taker, not_in};
-use crate::raw::RawFiles;
 use crate::store::{Store, refuse_unknown};
+use crate::stored_files::StoredFiles;
 use dolmen::modal::{ObservedMode, ObservedPoint};
 use dolmen::signal::Channel;
 use dolmen_linalg::Complex64;
 use dolmen_project::EarthquakePart;
-use dolmen_records::{FileError, Files};
-use dolmen_words::messages;
 use dolmen_work::sensor_alarms::{SensorFault, SensorFaults};
 use std::collections::BTreeMap;
-use std::sync::Arc;
-
-messages! {
-    /// Why a file cannot be had from a store.
-    pub(crate) enum NotKept in "store.not-kept" {
-        NotKept => { en: "it is not in the store", ko: "저장소에 없다" },
-    }
-}
-
-/// Files of a project in a store, by the names that it writes.
-pub struct StoredFiles {
-    raw: Arc<dyn RawFiles>,
-    files: BTreeMap<String, (String, u64)>,
-}
-
-impl Files for StoredFiles {
-    fn read(&self, name: &str, most_bytes: u64) -> Result<Vec<u8>, FileError> {
-        let shown = || name.to_owned();
-        let Some((hash, bytes)) = self.files.get(name) else {
-            return Err(FileError::Unreadable {
-                shown: shown(),
-                why: NotKept::NotKept.into(),
-            });
-        };
-        if *bytes > most_bytes {
-            return Err(FileError::TooLarge {
-                shown: shown(),
-                bytes: *bytes,
-                most: most_bytes,
-            });
-        }
-        let read = self.raw.read(hash, *bytes);
-        read.map_err(|fault| FileError::Unreadable {
-            shown: shown(),
-            why: fault.fault().sentence().into(),
-        })
-    }
-}
 
 /// The latest state of the project of a structure.
 const LATEST: &str = "(select project from adoption where structure = $1 order by at_us desc limit 1)";
@@ -59,12 +19,8 @@ impl Store {
     /// The files of a stored project, read when they are asked for.
     pub fn files(&self, project: &Exported) -> StoredFiles {
         let files = project.files.iter();
-        StoredFiles {
-            raw: self.raw.clone(),
-            files: files
-                .map(|(path, hash, bytes)| (path.clone(), (hash.clone(), *bytes)))
-                .collect(),
-        }
+        let files = files.map(|(path, hash, bytes)| (path.clone(), (hash.clone(), *bytes)));
+        StoredFiles::new(self.raw.clone(), files.collect())
     }
 
     /// What was wrong with channels of the records of a structure's surveys.

@@ -35,6 +35,12 @@ fn folder_fault(path: &Path, why: &std::io::Error) -> StoreError {
     .into()
 }
 
+/// The folder of a store that has no files.
+#[cfg(test)]
+pub(crate) fn no_files() -> std::sync::Arc<dyn RawFiles> {
+    std::sync::Arc::new(RawFolder(std::env::temp_dir().join("dolmen-no-files")))
+}
+
 impl RawFolder {
     pub(crate) fn new(path: PathBuf) -> Self {
         RawFolder(path)

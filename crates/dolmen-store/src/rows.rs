@@ -116,6 +116,12 @@ rows! {
     StatedEarthquakeRow in "stated_earthquake" by "survey" {
         survey: String, peak_m_s2: Option<f64>, changed: Option<f64>, changed_sd: Option<f64>,
     }
+    InspectionRow in "inspection_item" by "survey, position" {
+        survey: String, position: i64, part: String, what: String, what_korean: Option<String>, name: Option<String>,
+        size_m: Option<f64>, size_sd_m: Option<f64>, limit_m: Option<f64>, severity: Option<String>, x_m: Option<f64>,
+        y_m: Option<f64>, z_m: Option<f64>, photo: Option<String>, note: Option<String>,
+    }
+    MadeUpRow in "made_up" by "survey" { survey: String }
     MarkRow in "mark" by "structure, at_us" { structure: String, at_us: i64, is_removed: bool, who: String, why: String }
     LogRow in "log" by "at_us, who, verb, subject, detail" { at_us: i64, who: String, verb: String, subject: String, detail: String }
 }
@@ -164,6 +170,7 @@ pub(crate) fn select<R: Row>(
 mod tests {
     use super::*;
     use crate::database::Access;
+    use crate::raw_folder::no_files;
     use crate::schema::migrate;
     use crate::sqlite::Sqlite;
     use std::time::Duration;
@@ -172,7 +179,7 @@ mod tests {
     fn holds_row_types_have_the_columns_of_the_schema_and_every_table_has_one() {
         let file = std::env::temp_dir().join(format!("dolmen-rows-{}.db", std::process::id()));
         let mut database = Sqlite::open(&file, Access::Write, Duration::ZERO).unwrap();
-        migrate(&mut database, 0).unwrap();
+        migrate(&mut database, 0, &no_files()).unwrap();
         for table in TABLES {
             let own: Vec<(String, Kind)> = table
                 .columns

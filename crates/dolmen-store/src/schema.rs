@@ -2,7 +2,11 @@
 
 use crate::database::{Database, Value, transaction};
 use crate::error::StoreError;
+use crate::inspection_rows::fill;
+use crate::raw::RawFiles;
+use crate::schema_files::OF_INSPECTIONS;
 use dolmen_work::kept::StoreFault;
+use std::sync::Arc;
 
 /// Whether the schema is the one that this version knows; an error where it is a later one.
 pub(crate) fn is_current(database: &mut dyn Database) -> Result<bool, StoreError> {
@@ -14,8 +18,12 @@ pub(crate) fn is_current(database: &mut dyn Database) -> Result<bool, StoreError
     Ok(found == known)
 }
 
-/// Runs the files that were not run yet, in one transaction.
-pub(crate) fn migrate(database: &mut dyn Database, now_us: i64) -> Result<(), StoreError> {
+/// Runs the files that were not run yet, and fills their tables from the texts that are there, in one transaction.
+pub(crate) fn migrate(
+    database: &mut dyn Database,
+    now_us: i64,
+    raw: &Arc<dyn RawFiles>,
+) -> Result<(), StoreError> {
     if is_current(database)? {
         return Ok(());
     }
@@ -26,6 +34,9 @@ pub(crate) fn migrate(database: &mut dyn Database, now_us: i64) -> Result<(), St
             database.batch(&file)?;
             database.set_schema(number as i64 + 1)?;
         }
+        if (1..OF_INSPECTIONS).contains(&done) {
+            fill(database, raw)?;
+        }
         let only = "insert into store (only_row, made_us) values (1, $1) on conflict do nothing";
         database.execute(only, &[Value::Whole(now_us)]).map(|_| ())
     })
@@ -35,6 +46,7 @@ pub(crate) fn migrate(database: &mut dyn Database, now_us: i64) -> Result<(), St
 mod tests {
     use super::*;
     use crate::database::{Access, all};
+    use crate::raw_folder::no_files;
     use crate::sqlite::Sqlite;
     use std::time::Duration;
 
@@ -49,7 +61,7 @@ mod tests {
             .batch("insert into structure values ('Gate', 7, 'kim')")
             .unwrap();
         assert!(!is_current(&mut database).unwrap());
-        migrate(&mut database, 0).unwrap();
+        migrate(&mut database, 0, &no_files()).unwrap();
         assert!(is_current(&mut database).unwrap());
         let kept = all(&mut database, "select name from structure", &[]).unwrap();
         assert_eq!(kept, [[Value::Text("Gate".to_owned())]]);

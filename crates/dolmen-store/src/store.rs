@@ -40,15 +40,16 @@ impl Store {
     /// There is none, or it is of another program or a later version.
     pub fn open(place: &Place, wait: Duration) -> Result<Self, StoreError> {
         let mut database = connect(place, Access::Read, wait)?;
+        let raw = raw_files(place, Access::Read, wait);
         if !is_current(database.as_mut())? {
             // made by an earlier version, or in the making
             let mut writing = connect(place, Access::Write, wait)?;
-            migrate(writing.as_mut(), 0)?;
+            migrate(writing.as_mut(), 0, &raw)?;
             database = connect(place, Access::Read, wait)?;
         }
         Ok(Store {
             database,
-            raw: raw_files(place, Access::Read, wait),
+            raw,
             can_write: false,
         })
     }
@@ -59,8 +60,8 @@ impl Store {
     /// As [`Store::open`], and where nothing can be written.
     pub fn open_to_write(place: &Place, wait: Duration, now_us: i64) -> Result<Self, StoreError> {
         let mut database = connect(place, Access::Write, wait)?;
-        migrate(database.as_mut(), now_us)?;
         let raw = raw_files(place, Access::Write, wait);
+        migrate(database.as_mut(), now_us, &raw)?;
         raw.prepare()?;
         Ok(Store {
             database,

@@ -47,6 +47,8 @@ pub struct ComparedItem {
     pub part: String,
     /// What it is.
     pub what: DamageKind,
+    /// Its name, where the inspections give one.
+    pub name: Option<String>,
     /// What became of it.
     pub course: ItemCourse,
 }
@@ -115,6 +117,24 @@ pub(crate) fn compared_readings(project: &Project, from: usize, to: usize) -> Co
     }
 }
 
+/// What tells a damage from others.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct DamageKey<'a> {
+    pub(crate) part: &'a str,
+    pub(crate) what: &'a DamageKind,
+    pub(crate) name: Option<&'a str>,
+}
+
+impl<'a> DamageKey<'a> {
+    pub(crate) fn of(item: &'a Inspection) -> Self {
+        DamageKey {
+            part: &item.part,
+            what: &item.what,
+            name: item.name.as_deref(),
+        }
+    }
+}
+
 /// Whether a survey has modes, or records to find them in.
 pub(crate) fn has_modes(survey: &Survey) -> bool {
     survey.records.is_some()
@@ -122,20 +142,20 @@ pub(crate) fn has_modes(survey: &Survey) -> bool {
         || survey.modes.values().any(|modes| !modes.is_empty())
 }
 
-/// Damage by part and kind, in the order of the later inspection, then what was not found again.
+/// Damage by part, kind and name, in the order of the later inspection, then what was not found again.
 fn items(before: &[Inspection], after: &[Inspection]) -> Vec<ComparedItem> {
     if before.is_empty() || after.is_empty() {
         return Vec::new();
     }
-    let mut keys: Vec<(&String, &DamageKind)> = Vec::new();
+    let mut keys: Vec<DamageKey<'_>> = Vec::new();
     for item in after.iter().chain(before) {
-        let key = (&item.part, &item.what);
+        let key = DamageKey::of(item);
         if !keys.contains(&key) {
             keys.push(key);
         }
     }
-    let of = |all: &[Inspection], (part, what): (&String, &DamageKind)| -> Vec<Option<Quantity>> {
-        let same = all.iter().filter(|item| &item.part == part && &item.what == what);
+    let of = |all: &[Inspection], key: DamageKey<'_>| -> Vec<Option<Quantity>> {
+        let same = all.iter().filter(|item| DamageKey::of(item) == key);
         same.map(|item| item.size.clone()).collect()
     };
     let course = |key| match (of(before, key).as_slice(), of(after, key).as_slice()) {
@@ -152,8 +172,9 @@ fn items(before: &[Inspection], after: &[Inspection]) -> Vec<ComparedItem> {
         },
     };
     let each = keys.into_iter().map(|key| ComparedItem {
-        part: key.0.clone(),
-        what: key.1.clone(),
+        part: key.part.to_owned(),
+        what: key.what.clone(),
+        name: key.name.map(str::to_owned),
         course: course(key),
     });
     each.collect()

@@ -49,7 +49,7 @@ pub struct History {
     pub open_alarms: usize,
     /// Whether a tilt is beyond its limit.
     pub is_tilt_beyond: bool,
-    /// Logged cracks that are wider than they may be.
+    /// Cracks, logged or inspected, and other inspected damage that are larger than they may be.
     pub cracks_beyond: usize,
     /// Sensors that fail in the newest record.
     pub open_sensor_alarms: usize,

@@ -33,6 +33,7 @@ mod from_surveys;
 mod held_beside_file;
 mod identify;
 mod in_runs;
+pub mod inspected;
 pub mod inventory;
 pub mod judgement;
 pub mod kept;

@@ -6,6 +6,7 @@ use crate::compared_readings::has_modes;
 use crate::days::{Days, days};
 use crate::error::WorkError;
 use crate::felt::{answers, is_usable, set_answered, works_by_day};
+use crate::inspected::{inspected, inspections};
 use crate::judgement::tilt_beyond_limit;
 use crate::left_out::found_without;
 use crate::logs::Logs;
@@ -31,7 +32,10 @@ pub const SURVEYS_LEAST: usize = 3;
 /// Surveys from which on a report has a section on the years: with fewer no change is sought, and two are compared.
 const REPORTED_LEAST: usize = 8;
 
-/// Whether a project has surveys enough for a section of its report, or a log of a tilt or crack.
+/// Inspections from which on a report has a section on the years: with fewer two are compared.
+const INSPECTIONS_REPORTED_LEAST: usize = 3;
+
+/// Whether a project has surveys or inspections enough for a section of its report, or a log of a tilt or crack.
 pub fn can_watch(project: &Project) -> bool {
     let usable = project
         .surveys
@@ -42,13 +46,14 @@ pub fn can_watch(project: &Project) -> bool {
         .logs
         .iter()
         .any(|log| log.kind != LogKind::Temperature);
-    has_logs || usable.count() >= REPORTED_LEAST
+    let is_inspected = inspections(project).count() >= INSPECTIONS_REPORTED_LEAST;
+    has_logs || is_inspected || usable.count() >= REPORTED_LEAST
 }
 
 /// What the surveys of a project say of its structure over the years.
 ///
 /// # Errors
-/// Fewer than three surveys with a date and modes, and with tilts, and no log; records and logs that cannot be read. A sensor that failed is left out,
+/// Fewer than three surveys with a date and modes, with tilts, and with inspections, and no log; records and logs that cannot be read. A sensor that failed is left out,
 /// and so is a record without modes.
 pub fn watch(opened: &Opened, files: &dyn Files, progress: &dyn Progress) -> Result<WatchAnswer, WorkError> {
     let (mut answers, mut failed, mut without_modes) = (Vec::new(), Vec::new(), Vec::new());
@@ -145,8 +150,12 @@ fn watch_surveys(
     let mut temperatures_of_log = 0;
     let mut earthquakes: Vec<WatchedEarthquake> = Vec::new();
     for survey in &project.surveys {
-        let Some(when) = date(&survey.name).filter(|_| is_usable(survey)) else {
-            left_out.push(survey.name.clone());
+        let dated = date(&survey.name);
+        let Some(when) = dated.filter(|_| is_usable(survey)) else {
+            // an inspection alone is followed beside the surveys
+            if dated.is_none() || survey.inspections.is_empty() {
+                left_out.push(survey.name.clone());
+            }
             continue;
         };
         let (own, found) = of(survey);
@@ -188,16 +197,19 @@ fn watch_surveys(
     let with_modes = kept.iter().filter(|survey| !survey.modes.is_empty()).count();
     let with_tilts = kept.iter().filter(|survey| !survey.tilts.is_empty()).count();
     let are_too_few = with_modes.max(with_tilts) < SURVEYS_LEAST;
-    // one tilt is enough to be beyond its limit
-    let is_beyond = tilt_beyond_limit(project).is_some();
-    if are_too_few && !logs.are_watched() && !is_beyond && earthquakes.is_empty() {
+    let works = works_by_day(project);
+    let last_survey = kept.last().map(|last| last.day);
+    let inspected = inspected(project, &works, last_survey).map_err(ChangeFault::from)?;
+    // one tilt is enough to be beyond its limit, and so is one crack
+    let is_beyond = tilt_beyond_limit(project).is_some() || inspected.beyond().next().is_some();
+    let are_inspected = is_beyond || inspected.inspections.len() >= SURVEYS_LEAST;
+    if are_too_few && !logs.are_watched() && !are_inspected && earthquakes.is_empty() {
         return Err(ChangeFault::TooFewToWatch {
-            given: with_modes.max(with_tilts),
+            given: with_modes.max(with_tilts).max(inspected.inspections.len()),
             least: SURVEYS_LEAST,
         }
         .into());
     }
-    let works = works_by_day(project);
     let last_day = kept.last().map_or(f64::INFINITY, |last| last.day);
     set_answered(&mut earthquakes, &works, last_day);
     let history = History {
@@ -250,6 +262,7 @@ fn watch_surveys(
         without_modes: Vec::new(),
         temperatures_of_log,
         logs,
+        inspected,
         watched,
     })
 }

@@ -1,5 +1,6 @@
 //! What a history of surveys says.
 
+use crate::inspected::Inspected;
 use crate::judgement::tilt_beyond_limit;
 use crate::sensor_alarms::SensorAlarm;
 use crate::watched_log::WatchedLog;
@@ -35,6 +36,8 @@ pub struct WatchAnswer {
     pub temperatures_of_log: usize,
     /// What tilts and cracks that are logged say.
     pub logs: Vec<WatchedLog>,
+    /// What inspections found, one after the other.
+    pub inspected: Inspected,
     /// What the surveys say.
     pub watched: Watched,
 }
@@ -76,7 +79,7 @@ impl WatchAnswer {
         last.is_some_and(|last| day > last.day + ANSWERED_DAYS)
     }
 
-    /// The newest day of which surveys or logs say something.
+    /// The newest day of which surveys, inspections or logs say something.
     pub fn newest_day(&self) -> Option<f64> {
         let surveys = self.surveys.last().map(|survey| survey.day.floor());
         let logs = self
@@ -84,7 +87,8 @@ impl WatchAnswer {
             .iter()
             .filter_map(WatchedLog::span)
             .map(|[_, last]| last);
-        logs.chain(surveys).max_by(f64::total_cmp)
+        let inspected = self.inspected.last().map(|last| last.day);
+        logs.chain(surveys).chain(inspected).max_by(f64::total_cmp)
     }
 
     /// In how many surveys the user insists on the mode that is followed.
@@ -125,10 +129,10 @@ impl WatchAnswer {
             .max_by(f64::total_cmp)
     }
 
-    /// Cracks that are wider than they may be.
+    /// Cracks, logged or inspected, and other damage that inspections measured, that are larger than they may be.
     pub fn cracks_beyond(&self) -> usize {
         let cracks = self.logs.iter().filter(|log| !log.is_tilt());
-        cracks.filter(|log| log.is_beyond()).count()
+        cracks.filter(|log| log.is_beyond()).count() + self.inspected.beyond().count()
     }
 
     /// How it leans in x and y together, where one log of each says so and their zeros are known.

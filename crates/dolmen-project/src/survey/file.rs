@@ -83,8 +83,12 @@ pub(super) struct InspectionRaw {
     /// 결손, 생물 피복), or other words.
     #[schemars(required)]
     pub(super) what: Option<At<NamesRaw>>,
+    /// What tells it from others of its kind at this part, in every inspection alike: "C1".
+    pub(super) name: Option<At<String>>,
     /// Its size: the width of a crack or gap, else the largest extent.
     pub(super) size: Option<At<QuantityRaw>>,
+    /// The size that must not be reached; that of the latest inspection which gives one counts.
+    pub(super) limit: Option<At<QuantityRaw>>,
     /// How bad it is.
     pub(super) severity: Option<At<SeverityRaw>>,
     /// Where it is: x right, y away, z up; the middle of the part if not given.

@@ -27,6 +27,23 @@ pub enum DamageKind {
     Other(OtherDamage),
 }
 
+impl DamageKind {
+    /// The English word in a project file: "crack", "open joint"; the engineer's own where it is another.
+    pub fn word(&self) -> &str {
+        match self {
+            DamageKind::Crack => "crack",
+            DamageKind::Spalling => "spalling",
+            DamageKind::Exfoliation => "exfoliation",
+            DamageKind::OpenJoint => "open joint",
+            DamageKind::Tilt => "tilt",
+            DamageKind::Settlement => "settlement",
+            DamageKind::Loss => "loss",
+            DamageKind::Growth => "growth",
+            DamageKind::Other(other) => &other.english,
+        }
+    }
+}
+
 /// Damage in the engineer's words.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct OtherDamage {
@@ -47,6 +64,17 @@ pub enum Severity {
     Severe,
 }
 
+impl Severity {
+    /// The word in a project file: "slight", "moderate", "severe".
+    pub fn word(self) -> &'static str {
+        match self {
+            Severity::Slight => "slight",
+            Severity::Moderate => "moderate",
+            Severity::Severe => "severe",
+        }
+    }
+}
+
 /// One thing that an inspection found.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Inspection {
@@ -54,8 +82,12 @@ pub struct Inspection {
     pub part: String,
     /// What it is.
     pub what: DamageKind,
+    /// What tells it from others of its kind at this part, in every inspection alike: "C1".
+    pub name: Option<String>,
     /// Its size: the width of a crack or gap, else the largest extent, m.
     pub size: Option<Quantity>,
+    /// The size that must not be reached, m.
+    pub limit: Option<Quantity>,
     /// How bad.
     pub severity: Option<Severity>,
     /// Where: x right, y away, z up, m; the middle of the part if not given.
@@ -64,4 +96,74 @@ pub struct Inspection {
     pub photo: Option<PhotoPart>,
     /// Anything to add.
     pub note: Option<Names>,
+}
+
+impl Inspection {
+    /// Standard deviation of its size by the error of reading, m: as its cov says, and at least what the last digit that is written leaves open,
+    /// its step over √12. 0 without a size.
+    pub fn reading_sd_m(&self) -> f64 {
+        let Some(size) = &self.size else {
+            return 0.0;
+        };
+        let rounding = last_digit(size).unwrap_or(0.0) / 12f64.sqrt();
+        size.standard_deviation().max(rounding)
+    }
+}
+
+/// What one step of the last digit of a written quantity is worth, SI: 0.0001 of "0.4 mm".
+fn last_digit(of: &Quantity) -> Option<f64> {
+    let written = of.written.trim();
+    let end = written
+        .find(|sign: char| !(sign.is_ascii_digit() || matches!(sign, '.' | '+' | '-')))
+        .unwrap_or(written.len());
+    let number = &written[..end];
+    let value: f64 = number.parse().ok()?;
+    let decimals = number.split_once('.').map_or(0, |(_, behind)| behind.len());
+    let step = 10f64.powi(-i32::try_from(decimals).ok()?);
+    let unit = of.value / value;
+    (unit.is_finite() && unit > 0.0 && !written[end..].starts_with(['e', 'E'])).then_some(step * unit)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn written(written: &str, value: f64, cov: Option<f64>) -> f64 {
+        let size = Quantity {
+            value,
+            unit: "m",
+            cov,
+            source: None,
+            cov_source: None,
+            survey: None,
+            note: None,
+            path: String::new(),
+            written: written.to_owned(),
+        };
+        let of = Inspection {
+            part: "1".to_owned(),
+            what: DamageKind::Crack,
+            name: None,
+            size: Some(size),
+            limit: None,
+            severity: None,
+            at: None,
+            photo: None,
+            note: None,
+        };
+        of.reading_sd_m()
+    }
+
+    #[test]
+    fn exact_the_last_digit_that_is_written_says_how_well_a_size_was_read() {
+        let sd_of = |step_m: f64| step_m / 12f64.sqrt();
+        let close = |a: f64, b: f64| assert!((a - b).abs() < 1e-12, "{a} {b}");
+        close(written("0.4 mm", 4e-4, None), sd_of(1e-4));
+        close(written("0.45 mm", 4.5e-4, None), sd_of(1e-5));
+        close(written("7 mm", 7e-3, None), sd_of(1e-3));
+        close(written("0.0004 m", 4e-4, None), sd_of(1e-4));
+        // what is stated counts where it is more
+        close(written("0.4 mm", 4e-4, Some(0.5)), 2e-4);
+        close(written("4e-1 mm", 4e-4, None), 0.0);
+    }
 }

@@ -38,6 +38,9 @@ pub(super) fn inspections(
 fn inspection(reader: &mut Reader, raw: &InspectionRaw, path: &str, parts: &PartNames) -> Option<Inspection> {
     let size_path = format!("{path}.size");
     let size = reader.quantity(raw.size.as_ref(), &size_path, Measure::Length, Bound::Positive);
+    let limit_path = format!("{path}.limit");
+    let limit = reader.quantity(raw.limit.as_ref(), &limit_path, Measure::Length, Bound::Positive);
+    let name = name(reader, raw.name.as_ref(), &format!("{path}.name"));
     let at = at(reader, raw.at.as_ref(), &format!("{path}.at"));
     let note = words(reader, raw.note.as_ref(), &format!("{path}.note"));
     let photo_path = format!("{path}.photo");
@@ -55,7 +58,9 @@ fn inspection(reader: &mut Reader, raw: &InspectionRaw, path: &str, parts: &Part
     Some(Inspection {
         part: part?,
         what: what?,
+        name,
         size,
+        limit,
         severity: raw.severity.as_ref().map(|severity| match severity.value {
             SeverityRaw::Slight => Severity::Slight,
             SeverityRaw::Moderate => Severity::Moderate,
@@ -65,6 +70,27 @@ fn inspection(reader: &mut Reader, raw: &InspectionRaw, path: &str, parts: &Part
         photo,
         note,
     })
+}
+
+/// Characters of a name, at most. Chosen here: a name tells one thing from another, and more belongs into a note.
+const NAME_MOST: usize = 40;
+
+/// What tells an entry from others, not empty and short.
+fn name(reader: &mut Reader, raw: Option<&At<String>>, path: &str) -> Option<String> {
+    let raw = raw?;
+    reader.mark(path, &raw.span);
+    let name = raw.value.trim();
+    let count = name.chars().count();
+    if (1..=NAME_MOST).contains(&count) {
+        return Some(name.to_owned());
+    }
+    let message = WrongSurvey::NameOfEntry {
+        path: path.to_owned(),
+        count,
+    };
+    let fault = Fault::new(raw.span.clone(), path, message);
+    reader.fault(fault.allowed(WrongSurvey::NameOfEntryMustBe { most: NAME_MOST }));
+    None
 }
 
 fn kind(names: &Names) -> DamageKind {

@@ -13,6 +13,14 @@ messages! {
             en: "keep modes: each mode there has its own frequency",
             ko: "modes만 남긴다. 각 모드에 진동수가 있다",
         },
+        NameOfEntry { path: String, count: usize } => {
+            en: "{path} has {count} characters",
+            ko: "{path}의 글자 수가 {count}이다",
+        },
+        NameOfEntryMustBe { most: usize } => {
+            en: "must have 1 to {most}: it tells this damage from others of its kind at the part, \"C1\"; put more into note",
+            ko: "1~{most}자여야 한다. 같은 부재의 같은 손상을 구별하는 이름(\"C1\")이며 긴 설명은 note에 쓴다",
+        },
         LooksLikeADate { name: String } => {
             en: "survey \"{name}\": the name looks like a date, but no day is read from it, so that compare and watch would leave the survey out or put it in a wrong place",
             ko: "조사 \"{name}\": 이름이 날짜처럼 보이나 날짜로 읽을 수 없다. compare와 watch에서 빠지거나 순서가 틀어진다",

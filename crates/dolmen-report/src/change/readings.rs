@@ -2,7 +2,7 @@
 
 use super::quantities::plus;
 use crate::document::{Block, Cell, Column, Document, Finding, Table, Tone};
-use crate::engineer::damage_words as what;
+use crate::engineer::named_damage;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::answer::CompareAnswer;
 use dolmen_work::compared_readings::{ComparedItem, ComparedTilt, ItemCourse};
@@ -198,7 +198,7 @@ fn items(all: &[ComparedItem], from: &str, to: &str) -> Vec<Finding> {
 }
 
 fn item(of: &ComparedItem) -> Sentence {
-    let (part, what) = (of.part.clone(), what(&of.what));
+    let (part, what) = (of.part.clone(), named_damage(&of.what, of.name.as_deref()));
     match &of.course {
         ItemCourse::New { .. } => Readings::New { part, what },
         ItemCourse::NotFoundAgain | ItemCourse::NoSize => Readings::Item { part, what },
@@ -292,7 +292,7 @@ fn item_row(of: &ComparedItem) -> Vec<Cell> {
     };
     vec![
         Cell::words(Sentence::of_symbol(&of.part)),
-        Cell::words(what(&of.what)),
+        Cell::words(named_damage(&of.what, of.name.as_deref())),
         match of.course.is_worse() {
             true => Cell::BadWords(course.into()),
             false => Cell::words(course),

@@ -35,6 +35,7 @@ messages! {
         Settlement => { en: "settlement", ko: "침하" },
         Loss => { en: "loss", ko: "결손" },
         Growth => { en: "growth of plants", ko: "생물 피복" },
+        Named { what: Sentence, name: String } => { en: "{what} {name}", ko: "{what} {name}" },
         Other { what: Both } => { en: "{what}", ko: "{what}" },
         Slight => { en: "slight", ko: "경미" },
         Moderate => { en: "moderate", ko: "보통" },
@@ -81,7 +82,7 @@ fn of_survey<'a>(
             let caption = Damage::Photo {
                 number,
                 part: found.part.clone(),
-                what: what(&found.what),
+                what: named(&found.what, found.name.as_deref()),
             };
             let photo = pictures.photo(found.photo.as_ref()?);
             Some(Photo {
@@ -124,6 +125,23 @@ pub(crate) fn what(kind: &DamageKind) -> Sentence {
     .into()
 }
 
+/// The damage in words, with the name that inspections give it.
+pub(crate) fn named(kind: &DamageKind, name: Option<&str>) -> Sentence {
+    match name {
+        None => what(kind),
+        Some(name) => Damage::Named {
+            what: what(kind),
+            name: name.to_owned(),
+        }
+        .into(),
+    }
+}
+
+/// The severity in words.
+pub(crate) fn severity_words(of: Option<Severity>) -> Sentence {
+    severity(of).into()
+}
+
 fn severity(of: Option<Severity>) -> Damage {
     match of {
         Some(Severity::Slight) => Damage::Slight,
@@ -161,7 +179,9 @@ fn list(survey: &Survey) -> Table {
                 Cell::words(verbatim(&(at + 1).to_string()))
             }),
             words(Damage::Part, &|_, one| Cell::words(verbatim(&one.part))),
-            words(Damage::What, &|_, one| Cell::words(what(&one.what))),
+            words(Damage::What, &|_, one| {
+                Cell::words(named(&one.what, one.name.as_deref()))
+            }),
             words(Damage::SeverityHead, &|_, one| rated(one)),
             words(Damage::Note, &|_, one| cell(one.note.as_ref())),
             (

@@ -12,7 +12,7 @@ mod tests_made;
 mod words;
 
 pub(crate) use cover::{cover_photo, cover_rows, date_of, report_title};
-pub(crate) use damage::{damage, what as damage_words};
+pub(crate) use damage::{damage, named as named_damage, severity_words, what as damage_words};
 pub(crate) use front::front;
 pub(crate) use opinion::opinion;
 pub(crate) use photos::Pictures;

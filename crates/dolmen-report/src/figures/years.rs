@@ -4,10 +4,11 @@ use super::axis::{Axis, Scale, Tick};
 use super::ink::{Anchor, BLACK, GREY, Label, Line, SERIES, Shape, VERMILLION};
 use super::plot::{Key, Plot};
 use super::words::{Titles, say};
-use crate::watch::label;
+use crate::watch::{damage_name, label};
 use dolmen::monitoring::{TiltTrend, WatchedMode};
 use dolmen_words::message::Both;
 use dolmen_words::{Language, Quantity, messages};
+use dolmen_work::inspected::WatchedDamage;
 use dolmen_work::watched::WatchAnswer;
 use dolmen_work::watched_log::WatchedLog;
 
@@ -27,6 +28,7 @@ messages! {
         TSquared => { en: "T² over its limit (–)", ko: "T²/한계 (–)" },
         Tilt => { en: "Tilt (mm/m)", ko: "기울기 (mm/m)" },
         Logged { label: Both, unit: String } => { en: "{label} ({unit})", ko: "{label} ({unit})" },
+        Damages => { en: "Damage by inspections (mm)", ko: "점검에서 잰 손상 (mm)" },
         Trend => { en: "trend of a log", ko: "연속 기록의 추세" },
         Mode { frequency: Quantity } => { en: "{frequency}", ko: "{frequency}" },
         Explained => { en: "explained", ko: "모형" },
@@ -84,6 +86,7 @@ pub fn years(answer: &WatchAnswer, language: Language) -> String {
     panels.extend(tilts(answer, &when, language));
     let logs = answer.logs.iter().enumerate();
     panels.extend(logs.filter_map(|(i, log)| logged(log, colour(i), language)));
+    panels.extend(damages(answer, language));
     let count = panels.len() as f64;
     let x = time_axis(&all_times(answer, &when));
     let (mut ticks, mut drawn) = (Vec::new(), Vec::new());
@@ -325,11 +328,13 @@ fn t_squared(answer: &WatchAnswer, when: &[f64], language: Language) -> Option<P
     Some(panel)
 }
 
-/// The first and the last moment of surveys and logs.
+/// The first and the last moment of surveys, logs and inspections.
 fn all_times(answer: &WatchAnswer, when: &[f64]) -> Vec<f64> {
     let spans = answer.logs.iter().filter_map(|log| log.span()).flatten();
     let mut all: Vec<f64> = spans.map(|day| 1970.0 + day / YEAR_DAYS).collect();
     all.extend(when);
+    let inspections = answer.inspected.inspections.iter();
+    all.extend(inspections.map(|of| 1970.0 + of.day / YEAR_DAYS));
     all.extend(answer.earthquakes.iter().map(|of| 1970.0 + of.day / YEAR_DAYS));
     all.sort_by(f64::total_cmp);
     all
@@ -442,6 +447,45 @@ fn tilts(answer: &WatchAnswer, when: &[f64], language: Language) -> Option<Panel
                     Line::new(VERMILLION, 1.0).dashed(),
                 ));
             }
+        }
+    }
+    Some(panel)
+}
+
+/// Damages that the panel of inspections shows: the worst ones.
+const DAMAGES_MOST: usize = 5;
+
+/// Sizes of damage as inspections read them, and their limits where they are near.
+fn damages(answer: &WatchAnswer, language: Language) -> Option<Panel> {
+    let all = answer.inspected.damages.iter();
+    let shown: Vec<&WatchedDamage> = all
+        .filter(|of| of.readings.len() > 1)
+        .take(DAMAGES_MOST)
+        .collect();
+    if shown.is_empty() {
+        return None;
+    }
+    let mut panel = Panel::new(Panels::Damages, language);
+    let names: Vec<String> = shown.iter().map(|of| damage_name(of).text(language)).collect();
+    panel.name = format!("{}: {}", panel.name, names.join(", "));
+    panel.within = vec![0.0];
+    let at = |day: f64| 1970.0 + day / YEAR_DAYS;
+    for (i, of) in shown.iter().enumerate() {
+        let points: Vec<[f64; 2]> = of
+            .readings
+            .iter()
+            .map(|read| [at(read.day), 1000.0 * read.size_m])
+            .collect();
+        let ends = [points[0][0], points[points.len() - 1][0]];
+        let largest = points.iter().fold(0.0_f64, |most, point| most.max(point[1]));
+        let dots = points.iter().map(|point| (*point, Shape::Circle, 2.8, colour(i)));
+        panel.dots.extend(dots);
+        panel.lines.push((points, Line::new(colour(i), 1.0)));
+        let limit = of.limit_m.map(|limit| 1000.0 * limit);
+        // a limit far away would flatten what is measured
+        if let Some(limit) = limit.filter(|limit| *limit < 3.0 * largest) {
+            let line = Line::new(colour(i), 1.0).dashed();
+            panel.lines.push((vec![[ends[0], limit], [ends[1], limit]], line));
         }
     }
     Some(panel)

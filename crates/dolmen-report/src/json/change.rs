@@ -132,6 +132,7 @@ fn item(item: &ComparedItem) -> Value {
     json!({
         "part": item.part,
         "what": damage_words(&item.what).text(Language::English),
+        "name": item.name,
         "course": course,
         "worse": item.course.is_worse(),
         "from_m": from.map(|size| size.value),

@@ -1,7 +1,9 @@
 //! `dolmen watch` as JSON.
 
+use super::change_form::form;
 use super::check::project;
-use dolmen::monitoring::{AlarmKind, ChangeForm, NoSlope, NotJudged, TiltTrend, WatchedMode, WeatherKnown};
+use super::inspected::inspected;
+use dolmen::monitoring::{AlarmKind, NoSlope, NotJudged, TiltTrend, WatchedMode, WeatherKnown};
 use dolmen_project::LogKind;
 use dolmen_work::date_text;
 use dolmen_work::watched::WatchAnswer;
@@ -65,6 +67,7 @@ pub fn watch_json(answer: &WatchAnswer) -> Value {
         })).collect::<Vec<_>>(),
         "temperatures_of_log": answer.temperatures_of_log,
         "logs": answer.logs.iter().map(|found| log(found, answer)).collect::<Vec<_>>(),
+        "inspected": inspected(&answer.inspected),
         "tilts": watched.tilts.iter().map(|trend| tilt(trend, answer)).collect::<Vec<_>>(),
         "sensors": watched.tracked.sensors.iter().map(|change| json!({
             "date": name(change.survey),
@@ -218,13 +221,6 @@ fn mode(mode: &WatchedMode, answer: &WatchAnswer) -> Value {
             "average_over_limit": judged.average,
         })).collect::<Vec<_>>(),
     })
-}
-
-fn form(of: ChangeForm) -> &'static str {
-    match of {
-        ChangeForm::Step => "step",
-        ChangeForm::Slope => "slope",
-    }
 }
 
 fn tilt(trend: &TiltTrend, answer: &WatchAnswer) -> Value {

@@ -5,7 +5,7 @@ use super::moment::moment;
 use crate::brief_rows::BriefText;
 use crate::document::{Block, Cell, Column, Document, Table, TextStyle, document_text, heading_text};
 use dolmen_words::message::Both;
-use dolmen_words::{Digits, Quantity, Unit, Values, messages};
+use dolmen_words::{Digits, Quantity, Sentence, Unit, Values, messages};
 use dolmen_work::kept::{KeptMode, KeptStructure, KeptSurvey};
 
 /// Frequencies of a survey that a row shows.
@@ -46,6 +46,9 @@ messages! {
             ko: "{method}, Dolmen {version} 식별. 사용자 채택: {accepted}",
         },
         Stated => { en: "stated", ko: "기재값" },
+        MadeUp { of: Sentence } => { en: "{of}; made up, not measured", ko: "{of}(가상, 실측 아님)" },
+        Inspection => { en: "inspection", ko: "점검" },
+        Entries { all: usize, severe: usize } => { en: "{all} entries, {severe} severe", ko: "{all}건(심함 {severe}건)" },
         Nothing => { en: "–", ko: "–" },
         Earthquake => { en: "earthquake", ko: "지진" },
         Tilt => { en: "tilt", ko: "기울기" },
@@ -139,7 +142,7 @@ fn facts(kept: &KeptStructure) -> Block<'static> {
 }
 
 /// The modes of the latest analysis, or those that the file states.
-fn modes(survey: &KeptSurvey) -> (&[KeptMode], Cell) {
+fn modes(survey: &KeptSurvey) -> (&[KeptMode], Shown) {
     match survey.analyses.first() {
         Some(analysis) => {
             let (method, version) = (analysis.method.clone(), analysis.version.clone());
@@ -155,10 +158,10 @@ fn modes(survey: &KeptSurvey) -> (&[KeptMode], Cell) {
                     accepted: Values(accepted),
                 },
             };
-            (&analysis.modes, Cell::words(of))
+            (&analysis.modes, of)
         }
-        None if survey.stated_modes.is_empty() => (&[], Cell::words(Shown::Nothing)),
-        None => (&survey.stated_modes, Cell::words(Shown::Stated)),
+        None if survey.stated_modes.is_empty() => (&[], Shown::Nothing),
+        None => (&survey.stated_modes, Shown::Stated),
     }
 }
 
@@ -166,6 +169,7 @@ fn surveys(kept: &[KeptSurvey]) -> Table {
     let shown = kept.iter().map(|survey| modes(survey).0.len()).max().unwrap_or(0);
     let shown = shown.min(FREQUENCIES_MOST);
     let any = kept.iter().any(|survey| survey.earthquake.is_some());
+    let are_inspected = kept.iter().any(|survey| !survey.inspections.is_empty());
     let row = |survey: &KeptSurvey| {
         let (modes, from) = modes(survey);
         let tilts: Vec<String> = survey
@@ -178,7 +182,10 @@ fn surveys(kept: &[KeptSurvey]) -> Table {
             .map(|value| Quantity::new(value, Unit::si("°C"), Digits::Trimmed(3)));
         let mut row = vec![
             words(&survey.name),
-            from,
+            Cell::words(match survey.is_made_up {
+                true => Shown::MadeUp { of: from.into() },
+                false => from,
+            }),
             match tilts.is_empty() {
                 true => Cell::words(Shown::Nothing),
                 false => words(&tilts.join(", ")),
@@ -190,6 +197,9 @@ fn surveys(kept: &[KeptSurvey]) -> Table {
         if any {
             let of = &survey.earthquake;
             row.push(earthquake(of.is_some(), of.as_ref().and_then(|of| of.peak_m_s2)));
+        }
+        if are_inspected {
+            row.push(Cell::words(inspection(survey)));
         }
         row.extend((0..shown).map(|at| {
             Cell::Number(modes.get(at).map(|mode| Quantity {
@@ -210,11 +220,29 @@ fn surveys(kept: &[KeptSurvey]) -> Table {
     if any {
         columns.push(Column::words(Shown::Earthquake));
     }
+    if are_inspected {
+        columns.push(Column::words(Shown::Inspection));
+    }
     columns.extend((1..=shown).map(|number| Column::numbers(Shown::Frequency { number }, Unit::si("Hz"))));
     Table {
         caption: vec![Shown::Surveys { count: kept.len() }.into()],
         columns,
         rows: kept.iter().map(row).collect(),
+    }
+}
+
+/// How many entries its inspection has.
+fn inspection(survey: &KeptSurvey) -> Shown {
+    let of = &survey.inspections;
+    let severe = of
+        .iter()
+        .filter(|entry| entry.severity.as_deref() == Some("severe"));
+    match of.len() {
+        0 => Shown::Nothing,
+        all => Shown::Entries {
+            all,
+            severe: severe.count(),
+        },
     }
 }
 

@@ -3,6 +3,7 @@
 use super::cause::{Cause, cause};
 use super::earthquakes::earthquakes;
 use super::failing::failing;
+use super::inspected::inspected;
 use super::last::{far_off, last_off, last_survey};
 use super::logs::logs;
 use super::lost::{last_apart, lost, wandering};
@@ -74,10 +75,6 @@ messages! {
         SensorOrStructure { survey: String, cause: Sentence } => {
             en: "Shapes and frequencies jumped on {survey}{cause}: a sensor that was moved or turned changes shapes alone, so look at both, the sensors and the structure.",
             ko: "{survey}에 모드형상과 고유진동수가 함께 급변하였다{cause}. 센서의 이동이나 방향 변경은 형상만 바꾸므로 센서와 구조물을 모두 점검한다.",
-        },
-        Inspections { surveys: usize, items: usize } => {
-            en: "What inspections found is not watched over the years, cracks neither ({items} entries in {surveys} surveys): `dolmen compare` says what grew from one inspection to another, and a crack gauge can be watched as a log.",
-            ko: "점검에서 발견한 것은 균열을 포함하여 여기에서 추적하지 않는다(조사 {surveys}건의 {items}개 항목). 두 점검 사이에 커진 것은 `dolmen compare`로 보고, 균열 계측기의 값은 연속 기록으로 추적할 수 있다.",
         },
         WithoutModes { survey: String, why: Both } => {
             en: "The records of survey {survey} give no modes, and are left out: {why}",
@@ -163,7 +160,7 @@ pub(crate) fn findings(answer: &WatchAnswer) -> Vec<Finding> {
     );
     all.extend(failing(answer));
     all.extend(sensors(answer));
-    all.extend(inspections(answer));
+    all.extend(inspected(answer));
     let without = answer
         .without_modes
         .iter()
@@ -373,21 +370,6 @@ fn finding_of_change(answer: &WatchAnswer, mode: &WatchedMode, change: &WatchedC
 fn event(answer: &WatchAnswer, change: &WatchedChange) -> Cause {
     let day = |survey: usize| answer.surveys.get(survey).map_or(f64::NAN, |survey| survey.day);
     cause(answer, [day(change.after), day(change.before)])
-}
-
-/// That what inspections found is not watched, where there are several.
-fn inspections(answer: &WatchAnswer) -> Option<Finding> {
-    let counts = answer
-        .project
-        .surveys
-        .iter()
-        .map(|survey| survey.inspections.len());
-    let counts: Vec<usize> = counts.filter(|count| *count > 0).collect();
-    let said = Found::Inspections {
-        surveys: counts.len(),
-        items: counts.iter().sum(),
-    };
-    (counts.len() > 1).then(|| Finding::key(Tone::Unknown, said))
 }
 
 /// Surveys that stand alone with a mode.

@@ -332,7 +332,7 @@ fn was_at_limit(log: &WatchedLog) -> Option<Finding> {
 }
 
 /// The month so many years behind a day.
-fn month(last: f64, years: f64) -> Both {
+pub(super) fn month(last: f64, years: f64) -> Both {
     match years <= DATED_YEARS {
         true => month_of(last + years * YEAR_DAYS).into(),
         false => Logged::Later {

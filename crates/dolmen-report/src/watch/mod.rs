@@ -4,6 +4,8 @@ mod cause;
 mod earthquakes;
 mod failing;
 mod findings;
+mod inspected;
+mod inspected_tables;
 mod last;
 mod log_table;
 mod logs;
@@ -14,6 +16,7 @@ mod tilts;
 mod unsearched;
 
 pub(crate) use findings::findings;
+pub(crate) use inspected::damage_name;
 pub(crate) use logs::label;
 
 use crate::document::{Block, Document};
@@ -31,8 +34,8 @@ messages! {
             ko: "고유진동수와 그 설명 모형, 이전 조사로부터의 예측에 대한 각 조사의 위치.",
         },
         Panels => {
-            en: "From above: relative frequency of each mode (dots) with weather, works and changes (lines); the moving average of each mode over its limit, beyond ±1 an alarm; T² of all modes over its limit; tilt; what is logged, with the trend (line) and its limit. Panels without values are left out. Upright lines are works and events, numbered as in the list.",
-            ko: "위에서부터 모드별 상대 고유진동수(점)와 기온·보수·변화로 설명되는 값(선), 모드별 이동평균의 한계 대비 값(±1을 벗어나면 경보), 전체 모드의 T²의 한계 대비 값, 기울기, 연속 기록과 그 추세(선) 및 한계. 값이 없는 그림은 뺐다. 세로선은 보수와 사건이며 번호는 목록과 같다.",
+            en: "From above: relative frequency of each mode (dots) with weather, works and changes (lines); the moving average of each mode over its limit, beyond ±1 an alarm; T² of all modes over its limit; tilt; what is logged, with the trend (line) and its limit; sizes of damage as inspections read them (dots), with the limit. Panels without values are left out. Upright lines are works and events, numbered as in the list.",
+            ko: "위에서부터 모드별 상대 고유진동수(점)와 기온·보수·변화로 설명되는 값(선), 모드별 이동평균의 한계 대비 값(±1을 벗어나면 경보), 전체 모드의 T²의 한계 대비 값, 기울기, 연속 기록과 그 추세(선) 및 한계, 점검에서 잰 손상의 크기(점)와 한계. 값이 없는 그림은 뺐다. 세로선은 보수와 사건이며 번호는 목록과 같다.",
         },
         Work { number: usize, date: String, what: String } => {
             en: "{number}. {date}: {what}",
@@ -58,7 +61,9 @@ messages! {
 }
 
 /// The sentences on a history as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 13] = [
+pub(crate) const TEMPLATES: [&[Template]; 15] = [
+    inspected::Inspections::TEMPLATES,
+    inspected_tables::InspectedTable::TEMPLATES,
     earthquakes::Felt::TEMPLATES,
     logs::Logged::TEMPLATES,
     log_table::LogTable::TEMPLATES,
@@ -101,6 +106,7 @@ pub(crate) fn sections(answer: &WatchAnswer) -> Document<'_> {
     }
     tables::put(&mut document, answer);
     log_table::put(&mut document, answer);
+    inspected_tables::put(&mut document, answer);
     if !answer.several.is_empty() {
         document.note(Years::Several {
             days: answer.several.len(),

@@ -14,7 +14,7 @@ pub enum AlarmSort {
     Earthquake,
     /// It leans beyond its limit.
     Tilt,
-    /// A logged crack is wider than it may be.
+    /// A crack, logged or inspected, or other inspected damage is larger than it may be.
     Crack,
     /// A sensor failed.
     Sensor,
@@ -90,10 +90,9 @@ pub fn open_alarms(answer: &WatchAnswer) -> Vec<OpenAlarm> {
         key: format!("earthquake {}", of.survey),
     }));
     let last_work = answer.works.last().map_or("-", |(_, work)| work.date.as_str());
-    let last_survey = answer
-        .surveys
-        .last()
-        .map_or_else(String::new, |last| day(&last.name));
+    let last_survey = answer.surveys.last().map(|last| last.name.as_str());
+    let last_survey = last_survey.or(answer.inspected.last().map(|last| last.survey.as_str()));
+    let last_survey = last_survey.map_or_else(String::new, day);
     let beyond = [
         (AlarmSort::Tilt, answer.is_tilt_beyond()),
         (AlarmSort::Crack, answer.cracks_beyond() > 0),

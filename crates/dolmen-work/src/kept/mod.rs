@@ -8,4 +8,4 @@ mod survey;
 pub use done::{Added, AddedEarthquake, Fault, Imported, Unidentified, Verified};
 pub use fault::StoreFault;
 pub use structure::{KeptLog, KeptState, KeptStructure, ListedStructure, ListedSurvey};
-pub use survey::{KeptAnalysis, KeptEarthquake, KeptMode, KeptRecord, KeptSurvey, KeptTilt};
+pub use survey::{KeptAnalysis, KeptEarthquake, KeptInspection, KeptMode, KeptRecord, KeptSurvey, KeptTilt};

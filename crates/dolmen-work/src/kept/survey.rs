@@ -82,6 +82,29 @@ impl From<EarthquakePart> for KeptEarthquake {
     }
 }
 
+/// One thing that an inspection found.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct KeptInspection {
+    /// The part.
+    pub part: String,
+    /// What it is, in English.
+    pub what: String,
+    /// What tells it from others of its kind at the part.
+    pub name: Option<String>,
+    /// Its size, m.
+    pub size_m: Option<f64>,
+    /// Standard deviation of that by the error of reading, m.
+    pub size_sd_m: Option<f64>,
+    /// The size that must not be reached, m.
+    pub limit_m: Option<f64>,
+    /// "slight", "moderate", "severe".
+    pub severity: Option<String>,
+    /// The file of a photograph.
+    pub photo: Option<String>,
+    /// Anything that was added.
+    pub note: Option<String>,
+}
+
 /// A survey.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct KeptSurvey {
@@ -99,6 +122,10 @@ pub struct KeptSurvey {
     pub tilts: Vec<KeptTilt>,
     /// Modes that the file states.
     pub stated_modes: Vec<KeptMode>,
+    /// What an inspection found, in the order of the file.
+    pub inspections: Vec<KeptInspection>,
+    /// Whether nobody measured it.
+    pub is_made_up: bool,
     /// Analyses, the latest first.
     pub analyses: Vec<KeptAnalysis>,
     /// The earthquake that the file states or the latest analysis found.

@@ -298,8 +298,8 @@ sentences! {
             ko: "조사 \"{given}\"을(를) 그 자신과 비교할 수 없다",
         },
         TooFewToWatch { given, least } => {
-            en: "{given} surveys of the file have modes, or a tilt, and a name that begins with a date (2026-03-10), but a history needs {least}: measure again, or compare two surveys with dolmen compare",
-            ko: "모드나 기울기가 있고 이름이 날짜(2026-03-10)로 시작하는 조사가 {given}개인데 이력에는 {least}개가 필요하다. 다시 계측하거나 dolmen compare로 두 조사를 비교한다",
+            en: "{given} surveys of the file have modes, a tilt or an inspection, and a name that begins with a date (2026-03-10), but a history needs {least}: measure again, or compare two surveys with dolmen compare",
+            ko: "모드, 기울기 또는 점검 결과가 있고 이름이 날짜(2026-03-10)로 시작하는 조사가 {given}개인데 이력에는 {least}개가 필요하다. 다시 계측하거나 dolmen compare로 두 조사를 비교한다",
         },
     }
     handed on { Monitoring(MonitoringError), Assess(AssessError) }

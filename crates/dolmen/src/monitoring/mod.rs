@@ -9,6 +9,7 @@ mod daily;
 mod error;
 mod ewma;
 mod gram;
+mod growth;
 mod history;
 mod logged;
 mod logged_faults;
@@ -40,6 +41,7 @@ pub use critical::{NullSeries, null_statistics};
 pub use daily::{DailyReadings, daily_medians};
 pub use error::MonitoringError;
 pub use ewma::{ewma_limit, ewma_run_length};
+pub use growth::{GrowthOptions, GrowthSeries, growth};
 pub use history::{History, HistorySurvey, TiltReading, Work};
 pub use logged::{
     LoggedChange, LoggedLevel, LoggedOptions, LoggedSeries, LoggedTrend, NoSlope, logged_trend,

@@ -94,6 +94,8 @@ pub(super) struct TiltSeeking {
     pub(super) significance: f64,
     /// What must not be reached.
     pub(super) limit: Option<SlopeLimit>,
+    /// Standard deviation of a reading by its own error; 0 where nothing is known of it.
+    pub(super) reading_sd: f64,
     /// Simulated series where a change is near the limit of chance, at most; and their seed.
     pub(super) replicates: usize,
     pub(super) seed: u64,
@@ -212,7 +214,7 @@ pub(super) fn tilt_trend(
     let readings = Series {
         at: days.iter().map(|day| (day - first) / gap).collect(),
         readings: kept.iter().map(|i| trend.series.ratios[*i]).collect(),
-        noise_sd: vec![0.0; n],
+        noise_sd: vec![how.reading_sd; n],
     };
     let seeking = Seeking {
         significance: how.significance,
@@ -360,6 +362,7 @@ mod tests {
                 size,
                 is_one_sided: false,
             }),
+            reading_sd: 0.0,
             replicates: 999,
             seed: 1,
         }

@@ -507,6 +507,7 @@ fn tilts(history: &History, options: &WatchOptions) -> Result<Vec<TiltTrend>, Mo
             size,
             is_one_sided: false,
         }),
+        reading_sd: 0.0,
         replicates: options.replicates,
         seed: options.seed.wrapping_add(i as u64),
     };

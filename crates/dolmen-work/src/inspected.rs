@@ -1,0 +1,288 @@
+//! What inspections found, one after the other: how many of each kind, and how far each damage grew.
+
+use crate::compared_readings::DamageKey;
+use crate::survey_dates::{date, day_of};
+use dolmen::monitoring::{
+    ANSWERED_DAYS, GrowthOptions, GrowthSeries, MonitoringError, TiltTrend, WatchOptions, growth,
+};
+use dolmen_project::{DamageKind, Inspection, Project, Severity, WorkKind, WorkPart};
+use std::collections::BTreeMap;
+
+/// What inspections found over the years.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Inspected {
+    /// The inspections by time.
+    pub inspections: Vec<InspectionOf>,
+    /// Each damage that is told from others, worst first: at its limit, growing, then by part.
+    pub damages: Vec<WatchedDamage>,
+    /// Damages of which one inspection lists several alike.
+    pub several: Vec<SeveralAlike>,
+    /// Entries of surveys without a date, which are left out.
+    pub undated: usize,
+}
+
+/// One inspection.
+#[derive(Clone, Debug, PartialEq)]
+pub struct InspectionOf {
+    /// Its survey.
+    pub survey: String,
+    /// Its day, from 1970-01-01.
+    pub day: f64,
+    /// How many of each kind, by severity: slight, moderate, severe, not rated.
+    pub counts: BTreeMap<DamageKind, [usize; 4]>,
+}
+
+impl InspectionOf {
+    /// How many of a severity; `None` are those not rated.
+    pub fn rated(&self, severity: Option<Severity>) -> usize {
+        self.counts.values().map(|of| of[place(severity)]).sum()
+    }
+
+    /// How many.
+    pub fn all(&self) -> usize {
+        self.counts.values().flatten().sum()
+    }
+}
+
+/// Where a severity stands in the counts.
+fn place(severity: Option<Severity>) -> usize {
+    match severity {
+        Some(Severity::Slight) => 0,
+        Some(Severity::Moderate) => 1,
+        Some(Severity::Severe) => 2,
+        None => 3,
+    }
+}
+
+/// A damage that one inspection lists more than once, so that which is which is not known.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SeveralAlike {
+    /// The part.
+    pub part: String,
+    /// What it is.
+    pub what: DamageKind,
+    /// Most that one inspection lists.
+    pub most: usize,
+}
+
+/// A size of a damage as one inspection read it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SizeRead {
+    /// Index of the inspection.
+    pub inspection: usize,
+    /// Its day.
+    pub day: f64,
+    /// The size, m.
+    pub size_m: f64,
+    /// Standard deviation of the reading, m.
+    pub sd_m: f64,
+}
+
+/// One damage over the years.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WatchedDamage {
+    /// The part.
+    pub part: String,
+    /// What it is.
+    pub what: DamageKind,
+    /// Its name, where inspections give one.
+    pub name: Option<String>,
+    /// Indices of the inspections that list it.
+    pub listed: Vec<usize>,
+    /// How bad each of them calls it.
+    pub severities: Vec<Option<Severity>>,
+    /// What was read of it, by time.
+    pub readings: Vec<SizeRead>,
+    /// The size that must not be reached, m.
+    pub limit_m: Option<f64>,
+    /// The slope of its size.
+    pub trend: TiltTrend,
+    /// Whether a repair came after the last reading.
+    pub is_repaired: bool,
+    /// Whether the last inspection of all lists it.
+    pub is_in_last: bool,
+}
+
+impl WatchedDamage {
+    /// The last size that was read.
+    pub fn last(&self) -> Option<&SizeRead> {
+        self.readings.last()
+    }
+
+    /// The size to hold against the limit: what was read last, or what the readings together say of that day where that is more.
+    pub fn size_to_judge_m(&self) -> Option<f64> {
+        let fitted = self.trend.slope.map_or(f64::NEG_INFINITY, |slope| slope.now);
+        self.last().map(|last| last.size_m.max(fitted))
+    }
+
+    /// Whether it has reached its limit, and no repair came since.
+    pub fn is_beyond(&self) -> bool {
+        let at = self.limit_m.zip(self.size_to_judge_m());
+        !self.is_repaired && at.is_some_and(|(limit, size)| size >= limit)
+    }
+
+    /// By how much it grew from the first reading to the last, m, with the standard deviation of that by the error of reading.
+    pub fn grown_m(&self) -> Option<(f64, f64)> {
+        let (first, last) = (self.readings.first()?, self.readings.last()?);
+        (self.readings.len() > 1).then(|| (last.size_m - first.size_m, first.sd_m.hypot(last.sd_m)))
+    }
+
+    /// Whether it is called worse now than in the inspection before that lists it.
+    pub fn is_rated_worse(&self) -> bool {
+        let mut rated = self.severities.iter().rev().flatten();
+        matches!((rated.next(), rated.next()), (Some(now), Some(before)) if now > before)
+    }
+
+    /// Whether the last inspection is the first to list it.
+    pub fn is_new(&self) -> bool {
+        self.is_in_last && self.listed.len() == 1 && self.listed[0] > 0
+    }
+}
+
+impl Inspected {
+    /// The last inspection.
+    pub fn last(&self) -> Option<&InspectionOf> {
+        self.inspections.last()
+    }
+
+    /// Damages that have reached their limit, with no repair since.
+    pub fn beyond(&self) -> impl Iterator<Item = &WatchedDamage> {
+        self.damages.iter().filter(|of| of.is_beyond())
+    }
+
+    /// Damages that the last inspection does not list, with no repair since the one that did.
+    pub fn not_listed(&self) -> impl Iterator<Item = &WatchedDamage> {
+        self.damages.iter().filter(|of| !of.is_in_last && !of.is_repaired)
+    }
+}
+
+/// Inspections with a date and an entry.
+pub(crate) fn inspections(project: &Project) -> impl Iterator<Item = (f64, &str, &[Inspection])> {
+    let surveys = project.surveys.iter();
+    surveys.filter_map(|survey| {
+        let day = day_of(date(&survey.name)?);
+        (!survey.inspections.is_empty()).then_some((day, survey.name.as_str(), survey.inspections.as_slice()))
+    })
+}
+
+/// What the inspections of a project say over the years; `works` are by day, `newest` is the last day that anything is known of.
+pub(crate) fn inspected(
+    project: &Project,
+    works: &[(f64, WorkPart)],
+    newest: Option<f64>,
+) -> Result<Inspected, MonitoringError> {
+    let mut all: Vec<(f64, &str, &[Inspection])> = inspections(project).collect();
+    all.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let listed = project.surveys.iter().map(|survey| survey.inspections.len());
+    let dated: usize = all.iter().map(|(_, _, items)| items.len()).sum();
+    let mut found = Inspected {
+        undated: listed.sum::<usize>() - dated,
+        ..Inspected::default()
+    };
+    let mut entries: BTreeMap<DamageKey<'_>, Vec<(usize, &Inspection)>> = BTreeMap::new();
+    for (at, (day, survey, items)) in all.iter().enumerate() {
+        let mut counts: BTreeMap<DamageKind, [usize; 4]> = BTreeMap::new();
+        for item in *items {
+            counts.entry(item.what.clone()).or_default()[place(item.severity)] += 1;
+            entries.entry(DamageKey::of(item)).or_default().push((at, item));
+        }
+        found.inspections.push(InspectionOf {
+            survey: (*survey).to_owned(),
+            day: *day,
+            counts,
+        });
+    }
+    let newest = newest.unwrap_or(f64::NEG_INFINITY);
+    let last_day = found.last().map_or(newest, |last| last.day.max(newest));
+    let repairs: Vec<(usize, f64)> = works
+        .iter()
+        .enumerate()
+        .filter(|(_, (day, work))| work.kind == WorkKind::Repair && *day <= last_day + ANSWERED_DAYS)
+        .map(|(at, (day, _))| (at, *day))
+        .collect();
+    let (alike, told): (Vec<_>, Vec<_>) = entries.into_iter().partition(|(_, entries)| most(entries) > 1);
+    found.several = alike
+        .iter()
+        .map(|(key, entries)| SeveralAlike {
+            part: key.part.to_owned(),
+            what: key.what.clone(),
+            most: most(entries),
+        })
+        .collect();
+    // damages are tested together
+    let with_sizes = told
+        .iter()
+        .filter(|(_, entries)| entries.iter().filter(|(_, item)| item.size.is_some()).count() > 1);
+    let usual = WatchOptions::default();
+    let options = GrowthOptions {
+        repairs,
+        limit_m: None,
+        significance: usual.significance / with_sizes.count().max(1) as f64,
+        replicates: usual.replicates,
+        seed: usual.seed,
+    };
+    for (key, entries) in told {
+        let of = damage(key, &entries, &found.inspections, &options)?;
+        found.damages.push(of);
+    }
+    // the worst first; of equals in the order of their names
+    found
+        .damages
+        .sort_by_key(|of| (!of.is_beyond(), !of.trend.is_beyond_chance()));
+    Ok(found)
+}
+
+/// Most entries that one inspection has.
+fn most(entries: &[(usize, &Inspection)]) -> usize {
+    let of = |at: usize| entries.iter().filter(|(other, _)| *other == at).count();
+    entries.iter().map(|(at, _)| of(*at)).max().unwrap_or(0)
+}
+
+fn damage(
+    key: DamageKey<'_>,
+    entries: &[(usize, &Inspection)],
+    inspections: &[InspectionOf],
+    options: &GrowthOptions,
+) -> Result<WatchedDamage, MonitoringError> {
+    let mut readings: Vec<SizeRead> = Vec::new();
+    for (at, item) in entries {
+        let Some(size) = &item.size else { continue };
+        let read = SizeRead {
+            inspection: *at,
+            day: inspections[*at].day,
+            size_m: size.value,
+            sd_m: item.reading_sd_m(),
+        };
+        // of two inspections of one day the larger counts
+        match readings.last_mut().filter(|last| last.day == read.day) {
+            Some(last) if last.size_m >= read.size_m => {}
+            Some(last) => *last = read,
+            None => readings.push(read),
+        }
+    }
+    let limits = entries.iter().rev().filter_map(|(_, item)| item.limit.as_ref());
+    let limit_m = limits.map(|limit| limit.value).next();
+    let series = GrowthSeries {
+        days: readings.iter().map(|read| read.day).collect(),
+        sizes_m: readings.iter().map(|read| read.size_m).collect(),
+        reading_sds_m: readings.iter().map(|read| read.sd_m).collect(),
+    };
+    let of = GrowthOptions {
+        limit_m,
+        ..options.clone()
+    };
+    let last_entry = entries.last().map_or(0, |(at, _)| *at);
+    let since = inspections.get(last_entry).map_or(f64::INFINITY, |last| last.day);
+    Ok(WatchedDamage {
+        part: key.part.to_owned(),
+        what: key.what.clone(),
+        name: key.name.map(str::to_owned),
+        listed: entries.iter().map(|(at, _)| *at).collect(),
+        severities: entries.iter().map(|(_, item)| item.severity).collect(),
+        readings,
+        limit_m,
+        trend: growth(series, &of)?,
+        is_repaired: options.repairs.iter().any(|(_, day)| *day > since),
+        is_in_last: last_entry + 1 == inspections.len(),
+    })
+}
