@@ -2,8 +2,8 @@
 
 use crate::database::{Database, Value, all};
 use crate::error::StoreError;
-use crate::inspection_rows;
 use crate::incoming::{AIR_TEMPERATURE, PROJECT_FILE, refuse_path};
+use crate::inspection_rows;
 use crate::rows::{
     AdoptionRow, AnalysisRow, ArrivalRow, EarthquakeRow, EnvironmentRow, LogRow, ModeRow, ProjectFileRow,
     ProjectRow, RecordRow, Row as _, StatedEarthquakeRow, StatedModeRow, SurveyRow, TiltRow, select,

@@ -1,10 +1,10 @@
-//! Which joint of a chain, or storey of a frame, explains how the frequencies of two surveys differ.
+//! Which joint of a chain, or storey of a frame, explains how frequencies changed.
 
 use crate::chain::limits::link_names;
 use crate::frame::simulate::storey_names;
 use crate::part_limit::Part;
 use crate::survey_direction::direction_of;
-use dolmen::assess::{FrequencyChange, ModeChange, SurveyChange, WhichPart, which_part};
+use dolmen::assess::{FrequencyChange, SurveyChange, WhichPart, which_part};
 use dolmen_project::{ChainAxis, ChainPart, FramePart, Project, Quantity, Structure};
 
 /// A measured frequency is that of the model's mode within this factor, either way. Chosen here.
@@ -36,11 +36,42 @@ struct Model<'a> {
     frequencies_hz: FrequenciesOf<'a>,
 }
 
-/// Which part explains what changed beyond chance, by direction; empty where nothing did, and where the model has no such parts.
+/// How one measured frequency changed.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct MeasuredChange {
+    /// The direction in which the mode moves, where it is known.
+    pub(crate) direction: Option<String>,
+    /// Before, Hz.
+    pub(crate) frequency_hz: f64,
+    /// Relative change.
+    pub(crate) relative: f64,
+    /// Its standard deviation, where it is known.
+    pub(crate) sd: Option<f64>,
+}
+
+/// Which part explains what changed beyond chance from one survey to another, by direction; empty where nothing did, and where the model has no such
+/// parts.
 pub(crate) fn changed_parts(project: &Project, change: &SurveyChange) -> Vec<ChangedPart> {
     if change.changed().count() == 0 {
         return Vec::new();
     }
+    let each = change.modes.iter().map(|mode| MeasuredChange {
+        direction: match mode.from.direction.as_deref() {
+            Some(TORSION) => Some(TORSION.to_owned()),
+            _ => direction_of(&mode.from),
+        },
+        frequency_hz: mode.from.frequency_hz,
+        relative: mode.frequency.relative,
+        sd: mode.frequency.evidence.as_ref().map(|evidence| evidence.sd),
+    });
+    parts_that_explain(project, &each.collect::<Vec<_>>())
+}
+
+/// The direction of a mode that twists the plan.
+const TORSION: &str = "torsion";
+
+/// Which part explains changes of frequencies, by direction; empty where the model has no such parts.
+pub(crate) fn parts_that_explain(project: &Project, changes: &[MeasuredChange]) -> Vec<ChangedPart> {
     let models = match &project.structure {
         Structure::Chain(part) => chains(project, part),
         Structure::Frame(part) => frames(part),
@@ -48,7 +79,7 @@ pub(crate) fn changed_parts(project: &Project, change: &SurveyChange) -> Vec<Cha
     };
     models
         .into_iter()
-        .filter_map(|model| explained(&model, change))
+        .filter_map(|model| explained(&model, changes))
         .collect()
 }
 
@@ -94,23 +125,23 @@ fn frames(part: &FramePart) -> Vec<Model<'_>> {
     each.collect()
 }
 
-fn explained(model: &Model<'_>, change: &SurveyChange) -> Option<ChangedPart> {
+fn explained(model: &Model<'_>, changes: &[MeasuredChange]) -> Option<ChangedPart> {
     if model.parts.len() > PARTS_MOST {
         return None;
     }
     let given = (model.frequencies_hz)(&model.stiffness)?;
-    let is_along = |mode: &&ModeChange| match &model.direction {
-        None => mode.from.direction.as_deref() != Some("torsion"),
-        Some(own) => direction_of(&mode.from).is_some_and(|of| of == *own),
+    let is_along = |mode: &&MeasuredChange| match &model.direction {
+        None => mode.direction.as_deref() != Some(TORSION),
+        Some(own) => mode.direction.as_ref() == Some(own),
     };
-    let own: Vec<&ModeChange> = change.modes.iter().filter(is_along).collect();
+    let own: Vec<&MeasuredChange> = changes.iter().filter(is_along).collect();
     let matched = matched(&own, &given);
     let changes: Vec<FrequencyChange> = matched
         .iter()
         .filter_map(|(mode, _)| {
             Some(FrequencyChange {
-                relative: mode.frequency.relative,
-                sd: mode.frequency.evidence.as_ref()?.sd,
+                relative: mode.relative,
+                sd: mode.sd?,
             })
         })
         .collect();
@@ -138,15 +169,15 @@ fn explained(model: &Model<'_>, change: &SurveyChange) -> Option<ChangedPart> {
         parts: model.parts.clone(),
         modes_hz: matched
             .iter()
-            .map(|(mode, at)| [mode.from.frequency_hz, given[*at]])
+            .map(|(mode, at)| [mode.frequency_hz, given[*at]])
             .collect(),
     })
 }
 
 /// Each measured mode with the place of the nearest of the model, where each is the nearest of the other.
-fn matched<'c>(measured: &[&'c ModeChange], model_hz: &[f64]) -> Vec<(&'c ModeChange, usize)> {
-    let off = |mode: &ModeChange, hz: f64| (mode.from.frequency_hz / hz).ln().abs();
-    let nearest_of_model = |mode: &ModeChange| {
+fn matched<'c>(measured: &[&'c MeasuredChange], model_hz: &[f64]) -> Vec<(&'c MeasuredChange, usize)> {
+    let off = |mode: &MeasuredChange, hz: f64| (mode.frequency_hz / hz).ln().abs();
+    let nearest_of_model = |mode: &MeasuredChange| {
         (0..model_hz.len()).min_by(|a, b| off(mode, model_hz[*a]).total_cmp(&off(mode, model_hz[*b])))
     };
     let each = measured.iter().filter_map(|mode| {

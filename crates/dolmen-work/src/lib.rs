@@ -80,6 +80,7 @@ pub mod watched;
 pub mod watched_log;
 mod write_back;
 mod wrong;
+pub mod years_parts;
 
 pub use change_fault::ChangeFault;
 pub use check::{CheckOptions, Sampling, check};

@@ -17,6 +17,7 @@ use crate::survey_dates::{date, day_of};
 use crate::surveyed::{Earthquake, SurveyAnswer};
 use crate::told::told_both;
 use crate::watched::{WatchAnswer, WatchedEarthquake, WatchedSurvey};
+use crate::years_parts::years_parts;
 use dolmen::assess::Surveyed;
 use dolmen::modal::{ObservedMode, Pairing};
 use dolmen::monitoring::{
@@ -102,7 +103,7 @@ pub fn watch_of(
         .map(|answer| (answer.name.clone(), answer.faults()));
     let logs = Logs::read(&opened.project, files)?;
     let own = |survey: &Survey| answers.iter().find(|answer| answer.name == survey.name);
-    watch_surveys(opened, &faults.collect(), &logs, |survey| {
+    let mut answer = watch_surveys(opened, &faults.collect(), &logs, |survey| {
         let own = own(survey);
         let mut of = surveyed(survey, own);
         if own.is_some_and(SurveyAnswer::is_shaken) {
@@ -110,7 +111,9 @@ pub fn watch_of(
         }
         let felt = own.and_then(SurveyAnswer::earthquake).filter(|of| of.is_one());
         (of, felt.map(Earthquake::part))
-    })
+    })?;
+    answer.parts = years_parts(&opened.project, &answer.watched.modes);
+    Ok(answer)
 }
 
 /// What the records of surveys gave, by the name of the survey, as a store keeps it.
@@ -263,6 +266,7 @@ fn watch_surveys(
         temperatures_of_log,
         logs,
         inspected,
+        parts: Vec::new(),
         watched,
     })
 }

@@ -4,6 +4,7 @@ use crate::inspected::Inspected;
 use crate::judgement::tilt_beyond_limit;
 use crate::sensor_alarms::SensorAlarm;
 use crate::watched_log::WatchedLog;
+use crate::years_parts::YearsParts;
 use dolmen::monitoring::{ANSWERED_DAYS, TiltSeries, Track, Watched};
 use dolmen_project::{EarthquakePart, LogKind, Project, WorkKind, WorkPart};
 use dolmen_words::message::Both;
@@ -38,6 +39,8 @@ pub struct WatchAnswer {
     pub logs: Vec<WatchedLog>,
     /// What inspections found, one after the other.
     pub inspected: Inspected,
+    /// Which parts of the model explain the lasting changes; empty of a structure of a store.
+    pub parts: Vec<YearsParts>,
     /// What the surveys say.
     pub watched: Watched,
 }

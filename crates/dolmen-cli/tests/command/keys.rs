@@ -7,7 +7,7 @@ use serde_json::Value;
 use std::collections::BTreeSet;
 use std::fs;
 
-const COMMANDS: [&str; 57] = [
+const COMMANDS: [&str; 60] = [
     "check examples/naju_flagpole/two_directions.toml",
     "check examples/naju_flagpole/side_posts.toml",
     "simulate examples/naju_flagpole/side_posts.toml --motion el-centro --duration 3",
@@ -35,6 +35,7 @@ const COMMANDS: [&str; 57] = [
     "identify examples/five_storey_pagoda",
     "compare examples/gate_through_the_seasons",
     "watch examples/pagoda_over_the_years",
+    "watch examples/flagpole_over_the_years",
     "watch examples/pagoda_with_a_logger",
     "watch examples/frame_after_an_earthquake",
     "simulate examples/three_storey_pagoda --motion el-centro-1940-ns --keep-first 2",
@@ -62,7 +63,9 @@ const COMMANDS: [&str; 57] = [
     "survey add examples/palisaden --name palisaden --store s.db",
     "survey add examples/naju_flagpole --name naju --store s.db",
     "survey list --store s.db",
+    "survey add examples/inspected_flagpole --name inspected --store s.db",
     "survey show palisaden --store s.db",
+    "survey show inspected --store s.db",
     "survey show naju --store s.db",
     "survey verify --store s.db",
 ];

@@ -39,6 +39,7 @@ mod handovers;
 mod identified_stiffness;
 mod import_circles;
 mod imports;
+mod inspected_years;
 mod inventories;
 mod judgements;
 mod keys;

@@ -51,7 +51,7 @@ fn holds_a_store_goes_to_a_server_and_back_unchanged() {
     let Some(server) = Server::shared() else { return };
     let scratch = Scratch::with_examples("server-back");
     good(scratch.briefly(&format!(
-        "survey add examples/palisaden examples/naju_flagpole examples/gate_through_the_seasons {FILE}"
+        "survey add examples/palisaden examples/naju_flagpole examples/gate_through_the_seasons examples/flagpole_over_the_years {FILE}"
     )));
     good(scratch.briefly(&format!(
         "survey add examples/pagoda_over_the_years {FILE} --name 석탑"
@@ -63,13 +63,14 @@ fn holds_a_store_goes_to_a_server_and_back_unchanged() {
     );
     let store = server.store("back", "postgres");
     let done = json(&scratch, &format!("survey import s.db {store}"));
-    assert_eq!(done["structures"], 4, "{done}");
+    assert_eq!(done["structures"], 5, "{done}");
     let own = content(&scratch, FILE);
     assert_eq!(own, content(&scratch, &store));
     let names = [
         "Palisaden, an eight-storey timber building in Ås, Norway",
         "석탑",
         "A gate through the seasons (made up)",
+        "A flagpole over the years (made up)",
     ];
     let (file, other) = (answers(&scratch, FILE, &names), answers(&scratch, &store, &names));
     for (own, other) in file.iter().zip(&other) {

@@ -13,6 +13,7 @@ mod remarks;
 mod temperature;
 
 pub(crate) use findings::{findings, undated};
+pub(crate) use parts::{findings as part_findings, section as part_section};
 
 use crate::document::Document;
 use crate::figures::survey_changes;

@@ -81,7 +81,7 @@ fn name(of: &ChangedPart, fit: &PartFit) -> Sentence {
 }
 
 /// What explains the changes, a finding a direction.
-pub(super) fn findings(parts: &[ChangedPart]) -> Vec<Finding> {
+pub(crate) fn findings(parts: &[ChangedPart]) -> Vec<Finding> {
     let each = parts.iter().flat_map(|of| {
         let candidates = of.found.candidates();
         let count = of.modes_hz.len();
@@ -148,7 +148,7 @@ fn along(of: &ChangedPart, said: Parted) -> Sentence {
 }
 
 /// The table of all parts, a direction.
-pub(super) fn section(document: &mut Document<'_>, parts: &[ChangedPart]) {
+pub(crate) fn section(document: &mut Document<'_>, parts: &[ChangedPart]) {
     for of in parts {
         let pairs = of.modes_hz.iter().map(|[measured, model]| {
             Parted::Pair {

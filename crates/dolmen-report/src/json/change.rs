@@ -1,13 +1,13 @@
 //! `dolmen compare` as JSON.
 
+use super::changed_part::changed_part;
 use super::check::project;
 use super::earthquake::modes_of;
 use crate::engineer::damage_words;
-use dolmen::assess::{ModeChange, PartFit, SurveyChange, TemperatureKnowledge};
+use dolmen::assess::{ModeChange, SurveyChange, TemperatureKnowledge};
 use dolmen_words::Language;
 use dolmen_words::advice::Advice;
 use dolmen_work::answer::CompareAnswer;
-use dolmen_work::changed_part::ChangedPart;
 use dolmen_work::compared_readings::{ComparedItem, ComparedReadings, ItemCourse};
 use dolmen_work::events_between::EventBetween;
 use serde_json::{Value, json};
@@ -26,7 +26,7 @@ pub fn change_json(answer: &CompareAnswer) -> Value {
         "tilts": tilts(&answer.readings),
         "inspections": answer.readings.items.iter().map(item).collect::<Vec<_>>(),
         "without_modes": answer.readings.without_modes,
-        "parts": answer.parts.iter().map(part).collect::<Vec<_>>(),
+        "parts": answer.parts.iter().map(changed_part).collect::<Vec<_>>(),
     });
     if let (Some(all), Some(Value::Object(of_modes))) =
         (all.as_object_mut(), answer.change.as_ref().map(modes))
@@ -34,27 +34,6 @@ pub fn change_json(answer: &CompareAnswer) -> Value {
         all.extend(of_modes);
     }
     all
-}
-
-fn part(of: &ChangedPart) -> Value {
-    let fit = |fit: &PartFit| {
-        json!({
-            "part": fit.part.and_then(|at| of.parts.get(at)).map(|part| part.name()),
-            "stiffness_left": fit.factor,
-            "stiffness_left_lower": fit.factor_interval[0],
-            "stiffness_left_upper": fit.factor_interval[1],
-            "chi_squared": fit.chi_squared,
-            "p": fit.p_value,
-        })
-    };
-    json!({
-        "direction": of.direction,
-        "modes_hz": of.modes_hz,
-        "candidates": of.found.candidates().len(),
-        "fits": of.found.parts.iter().map(fit).collect::<Vec<_>>(),
-        "all_alike": fit(&of.found.alike),
-        "all_alike_explains": of.found.is_alike_possible(),
-    })
 }
 
 fn modes(change: &SurveyChange) -> Value {

@@ -5,6 +5,7 @@ mod building_wind;
 mod chain_simulation;
 mod change;
 mod change_form;
+mod changed_part;
 mod check;
 mod demand;
 mod earthquake;

@@ -1,6 +1,7 @@
 //! `dolmen watch` as JSON.
 
 use super::change_form::form;
+use super::changed_part::changed_part;
 use super::check::project;
 use super::inspected::inspected;
 use dolmen::monitoring::{AlarmKind, NoSlope, NotJudged, TiltTrend, WatchedMode, WeatherKnown};
@@ -67,6 +68,10 @@ pub fn watch_json(answer: &WatchAnswer) -> Value {
         })).collect::<Vec<_>>(),
         "temperatures_of_log": answer.temperatures_of_log,
         "logs": answer.logs.iter().map(|found| log(found, answer)).collect::<Vec<_>>(),
+        "changed_parts": answer.parts.iter().map(|of| json!({
+            "form": form(of.form), "date_earliest": name(of.after), "date_latest": name(of.before),
+            "parts": of.parts.iter().map(changed_part).collect::<Vec<_>>(),
+        })).collect::<Vec<_>>(),
         "inspected": inspected(&answer.inspected),
         "tilts": watched.tilts.iter().map(|trend| tilt(trend, answer)).collect::<Vec<_>>(),
         "sensors": watched.tracked.sensors.iter().map(|change| json!({

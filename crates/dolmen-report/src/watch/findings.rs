@@ -8,6 +8,7 @@ use super::last::{far_off, last_off, last_survey};
 use super::logs::logs;
 use super::lost::{last_apart, lost, wandering};
 use super::numbers::{HALF_95, bare_percent, hertz, name, percent, plain};
+use super::parts::parts;
 use super::tilts::{changed, leans, stands_alone, tilt, worked};
 use super::unsearched::{is_far, unsearched};
 use crate::document::{Finding, Tone};
@@ -140,6 +141,7 @@ pub(crate) fn findings(answer: &WatchAnswer) -> Vec<Finding> {
     all.extend(far_ahead(answer));
     all.extend(last_survey(answer));
     all.extend(changes(answer));
+    all.extend(parts(answer));
     all.extend(after);
     all.extend(unsearched(answer));
     all.extend(weather(answer));

@@ -11,6 +11,7 @@ mod log_table;
 mod logs;
 mod lost;
 mod numbers;
+mod parts;
 mod tables;
 mod tilts;
 mod unsearched;
@@ -61,7 +62,8 @@ messages! {
 }
 
 /// The sentences on a history as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 15] = [
+pub(crate) const TEMPLATES: [&[Template]; 16] = [
+    parts::Dated::TEMPLATES,
     inspected::Inspections::TEMPLATES,
     inspected_tables::InspectedTable::TEMPLATES,
     earthquakes::Felt::TEMPLATES,
@@ -105,6 +107,7 @@ pub(crate) fn sections(answer: &WatchAnswer) -> Document<'_> {
         document.put(Block::List(works));
     }
     tables::put(&mut document, answer);
+    parts::put(&mut document, answer);
     log_table::put(&mut document, answer);
     inspected_tables::put(&mut document, answer);
     if !answer.several.is_empty() {

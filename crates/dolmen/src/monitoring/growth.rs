@@ -137,7 +137,10 @@ mod tests {
             .unwrap()
             .slope
             .unwrap();
-        assert!(found.per_year.abs() < 1e-12 && found.sd_per_year > 6e-6, "{found:?}");
+        assert!(
+            found.per_year.abs() < 1e-12 && found.sd_per_year > 6e-6,
+            "{found:?}"
+        );
         assert!(found.seen_from_per_year > 2e-5, "{found:?}");
     }
 

@@ -57,6 +57,6 @@ pub use tilt::{SlopeLimit, TiltChange, TiltReach, TiltSeries, TiltSlope, TiltTre
 pub use tilt_outliers::TiltOutlier;
 pub use tracking::{Jumped, Track, Tracked, Tracking, track};
 pub use watch::{ANSWERED_DAYS, StructureAlarm, WatchOptions, Watched, watch};
-pub use watched_mode::{LastOff, WatchedChange, WatchedMode, WeatherEffect, WorkEffect};
+pub use watched_mode::{ChangeThere, LastOff, WatchedChange, WatchedMode, WeatherEffect, WorkEffect};
 pub use weather::{Wave, WeatherKnown};
 pub use whitening::Disturbance;

@@ -13,7 +13,7 @@ use super::tilt_marks::carry;
 use super::tilt_signs::without_forecast;
 use super::tracking::{Track, Tracked, Tracking, track};
 use super::unknown_temperatures::{filled, with_temperature};
-use super::watched_mode::{LastOff, WatchedChange, WatchedMode, WeatherEffect, WorkEffect};
+use super::watched_mode::{FittedMode, LastOff, WatchedChange, WatchedMode, WeatherEffect, WorkEffect};
 use super::weather::{ModeSeries, WeatherKnown, YEAR_DAYS, columns, earned, has_temperature, knows_frost};
 use crate::numeric::middle;
 
@@ -307,6 +307,7 @@ fn watched_mode(
         strange: Vec::new(),
         guessed: Vec::new(),
         judged: judge(&series, &levels, alarm)?,
+        fitted: None,
     };
     let frost = knows_frost(&series, alarm.frost_below_c);
     let by_temperature = has_temperature(&series);
@@ -433,6 +434,12 @@ fn explain(
             ratio: of.size / before,
             sd: of.sd / before,
         }
+    });
+    mode.fitted = Some(FittedMode {
+        series: kept.series.clone(),
+        columns: found.columns.clone(),
+        disturbance: found.disturbance,
+        surveys: kept.surveys.clone(),
     });
     let last = kept.series.at[kept.len() - 1];
     for change in &found.found {

@@ -1,7 +1,9 @@
 //! What is known of one mode through the years.
 
 use super::alarm::JudgedMode;
-use super::scan::ChangeForm;
+use super::regression::Fit;
+use super::scan::{ChangeForm, column};
+use super::series::Series;
 use super::tracking::Track;
 use super::weather::WeatherKnown;
 use super::whitening::Disturbance;
@@ -91,4 +93,60 @@ pub struct WatchedMode {
     pub guessed: Vec<usize>,
     /// Each survey against those before it.
     pub judged: JudgedMode,
+    /// What was fitted to its readings; `None` where too few surveys show it.
+    pub(super) fitted: Option<FittedMode>,
 }
+
+/// The readings of a mode with the columns that explain them.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct FittedMode {
+    pub(super) series: Series,
+    pub(super) columns: Vec<Vec<f64>>,
+    pub(super) disturbance: Disturbance,
+    /// Index of each reading's survey.
+    pub(super) surveys: Vec<usize>,
+}
+
+/// A change of a frequency at a date that is known from elsewhere, whether or not it is beyond chance.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ChangeThere {
+    /// Relative change: of a step, or of a slope up to the last survey.
+    pub ratio: f64,
+    /// Its standard deviation.
+    pub sd: f64,
+}
+
+impl WatchedMode {
+    /// How the mode changed with a survey: the change that was found there, or else one of that form beside all that explains the mode, estimated with
+    /// it. `None` where too few readings lie on a side.
+    pub fn change_there(&self, form: ChangeForm, from: usize) -> Option<ChangeThere> {
+        let own = self.changes.iter().find(|of| {
+            let interval = of.after..=of.before;
+            of.form == form && interval.contains(&from)
+        });
+        if let Some(WatchedChange { ratio, sd, .. }) = own.copied() {
+            return Some(ChangeThere { ratio, sd });
+        }
+        let of = self.fitted.as_ref()?;
+        let at = of.surveys.iter().position(|survey| *survey >= from)?;
+        let n = of.surveys.len();
+        if at < READINGS_LEAST || n - at < READINGS_LEAST || n < of.columns.len() + 3 {
+            return None;
+        }
+        let mut columns = of.columns.clone();
+        columns.push(column(&of.series.at, form, at));
+        let fit = Fit::new(&of.series, &columns, of.disturbance)?;
+        let lasts = match form {
+            ChangeForm::Step => 1.0,
+            ChangeForm::Slope => of.series.at[n - 1] - of.series.at[at],
+        };
+        let last = columns.len() - 1;
+        Some(ChangeThere {
+            ratio: fit.coefficients[last] * lasts,
+            sd: fit.sd[last] * lasts,
+        })
+    }
+}
+
+/// Readings on either side of a change that its size needs. Chosen here.
+const READINGS_LEAST: usize = 2;

@@ -1,0 +1,58 @@
+//! Which joint of a chain, or storey of a frame, explains what changed over the years.
+
+use crate::changed_part::{ChangedPart, MeasuredChange, parts_that_explain};
+use dolmen::monitoring::{ChangeForm, WatchedChange, WatchedMode};
+use dolmen_project::Project;
+
+/// Changes that are explained, the strongest first. Chosen here: each costs some hundred modal analyses a part.
+const EXPLAINED_MOST: usize = 3;
+
+/// What explains a change that several modes show at one date.
+#[derive(Clone, Debug, PartialEq)]
+pub struct YearsParts {
+    /// Step or slope.
+    pub form: ChangeForm,
+    /// It came after this survey,
+    pub after: usize,
+    /// and not after this one.
+    pub before: usize,
+    /// What explains it, by direction.
+    pub parts: Vec<ChangedPart>,
+}
+
+/// Which part explains each of the lasting changes of a history, the strongest first. Modes in which no change was found at that date take part with what
+/// they show there: that they did not change tells parts apart.
+pub(crate) fn years_parts(project: &Project, modes: &[WatchedMode]) -> Vec<YearsParts> {
+    let strength = |of: &WatchedChange| (of.ratio / of.sd).abs();
+    let mut all: Vec<WatchedChange> = modes.iter().flat_map(|mode| mode.changes.clone()).collect();
+    all.sort_by(|a, b| strength(b).total_cmp(&strength(a)));
+    let mut found: Vec<YearsParts> = Vec::new();
+    for change in all {
+        let is_told = |of: &YearsParts| {
+            of.form == change.form && of.after <= change.before && change.after <= of.before
+        };
+        if found.len() == EXPLAINED_MOST {
+            break;
+        }
+        if found.iter().any(is_told) {
+            continue;
+        }
+        let measured = modes.iter().filter_map(|mode| {
+            let there = mode.change_there(change.form, change.from)?;
+            Some(MeasuredChange {
+                direction: mode.track.direction.clone(),
+                frequency_hz: mode.track.frequency_hz,
+                relative: there.ratio,
+                sd: Some(there.sd),
+            })
+        });
+        found.push(YearsParts {
+            form: change.form,
+            after: change.after,
+            before: change.before,
+            parts: parts_that_explain(project, &measured.collect::<Vec<_>>()),
+        });
+    }
+    found.retain(|of| !of.parts.is_empty());
+    found
+}
