@@ -2,6 +2,7 @@
 
 use super::building::BuildingPart;
 use super::chain::ChainPart;
+use super::damage::ModelDamage;
 use super::frame::FramePart;
 use super::loads::LoadsPart;
 use super::names::Names;
@@ -124,6 +125,8 @@ pub struct Project {
     pub studies: Vec<StudyPart>,
     /// Surveys in the order of the file.
     pub surveys: Vec<Survey>,
+    /// Damage of inspections that the model has.
+    pub damage: Vec<ModelDamage>,
     /// How two surveys are compared.
     pub change: ChangePart,
     /// What the report says beside the computation; `None` where the file says nothing, and of variants.

@@ -119,6 +119,8 @@ pub(super) struct FileRaw {
     /// kind = "stack" or "chain": whose tilt the model leans by: "latest" (the latest survey with a date and a tilt; if not given), "none", or
     /// the name of a survey.
     pub(super) as_surveyed: Option<At<String>>,
+    /// Up to which inspection the model has the damage that inspections give it: "latest" (if not given), "none", or the name of a survey.
+    pub(super) as_inspected: Option<At<String>>,
     /// What was measured, by occasion: [survey.2010-05-12].
     pub(super) survey: Option<BTreeMap<String, At<SurveyRaw>>>,
     /// How two surveys are compared, for `dolmen compare`.

@@ -7,6 +7,7 @@ mod chain;
 mod check;
 mod combine;
 mod content;
+mod damage;
 mod date_slips;
 mod direction_slips;
 mod doubted;
@@ -20,6 +21,7 @@ mod foreign;
 mod frame;
 mod heaviness;
 mod identified;
+mod inspected;
 mod length_slips;
 mod limits;
 mod loads;
@@ -73,6 +75,7 @@ pub use chain::{
 };
 pub use combine::{canonical_text, parse_combination};
 pub use content::{Project, Structure, Variant, Warning, WarningKind};
+pub use damage::{InModel, ModelDamage, Side};
 pub use dolmen_records::{FileError, Files, MemoryFiles, NoFiles};
 pub use doubted::Doubted;
 pub use doubts::{likely, looks_like_radians};
@@ -98,9 +101,9 @@ pub use schema::json_schema;
 pub use site::{HazardPart, HazardSource, MotionPart, MotionSize, MotionSource, Place, SitePart};
 pub use sought::{FromSurvey, FromSurveys, Sought, WhyNotIdentified};
 pub use stack::{
-    ArchPart, BedPart, BlockPart, ContactPart, JointDefaults, MadePart, MeshPart, OpeningPart, PagodaPart,
-    PagodaSlendernessPart, PointsFrame, ShapePart, SideSupportPart, StackFault, StackPart, StoneWallPart,
-    SupportMovementPart, SurveyedLean, TiePart, TopPart,
+    ArchPart, BedPart, BlockPart, ContactPart, JointDefaults, LostBedPart, MadePart, MeshPart, OpeningPart,
+    PagodaPart, PagodaSlendernessPart, PointsFrame, ShapePart, SideSupportPart, StackFault, StackPart,
+    StoneWallPart, SupportMovementPart, SurveyedLean, TiePart, TopPart,
 };
 pub use study::{
     AfterPart, ArtificialPart, Axis, DRIFT_LIMITS, ExpectedTrend, HarmonicPart, LawPart, Override, Scan,

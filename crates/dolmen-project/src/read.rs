@@ -15,6 +15,7 @@ use super::file_number::At;
 use super::foreign::foreign_keys;
 use super::frame::{frame, lean_frame};
 use super::identified::{sought_by_variant, sought_in_none, without_survey};
+use super::inspected::{OfInspections, of_inspections};
 use super::length_slips::one_for_all;
 use super::limits::limits;
 use super::loads::{judge_loads, loads};
@@ -23,7 +24,7 @@ use super::merge::merge;
 use super::names::{Names, names};
 use super::quantity::Quantity;
 use super::reader::Reader;
-use super::report::{PartNames, report};
+use super::report::report;
 use super::safe_text::unsafe_text;
 use super::schema::kind_word;
 use super::schema_tree::{BUILT, TREE};
@@ -31,7 +32,7 @@ use super::site::{motions, place, site};
 use super::slips;
 use super::stack::{lean, stack};
 use super::study::studies;
-use super::survey::{Survey, add_inspections, change, surveys, watch};
+use super::survey::{Survey, change, surveys, watch};
 use super::syntax::{of_syntax, version};
 use super::tabled::{Tabled, tabled};
 use super::units::STANDARD_GRAVITY_M_S2;
@@ -294,17 +295,7 @@ fn of_raw(
     if reader.faults.is_empty() {
         doubts::doubt(&mut reader, structure.as_ref(), &loads, &surveys, &motions);
     }
-    // a stack is built for its names alone where something speaks of them
-    let inspected = raw
-        .survey
-        .iter()
-        .flatten()
-        .any(|(_, survey)| survey.value.has_inspections());
-    let parts = match (raw.report.is_some() || inspected, structure.as_ref()) {
-        (true, Some(structure)) => PartNames::of(structure),
-        _ => PartNames::default(),
-    };
-    add_inspections(&mut reader, raw.survey.as_ref(), &mut surveys, &parts);
+    let OfInspections { parts, damage } = of_inspections(&mut reader, &raw, &mut surveys, structure.as_mut());
     let report = report(&mut reader, raw.report.as_ref(), &parts);
     if let Some(report) = &report {
         judge_report_place(&mut reader, report, has_korean_name);
@@ -327,6 +318,7 @@ fn of_raw(
             motions,
             studies,
             surveys,
+            damage,
             change,
             report,
             watch,

@@ -1,5 +1,6 @@
 //! The headline, the same on the terminal, on pages, in workbooks and on the index: weight, earthquake, evidence, assumed inputs.
 
+use crate::damaged::damaged;
 use crate::document::{TextStyle, wrapped};
 use dolmen_words::message::Both;
 use dolmen_words::{Digits, Language, Quantity, Sentence, Template, Unit, messages};
@@ -132,6 +133,10 @@ messages! {
             en: "leaning as surveyed ({survey}: {tilt})",
             ko: "실측 기울기 반영({survey} 조사: {tilt})",
         },
+        AsInspected { each: Vec<Sentence> } => {
+            en: "with the damage of inspections: {each}",
+            ko: "점검에서 확인된 손상 반영: {each}",
+        },
         MadeUp { surveys: Vec<String> } => {
             en: "made up, not measured: survey {surveys}",
             ko: "실측이 아닌 가상 조사: {surveys}",
@@ -239,6 +244,10 @@ fn parts(judged: &VersionJudgement) -> Vec<Sentence> {
         let (survey, tilt) = (of.survey, of.tilt);
         Headline::AsSurveyed { survey, tilt }.into()
     }));
+    if !judged.damage.is_empty() {
+        let each = judged.damage.iter().map(damaged).collect();
+        all.push(Headline::AsInspected { each }.into());
+    }
     all.extend(judged.solution.map(|of| {
         let (number, of) = (of.number, of.of);
         Headline::Solution { number, of }.into()
@@ -476,6 +485,7 @@ mod tests {
             solution: None,
             inputs: AssumedInputs { assumed: 3, all: 12 },
             made_up_surveys: Vec::new(),
+            damage: Vec::new(),
         }
     }
 

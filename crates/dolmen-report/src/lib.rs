@@ -9,6 +9,7 @@ mod building_simulation;
 mod chain;
 mod change;
 mod check;
+mod damaged;
 mod demand;
 mod document;
 pub mod docx;

@@ -7,10 +7,10 @@ use crate::identify::Nothing;
 use crate::load_factor::LoadFactor;
 use crate::surveys_given::Given;
 use crate::{
-    after_first, building, building_simulation, chain, change, check, demand, document, engineer, figures,
-    frame, frame_simulation, headline, identification, kept, limits, loads, modal, motion, processing, rank,
-    scanned, score, sensors, simulated, stack, stack_simulation, study, text, tune, warned, watch,
-    wind_simulation, xlsx,
+    after_first, building, building_simulation, chain, change, check, damaged, demand, document, engineer,
+    figures, frame, frame_simulation, headline, identification, kept, limits, loads, modal, motion,
+    processing, rank, scanned, score, sensors, simulated, stack, stack_simulation, study, text, tune, warned,
+    watch, wind_simulation, xlsx,
 };
 use dolmen_words::Template;
 
@@ -28,6 +28,7 @@ pub fn sentences() -> Vec<Template> {
     groups.push(dolmen_work::loads::Governed::TEMPLATES);
     groups.extend(check::TEMPLATES);
     groups.push(headline::TEMPLATES);
+    groups.push(damaged::TEMPLATES);
     groups.push(text::PROJECT_LINE);
     groups.push(dolmen_project::Warned::TEMPLATES);
     groups.push(dolmen_project::Doubted::TEMPLATES);

@@ -403,12 +403,10 @@ impl Incoming<'_> {
             record(rows, source, &kept.hash, (hash, setup, station));
         }
         // each by itself: an earlier version kept the survey without it
-        inspection_rows::entries(survey, hash)
-            .iter()
-            .for_each(|row| rows.put(row));
-        inspection_rows::made_up(survey, hash)
-            .iter()
-            .for_each(|row| rows.put(row));
+        let entries = inspection_rows::entries(survey, hash);
+        entries.iter().for_each(|row| rows.put(row));
+        let made_up = inspection_rows::made_up(survey, hash);
+        made_up.iter().for_each(|row| rows.put(row));
         if let Some(of) = &survey.earthquake {
             rows.put(&earthquake_rows::stated(hash, of));
         }

@@ -156,5 +156,6 @@ fn simulated(
         without_shaking: None,
         tilt_beyond_limit: false, // of the check, as those above
         after: None,
+        damage: Vec::new(), // of the check, too
     })
 }

@@ -354,6 +354,7 @@ fn run_one(
         without_shaking: without_shaking(version.project)?,
         tilt_beyond_limit: version.variant.is_none() && is_tilt_beyond(version.project),
         after: None,
+        damage: version.project.damage.clone(),
     };
     match (&version.project.structure, motion) {
         (Structure::Survey, _) => return Err(WorkError::SurveySimulated),

@@ -8,6 +8,7 @@ use crate::judgement::{Evidence, Weight};
 use crate::loads::Governing;
 use crate::stack::{StackRuns, SupportsSimulation};
 use dolmen::stability::stack::Standing;
+use dolmen_project::ModelDamage;
 
 /// A simulation of a structure of any kind, with what went in.
 #[derive(Clone, Debug, PartialEq)]
@@ -120,4 +121,6 @@ pub struct SimulateAnswer {
     pub tilt_beyond_limit: bool,
     /// What came before, where the motion was the second of two.
     pub after: Option<Box<AfterFirst>>,
+    /// Damage of inspections that the model has.
+    pub damage: Vec<ModelDamage>,
 }

@@ -244,18 +244,7 @@ fn watch_surveys(
     Ok(WatchAnswer {
         file: opened.file.clone(),
         project: opened.project.clone(),
-        surveys: history
-            .surveys
-            .iter()
-            .map(|survey| WatchedSurvey {
-                name: survey.name.clone(),
-                day: survey.day,
-                temperature_c: survey.temperature_c,
-                frequencies_hz: survey.modes.iter().map(|mode| mode.frequency_hz).collect(),
-                frequency_sds_hz: survey.modes.iter().map(|mode| mode.frequency_sd_hz).collect(),
-                accepted: survey.modes.iter().map(|mode| mode.accepted).collect(),
-            })
-            .collect(),
+        surveys: history.surveys.iter().map(watched_survey).collect(),
         left_out,
         several,
         works,
@@ -269,6 +258,17 @@ fn watch_surveys(
         parts: Vec::new(),
         watched,
     })
+}
+
+fn watched_survey(survey: &HistorySurvey) -> WatchedSurvey {
+    WatchedSurvey {
+        name: survey.name.clone(),
+        day: survey.day,
+        temperature_c: survey.temperature_c,
+        frequencies_hz: survey.modes.iter().map(|mode| mode.frequency_hz).collect(),
+        frequency_sds_hz: survey.modes.iter().map(|mode| mode.frequency_sd_hz).collect(),
+        accepted: survey.modes.iter().map(|mode| mode.accepted).collect(),
+    }
 }
 
 fn history_survey(survey: &Survey, day: f64, of: Surveyed) -> HistorySurvey {

@@ -156,7 +156,7 @@ fn holds_a_store_keeps_inspections_and_what_is_made_up() {
     let of = |folder: &str| json(&scratch, &format!("watch {folder}"))["inspected"].clone();
     assert_eq!(of("back"), of("pole"));
     // a copy of the store holds the same
-    good(scratch.briefly(&format!("survey import s.db --store other.db")));
+    good(scratch.briefly("survey import s.db --store other.db"));
     assert_eq!(kept(&scratch, "--store other.db"), surveys);
     assert_eq!(content(&scratch, "--store other.db"), content(&scratch, FILE));
 }

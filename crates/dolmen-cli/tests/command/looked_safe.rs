@@ -199,7 +199,7 @@ fn holds_tilts_alone_are_watched() {
         "watch project.toml",
     );
     assert!(
-        status == 2 && words.contains("2 surveys of the file have modes, or a tilt"),
+        status == 2 && words.contains("2 surveys of the file have modes, a tilt or an inspection"),
         "{words}"
     );
 }

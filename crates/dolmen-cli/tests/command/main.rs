@@ -18,6 +18,7 @@ mod chains_on_soil;
 mod changed_parts;
 mod changes;
 mod columns;
+mod damaged_models;
 mod decisions;
 mod demands;
 mod docs;

@@ -10,8 +10,8 @@ use super::vectors::{centroid, unit_normal};
 use crate::loads::LoadPart;
 use crate::quantity::{Pick, Quantity};
 use dolmen::structure::stack::{
-    BED_GAP_M, Block, Body, Joint, JointMaterial, Pagoda, PagodaFactors, PagodaSlenderness, Placement,
-    SideSupport, Solid, Stack, StackError, StaticLoad, SupportMovement, Tie, pagoda,
+    BED_GAP_M, Block, Body, Joint, JointMaterial, LostBed, Pagoda, PagodaFactors, PagodaSlenderness,
+    Placement, SideSupport, Solid, Stack, StackError, StaticLoad, SupportMovement, Tie, pagoda, without_bed,
 };
 
 /// Least rise of the normal of a face that can be stood on, as cosine: 45°. Chosen here; what leans more is a side.
@@ -234,6 +234,15 @@ impl StackPart {
                 MadePart::Wall(wall) => wall.made(density, pick),
             };
             blocks = made.map_err(|why| StackFault::part(self.made_by().to_owned(), why))?;
+        }
+        for lost in &self.lost_beds {
+            let block = blocks.iter().position(|block| block.name == lost.block);
+            let bed = LostBed {
+                block: block.unwrap_or(blocks.len()),
+                share: lost.share,
+                outward: lost.outward,
+            };
+            blocks = without_bed(blocks, &bed).map_err(|why| StackFault::part(lost.path.clone(), why))?;
         }
         let turn = self.lean.as_ref().and_then(|lean| lean.turn(&blocks));
         if let Some(turn) = turn {

@@ -27,8 +27,8 @@ pub(crate) use file::{
 };
 pub(crate) use lean::lean;
 pub use part::{
-    ArchPart, BedPart, BlockPart, ContactPart, JointDefaults, MadePart, MeshPart, OpeningPart, PagodaPart,
-    PagodaSlendernessPart, PointsFrame, ShapePart, SideSupportPart, StackPart, StoneWallPart,
+    ArchPart, BedPart, BlockPart, ContactPart, JointDefaults, LostBedPart, MadePart, MeshPart, OpeningPart,
+    PagodaPart, PagodaSlendernessPart, PointsFrame, ShapePart, SideSupportPart, StackPart, StoneWallPart,
     SupportMovementPart, TiePart, TopPart,
 };
 pub(crate) use read::stack;

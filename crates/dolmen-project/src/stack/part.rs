@@ -298,6 +298,19 @@ pub struct SupportMovementPart {
     pub movement: [Option<Quantity>; 3],
 }
 
+/// A bed of which a part no longer bears, as an inspection found it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LostBedPart {
+    /// The name of the block above it.
+    pub block: String,
+    /// Share of its width.
+    pub share: f64,
+    /// The side from which it is lost, x and y.
+    pub outward: [f64; 2],
+    /// Where it stands in the file.
+    pub path: String,
+}
+
 /// Whether the file says of a value that it was measured or tested.
 fn is_measured(value: &Quantity) -> bool {
     matches!(
@@ -329,6 +342,8 @@ pub struct StackPart {
     pub support_movement: Vec<SupportMovementPart>,
     /// Static loads on its blocks; their inputs are listed with those of the file's loads.
     pub static_loads: Vec<LoadPart>,
+    /// Beds of which a part is lost.
+    pub lost_beds: Vec<LostBedPart>,
     /// How it leans as surveyed; `None` if upright, or if blocks carry their own tilt.
     pub lean: Option<SurveyedLean>,
     /// Acceleration of gravity, m/s².

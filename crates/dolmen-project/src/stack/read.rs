@@ -20,6 +20,7 @@ use crate::warned::Warned;
 use crate::way::way;
 use crate::wrong::WrongStack;
 use dolmen_words::message::Both;
+use std::ops::Range;
 
 pub(crate) fn stack(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) -> Option<StackPart> {
     let makers: Vec<Both> = [
@@ -122,21 +123,26 @@ pub(crate) fn stack(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) -> Op
         side_supports: side_supports?,
         support_movement: support_movement?,
         static_loads: Vec::new(),
+        lost_beds: Vec::new(),
         lean: None,
         gravity_m_s2,
     };
     if let Some(block) = stack.ring() {
-        let path = format!("blocks[{}].on", block + 1);
-        let message = WrongStack::StandsOverBlocksBelow {
-            path: path.to_string(),
-            name: stack.blocks[block].name.to_string(),
-        };
-        let fault = Fault::new(list[block].span.clone(), &path, message);
-        reader.fault(fault.help(WrongStack::LetOneOfThem));
+        reader.fault(stands_on_itself(&stack, block, list[block].span.clone()));
         return None;
     }
     warn_of_defaults(reader, &stack);
     Some(stack)
+}
+
+/// That a block stands, over others, on itself.
+fn stands_on_itself(stack: &StackPart, block: usize, at: Range<usize>) -> Fault {
+    let path = format!("blocks[{}].on", block + 1);
+    let message = WrongStack::StandsOverBlocksBelow {
+        path: path.clone(),
+        name: stack.blocks[block].name.clone(),
+    };
+    Fault::new(at, &path, message).help(WrongStack::LetOneOfThem)
 }
 
 /// Reports blocks that have no density where the stack has none either.

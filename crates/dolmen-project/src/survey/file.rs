@@ -1,5 +1,6 @@
 //! Surveys and their records as they are written.
 
+use crate::damage::InModelRaw;
 use crate::file_names::NamesRaw;
 use crate::file_number::{At, NumberRaw, QuantityRaw};
 use crate::file_way::WayRaw;
@@ -97,6 +98,8 @@ pub(super) struct InspectionRaw {
     pub(super) photo: Option<At<String>>,
     /// Anything to add.
     pub(super) note: Option<At<NamesRaw>>,
+    /// What it means for the model; nothing if not given.
+    pub(super) model: Option<At<InModelRaw>>,
 }
 
 /// How setups are put together.

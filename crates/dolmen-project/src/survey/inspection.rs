@@ -1,5 +1,6 @@
 //! What an inspection found: damage of a part, how large, how bad, where.
 
+use crate::damage::InModel;
 use crate::names::Names;
 use crate::quantity::Quantity;
 use crate::report::PhotoPart;
@@ -96,6 +97,8 @@ pub struct Inspection {
     pub photo: Option<PhotoPart>,
     /// Anything to add.
     pub note: Option<Names>,
+    /// What it means for the model.
+    pub model: Option<InModel>,
 }
 
 impl Inspection {
@@ -150,6 +153,7 @@ mod tests {
             at: None,
             photo: None,
             note: None,
+            model: None,
         };
         of.reading_sd_m()
     }

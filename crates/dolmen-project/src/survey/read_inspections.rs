@@ -2,6 +2,7 @@
 
 use super::file::{InspectionRaw, SeverityRaw};
 use super::inspection::{DamageKind, Inspection, OtherDamage, Severity};
+use crate::damage::in_model;
 use crate::error::Fault;
 use crate::file_number::{At, QuantityRaw};
 use crate::measure::{Bound, Measure};
@@ -55,6 +56,7 @@ fn inspection(reader: &mut Reader, raw: &InspectionRaw, path: &str, parts: &Part
     });
     let what = words(reader, raw.what.as_ref(), &format!("{path}.what")).map(|names| kind(&names));
     let part = a_part(reader, raw.part.as_ref(), &format!("{path}.part"), parts);
+    let model = in_model(reader, raw.model.as_ref(), &format!("{path}.model"));
     Some(Inspection {
         part: part?,
         what: what?,
@@ -69,6 +71,7 @@ fn inspection(reader: &mut Reader, raw: &InspectionRaw, path: &str, parts: &Part
         at,
         photo,
         note,
+        model,
     })
 }
 

@@ -3,6 +3,7 @@
 mod building;
 mod chain;
 mod common;
+mod damage;
 mod damper;
 mod faults;
 mod frame;
@@ -32,6 +33,7 @@ mod whole;
 pub(crate) use building::WrongBuilding;
 pub(crate) use chain::WrongChain;
 pub(crate) use common::Common;
+pub(crate) use damage::WrongDamage;
 pub(crate) use damper::WrongDamper;
 pub(crate) use frame::WrongFrame;
 pub(crate) use framed::Framed;
@@ -72,7 +74,7 @@ pub(crate) fn either<T: AsRef<str>>(words: &[T]) -> Both {
 }
 
 /// All sentences of errors of project files.
-pub const ERRORS: [&[Template]; 30] = [
+pub const ERRORS: [&[Template]; 31] = [
     Framed::TEMPLATES,
     Common::TEMPLATES,
     WrongToml::TEMPLATES,
@@ -89,6 +91,7 @@ pub const ERRORS: [&[Template]; 30] = [
     WrongChain::TEMPLATES,
     WrongFrame::TEMPLATES,
     WrongBuilding::TEMPLATES,
+    WrongDamage::TEMPLATES,
     WrongDamper::TEMPLATES,
     WrongLoads::TEMPLATES,
     WrongLog::TEMPLATES,

@@ -4,7 +4,7 @@ use crate::document::{Finding, Tone};
 use crate::engineer::damage_words;
 use dolmen::assess::demand::DriftLimit;
 use dolmen::stability::Verdict;
-use dolmen_project::{LogKind, Project, Severity, Structure, Survey, date_of};
+use dolmen_project::{Inspection, LogKind, Project, Severity, Structure, Survey, date_of};
 use dolmen_words::message::Both;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::felt::felt;
@@ -246,7 +246,7 @@ pub(crate) fn tilt_beyond(project: &Project) -> Vec<Finding> {
     all.filter(|finding| finding.tone == Tone::Bad).collect()
 }
 
-/// Severe damage: of each part what the last survey says that lists it.
+/// Severe damage that the model does not have: of each part what the last survey says that lists it.
 pub(super) fn severe_damage(project: &Project) -> Vec<Finding> {
     let mut surveys: Vec<&Survey> = project.surveys.iter().collect();
     surveys.sort_by_key(|survey| date_of(&survey.name).unwrap_or_default());
@@ -254,11 +254,16 @@ pub(super) fn severe_damage(project: &Project) -> Vec<Finding> {
         let mut later = surveys.iter().skip(place + 1);
         !later.any(|survey| survey.inspections.iter().any(|one| one.part == part))
     };
+    let is_in_model = |one: &Inspection| {
+        let mut all = project.damage.iter();
+        all.any(|of| of.part == one.part && of.what == one.what && of.name == one.name)
+    };
     let each = surveys.iter().enumerate().filter_map(|(place, survey)| {
         let severe = survey
             .inspections
             .iter()
-            .filter(|one| one.severity == Some(Severity::Severe) && is_last(place, &one.part));
+            .filter(|one| one.severity == Some(Severity::Severe) && is_last(place, &one.part))
+            .filter(|one| !is_in_model(one));
         let found: Vec<Sentence> = severe
             .map(|one| {
                 let (part, what) = (one.part.clone(), damage_words(&one.what));

@@ -1,6 +1,7 @@
 //! What was read: said before any result.
 
 use super::from_surveys::from_surveys_text;
+use crate::damaged::damaged;
 use crate::document::{TextStyle, wrapped};
 use crate::warned::slip;
 use dolmen::structure::stack::Body;
@@ -45,6 +46,10 @@ messages! {
         PDelta => { en: "P-delta from the masses", ko: "질량에 의한 P-델타 고려" },
         NoPDelta => { en: "P-delta left out", ko: "P-델타 제외" },
         BuildingFault { why: String } => { en: "building that cannot be: {why}", ko: "성립할 수 없는 건물 모델: {why}" },
+        AsInspected { each: Vec<Sentence> } => {
+            en: "the model has the damage of inspections: {each}; as_inspected = \"none\" leaves that out",
+            ko: "모델에 점검에서 확인된 손상을 반영하였다: {each}. 제외하려면 as_inspected = \"none\"으로 한다",
+        },
         MadeUp { surveys: Vec<String> } => {
             en: "made up, not measured: survey {surveys}; what follows from it is an illustration",
             ko: "실측이 아닌 가상 조사: {surveys}. 이에 따른 결과는 예시이다",
@@ -84,7 +89,18 @@ pub(crate) fn project_text(project: &Project, file: &str, style: TextStyle) -> S
             source: source.clone(),
         });
     }
+    out += &damage_text(project, style);
     out + &doubtful_text(project, style)
+}
+
+/// The damage of inspections that the model has; nothing where it has none.
+fn damage_text(project: &Project, style: TextStyle) -> String {
+    if project.damage.is_empty() {
+        return String::new();
+    }
+    let each = project.damage.iter().map(damaged).collect();
+    let said = Sentence::from(Size::AsInspected { each }).text(style.language);
+    wrapped(&said, "  ", "    ", style.columns())
 }
 
 /// That surveys of the file were not measured; nothing where all were. A check says it in its verdict.
@@ -116,7 +132,8 @@ fn doubtful_lines(project: &Project) -> Vec<Sentence> {
     each.map(Sentence::from).collect()
 }
 
-/// What speaks against an answer before it is read, for a terminal: a slip in the file, a survey that contradicts its model. Nothing where nothing does.
+/// What is to be known of an answer before it is read, for a terminal: damage in the model, a slip in the file, a survey that contradicts its model.
+/// Nothing where there is nothing.
 pub fn against_text(project: &Project, evidence: &Evidence, style: TextStyle) -> String {
     let contradicted = match evidence {
         Evidence::Contradicted(of) => Some(Sentence::from(Size::Contradicted {
@@ -127,7 +144,8 @@ pub fn against_text(project: &Project, evidence: &Evidence, style: TextStyle) ->
         _ => None,
     };
     let said = contradicted.map(|said| wrapped(&said.text(style.language), "  ", "    ", style.columns()));
-    doubtful_text(project, style) + &said.unwrap_or_default() + &from_surveys_text(project, style)
+    let damage = damage_text(project, style);
+    damage + &doubtful_text(project, style) + &said.unwrap_or_default() + &from_surveys_text(project, style)
 }
 
 /// The same of the file alone.

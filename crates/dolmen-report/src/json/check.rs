@@ -1,6 +1,7 @@
 //! `dolmen check` as JSON.
 
 use super::building::building;
+use super::damage::damage;
 use super::demand::demand;
 use super::judgement::judgement;
 use super::loads::loads;
@@ -61,6 +62,7 @@ pub(super) fn project(project: &Project, file: &str) -> Value {
                 "path": part.path, "survey": part.survey, "unknown": part.unknown.map(why_word),
             })).collect::<Vec<_>>(),
         })),
+        "damage": project.damage.iter().map(damage).collect::<Vec<_>>(),
         "warnings": warnings.map(|w| json!({ "line": w.line, "path": w.path, "message": w.message.text(Language::English) })).collect::<Vec<_>>(),
     })
 }

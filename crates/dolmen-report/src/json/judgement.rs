@@ -1,5 +1,6 @@
 //! The judgement as JSON: words, colours and what decided them.
 
+use super::damage::damage;
 use crate::headline::headline;
 use dolmen_words::Language;
 use dolmen_work::judgement::{
@@ -54,6 +55,7 @@ fn version(version: &VersionJudgement) -> Value {
         "leans": version.leans.as_ref().map(|of| json!({ "survey": of.survey, "tilt": of.tilt })),
         "solution": version.solution.map(|of| json!({ "number": of.number, "of": of.of })),
         "after": version.after.as_ref().map(|of| json!({ "first": of.first, "second": of.second })),
+        "damage": version.damage.iter().map(damage).collect::<Vec<_>>(),
         "made_up_surveys": version.made_up_surveys,
         "assumed_inputs": version.inputs.assumed,
         "inputs": version.inputs.all,

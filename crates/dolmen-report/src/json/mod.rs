@@ -7,6 +7,7 @@ mod change;
 mod change_form;
 mod changed_part;
 mod check;
+mod damage;
 mod demand;
 mod earthquake;
 mod fragility;

@@ -1,5 +1,6 @@
 //! What inspections say, one after the other, in plain words.
 
+use super::cause::cause;
 use super::logs::month;
 use super::numbers::{HALF_95, bare_logged, logged, plain};
 use crate::document::{Finding, Tone};
@@ -66,9 +67,9 @@ messages! {
             en: "{damage}: it changed by {by} ± {half}, no more than reading it may be off ({readings} readings; a slope needs four of one level).",
             ko: "{damage}: 변화 {by} ± {half}은(는) 측정 오차를 넘지 않는다(측정 {readings}회. 경향을 구하려면 같은 수준에서 4회가 필요하다).",
         },
-        Jumped { damage: Sentence, by: Quantity, half: Quantity, after: String, before: String } => {
-            en: "{damage}: it jumped by {by} ± {half} between {after} and {before}: look what happened, and enter it into works of [watch].",
-            ko: "{damage}: {after}와(과) {before} 사이에 {by} ± {half}만큼 급변하였다. 원인을 확인하여 [watch]의 works에 기록한다.",
+        Jumped { damage: Sentence, by: Quantity, half: Quantity, after: String, before: String, cause: Sentence } => {
+            en: "{damage}: it jumped by {by} ± {half} between {after} and {before}{cause}: look at it, and whether it goes on.",
+            ko: "{damage}: {after}와(과) {before} 사이에 {by} ± {half}만큼 급변하였다{cause}. 현장을 살피고 계속 변하는지 확인한다.",
         },
         Bends { damage: Sentence, about: String, after: String, before: String, by: Quantity, half: Quantity } => {
             en: "{damage}: its slope changed in about {about} ({after} to {before}), by {by} ± {half} a year.",
@@ -118,7 +119,7 @@ pub(super) fn inspected(answer: &WatchAnswer) -> Vec<Finding> {
     let mut all = Vec::new();
     for of in &found.damages {
         all.extend(growth(of, last, &date));
-        all.extend(changed(of, &date));
+        all.extend(changed(answer, of, &date));
     }
     let named = |some: Vec<&WatchedDamage>| -> (Vec<Sentence>, usize) {
         let count = some.len();
@@ -288,7 +289,8 @@ fn growth(of: &WatchedDamage, last: &InspectionOf, date: &dyn Fn(usize) -> Strin
 }
 
 /// Steps, changes of slope and readings that stand alone.
-fn changed(of: &WatchedDamage, date: &dyn Fn(usize) -> String) -> Vec<Finding> {
+fn changed(answer: &WatchAnswer, of: &WatchedDamage, date: &dyn Fn(usize) -> String) -> Vec<Finding> {
+    let day = |reading: usize| of.readings.get(reading).map_or(f64::NAN, |read| read.day);
     let survey = |reading: usize| {
         let of = of.readings.get(reading);
         of.map_or_else(String::new, |of| date(of.inspection))
@@ -301,6 +303,7 @@ fn changed(of: &WatchedDamage, date: &dyn Fn(usize) -> String) -> Vec<Finding> {
             half: logged(HALF_95 * change.sd, false, 2),
             after: survey(change.after),
             before: survey(change.before),
+            cause: cause(answer, [day(change.after), day(change.before)]).into(),
         },
         ChangeForm::Slope => Inspections::Bends {
             damage: damage(),

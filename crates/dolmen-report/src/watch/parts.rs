@@ -12,12 +12,12 @@ messages! {
     /// The date of what is explained.
     pub(crate) enum Dated in "watch.parts" {
         Step { after: String, before: String, said: Sentence } => {
-            en: "What changed between {after} and {before}: {said}",
-            ko: "{after}~{before} 사이의 변화: {said}",
+            en: "The change between {after} and {before}. {said}",
+            ko: "{after}~{before} 사이의 변화. {said}",
         },
         Drift { since: String, said: Sentence } => {
-            en: "What drifts since about {since}: {said}",
-            ko: "{since}경부터의 점진 변화: {said}",
+            en: "The drift since about {since}. {said}",
+            ko: "{since}경부터의 점진 변화. {said}",
         },
         Table { after: String, before: String } => {
             en: "The change between {after} and {before}, modes that did not change beyond chance included.",

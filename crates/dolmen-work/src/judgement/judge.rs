@@ -55,11 +55,9 @@ impl Judgement {
         }
         if simulated.does_not_stand.is_some() {
             let variant = simulated.variant.as_deref();
-            self.versions.push(VersionJudgement::new(
-                variant,
-                Some(Weight::Unstable),
-                Evidence::none(),
-            ));
+            let mut version = VersionJudgement::new(variant, Some(Weight::Unstable), Evidence::none());
+            version.damage.clone_from(&simulated.damage);
+            self.versions.push(version);
         }
     }
 
@@ -94,6 +92,9 @@ impl Judgement {
                     .or(version.tilt_left_out.take());
             }
             version.leans = leaning(run).or(version.leans.take());
+            if !of.damage.is_empty() {
+                version.damage.clone_from(&of.damage);
+            }
             version.after = after_motion(of);
             version.tilt_beyond_limit |= is_as_it_is && of.tilt_beyond_limit;
             let is_contradicted = evidence.is_contradicted() && is_as_it_is;

@@ -9,7 +9,7 @@ use crate::loads::Governing;
 use crate::simulation::Simulation;
 use crate::state::{Check, State};
 use crate::tilt_left_out::TiltLeftOut;
-use dolmen_project::{ChainLean, FrameLean, Project, Structure, SurveyedLean};
+use dolmen_project::{ChainLean, FrameLean, ModelDamage, Project, Structure, SurveyedLean};
 use dolmen_words::Language;
 use dolmen_words::message::Both;
 
@@ -48,6 +48,8 @@ pub struct VersionJudgement {
     pub inputs: AssumedInputs,
     /// Surveys of the file that nobody measured.
     pub made_up_surveys: Vec<String>,
+    /// Damage of inspections that the model has.
+    pub damage: Vec<ModelDamage>,
 }
 
 /// One of several accepted solutions.
@@ -130,6 +132,7 @@ impl VersionJudgement {
             solution: None,
             inputs: AssumedInputs::default(),
             made_up_surveys: Vec::new(),
+            damage: Vec::new(),
         }
     }
 
@@ -272,6 +275,7 @@ pub(super) fn version(
     version.inputs = AssumedInputs::of(project);
     let made_up = project.surveys.iter().filter(|survey| survey.is_made_up);
     version.made_up_surveys = made_up.map(|survey| survey.name.clone()).collect();
+    version.damage.clone_from(&project.damage);
     version
 }
 

@@ -1,0 +1,129 @@
+//! Which inspections' damage a model has.
+
+use super::chain::damage_chain;
+use super::frame::damage_frame;
+use super::in_model::InModel;
+use super::model_damage::ModelDamage;
+use super::refused::refused;
+use super::stack::damage_stack;
+use crate::content::Structure;
+use crate::error::Fault;
+use crate::file_number::At;
+use crate::reader::Reader;
+use crate::survey::{DamageKind, Survey, date_of};
+use crate::wrong::WrongDamage;
+use std::collections::BTreeMap;
+
+/// Carries what inspections say of the model into it, up to the inspection that `as_inspected` chooses; what it has now.
+///
+/// A damage counts from the inspection that gives it until a later one gives the same damage otherwise, or as mended. That a later one does not list it
+/// takes nothing away: it may not have been looked for.
+pub(crate) fn damaged(
+    reader: &mut Reader,
+    chosen: Option<&At<String>>,
+    surveys: &[Survey],
+    structure: Option<&mut Structure>,
+) -> Vec<ModelDamage> {
+    let Some(last) = chosen_day(reader, chosen, surveys) else {
+        return Vec::new();
+    };
+    let mut dated: Vec<(_, &Survey)> = surveys
+        .iter()
+        .filter_map(|survey| Some((date_of(&survey.name)?, survey)))
+        .filter(|(day, _)| last.is_none_or(|last| *day <= last))
+        .collect();
+    dated.sort_by_key(|(day, _)| *day);
+    undated(reader, surveys);
+    let mut now: BTreeMap<(&str, &DamageKind, Option<&str>), ModelDamage> = BTreeMap::new();
+    for (_, survey) in dated {
+        for (number, item) in (1..).zip(&survey.inspections) {
+            let Some(effect) = item.model else { continue };
+            let of = ModelDamage {
+                survey: survey.name.clone(),
+                part: item.part.clone(),
+                what: item.what.clone(),
+                name: item.name.clone(),
+                effect,
+                path: format!("survey.{}.inspections[{number}].model", survey.name),
+            };
+            now.insert((&item.part, &item.what, item.name.as_deref()), of);
+        }
+    }
+    let mut all: Vec<ModelDamage> = now.into_values().collect();
+    all.retain(|of| of.effect != InModel::Mended);
+    let Some(structure) = structure else {
+        return all;
+    };
+    let names = structure.part_names();
+    // a stone that is gone moves the places of those behind it: last of all
+    all.sort_by_key(|of| of.effect == InModel::Lost);
+    for of in &all {
+        let Some(part) = names.iter().position(|name| *name == of.part) else {
+            let help = WrongDamage::LeaveModelOut;
+            refused(reader, of, WrongDamage::NoModel, help);
+            continue;
+        };
+        match structure {
+            Structure::Chain(chain) => damage_chain(reader, (of, part), chain),
+            Structure::Frame(frame) => damage_frame(reader, (of, part), frame),
+            Structure::Stack(stack) => damage_stack(reader, (of, part), stack),
+            Structure::Building(_) => {
+                refused(reader, of, WrongDamage::OfBuilding, WrongDamage::WriteItYourself);
+            }
+            Structure::Survey => refused(reader, of, WrongDamage::NoModel, WrongDamage::LeaveModelOut),
+        }
+    }
+    all
+}
+
+/// The day up to which inspections count, `Some(None)` for all; `None` where none does.
+fn chosen_day(
+    reader: &mut Reader,
+    chosen: Option<&At<String>>,
+    surveys: &[Survey],
+) -> Option<Option<[u32; 3]>> {
+    let Some(given) = chosen else {
+        return Some(None);
+    };
+    match given.value.as_str() {
+        "none" => None,
+        "latest" => Some(None),
+        name => {
+            let inspected = || surveys.iter().filter(|survey| !survey.inspections.is_empty());
+            let found = inspected().find(|survey| survey.name == name);
+            let day = found.and_then(|survey| date_of(&survey.name));
+            if day.is_none() {
+                let names = inspected().filter(|survey| date_of(&survey.name).is_some());
+                let names = names.map(|survey| format!("\"{}\"", survey.name));
+                let allowed = ["\"latest\"".to_owned(), "\"none\"".to_owned()].into_iter();
+                let message = WrongDamage::AsInspectedButNo {
+                    name: name.to_owned(),
+                };
+                let fault = Fault::new(given.span.clone(), "as_inspected", message);
+                reader.fault(fault.allowed(WrongDamage::MustBeOneOf {
+                    allowed: allowed.chain(names).collect::<Vec<_>>().join(", "),
+                }));
+            }
+            day.map(Some)
+        }
+    }
+}
+
+/// Refuses what inspections without a date say of the model: which came last is not known.
+fn undated(reader: &mut Reader, surveys: &[Survey]) {
+    for survey in surveys.iter().filter(|survey| date_of(&survey.name).is_none()) {
+        for (number, item) in (1..).zip(&survey.inspections) {
+            if let Some(effect) = item.model {
+                let of = ModelDamage {
+                    survey: survey.name.clone(),
+                    part: item.part.clone(),
+                    what: item.what.clone(),
+                    name: item.name.clone(),
+                    effect,
+                    path: format!("survey.{}.inspections[{number}].model", survey.name),
+                };
+                refused(reader, &of, WrongDamage::NoDate, WrongDamage::NameSurveyByDate);
+            }
+        }
+    }
+}

@@ -1,0 +1,17 @@
+//! Damage that inspections found, carried into the model: which counts, and what it does to a chain, a frame, a stack.
+
+mod as_inspected;
+mod chain;
+mod file;
+mod frame;
+mod in_model;
+mod model_damage;
+mod read;
+mod refused;
+mod stack;
+
+pub(crate) use as_inspected::damaged;
+pub(crate) use file::InModelRaw;
+pub use in_model::{InModel, Side};
+pub use model_damage::ModelDamage;
+pub(crate) use read::in_model;

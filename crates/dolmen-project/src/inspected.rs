@@ -1,0 +1,47 @@
+//! What inspections of a file found, and which of it the model has.
+
+use super::buildable::buildable;
+use super::content::Structure;
+use super::damage::{ModelDamage, damaged};
+use super::file::FileRaw;
+use super::reader::Reader;
+use super::report::PartNames;
+use super::survey::{Survey, add_inspections};
+
+/// What came of the inspections of a file.
+pub(super) struct OfInspections {
+    /// The parts that they and the report may name.
+    pub(super) parts: PartNames,
+    /// The damage that the model has.
+    pub(super) damage: Vec<ModelDamage>,
+}
+
+/// Puts what inspections found into their surveys, and its damage into the structure.
+pub(super) fn of_inspections(
+    reader: &mut Reader,
+    raw: &FileRaw,
+    surveys: &mut [Survey],
+    mut structure: Option<&mut Structure>,
+) -> OfInspections {
+    // a stack is built for its names alone where something speaks of them
+    let inspected = raw
+        .survey
+        .iter()
+        .flatten()
+        .any(|(_, survey)| survey.value.has_inspections());
+    let parts = match (raw.report.is_some() || inspected, structure.as_deref()) {
+        (true, Some(structure)) => PartNames::of(structure),
+        _ => PartNames::default(),
+    };
+    add_inspections(reader, raw.survey.as_ref(), surveys, &parts);
+    let damage = damaged(
+        reader,
+        raw.as_inspected.as_ref(),
+        surveys,
+        structure.as_deref_mut(),
+    );
+    if !damage.is_empty() {
+        buildable(reader, structure);
+    }
+    OfInspections { parts, damage }
+}

@@ -1,0 +1,233 @@
+//! Beds of which a part no longer bears: crushed, spalled or washed out at one side.
+
+use super::{Block, JointMaterial, Solid, Stack, StackError};
+use glam::DVec3;
+
+/// Rise of the foot beyond what still bears, 30°. Chosen here: far steeper than beds count as parallel (5°), and a stone that has turned so far has
+/// fallen.
+const RISE_RAD: f64 = std::f64::consts::FRAC_PI_6;
+/// Least rise of the normal of a bed, as cosine: 45°. Chosen here; what leans more is a side.
+const UPRIGHT_LEAST: f64 = 0.7;
+/// Gravity for the look at the joints alone: no answer depends on it.
+const GRAVITY_M_S2: f64 = 9.806_65;
+
+/// A part of the bed below a block that no longer bears.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LostBed {
+    /// The block above the bed, by its index.
+    pub block: usize,
+    /// Share of the bed's width that is lost, above 0 and below 1.
+    pub share: f64,
+    /// The side from which it is lost: x and y.
+    pub outward: [f64; 2],
+}
+
+/// The same blocks, one of which no longer bears on the outer part of its bed.
+///
+/// Its foot ends at a line across the bed and rises at 30° beyond it, so that it tips about that line. It weighs what it did, with the same centre and
+/// inertia: what no longer bears may still be there.
+///
+/// ```text
+/// pivot of a bed of width b towards the lost side:   b/2 − s b from the middle
+/// ```
+///
+/// # Errors
+/// [`StackError::Dimension`] for a share out of its range, [`StackError::Direction`] for no side, [`StackError::NoBlock`], [`StackError::NoJoint`] where
+/// nothing flat lies below the block, and what [`Stack::new`] refuses.
+///
+/// # Limits
+/// Of a bed on several stones the whole width counts. Stiffness per area stays as it is: what is left of the bed is taken as sound.
+pub fn without_bed(mut blocks: Vec<Block>, lost: &LostBed) -> Result<Vec<Block>, StackError> {
+    if !(lost.share > 0.0 && lost.share < 1.0) {
+        return Err(StackError::Dimension {
+            quantity: "share of a bed",
+            given: lost.share,
+            allowed: "above 0 and below 1",
+        });
+    }
+    let outward = DVec3::new(lost.outward[0], lost.outward[1], 0.0);
+    let Some(outward) = outward.try_normalize() else {
+        return Err(StackError::Direction {
+            quantity: "the side of a bed",
+            given: [lost.outward[0], lost.outward[1], 0.0],
+        });
+    };
+    let stack = Stack::new(blocks.clone(), JointMaterial::default(), GRAVITY_M_S2)?;
+    let below: Vec<_> = stack
+        .joints()
+        .iter()
+        .filter(|joint| joint.upper == lost.block && joint.axes[2][2] >= UPRIGHT_LEAST)
+        .collect();
+    let last = blocks.len() - 1;
+    let (Some(first), Some(block)) = (below.first(), blocks.get_mut(lost.block)) else {
+        return Err(match lost.block > last {
+            true => StackError::NoBlock {
+                given: lost.block,
+                last,
+            },
+            false => StackError::NoJoint {
+                given: lost.block,
+                count: stack.joints().len(),
+            },
+        });
+    };
+    let corners = below.iter().flat_map(|joint| {
+        let [x, y, _] = joint.axes.map(DVec3::from);
+        let origin = DVec3::from(joint.origin_m);
+        let each = joint.patch.corners_m.iter();
+        each.map(move |[a, b]| outward.dot(origin + x * *a + y * *b))
+    });
+    let (low, high) = corners.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), at| {
+        (low.min(at), high.max(at))
+    });
+    let normal = DVec3::from(first.axes[2]);
+    let along = (outward - normal * outward.dot(normal)).normalize();
+    // on the foot of the block, which may lie a little above the bed
+    let origin = DVec3::from(first.origin_m) + normal * first.gap_m;
+    let line = high - lost.share * (high - low);
+    let on = origin + along * ((line - outward.dot(origin)) / along.dot(outward));
+    let across = along * RISE_RAD.sin() - normal * RISE_RAD.cos();
+    let whole = &block.solid;
+    let mut left = behind(whole, &|corner| across.dot(corner - on))?.with_moments(
+        whole.volume_m3(),
+        DVec3::from(whole.centroid_m()),
+        whole.second_m5(),
+    );
+    left.openings.clone_from(&whole.openings);
+    block.solid = left;
+    Ok(blocks)
+}
+
+/// The hull of what lies behind a plane: corners there, and points where edges pass through it. Faces are cut along their own edges, so that each stays one.
+fn behind(solid: &Solid, height: &dyn Fn(DVec3) -> f64) -> Result<Solid, StackError> {
+    let corners: Vec<DVec3> = solid.vertices_m().iter().map(|at| DVec3::from(*at)).collect();
+    let mut kept: Vec<[f64; 3]> = Vec::new();
+    let mut keep = |at: DVec3| {
+        let at = at.to_array();
+        if !kept.contains(&at) {
+            kept.push(at);
+        }
+    };
+    for face in solid.faces() {
+        for (at, &first) in face.iter().enumerate() {
+            let next = face[(at + 1) % face.len()];
+            if height(corners[first]) <= 0.0 {
+                keep(corners[first]);
+            }
+            // each edge is met from both of its faces: always the same way round, for the same rounding
+            let (a, b) = (corners[first.min(next)], corners[first.max(next)]);
+            let (from, to) = (height(a), height(b));
+            if from * to < 0.0 {
+                keep(a + (b - a) * (from / (from - to)));
+            }
+        }
+    }
+    Solid::convex(&kept)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Body, Placement};
+    use super::*;
+
+    fn pier() -> Vec<Block> {
+        let block = |name: &str, at: f64| Block {
+            name: name.into(),
+            solid: Solid::cuboid(1.0, 0.8, 1.0).unwrap().placed(&Placement {
+                position_m: [0.0, 0.0, at],
+                ..Placement::default()
+            }),
+            density_kg_m3: 2600.0,
+        };
+        vec![block("low", 0.0), block("high", 1.0)]
+    }
+
+    #[test]
+    fn exact_a_fifth_of_a_bed_lost_at_one_side_moves_its_edge_by_a_fifth_of_its_width() {
+        for (block, outward, edges) in [
+            (0, [1.0, 0.0], [[-0.5, 0.3], [-0.4, 0.4]]),
+            (1, [-1.0, 0.0], [[-0.3, 0.5], [-0.4, 0.4]]),
+            (1, [0.0, 2.0], [[-0.5, 0.5], [-0.4, 0.24]]),
+        ] {
+            let lost = LostBed {
+                block,
+                share: 0.2,
+                outward,
+            };
+            let blocks = without_bed(pier(), &lost).unwrap();
+            for (own, before) in blocks.iter().zip(pier()) {
+                assert_eq!(own.solid.centroid_m(), before.solid.centroid_m());
+                assert_eq!(own.solid.volume_m3(), before.solid.volume_m3());
+            }
+            let stack = Stack::new(blocks, JointMaterial::default(), 9.81).unwrap();
+            let joint = &stack.joints()[block];
+            let lower = if block == 0 { Body::Ground } else { Body::Block(0) };
+            assert_eq!((joint.lower, joint.upper), (lower, block));
+            for (axis, edge) in edges.iter().enumerate() {
+                let at = |corner: &[f64; 2]| {
+                    joint.origin_m[axis] + joint.axes[0][axis] * corner[0] + joint.axes[1][axis] * corner[1]
+                };
+                let all: Vec<f64> = joint.patch.corners_m.iter().map(at).collect();
+                let low = all.iter().copied().fold(f64::INFINITY, f64::min);
+                let high = all.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+                assert!(
+                    (low - edge[0]).abs() < 1e-12 && (high - edge[1]).abs() < 1e-12,
+                    "{outward:?}: {low} {high}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn holds_every_shape_keeps_one_bed_whatever_is_lost_of_it() {
+        let shapes = [
+            Solid::cuboid(1.0, 0.8, 1.0).unwrap(),
+            Solid::tapered_drum(1.0, 0.8, 1.3).unwrap(),
+            Solid::prism_frustum(6, 1.1, 0.9, 0.7).unwrap(),
+            Solid::frustum([1.2, 0.9], [0.7, 0.6], 0.8).unwrap(),
+        ];
+        for (number, solid) in shapes.into_iter().enumerate() {
+            for step in 1..40 {
+                let turn = 0.17 * f64::from(step);
+                let lost = LostBed {
+                    block: 1,
+                    share: 0.02 * f64::from(step),
+                    outward: [turn.cos(), turn.sin()],
+                };
+                let mut blocks = pier();
+                blocks[1].solid = solid.placed(&Placement {
+                    yaw_rad: 0.3,
+                    position_m: [0.013, 0.007, 1.0],
+                    ..Placement::default()
+                });
+                let blocks = without_bed(blocks, &lost).unwrap();
+                let stack = Stack::new(blocks, JointMaterial::default(), 9.81)
+                    .unwrap_or_else(|why| panic!("{number} {step}: {why}"));
+                assert_eq!(stack.joints().len(), 2);
+            }
+        }
+    }
+
+    #[test]
+    fn refuses_shares_sides_and_blocks_that_are_none() {
+        let of = |block, share, outward| {
+            without_bed(
+                pier(),
+                &LostBed {
+                    block,
+                    share,
+                    outward,
+                },
+            )
+        };
+        for wrong in [
+            of(0, 0.0, [1.0, 0.0]),
+            of(0, 1.0, [1.0, 0.0]),
+            of(0, f64::NAN, [1.0, 0.0]),
+            of(0, 0.2, [0.0, 0.0]),
+            of(2, 0.2, [1.0, 0.0]),
+        ] {
+            wrong.unwrap_err();
+        }
+    }
+}
