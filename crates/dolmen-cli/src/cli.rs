@@ -146,6 +146,10 @@ pub(crate) enum Kind {
     Arch,
     /// Stone wall: courses in running bond
     Wall,
+    /// Stone tower: courses, square or round, solid or hollow
+    Tower,
+    /// Trilithon: two posts and a lintel
+    Trilithon,
     /// Building that twists: rigid floors on walls
     Building,
     /// Measured only: vibration records without a model

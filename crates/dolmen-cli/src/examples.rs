@@ -54,6 +54,8 @@ fn example_of(kind: Kind) -> &'static str {
         Kind::Pagoda => "three_storey_pagoda",
         Kind::Arch => "arch",
         Kind::Wall => "wall",
+        Kind::Tower => "tower",
+        Kind::Trilithon => "trilithon",
         Kind::Building => "twisting_floor",
         Kind::Survey => "palisaden",
     }
@@ -114,13 +116,21 @@ pub(crate) fn run(options: &New, manner: &Manner) -> Result<Outcome> {
         ];
         let mut lines: Vec<String> = said.into_iter().map(|one| one.text(manner)).collect();
         let verb = match options.kind {
-            Kind::Flagpole | Kind::Pagoda | Kind::Arch | Kind::Wall | Kind::Building => "check",
+            Kind::Flagpole
+            | Kind::Pagoda
+            | Kind::Arch
+            | Kind::Wall
+            | Kind::Tower
+            | Kind::Trilithon
+            | Kind::Building => "check",
             Kind::Gate | Kind::Survey => "identify",
         };
         let typed = for_a_shell(&shown.to_string());
         lines.push(format!("    dolmen {verb} {typed}"));
         let motion = match options.kind {
-            Kind::Pagoda | Kind::Arch | Kind::Wall | Kind::Building => " --motion el-centro-1940-ns",
+            Kind::Pagoda | Kind::Arch | Kind::Wall | Kind::Tower | Kind::Trilithon | Kind::Building => {
+                " --motion el-centro-1940-ns"
+            }
             Kind::Flagpole | Kind::Gate | Kind::Survey => "",
         };
         let page = for_a_shell(&format!("{shown}/report.html"));

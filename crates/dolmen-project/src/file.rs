@@ -13,7 +13,7 @@ use super::report::ReportRaw;
 use super::site::{MotionRaw, SiteRaw};
 use super::stack::{
     ArchRaw, BedRaw, BlockRaw, ContactRaw, PagodaRaw, SideSupportRaw, StoneWallRaw, SupportMovementRaw,
-    TieRaw,
+    TieRaw, TowerRaw, TrilithonRaw,
 };
 use super::study::StudyRaw;
 use super::survey::{ChangeRaw, SurveyRaw, WatchRaw};
@@ -80,6 +80,10 @@ pub(super) struct FileRaw {
     pub(super) arch: Option<At<ArchRaw>>,
     /// kind = "stack": a wall in running bond, instead of blocks.
     pub(super) wall: Option<At<StoneWallRaw>>,
+    /// kind = "stack": a tower of courses, square or round, instead of blocks.
+    pub(super) tower: Option<At<TowerRaw>>,
+    /// kind = "stack": two posts and a lintel, instead of blocks.
+    pub(super) trilithon: Option<At<TrilithonRaw>>,
     /// kind = "stack": density of the blocks that have none of their own.
     pub(super) density: Option<At<QuantityRaw>>,
     /// kind = "stack": what acts in every joint that does not say it itself.

@@ -103,7 +103,8 @@ pub use sought::{FromSurvey, FromSurveys, Sought, WhyNotIdentified};
 pub use stack::{
     ArchPart, BedPart, BlockPart, ContactPart, JointDefaults, LostBedPart, MadePart, MeshPart, OpeningPart,
     PagodaPart, PagodaSlendernessPart, PointsFrame, ShapePart, SideSupportPart, StackFault, StackPart,
-    StoneWallPart, SupportMovementPart, SurveyedLean, TiePart, TopPart,
+    StoneWallPart, SupportMovementPart, SurveyedLean, TiePart, TopPart, TowerPart, TowerPlanPart,
+    TrilithonPart,
 };
 pub use study::{
     AfterPart, ArtificialPart, Axis, DRIFT_LIMITS, ExpectedTrend, HarmonicPart, LawPart, Override, Scan,

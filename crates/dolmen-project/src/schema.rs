@@ -90,11 +90,11 @@ fn complete() -> Value {
     schema
 }
 
-/// A stack has blocks, or a pagoda, an arch or a wall that makes them.
+/// A stack has blocks, or what makes them: a pagoda, an arch, a wall, a tower or a trilithon.
 fn blocks_or_made() -> Value {
     json!({
         "if": { "properties": { "kind": { "const": "stack" } }, "required": ["kind"] },
-        "then": { "oneOf": [{ "required": ["blocks"] }, { "required": ["pagoda"] }, { "required": ["arch"] }, { "required": ["wall"] }] },
+        "then": { "oneOf": [{ "required": ["blocks"] }, { "required": ["pagoda"] }, { "required": ["arch"] }, { "required": ["wall"] }, { "required": ["tower"] }, { "required": ["trilithon"] }] },
     })
 }
 
@@ -124,6 +124,8 @@ pub(super) const KEYS_OF_KIND: &[(&str, &[&str])] = &[
             "pagoda",
             "arch",
             "wall",
+            "tower",
+            "trilithon",
             "density",
             "joint",
             "contacts",

@@ -17,6 +17,10 @@ messages! {
     pub(crate) enum Headline in "headline" {
         Verdict { words: Both } => { en: "VERDICT {words}", ko: "판정: {words}" },
         OwnWeight { word: Both } => { en: "Own weight: {word}", ko: "자중: {word}" },
+        OwnWeightCrushes { word: Both } => {
+            en: "Own weight: {word} (edges of stones crush)",
+            ko: "자중: {word}(석재 모서리 압괴)",
+        },
         WeightAndLoads { word: Both } => { en: "Weight and loads: {word}", ko: "자중·작용하중: {word}" },
         OwnWeightSamples { word: Both, share: Quantity } => {
             en: "Own weight: {word} (falls in {share} of samples)",
@@ -301,6 +305,7 @@ fn own_weight(judged: &VersionJudgement, weight: Weight, contradicted: Option<Se
                 false => Headline::OwnWeightSamples { word, share },
             }
         }
+        _ if judged.crushes => Headline::OwnWeightCrushes { word },
         _ if judged.with_loads => Headline::WeightAndLoads { word },
         _ => Headline::OwnWeight { word },
     }
@@ -449,6 +454,7 @@ mod tests {
             variant: None,
             governed_by: None,
             with_loads: false,
+            crushes: false,
             falling_share: None,
             weight: Some(Weight::Unknown {
                 load_factor_if_right: Some(1.95),

@@ -13,6 +13,8 @@ pub(crate) struct LeftOutOfRuns {
     pub(crate) wind: bool,
     /// Forces and moments of static loads on a chain or frame; on a stack they act.
     pub(crate) forces: bool,
+    /// Crushing of the edges of a stack.
+    pub(crate) crushing: bool,
     /// A surveyed tilt.
     pub(crate) tilt: Option<TiltLeftOut>,
 }
@@ -23,6 +25,7 @@ impl LeftOutOfRuns {
             wind: project.loads.wind().is_some(),
             forces: matches!(project.structure, Structure::Chain(_) | Structure::Frame(_))
                 && project.loads.loads.iter().any(LoadPart::pushes),
+            crushing: matches!(&project.structure, Structure::Stack(part) if part.crushes()),
             tilt: match &project.structure {
                 Structure::Building(_) => TiltLeftOut::of(&project.surveys),
                 Structure::Frame(part) if part.lean.is_none() => TiltLeftOut::of(&project.surveys),
@@ -44,6 +47,7 @@ impl LeftOutOfRuns {
         let all = [
             self.wind.then_some(OfRuns::WindLeftOut),
             self.forces.then_some(OfRuns::ForcesLeftOut),
+            self.crushing.then_some(OfRuns::CrushingLeftOut),
             tilt,
         ];
         all.into_iter().flatten().map(Both::from).collect()

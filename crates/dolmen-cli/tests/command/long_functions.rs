@@ -22,8 +22,8 @@ const LISTS: [&str; 10] = [
     "dolmen/src/structure/stiffness_note.rs fmt",
 ];
 /// Functions that are still longer, with their lines: to be split where they are next touched.
-const STILL: [(&str, usize); 20] = [
-    ("dolmen/src/stability/stack/limit_pieces.rs pieces", 159),
+const STILL: [(&str, usize); 19] = [
+    ("dolmen/src/stability/stack/limit_pieces.rs pieces", 147),
     ("dolmen-work/src/frame/simulate.rs simulate", 147),
     ("dolmen-project/src/reader.rs number", 135),
     ("dolmen/src/dynamics/chain_series.rs coefficients", 133),
@@ -37,7 +37,6 @@ const STILL: [(&str, usize); 20] = [
     ("dolmen-work/src/watch.rs watch_surveys", 118),
     ("dolmen-project/src/tabled.rs list", 119),
     ("dolmen/src/blocks/rigid_faces.rs contact_force", 118),
-    ("dolmen-project/src/stack/read.rs stack", 112),
     ("dolmen-project/src/building/place_damper.rs build", 108),
     ("dolmen-work/src/motion/suite.rs suite", 105),
     ("dolmen-project/src/loads/read.rs loads", 102),

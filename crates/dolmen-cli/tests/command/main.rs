@@ -85,6 +85,7 @@ mod signals;
 mod simulations;
 mod sliding_model;
 mod stack_loads;
+mod stack_strength;
 mod stacks;
 #[cfg(target_os = "linux")]
 mod still_misleading;
@@ -97,6 +98,7 @@ mod studies_fallen;
 mod supply;
 mod surfaces;
 mod surveyed_lean;
+mod towers;
 mod training;
 mod tunings;
 mod untrusted;

@@ -22,6 +22,7 @@ pub(super) fn bed(reader: &mut Reader, raw: Option<&At<BedRaw>>, path: &str) -> 
         friction_kinetic: of(&bed.friction_kinetic, "friction_kinetic", Measure::Ratio, zero),
         cohesion: of(&bed.cohesion, "cohesion", Measure::Stress, zero),
         tension: of(&bed.tension, "tension", Measure::Stress, zero),
+        strength: of(&bed.strength, "strength", Measure::Stress, above),
         normal_stiffness: of(
             &bed.normal_stiffness,
             "normal_stiffness",

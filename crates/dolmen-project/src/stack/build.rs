@@ -1,9 +1,10 @@
 //! From the stack of a project file to the stack of the science: where each block goes, and what acts in each joint.
 
 use super::fault::StackFault;
+use super::made_part::MadePart;
 use super::part::{
-    BedPart, BlockPart, ContactPart, MadePart, OpeningPart, PagodaPart, PagodaSlendernessPart, PointsFrame,
-    ShapePart, StackPart,
+    BedPart, BlockPart, ContactPart, OpeningPart, PagodaPart, PagodaSlendernessPart, PointsFrame, ShapePart,
+    StackPart,
 };
 use super::surveyed_lean::Turn;
 use super::vectors::{centroid, unit_normal};
@@ -149,6 +150,9 @@ impl BedPart {
         set(&mut material.shear_stiffness_pa_m, &self.shear_stiffness);
         set(&mut material.damping_ratio, &self.damping_ratio);
         set(&mut material.restitution, &self.restitution);
+        if let Some(strength) = &self.strength {
+            material.compressive_strength_pa = Some(pick(strength));
+        }
         material
     }
 
@@ -232,6 +236,8 @@ impl StackPart {
             let made = match part {
                 MadePart::Arch(arch) => arch.made(density, pick),
                 MadePart::Wall(wall) => wall.made(density, pick),
+                MadePart::Tower(tower) => tower.made(density, pick),
+                MadePart::Trilithon(trilithon) => trilithon.made(density, pick),
             };
             blocks = made.map_err(|why| StackFault::part(self.made_by().to_owned(), why))?;
         }
@@ -295,6 +301,8 @@ impl StackPart {
             (Some(_), _) => "pagoda",
             (None, Some(MadePart::Arch(_))) => "arch",
             (None, Some(MadePart::Wall(_))) => "wall",
+            (None, Some(MadePart::Tower(_))) => "tower",
+            (None, Some(MadePart::Trilithon(_))) => "trilithon",
             (None, None) => "blocks",
         }
     }

@@ -100,6 +100,61 @@ pub(crate) struct StoneWallRaw {
     pub(super) stone_length: Option<At<QuantityRaw>>,
 }
 
+/// Plan of a tower.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum TowerPlanRaw {
+    /// A square, its sides along x and y.
+    Square,
+    /// A circle.
+    Round,
+}
+
+/// A tower of courses, each set back alike.
+#[derive(Debug, serde::Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct TowerRaw {
+    /// "square" or "round"; "square" if not given.
+    pub(super) plan: Option<At<TowerPlanRaw>>,
+    /// Width or diameter of the lowest course.
+    #[schemars(required)]
+    pub(super) width: Option<At<QuantityRaw>>,
+    /// The same of the top course; as width if not given.
+    pub(super) top_width: Option<At<QuantityRaw>>,
+    /// Number of courses, 1 to 200.
+    #[schemars(required)]
+    pub(super) courses: Option<At<i64>>,
+    /// Height of a course.
+    #[schemars(required)]
+    pub(super) course_height: Option<At<QuantityRaw>>,
+    /// Thickness of the wall of a hollow tower; solid, one stone a course, if not given.
+    pub(super) thickness: Option<At<QuantityRaw>>,
+    /// Of a round hollow tower: stones in a ring, 6 to 48; 12 if not given.
+    pub(super) stones: Option<At<i64>>,
+}
+
+/// Two posts and a lintel.
+#[derive(Debug, serde::Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct TrilithonRaw {
+    /// Clear span between the posts.
+    #[schemars(required)]
+    pub(super) span: Option<At<QuantityRaw>>,
+    /// Width of a post, along x.
+    #[schemars(required)]
+    pub(super) post_width: Option<At<QuantityRaw>>,
+    /// Height of the posts.
+    #[schemars(required)]
+    pub(super) post_height: Option<At<QuantityRaw>>,
+    /// Depth of posts and lintel, along y; as post_width if not given.
+    pub(super) depth: Option<At<QuantityRaw>>,
+    /// Height of the lintel.
+    #[schemars(required)]
+    pub(super) lintel_height: Option<At<QuantityRaw>>,
+    /// How far the lintel goes beyond the outer faces of the posts; negative where it ends on them, 0 if not given.
+    pub(super) overhang: Option<At<QuantityRaw>>,
+}
+
 /// Names of one or several blocks.
 #[derive(Debug, serde::Deserialize, JsonSchema)]
 #[serde(untagged)]
@@ -131,6 +186,8 @@ pub(crate) struct BedRaw {
     pub(super) cohesion: Option<At<QuantityRaw>>,
     /// Tensile strength of the bond, a stress; 0 if not given: dry.
     pub(super) tension: Option<At<QuantityRaw>>,
+    /// Compressive strength of stone or mortar in the joint, a stress: its edges crush under blocks of this stress; they never crush if not given.
+    pub(super) strength: Option<At<QuantityRaw>>,
     /// Normal stiffness per area; 1e9 Pa/m if not given.
     pub(super) normal_stiffness: Option<At<QuantityRaw>>,
     /// Shear stiffness per area; 4e8 Pa/m if not given.

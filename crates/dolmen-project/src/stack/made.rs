@@ -1,7 +1,7 @@
 //! Arches and walls from their dimensions, as they are written and as the science makes them.
 
 use super::file::{ArchRaw, StoneWallRaw};
-use super::part::{ArchPart, StoneWallPart};
+use super::made_part::{ArchPart, StoneWallPart};
 use crate::error::Fault;
 use crate::file_number::At;
 use crate::measure::{Bound, Measure};
@@ -14,7 +14,7 @@ const VOUSSOIRS_MOST: usize = 400;
 /// Most courses: as the science allows.
 const COURSES_MOST: usize = 100;
 /// Density only to try the dimensions with, kg/m³: names and sizes do not depend on it.
-const ANY_DENSITY_KG_M3: f64 = 2600.0;
+pub(super) const ANY_DENSITY_KG_M3: f64 = 2600.0;
 /// Width of an abutment over the thickness of the arch, if it is not given. Chosen here.
 const ABUTMENT: f64 = 2.0;
 
@@ -76,7 +76,7 @@ pub(super) fn wall_part(reader: &mut Reader, raw: &At<StoneWallRaw>) -> Option<(
 }
 
 /// The names of what was made, or the fault at the key that the science names.
-fn tried(
+pub(super) fn tried(
     reader: &mut Reader,
     span: std::ops::Range<usize>,
     kind: &str,

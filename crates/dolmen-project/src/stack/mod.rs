@@ -9,6 +9,8 @@ mod fault;
 mod file;
 mod lean;
 mod made;
+mod made_part;
+mod made_towers;
 mod pagoda;
 mod part;
 mod read;
@@ -23,13 +25,14 @@ pub(crate) use doubts::doubt_stack;
 pub use fault::StackFault;
 pub(crate) use file::{
     ArchRaw, BedRaw, BlockRaw, ContactRaw, PagodaRaw, SideSupportRaw, StoneWallRaw, SupportMovementRaw,
-    TieRaw,
+    TieRaw, TowerRaw, TrilithonRaw,
 };
 pub(crate) use lean::lean;
+pub use made_part::{ArchPart, MadePart, StoneWallPart, TowerPart, TowerPlanPart, TrilithonPart};
 pub use part::{
-    ArchPart, BedPart, BlockPart, ContactPart, JointDefaults, LostBedPart, MadePart, MeshPart, OpeningPart,
-    PagodaPart, PagodaSlendernessPart, PointsFrame, ShapePart, SideSupportPart, StackPart, StoneWallPart,
-    SupportMovementPart, TiePart, TopPart,
+    BedPart, BlockPart, ContactPart, JointDefaults, LostBedPart, MeshPart, OpeningPart, PagodaPart,
+    PagodaSlendernessPart, PointsFrame, ShapePart, SideSupportPart, StackPart, SupportMovementPart, TiePart,
+    TopPart,
 };
 pub(crate) use read::stack;
 pub(crate) use slips::judge_stack;

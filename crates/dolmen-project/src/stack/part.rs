@@ -1,5 +1,6 @@
 //! The stack of a project file.
 
+use super::made_part::MadePart;
 use super::surveyed_lean::SurveyedLean;
 use crate::loads::LoadPart;
 use crate::quantity::{Evidence, Quantity};
@@ -105,49 +106,6 @@ pub struct PagodaPart {
     pub body_base_height_ratio: Option<Quantity>,
 }
 
-/// An arch of voussoirs; `None` as the file's key says.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ArchPart {
-    /// Clear span of the inner line, m.
-    pub span: Quantity,
-    /// Rise of the inner line, m; `None` half the span.
-    pub rise: Option<Quantity>,
-    /// Thickness along the joints, m.
-    pub thickness: Quantity,
-    /// Along y, m.
-    pub depth: Quantity,
-    /// Number of voussoirs.
-    pub voussoirs: u32,
-    /// Height of the springing, m; `None` on the ground.
-    pub springing_height: Option<Quantity>,
-    /// Width of the abutments, m; `None` twice the thickness.
-    pub abutment: Option<Quantity>,
-}
-
-/// A wall in running bond.
-#[derive(Clone, Debug, PartialEq)]
-pub struct StoneWallPart {
-    /// Along x, m.
-    pub length: Quantity,
-    /// Along y, m.
-    pub thickness: Quantity,
-    /// Number of courses.
-    pub courses: u32,
-    /// Height of a course, m.
-    pub course_height: Quantity,
-    /// Length of a whole stone, m.
-    pub stone_length: Quantity,
-}
-
-/// What makes the blocks of a stack, if the file does not list them.
-#[derive(Clone, Debug, PartialEq)]
-pub enum MadePart {
-    /// An arch of voussoirs.
-    Arch(Box<ArchPart>),
-    /// A wall in running bond.
-    Wall(Box<StoneWallPart>),
-}
-
 /// The top of a frustum.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TopPart {
@@ -181,6 +139,8 @@ pub struct BedPart {
     pub cohesion: Option<Quantity>,
     /// Tensile strength of the bond, Pa.
     pub tension: Option<Quantity>,
+    /// Compressive strength, Pa; without one no edge crushes.
+    pub strength: Option<Quantity>,
     /// Normal stiffness per area, Pa/m.
     pub normal_stiffness: Option<Quantity>,
     /// Shear stiffness per area, Pa/m.
@@ -359,6 +319,15 @@ impl StackPart {
         is_measured(&self.joint) == Some(true) && own.all(|bed| is_measured(bed) != Some(false))
     }
 
+    /// Whether the file gives a joint a compressive strength.
+    pub fn crushes(&self) -> bool {
+        let blocks = self.blocks.iter().map(|block| &block.joint);
+        let own = blocks.chain(self.contacts.iter().map(|contact| &contact.joint));
+        std::iter::once(&self.joint)
+            .chain(own)
+            .any(|bed| bed.strength.is_some())
+    }
+
     /// What neither `joint` nor every block says of its joints, so that Dolmen's own values are taken for it: assumed, all of them.
     pub fn joint_defaults(&self) -> JointDefaults {
         let is_given = |key: fn(&BedPart) -> &Option<Quantity>| {
@@ -463,6 +432,7 @@ impl BedPart {
             &self.friction_kinetic,
             &self.cohesion,
             &self.tension,
+            &self.strength,
             &self.normal_stiffness,
             &self.shear_stiffness,
             &self.damping_ratio,
@@ -482,6 +452,8 @@ impl StackPart {
         match &self.made {
             Some(MadePart::Arch(arch)) => arch.inputs(all),
             Some(MadePart::Wall(wall)) => wall.inputs(all),
+            Some(MadePart::Tower(tower)) => tower.inputs(all),
+            Some(MadePart::Trilithon(trilithon)) => trilithon.inputs(all),
             None => {}
         }
         for block in &self.blocks {

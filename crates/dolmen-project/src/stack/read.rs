@@ -5,9 +5,11 @@ use super::block::block;
 use super::body::{MayBeGround, block_index, body, names};
 use super::file::{BlockRaw, ContactRaw, SideSupportRaw, SupportMovementRaw, TieRaw};
 use super::made::{arch_part, wall_part};
+use super::made_part::MadePart;
+use super::made_towers::{tower_part, trilithon_part};
 use super::pagoda::pagoda;
 use super::part::{
-    BedPart, BlockPart, ContactPart, MadePart, SideSupportPart, StackPart, SupportMovementPart, TiePart,
+    BedPart, BlockPart, ContactPart, SideSupportPart, StackPart, SupportMovementPart, TiePart,
 };
 use crate::content::WarningKind;
 use crate::error::Fault;
@@ -22,24 +24,31 @@ use crate::wrong::WrongStack;
 use dolmen_words::message::Both;
 use std::ops::Range;
 
-pub(crate) fn stack(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) -> Option<StackPart> {
+/// What makes the blocks, if it is one thing alone.
+fn makers(reader: &mut Reader, raw: &FileRaw) -> Option<Vec<Both>> {
     let makers: Vec<Both> = [
         raw.blocks.as_ref().map(|_| Both::from("blocks")),
         raw.pagoda.as_ref().map(|_| WrongStack::PagodaOther.into()),
         raw.arch.as_ref().map(|_| WrongStack::Arch.into()),
         raw.wall.as_ref().map(|_| WrongStack::Wall.into()),
+        raw.tower.as_ref().map(|_| WrongStack::Tower.into()),
+        raw.trilithon.as_ref().map(|_| WrongStack::Trilithon.into()),
     ]
     .into_iter()
     .flatten()
     .collect();
     if let [first, second, ..] = &makers[..] {
         let (first, second) = (first.clone(), second.clone());
-        let (path, span) = match (&raw.blocks, &raw.pagoda, &raw.arch, &raw.wall) {
-            (Some(list), ..) => ("blocks", list.span.clone()),
-            (None, Some(pagoda), ..) => ("pagoda", pagoda.span.clone()),
-            (None, None, Some(arch), _) => ("arch", arch.span.clone()),
-            (None, None, None, wall) => ("wall", wall.as_ref().map_or(0..0, |wall| wall.span.clone())),
-        };
+        let spans = [
+            ("blocks", raw.blocks.as_ref().map(|of| of.span.clone())),
+            ("pagoda", raw.pagoda.as_ref().map(|of| of.span.clone())),
+            ("arch", raw.arch.as_ref().map(|of| of.span.clone())),
+            ("wall", raw.wall.as_ref().map(|of| of.span.clone())),
+            ("tower", raw.tower.as_ref().map(|of| of.span.clone())),
+            ("trilithon", raw.trilithon.as_ref().map(|of| of.span.clone())),
+        ];
+        let mut given = spans.into_iter().filter_map(|(path, span)| Some((path, span?)));
+        let (path, span) = given.next().unwrap_or(("blocks", 0..0));
         let fault = Fault::new(
             span,
             path,
@@ -51,6 +60,11 @@ pub(crate) fn stack(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) -> Op
         reader.fault(fault.help(WrongStack::KeepOneOfThemMakes { second }));
         return None;
     }
+    Some(makers)
+}
+
+pub(crate) fn stack(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) -> Option<StackPart> {
+    let makers = makers(reader, raw)?;
     let mut list: &[At<BlockRaw>] = &[];
     let (mut pagoda_part, mut made, mut made_names) = (None, None, None);
     if let Some(given) = &raw.blocks {
@@ -68,6 +82,12 @@ pub(crate) fn stack(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) -> Op
     } else if let Some(dimensions) = &raw.wall {
         let (part, names) = wall_part(reader, dimensions)?;
         (made, made_names) = (Some(MadePart::Wall(Box::new(part))), Some(names));
+    } else if let Some(dimensions) = &raw.tower {
+        let (part, names) = tower_part(reader, dimensions)?;
+        (made, made_names) = (Some(MadePart::Tower(Box::new(part))), Some(names));
+    } else if let Some(dimensions) = &raw.trilithon {
+        let (part, names) = trilithon_part(reader, dimensions)?;
+        (made, made_names) = (Some(MadePart::Trilithon(Box::new(part))), Some(names));
     } else {
         let help = WrongStack::BlocksNameBaseWidth;
         missing(reader, "blocks", WrongStack::StackNeedsBlocks, help);

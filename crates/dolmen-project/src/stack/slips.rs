@@ -1,6 +1,7 @@
 //! Probable slips in a stack.
 
-use super::part::{BedPart, BlockPart, MadePart, PagodaPart, PagodaSlendernessPart, ShapePart, StackPart};
+use super::made_part::MadePart;
+use super::part::{BedPart, BlockPart, PagodaPart, PagodaSlendernessPart, ShapePart, StackPart};
 use super::slips_beside::judge_beside;
 use super::slips_held::judge_held;
 use crate::quantity::Quantity;
@@ -32,13 +33,20 @@ const STIFFNESS_RATIO: (f64, f64) = (0.01, 2.0);
 /// Strength of a bond, Pa: lime mortar has 1e4 to 1e6.
 const STRENGTH_MOST_PA: f64 = 2e7;
 
+/// Compressive strength of a joint, Pa: a soft lime mortar has 5e5, quartzite 4e8.
+const CRUSHES_PA: (f64, f64) = (1e5, 1e9);
+
 /// Tilt of a stone on its bed: 11°, more than any pagoda leans. Ours.
 const TILT_MOST: f64 = 0.2;
 /// Span and depth of an arch, m: a model to the longest spans of stone, 146 m.
 const ARCH_SPAN_M: (f64, f64) = (0.03, 200.0);
 /// Length of a wall, m.
 const WALL_LENGTH_M: (f64, f64) = (0.03, 1000.0);
-/// A stone of an arch or wall, m.
+/// Width of a tower, m: a model to the widest keeps.
+const TOWER_WIDTH_M: (f64, f64) = (0.03, 60.0);
+/// Height of a post, m: a model to obelisks.
+const POST_M: (f64, f64) = (0.03, 40.0);
+/// A stone of an arch, wall, tower or trilithon, m.
 const STONE_M: (f64, f64) = (0.01, 10.0);
 
 /// Height of all storeys of a pagoda, m: a model to the highest ever built.
@@ -113,7 +121,7 @@ fn judge_order(reader: &mut Reader, stack: &StackPart) {
     }
 }
 
-/// An arch or wall larger or smaller than any.
+/// An arch, wall, tower or trilithon larger or smaller than any.
 /// Tilts that no stone stands at.
 fn judge_tilts(reader: &mut Reader, stack: &StackPart) {
     let tilts = stack.blocks.iter().flat_map(|block| block.tilt.iter().flatten());
@@ -139,6 +147,19 @@ fn judge_made(reader: &mut Reader, made: &MadePart) {
             (Some(&wall.thickness), STONE_M),
             (Some(&wall.course_height), STONE_M),
             (Some(&wall.stone_length), STONE_M),
+        ],
+        MadePart::Tower(tower) => vec![
+            (Some(&tower.width), TOWER_WIDTH_M),
+            (tower.top_width.as_ref(), TOWER_WIDTH_M),
+            (Some(&tower.course_height), STONE_M),
+            (tower.thickness.as_ref(), STONE_M),
+        ],
+        MadePart::Trilithon(trilithon) => vec![
+            (Some(&trilithon.span), STONE_M),
+            (Some(&trilithon.post_width), STONE_M),
+            (Some(&trilithon.post_height), POST_M),
+            (trilithon.depth.as_ref(), STONE_M),
+            (Some(&trilithon.lintel_height), STONE_M),
         ],
     };
     for (given, range) in bounds {
@@ -354,6 +375,15 @@ fn judge_bed(reader: &mut Reader, bed: &BedPart) {
             };
             reader.slip(&strength.path, message, StackSlip::DidYouMeanPa);
         }
+    }
+    if let Some(strength) = &bed.strength
+        && !within(strength.value, CRUSHES_PA)
+    {
+        let message = StackSlip::ButStoneCrushesAtMpa {
+            path: strength.path.to_string(),
+            written: strength.written.to_string(),
+        };
+        reader.slip(&strength.path, message, StackSlip::IsStrengthInMpa);
     }
     if let Some(damping) = &bed.damping_ratio
         && damping.value > 1.0

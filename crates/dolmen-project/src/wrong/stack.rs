@@ -99,6 +99,16 @@ messages! {
         PagodaOther => { en: "a pagoda", ko: "석탑(pagoda)" },
         Arch => { en: "an arch", ko: "홍예(arch)" },
         Wall => { en: "a wall", ko: "돌담(wall)" },
+        Tower => { en: "a tower", ko: "석조 탑(tower)" },
+        Trilithon => { en: "a trilithon", ko: "삼석문(trilithon)" },
+        StonesOfNoRing => {
+            en: "stones counts the stones in a ring, but this tower has no rings",
+            ko: "stones는 고리 한 켜의 부재 수인데 이 탑에는 고리가 없다",
+        },
+        GiveThicknessAndRound => {
+            en: "a round hollow tower has them: plan = \"round\" and a thickness; or leave stones out",
+            ko: "plan = \"round\"와 thickness를 함께 주거나 stones를 뺀다",
+        },
         FileHasBothAnd { first: Both, second: Both } => {
             en: "the file has both {first} and {second}",
             ko: "파일에 {first}와(과) {second}이(가) 모두 있다",
@@ -108,8 +118,8 @@ messages! {
             ko: "둘 중 하나만 남긴다. {second}은(는) 부재를 스스로 만든다",
         },
         BlocksNameBaseWidth => {
-            en: "blocks = [ {{ name = \"base\", width = …, height = … }}, … ], lowest first; or pagoda = {{ storeys = 3, … }}, arch = {{ … }}, wall = {{ … }}",
-            ko: "blocks = [ {{ name = \"base\", width = …, height = … }}, … ]를 아래에서부터 쓰거나 pagoda = {{ storeys = 3, … }}, arch = {{ … }}, wall = {{ … }} 중 하나를 쓴다",
+            en: "blocks = [ {{ name = \"base\", width = …, height = … }}, … ], lowest first; or pagoda = {{ storeys = 3, … }}, arch = {{ … }}, wall = {{ … }}, tower = {{ … }}, trilithon = {{ … }}",
+            ko: "blocks = [ {{ name = \"base\", width = …, height = … }}, … ]를 아래에서부터 쓰거나 pagoda = {{ storeys = 3, … }}, arch = {{ … }}, wall = {{ … }}, tower = {{ … }}, trilithon = {{ … }} 중 하나를 쓴다",
         },
         StackNeedsBlocks => { en: "a stack needs blocks", ko: "stack에는 blocks가 필요하다" },
         WriteDensityAtTop => {

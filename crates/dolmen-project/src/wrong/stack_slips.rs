@@ -117,6 +117,14 @@ messages! {
             en: "{path} = {written}, but mortar has 10 kPa to 1 MPa",
             ko: "{path} = {written}인데, 모르타르는 10 kPa~1 MPa이다",
         },
+        ButStoneCrushesAtMpa { path: String, written: String } => {
+            en: "{path} = {written}, but joints crush at 0.1 MPa to 1 GPa",
+            ko: "{path} = {written}인데, 접합면의 압축강도는 0.1 MPa~1 GPa이다",
+        },
+        IsStrengthInMpa => {
+            en: "bare numbers are in Pa: lime mortar has 0.5 to 5 MPa, granite 100 MPa and more",
+            ko: "단위가 없으면 Pa이다. 석회 모르타르는 0.5~5 MPa, 화강암은 100 MPa 이상이다",
+        },
         DidYouMeanPa => { en: "did you mean Pa or kPa?", ko: "Pa 또는 kPa 단위인가?" },
         ButItIsToOther { path: String, written: String } => {
             en: "{path} = {written}, but it is 0 to 1",

@@ -37,6 +37,7 @@ fn version(version: &VersionJudgement) -> Value {
         "words": version.words(Language::English),
         "colour": version.colour().word(),
         "weight": version.weight.map(weight),
+        "crushes": version.crushes,
         "falling_share": version.falling_share,
         "governed_by": version.governed_by.as_ref().map(|by| by.key()),
         "earthquake": {

@@ -50,6 +50,7 @@ fn combination(of: &CombinationAnswer) -> Value {
         }),
         Combined::Stack(stack) => json!({
             "dilating_factor": stack.dilating_factor.filter(|factor| factor.is_finite()),
+            "uncrushed_factor": stack.uncrushed_factor.filter(|factor| factor.is_finite()),
             "at_least": Some(stack.found.at_least).filter(|factor| factor.is_finite()),
             "grows": stack.grows,
             "wind_to": stack.wind_to,

@@ -1,7 +1,7 @@
 //! The check of a stack, as JSON.
 
 use super::local_mechanisms::local_mechanisms;
-use dolmen::assess::SettleRun;
+use dolmen::assess::{Crushing, SettleRun};
 use dolmen::stability::stack::{CutLimits, MovedStack, MovedSupports, MovementEnding};
 use dolmen::structure::stack::{Body, Solid, Stack};
 use dolmen_project::SurveyedLean;
@@ -30,6 +30,7 @@ pub(super) fn stack(answer: &StackAnswer) -> Value {
         "settle_run": check.settle_run.as_ref().map(settle_run),
         "supports": check.supports.as_ref().map(|supports| self::supports(stack, supports)),
         "capacity": check.capacity,
+        "crushing": check.crushing.as_ref().map(crushing),
         "frequencies": answer.frequencies.as_ref().map(frequencies),
         "frequency_by_height": answer.frequency_by_height.iter().map(|of| json!({
             "storeys": of.storeys,
@@ -55,6 +56,17 @@ pub(super) fn stack(answer: &StackAnswer) -> Value {
 /// The survey and the slope that the model takes from it.
 pub(super) fn lean(of: &SurveyedLean) -> Value {
     json!({ "survey": of.survey, "slope": of.slope })
+}
+
+/// What it would bear if no edge crushed.
+fn crushing(of: &Crushing) -> Value {
+    json!({
+        "strength_pa": of.strength_pa,
+        "governs": of.governs(),
+        "moves_at_g": of.moves_at_g,
+        "uncrushed_g": of.uncrushed_g,
+        "uncrushed_verdict": of.uncrushed_verdict,
+    })
 }
 
 /// The run under its own weight.
@@ -131,6 +143,7 @@ fn joints(stack: &Stack) -> Vec<Value> {
             "area_m2": joint.patch.moments().area_m2,
             "friction_static": material.friction_static, "friction_kinetic": material.friction_kinetic,
             "cohesion_pa": material.cohesion_pa, "tension_pa": material.tension_pa,
+            "compressive_strength_pa": material.compressive_strength_pa,
             "normal_stiffness_pa_m": material.normal_stiffness_pa_m,
             "shear_stiffness_pa_m": material.shear_stiffness_pa_m,
             "damping_ratio": material.damping_ratio,
@@ -150,6 +163,7 @@ fn cut(cut: &CutLimits, blocks: Vec<Option<&str>>) -> Value {
         "area_m2": cut.contact.moments().area_m2,
         "resultant_m": cut.resultant_m,
         "depth_m": cut.depth_m,
+        "crushed_m": cut.crushed_m,
         "gravity_margin": cut.gravity_margin,
         "uplift": cut.uplift,
         "uplift_with_ties": cut.uplift_with_ties,

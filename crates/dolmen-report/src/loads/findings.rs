@@ -160,6 +160,17 @@ pub(crate) fn findings(project: &Project, state: &State) -> Vec<Finding> {
         all.push(Finding::key(Tone::Warn, Found::BeforeMoved));
     }
     let under = answer.worst().and_then(CombinationAnswer::stack);
+    if let Some(uncrushed) = under.and_then(|under| under.uncrushed_factor) {
+        all.push(Finding::key(
+            Tone::Warn,
+            match uncrushed.is_finite() {
+                true => Found::EdgesCrush {
+                    uncrushed: Quantity::beside_one(uncrushed, DIGITS),
+                },
+                false => Found::EdgesCrushAlone,
+            },
+        ));
+    }
     match under.and_then(|under| under.dilating_factor) {
         Some(dilating) => {
             let dilating = Quantity::beside_one(dilating, DIGITS);

@@ -138,6 +138,14 @@ messages! {
             en: "Stones slide there while others share their load. The limit analysis lets sliding joints rise, which real ones do not: the factor is an upper bound.",
             ko: "이때 하중을 나누어 지지하는 석재가 미끄러진다. 한계해석은 미끄러지는 접합면이 들리는 것으로 가정하나 실제는 그렇지 않으므로 저항 배수는 상한값이다.",
         },
+        EdgesCrush { uncrushed: Quantity } => {
+            en: "Edges of stones crush on the way there; if none did, the factor would be {uncrushed}.",
+            ko: "그 전에 석재 모서리가 압괴한다. 압괴하지 않는다면 저항 배수는 {uncrushed}이다.",
+        },
+        EdgesCrushAlone => {
+            en: "Edges of stones crush on the way there; if none did, nothing would move.",
+            ko: "그 전에 석재 모서리가 압괴한다. 압괴하지 않는다면 움직이지 않는다.",
+        },
         SlidesSmooth { dilating: Quantity } => {
             en: "Upright joints slide there, and count without friction. Friction that lets them rise, which real ones do not, would give {dilating}: an upper bound.",
             ko: "이때 연직 접합면이 미끄러지므로 그 마찰을 뺀 값이다. 미끄러지며 벌어지는 것으로 보면 저항 배수는 {dilating}(상한값)이다.",

@@ -1,5 +1,6 @@
 //! What a stack's check says in plain words.
 
+use super::crushing;
 use super::lean::lean;
 use super::mechanism::moving;
 use super::notes::{is_less, note};
@@ -63,6 +64,7 @@ pub(crate) fn findings(answer: &StackAnswer) -> Vec<Finding> {
         }
         (None, None) => {}
     }
+    all.extend(crushing::findings(answer));
     if let Some(with) = first_with_ties(&check.limits) {
         let (moves, at) = (joint_moves(&check.limits, with), at(&with.threshold));
         all.push(Finding::new(Tone::Plain, Found::WithTies { moves, at }));
@@ -91,7 +93,7 @@ fn noted(of: &StackNote, stack: &Stack) -> Finding {
         | StackNote::LoadsWithoutMass { .. }
         | StackNote::AnalysisLower { .. }
         | StackNote::AnalysisBetween { .. }
-        | StackNote::StrengthNotInAnalysis
+        | StackNote::StrengthFromInside
         | StackNote::SideSupportsLeftOut
         | StackNote::CohesionCounted
         | StackNote::TensionLeftOut

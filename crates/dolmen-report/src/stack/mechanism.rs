@@ -33,6 +33,12 @@ messages! {
         Opens => { en: "opens", ko: "벌어짐" },
         Slides => { en: "slides", ko: "미끄러짐" },
         Both => { en: "opens and slides", ko: "벌어지며 미끄러짐" },
+        Crushes => { en: "crushes", ko: "압괴" },
+        CrushAt { joints: Sentence } => { en: "joints crush at {joints}", ko: "압괴하는 접합면은 {joints}" },
+        AndCrushAt { others: Sentence, joints: Sentence } => {
+            en: "{others}; joints crush at {joints}",
+            ko: "{others}; 압괴하는 접합면은 {joints}",
+        },
         More { joints: Sentence, more: usize } => { en: "{joints} and {more} more", ko: "{joints} 외 {more}곳" },
         OpenAt { joints: Sentence } => { en: "joints open at {joints}", ko: "벌어지는 접합면은 {joints}" },
         SlideAt { joints: Sentence } => { en: "joints slide at {joints}", ko: "미끄러지는 접합면은 {joints}" },
@@ -70,16 +76,21 @@ pub(crate) fn joints_moving(stack: &Stack, mechanism: Option<&Mechanism>) -> Opt
             _ => Some(named),
         }
     };
-    let said = match (
+    let crushing = of(&[JointMotion::Crushes]);
+    let others: Option<Sentence> = match (
         of(&[JointMotion::Opens, JointMotion::OpensAndSlides]),
         of(&[JointMotion::Slides, JointMotion::OpensAndSlides]),
     ) {
-        (Some(opening), Some(sliding)) => Moving::OpenAndSlideAt { opening, sliding },
-        (Some(joints), None) => Moving::OpenAt { joints },
-        (None, Some(joints)) => Moving::SlideAt { joints },
-        (None, None) => return None,
+        (Some(opening), Some(sliding)) => Some(Moving::OpenAndSlideAt { opening, sliding }.into()),
+        (Some(joints), None) => Some(Moving::OpenAt { joints }.into()),
+        (None, Some(joints)) => Some(Moving::SlideAt { joints }.into()),
+        (None, None) => None,
     };
-    Some(said.into())
+    match (others, crushing) {
+        (Some(others), Some(joints)) => Some(Moving::AndCrushAt { others, joints }.into()),
+        (None, Some(joints)) => Some(Moving::CrushAt { joints }.into()),
+        (others, None) => others,
+    }
 }
 
 fn mechanism(answer: &StackAnswer) -> Option<&Mechanism> {
@@ -125,6 +136,7 @@ fn row(stack: &Stack, moving: &MovingJoint) -> Vec<Cell> {
         JointMotion::Opens => Moving::Opens,
         JointMotion::Slides => Moving::Slides,
         JointMotion::OpensAndSlides => Moving::Both,
+        JointMotion::Crushes => Moving::Crushes,
     };
     let mut cells = vec![Cell::words(between(stack, moving)), Cell::words(motion)];
     // what differs from 0 by rounding is 0

@@ -1,6 +1,7 @@
 //! What an answer says of a stack of stones: findings, and the sections of its check.
 
 mod beside;
+mod crushing;
 mod findings;
 mod frequencies;
 mod frequency_by_height;
@@ -23,7 +24,7 @@ pub(crate) use notes::widest;
 pub(crate) use supports::movements;
 pub(crate) use variants::comparison;
 pub(crate) use verdict::{banner, thresholds};
-pub(crate) use words::direction;
+pub(crate) use words::{direction, megapascals};
 
 use crate::document::{Document, Figure};
 use crate::figures::{Shaking, stack_capacity, stack_directions, stack_governing, stack_view};
@@ -67,12 +68,13 @@ messages! {
 }
 
 /// The sentences on stacks as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 15] = [
+pub(crate) const TEMPLATES: [&[Template]; 16] = [
     verdict::Judged::TEMPLATES,
     findings::Found::TEMPLATES,
     lean::Leaning::TEMPLATES,
     standing::Reason::TEMPLATES,
     notes::Notes::TEMPLATES,
+    crushing::Crushes::TEMPLATES,
     words::Words::TEMPLATES,
     Drawn::TEMPLATES,
     limits::Limits::TEMPLATES,

@@ -60,9 +60,9 @@ messages! {
             en: "Friction carries it: forces that balance the weight exist, which alone does not prove that it stands. A run under its own weight would; with {stones} stones, more than {most}, a check makes none: simulate it.",
             ko: "마찰이 하중을 지탱한다: 자중과 평형을 이루는 힘이 존재하나 이는 필요조건이며 서 있음을 증명하지는 않는다. 부재가 {stones}개로 {most}개를 넘어 자중에 대한 시간이력 해석을 하지 않았다. simulate로 해석한다.",
         },
-        NoStrength => {
-            en: "The limit analysis knows no compressive strength: with stones that share their load the capacity is an upper bound.",
-            ko: "한계해석은 압축강도를 고려하지 않는다. 하중을 나누어 지지하는 부재의 저항 가속도는 상한이다.",
+        StrengthInside => {
+            en: "The limit analysis takes what joints of finite strength bear from inside, as mixtures of blocks of full stress: on the safe side, by at most 1.3 % of the moment about an edge and 4 % askew (6 % and 12 % with more than 25 joints).",
+            ko: "한계해석은 압축강도가 있는 접합면의 저항을 등가 응력 블록의 조합으로 안쪽에서 근사한다(안전측). 저항 모멘트의 오차는 모서리 방향 1.3 %, 비스듬한 방향 4 % 이내이다(접합면이 25개를 넘으면 6 %, 12 %).",
         },
         NoSideSupports => {
             en: "Side supports are left out of all thresholds; what they hold is not counted, which is on the safe side.",
@@ -198,7 +198,7 @@ pub(super) fn note(of: &StackNote, stack: &Stack) -> Sentence {
             stones: *stones,
             most: *most,
         },
-        StackNote::StrengthNotInAnalysis => Notes::NoStrength,
+        StackNote::StrengthFromInside => Notes::StrengthInside,
         StackNote::SideSupportsLeftOut => Notes::NoSideSupports,
         StackNote::CohesionCounted => Notes::Cohesion,
         StackNote::TensionLeftOut => Notes::NoTension,

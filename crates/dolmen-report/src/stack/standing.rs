@@ -1,6 +1,6 @@
 //! Whether a stack stands without shaking, and why it does not.
 
-use super::words::{DIGITS, place};
+use super::words::{DIGITS, megapascals, place};
 use dolmen::stability::stack::Standing;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 
@@ -27,6 +27,10 @@ messages! {
         Overloaded { above: Sentence, pressure: Quantity, strength: Quantity } => {
             en: "above {above} the stone crushes: {pressure} over the whole joint, and its strength is {strength}",
             ko: "{above} 위의 평균 압력 {pressure}이(가) 압축강도 {strength}을(를) 넘는다",
+        },
+        CrushesTogether { strength: Quantity } => {
+            en: "edges of stones that share their load crush: with a compressive strength of {strength} no forces in the joints balance the weight",
+            ko: "하중을 나누어 지지하는 석재의 모서리가 압괴한다: 압축강도 {strength}에서는 자중과 평형을 이루는 접합력이 없다",
         },
         SoilTurns { stiffness: Quantity, least: Quantity } => {
             en: "the soil turns away under the stack: its rocking stiffness is {stiffness}, and weight times height of the centroid is {least}",
@@ -68,8 +72,11 @@ pub(super) fn standing(of: &Standing) -> Sentence {
             strength_pa,
         } => Reason::Overloaded {
             above: place(above),
-            pressure: engineering(*pressure_pa, "Pa"),
-            strength: engineering(*strength_pa, "Pa"),
+            pressure: megapascals(*pressure_pa),
+            strength: megapascals(*strength_pa),
+        },
+        Standing::CrushesTogether { strength_pa } => Reason::CrushesTogether {
+            strength: megapascals(*strength_pa),
         },
         Standing::SoilTurns {
             stiffness_n_m_rad,

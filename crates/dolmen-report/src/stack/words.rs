@@ -38,6 +38,15 @@ messages! {
     }
 }
 
+/// A strength or a pressure of stone.
+pub(crate) fn megapascals(stress_pa: f64) -> Quantity {
+    let unit = Unit {
+        symbol: "MPa".to_owned(),
+        factor: 1e-6,
+    };
+    Quantity::new(stress_pa, unit, Digits::Significant(DIGITS))
+}
+
 /// An acceleration over gravity.
 pub(super) fn in_g(acceleration_g: f64) -> Quantity {
     Quantity::new(acceleration_g, Unit::si("g"), Digits::Significant(DIGITS))

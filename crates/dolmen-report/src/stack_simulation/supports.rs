@@ -46,6 +46,10 @@ messages! {
             en: "the run could not be used from {at} on: take half the step.",
             ko: "{at} 이후의 해석 결과는 쓸 수 없다. 시간 간격을 반으로 줄인다.",
         },
+        NothingCrushes => {
+            en: "Edges do not crush in it, whatever strength the file gives: not on the safe side.",
+            ko: "입력한 압축강도와 관계없이 모서리는 압괴하지 않는 것으로 보았다(불안전측).",
+        },
         NoRun => { en: "No run was made.", ko: "해석하지 않았다." },
         Limit { factor: Quantity, length: Quantity } => {
             en: "Limit analysis of the shape as it moves finds no balance beyond {factor} times that ({length}).",
@@ -129,6 +133,9 @@ pub(crate) fn findings(of: &SupportsSimulation) -> Vec<Finding> {
     let apart = of.runs.iter().find_map(|run| apart(of, run));
     all.push(Finding::key(Tone::Plain, limit));
     all.extend(apart.map(|apart| Finding::key(Tone::Warn, apart)));
+    if of.stack.least_strength_pa().is_some() {
+        all.push(Finding::key(Tone::Warn, InTime::NothingCrushes));
+    }
     let made = of
         .runs
         .iter()

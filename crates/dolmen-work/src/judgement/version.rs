@@ -24,6 +24,8 @@ pub struct VersionJudgement {
     pub governed_by: Option<Governing>,
     /// Whether the word for weight is that under wind or static loads too.
     pub with_loads: bool,
+    /// Whether the word for weight is worse because edges of stones crush.
+    pub crushes: bool,
     /// The share of samples that falls or is brought to a limit; `None` without samples, or where none does.
     pub falling_share: Option<f64>,
     /// What an earthquake asks of it, one a demand, motion and part; empty where nothing is asked.
@@ -120,6 +122,7 @@ impl VersionJudgement {
             weight,
             governed_by: None,
             with_loads: false,
+            crushes: false,
             falling_share: None,
             earthquake: Vec::new(),
             wind: Vec::new(),
@@ -223,6 +226,16 @@ impl VersionJudgement {
     }
 }
 
+/// Whether the weight of a stack counts as worse because edges crush.
+fn crushes(state: &State) -> bool {
+    let Check::Stack(answer) = &state.check else {
+        return false;
+    };
+    let crushing = answer.check.crushing.as_ref();
+    crushing
+        .is_some_and(|of| answer.check.verdict > of.uncrushed_verdict && of.verdict > of.uncrushed_verdict)
+}
+
 /// What a check found of a version.
 pub(super) fn version(
     (variant, project): (Option<&str>, &Project),
@@ -245,6 +258,7 @@ pub(super) fn version(
             .iter()
             .any(|of| of.wind != 0.0 || of.loads != 0.0)
     });
+    version.crushes = crushes(state);
     version.falling_share = state.falling_share();
     version.governed_by = governing(state, weight);
     version.demand_source = state.demand.as_ref().map(|demand| {

@@ -11,8 +11,9 @@ use crate::motion::MotionAnswer;
 use crate::progress::{Progress, simulating};
 use crate::told::told;
 use crate::version::Version;
-use dolmen::assess::{DamageThresholds, stack_damage};
+use dolmen::assess::{DamageThresholds, StackCheckOptions, check_stack, stack_damage};
 use dolmen::blocks::{AfterFall, ContactLaw, ContactRule, Outcome, Rigid, Springs, simulate_stack};
+use dolmen::stability::Verdict;
 use dolmen::stability::stack::{StackLimitStates, StackLimits, Standing, stack_limits};
 use dolmen::structure::stack::Stack;
 use dolmen_project::{Quantity, StackPart};
@@ -77,6 +78,9 @@ pub(crate) fn simulate(
     if !limits.standing.stands() {
         return Ok(Shaken::DoesNotStand(limits.standing));
     }
+    if let Some(crushes) = crushes_together(&stack, &limits)? {
+        return Ok(Shaken::DoesNotStand(crushes));
+    }
     let shaken = Shakable {
         version,
         part,
@@ -112,6 +116,23 @@ pub(crate) fn simulate(
         runs.repeats = Some(repeats(&runs.deciding, times, progress)?);
     }
     Ok(Shaken::Simulated(Box::new(runs)))
+}
+
+/// Why stones that share their load do not stand, where they would if no edge crushed: runs crush none.
+pub(super) fn crushes_together(
+    stack: &Stack,
+    limits: &StackLimitStates,
+) -> Result<Option<Standing>, WorkError> {
+    if limits.statically_determinate || stack.least_strength_pa().is_none() {
+        return Ok(None);
+    }
+    let check = check_stack(stack, &StackCheckOptions::default())?;
+    let crushing = check
+        .crushing
+        .filter(|of| of.verdict == Verdict::Unstable && of.uncrushed_verdict != Verdict::Unstable);
+    Ok(crushing.map(|of| Standing::CrushesTogether {
+        strength_pa: of.strength_pa,
+    }))
 }
 
 /// A stack and what shakes it.

@@ -131,6 +131,10 @@ messages! {
 messages! {
     /// What of a file runs on moving ground hold, and what they leave out.
     pub(crate) enum OfRuns in "work.runs" {
+        CrushingLeftOut => {
+            en: "edges do not crush in the runs, whatever strength the file gives, which is not on the safe side",
+            ko: "해석에서는 입력한 압축강도와 관계없이 모서리가 압괴하지 않는 것으로 보았다(불안전측)",
+        },
         WindLeftOut => {
             en: "the wind of the file does not act in the runs: `dolmen check` judges it",
             ko: "해석에 파일의 바람을 반영하지 않았다. `dolmen check`에서 판정한다",

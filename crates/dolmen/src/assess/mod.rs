@@ -55,7 +55,9 @@ pub use score::{
 };
 pub use sensitivity::{CentroidEffect, Sensitivity, elasticity};
 pub use settle_run::with_settle_run;
-pub use stack::{MARGINAL_BELOW_G, StackCheck, StackCheckOptions, check_stack, check_stack_with_gaps};
+pub use stack::{
+    Crushing, MARGINAL_BELOW_G, StackCheck, StackCheckOptions, check_stack, check_stack_with_gaps,
+};
 pub use stack_notes::{Gaps, SettleRun, StackNote};
 pub use stack_under_loads::{Grows, StackCombination, StackUnderLoads, StackWind, stack_under_loads};
 pub use sufficiency::{SUFFICIENCY_MOTIONS_LEAST, Sufficiency, sufficiency};

@@ -15,7 +15,7 @@ use crate::structure::stack::Stack;
 /// What a check of a stack looks at.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct StackCheckOptions {
-    /// Loads, strength and soil.
+    /// Loads and soil.
     pub limits: StackLimits,
     /// What an earthquake asks for. Default `None`.
     pub demand: Option<StackDemand>,
@@ -35,6 +35,8 @@ pub struct StackCheck {
     pub verdict: Verdict,
     /// The part that rocks first as one block; `None` if it does not stand, slides first or carries static loads.
     pub rocking: Option<RockingBlock>,
+    /// What it would bear if no edge crushed; `None` without a strength.
+    pub crushing: Option<Crushing>,
     /// A period from the height alone.
     pub period_of_thumb: PeriodOfThumb,
     /// Against the demand, if there is one.
@@ -47,6 +49,35 @@ pub struct StackCheck {
     pub notes: Vec<StackNote>,
 }
 
+/// What a stack of joints of finite strength would bear if none of them crushed, before supports move and without a run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Crushing {
+    /// Least strength of its joints, Pa.
+    pub strength_pa: f64,
+    /// The verdict with the strength.
+    pub verdict: Verdict,
+    /// The verdict if none crushed.
+    pub uncrushed_verdict: Verdict,
+    /// Acceleration at which it begins to move with the strength, over gravity.
+    pub moves_at_g: Option<f64>,
+    /// And if none crushed; `None` where it does not stand then, either.
+    pub uncrushed_g: Option<f64>,
+}
+
+impl Crushing {
+    /// Whether the verdict is worse, or the first motion comes clearly sooner.
+    pub fn governs(&self) -> bool {
+        let is_sooner = match (self.moves_at_g, self.uncrushed_g) {
+            (Some(with), Some(without)) => with < (1.0 - CRUSHING_COUNTS) * without,
+            (None, without) => without.is_some(),
+            (Some(_), None) => false,
+        };
+        self.verdict > self.uncrushed_verdict || is_sooner
+    }
+}
+
+/// By how much sooner it must begin to move for crushing to govern. Chosen here: less than what dimensions leave open.
+const CRUSHING_COUNTS: f64 = 0.05;
 /// Horizontal acceleration, over gravity, below which a stack that stands is "marginal": a tilt of the ground of 1.1°, which a
 /// survey can miss. Chosen here.
 pub const MARGINAL_BELOW_G: f64 = 0.02;
@@ -79,23 +110,16 @@ const BETWEEN: f64 = 1e-3;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn check_stack(stack: &Stack, options: &StackCheckOptions) -> Result<StackCheck, AssessError> {
-    let limits = stack_limits(stack, &options.limits)?;
-    let mut check = StackCheck {
-        verdict: limits.verdict,
-        analysis: None,
-        capacity: None,
-        rocking: None,
-        period_of_thumb: period_of_thumb(stack.height_m())?,
-        demand: None,
-        supports: None,
-        settle_run: None,
-        notes: Vec::new(),
-        limits,
-    };
-    note_what_is_left_out(stack, options, &mut check);
-    note_kinetic_friction(stack, options, &mut check)?;
-    if check.limits.standing.stands() {
-        analyse(stack, options, &mut check)?;
+    let mut check = without_shaking(stack, options)?;
+    if let Some(strength_pa) = stack.least_strength_pa() {
+        let uncrushed = without_shaking(&stack.clone().without_strength(), options)?;
+        check.crushing = Some(Crushing {
+            strength_pa,
+            verdict: check.verdict,
+            uncrushed_verdict: uncrushed.verdict,
+            moves_at_g: check.capacity.map(|least| least.acceleration_g),
+            uncrushed_g: uncrushed.capacity.map(|least| least.acceleration_g),
+        });
     }
     if stack.is_pressed() {
         let free = StackCheckOptions {
@@ -133,6 +157,30 @@ pub fn check_stack(stack: &Stack, options: &StackCheckOptions) -> Result<StackCh
     if let Some(demand) = &options.demand {
         let capacity = check.capacity.map(|capacity| capacity.acceleration_m_s2);
         check.demand = Some(compare_with_demand(capacity, demand)?);
+    }
+    Ok(check)
+}
+
+/// The joints and the limit analysis, without supports that move, demand and strength beside none.
+fn without_shaking(stack: &Stack, options: &StackCheckOptions) -> Result<StackCheck, AssessError> {
+    let limits = stack_limits(stack, &options.limits)?;
+    let mut check = StackCheck {
+        verdict: limits.verdict,
+        analysis: None,
+        capacity: None,
+        rocking: None,
+        crushing: None,
+        period_of_thumb: period_of_thumb(stack.height_m())?,
+        demand: None,
+        supports: None,
+        settle_run: None,
+        notes: Vec::new(),
+        limits,
+    };
+    note_what_is_left_out(stack, options, &mut check);
+    note_kinetic_friction(stack, options, &mut check)?;
+    if check.limits.standing.stands() {
+        analyse(stack, options, &mut check)?;
     }
     Ok(check)
 }
@@ -188,8 +236,8 @@ pub fn check_stack_with_gaps(
 fn note_what_is_left_out(stack: &Stack, options: &StackCheckOptions, check: &mut StackCheck) {
     if !check.limits.statically_determinate {
         check.notes.push(StackNote::SharedLoad);
-        if options.limits.compressive_strength_pa.is_some() {
-            check.notes.push(StackNote::StrengthNotInAnalysis);
+        if stack.least_strength_pa().is_some() {
+            check.notes.push(StackNote::StrengthFromInside);
         }
     }
     let joints = stack.joints();

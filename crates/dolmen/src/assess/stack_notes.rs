@@ -97,8 +97,8 @@ pub enum StackNote {
         /// How many are run in a check.
         most: usize,
     },
-    /// The limit analysis knows no compressive strength, so of the stack that shares its load this is an upper bound.
-    StrengthNotInAnalysis,
+    /// The limit analysis takes what joints of finite strength bear from inside: on the safe side, by a few per cent at most.
+    StrengthFromInside,
     /// Friction that is taken as associated would hold more: it lets joints that slide rise, which real ones do not.
     WithoutDilatancy {
         /// What it would hold, over gravity.
@@ -204,10 +204,9 @@ impl fmt::Display for StackNote {
                 "an admissible state exists, with friction: that is necessary, and no run under its own weight was made of {stones} \
                  stones, more than {most}"
             ),
-            StackNote::StrengthNotInAnalysis => write!(
+            StackNote::StrengthFromInside => write!(
                 f,
-                "the limit analysis knows no compressive strength: with stones that share their load the capacity is an \
-                 upper bound"
+                "the limit analysis takes what joints of finite strength bear from inside, which is on the safe side"
             ),
             StackNote::SideSupportsLeftOut => write!(
                 f,

@@ -64,6 +64,8 @@ pub struct StackUnderLoads {
     /// The factor with the friction of all joints taken as associated, where that is more: it lets upright joints rise as they
     /// slide, and `found` has them slide without friction.
     pub dilating_factor: Option<f64>,
+    /// The factor if no edge crushed, where that is more.
+    pub uncrushed_factor: Option<f64>,
     /// Which loads grow.
     pub grows: Grows,
     /// Where the wind blows to at the worst, a unit vector in plan; `None` without wind.
@@ -97,6 +99,20 @@ impl StackUnderLoads {
 /// corners of square stones that stand so. Of stones that stand otherwise the outline between face and corner may be met, with the same
 /// coefficient: up to 1.21 times what the face takes.
 pub fn stack_under_loads(
+    stack: &Stack,
+    combination: &StackCombination<'_>,
+) -> Result<StackUnderLoads, AssessError> {
+    let mut least = least_of_frictions(stack, combination)?;
+    if stack.least_strength_pa().is_some() {
+        let uncrushed = least_of_frictions(&stack.clone().without_strength(), combination)?;
+        let factor = uncrushed.found.factor;
+        least.uncrushed_factor = is_less(least.found.factor, factor).then_some(factor);
+    }
+    Ok(least)
+}
+
+/// The lesser of with and without friction in upright joints that slide.
+fn least_of_frictions(
     stack: &Stack,
     combination: &StackCombination<'_>,
 ) -> Result<StackUnderLoads, AssessError> {
@@ -239,6 +255,7 @@ impl Case<'_> {
         Ok(StackUnderLoads {
             found: load_factor(self.stack, &steady, &growing)?,
             dilating_factor: None,
+            uncrushed_factor: None,
             grows,
             wind_to: pushed.wind_to,
             blown: pushed.blown,

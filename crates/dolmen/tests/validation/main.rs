@@ -67,6 +67,8 @@ mod stack_loads_microlp;
 mod stack_motion;
 mod stack_rigid;
 mod stack_rocking;
+mod stack_strength;
+mod stack_towers;
 mod stiffness_covariance;
 mod strong_motion;
 mod sufficiency;

@@ -45,7 +45,7 @@ pub fn cut_resistances(stack: &Stack, options: &StackLimits) -> Result<Vec<CutRe
         CutResistance {
             above,
             blocks,
-            resistances: Part::of(stack, cut, &loads, &soil).resists(options.compressive_strength_pa),
+            resistances: Part::of(stack, cut, &loads, &soil).resists(),
         }
     });
     Ok(found.collect())
@@ -67,7 +67,6 @@ mod tests {
                 ..StackLoads::default()
             },
             soil_rocking_stiffness_n_m_rad: Some(1e6),
-            ..StackLimits::default()
         };
         let limits = stack_limits(&stack, &options).unwrap();
         let found = cut_resistances(&stack, &options).unwrap();

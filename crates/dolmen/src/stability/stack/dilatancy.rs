@@ -6,7 +6,7 @@
 use super::cuts::carries;
 use super::limit_analysis::limit_analysis;
 use super::limit_options::{LimitAnalysis, LimitAnalysisResult, LimitAnalysisStatus};
-use super::mechanism::{JointMotion, Mechanism};
+use super::mechanism::Mechanism;
 use crate::stability::StabilityError;
 use crate::structure::stack::Stack;
 
@@ -77,7 +77,7 @@ pub(crate) fn without_sliding_friction(stack: &Stack, mechanism: Option<&Mechani
     let mut is_other = false;
     for moving in &mechanism?.joints {
         let joint = &stack.joints()[moving.joint];
-        let slides = moving.motion != JointMotion::Opens;
+        let slides = moving.motion.slides();
         if slides && !carries(joint) && joint.material.friction_static > 0.0 {
             let mut material = joint.material;
             (material.friction_static, material.friction_kinetic) = (0.0, 0.0);
@@ -94,8 +94,8 @@ fn slides_and_opens(stack: &Stack, mechanism: Option<&Mechanism>) -> bool {
     let rubs = |joint: usize| stack.joints()[joint].material.friction_static > 0.0;
     let slides = joints
         .iter()
-        .any(|of| of.motion != JointMotion::Opens && carries(&stack.joints()[of.joint]) && rubs(of.joint));
-    let opens = joints.iter().any(|of| of.motion != JointMotion::Slides);
+        .any(|of| of.motion.slides() && carries(&stack.joints()[of.joint]) && rubs(of.joint));
+    let opens = joints.iter().any(|of| of.motion.opens());
     slides && opens
 }
 

@@ -1,25 +1,60 @@
 //! What joints and ties can do in a limit analysis.
 
+use super::cuts::{Carriers, carries, is_statically_determinate};
 use super::limit_options::Holding;
 use super::limit_pieces::{Act, Law};
-use crate::structure::stack::Stack;
+use super::limit_toes::{Pressed, toes};
+use super::loads::{Load, together};
+use crate::structure::stack::{Joint, Stack};
 use glam::DVec3;
 
-/// What every corner of every joint, and every tie, can do.
-pub(super) fn acts(stack: &Stack, holding: Holding) -> Vec<Act> {
+/// What an analysis knows of a stack before it begins.
+#[derive(Clone, Copy)]
+pub(super) struct Before<'a> {
+    pub(super) stack: &'a Stack,
+    /// What acts on each block without shaking.
+    pub(super) loads: &'a [Load],
+    /// Direction of the shaking that is looked at; `None`: all.
+    pub(super) towards: Option<[f64; 2]>,
+    /// Whether loads grow that may press, or shaking alone.
+    pub(super) grows: bool,
+}
+
+/// What every corner of every joint, and every tie, can do; of joints of finite strength, every block of full stress.
+pub(super) fn acts(before: &Before<'_>, holding: Holding) -> Vec<Act> {
+    let stack = before.stack;
     let mut acts = Vec::new();
+    let crushing = Crushing::of(before);
     for (link, joint) in stack.joints().iter().enumerate() {
         let [first, second, normal] = joint.axes.map(DVec3::from);
         let corners = &joint.patch.corners_m;
+        let friction = joint.material.friction_static;
+        if let Some(strength_pa) = joint.material.compressive_strength_pa {
+            let towards = before.towards.and_then(|way| in_plane(joint, way));
+            for toe in toes(&joint.patch, strength_pa, crushing.pressed(link), towards) {
+                acts.push(Act {
+                    link,
+                    at: DVec3::from(joint.origin_m) + first * toe.at_m[0] + second * toe.at_m[1],
+                    axes: [normal, first, second],
+                    law: Law::Toe {
+                        friction,
+                        capacity_n: toe.capacity_n,
+                    },
+                });
+            }
+        }
+        let presses = joint.material.compressive_strength_pa.is_none();
         let cohesion = joint.material.cohesion_pa * joint.patch.moments().area_m2 / corners.len() as f64;
         for corner in corners {
             let mut act = Act {
                 link,
                 at: DVec3::from(joint.origin_m) + first * corner[0] + second * corner[1],
                 axes: [normal, first, second],
-                law: Law::Friction(joint.material.friction_static),
+                law: Law::Friction(friction),
             };
-            acts.push(act);
+            if presses {
+                acts.push(act);
+            }
             if holding != Holding::FrictionOnly && cohesion > 0.0 {
                 act.law = Law::Shear(cohesion);
                 acts.push(act);
@@ -46,6 +81,59 @@ pub(super) fn acts(stack: &Stack, holding: Holding) -> Vec<Act> {
         }
     }
     acts
+}
+
+/// A horizontal direction in the plane of a joint, a unit vector; `None` if the joint stands across it.
+fn in_plane(joint: &Joint, way: [f64; 2]) -> Option<[f64; 2]> {
+    let way = DVec3::new(way[0], way[1], 0.0);
+    let [x, y, _] = joint.axes.map(|axis| DVec3::from(axis).dot(way));
+    let length = x.hypot(y);
+    (length > 1e-9).then(|| [x / length, y / length])
+}
+
+/// What joints of finite strength carry without shaking, as far as it is known.
+struct Crushing<'a> {
+    before: &'a Before<'a>,
+    /// `None` if no joint crushes.
+    carriers: Option<Carriers>,
+    is_known: bool,
+}
+
+impl<'a> Crushing<'a> {
+    fn of(before: &'a Before<'a>) -> Self {
+        let joints = before.stack.joints();
+        let crushes = |joint: &Joint| joint.material.compressive_strength_pa.is_some();
+        let carriers = joints.iter().any(crushes).then(|| Carriers::of(before.stack));
+        Crushing {
+            before,
+            is_known: is_statically_determinate(before.stack),
+            carriers,
+        }
+    }
+
+    /// The weight that the upper block of a joint carries, on all joints that carry it alike.
+    fn pressed(&self, link: usize) -> Pressed {
+        let joints = self.before.stack.joints();
+        let joint = &joints[link];
+        let force_n = match &self.carriers {
+            Some(carriers) if carries(joint) => {
+                let load = together(self.before.loads, &carriers.carried(vec![joint.upper]));
+                let beside = joints.iter().filter(|of| of.upper == joint.upper && carries(of));
+                -load.force.dot(DVec3::from(joint.axes[2])) / beside.count() as f64
+            }
+            _ => 0.0,
+        };
+        match self.is_known {
+            true => Pressed::Known {
+                force_n,
+                grows: self.before.grows,
+            },
+            false => Pressed::About {
+                force_n,
+                joints: joints.len(),
+            },
+        }
+    }
 }
 
 fn across(axis: DVec3) -> [DVec3; 2] {

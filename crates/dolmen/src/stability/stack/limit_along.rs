@@ -1,7 +1,7 @@
 //! A piece of a stack shaken along one direction: how far it reaches, and how it then moves.
 
 use super::StackLoads;
-use super::limit_acts::acts;
+use super::limit_acts::{Before, acts};
 use super::limit_options::Holding;
 use super::limit_pieces::{Growing, Piece, pieces};
 use super::limit_programme::{Answer, Within, rough};
@@ -77,7 +77,13 @@ pub(crate) fn stands_by_limit_analysis(
 ) -> Result<bool, StabilityError> {
     let way = unit(direction)?;
     let loads = loads.on_blocks(stack)?;
-    let acts = acts(stack, Holding::FrictionOnly);
+    let before = Before {
+        stack,
+        loads: &loads,
+        towards: Some(way),
+        grows: false,
+    };
+    let acts = acts(&before, Holding::FrictionOnly);
     for piece in &pieces(stack, &loads, &acts, Growing::Shaking, false) {
         if !stands_along(piece, way)? {
             return Ok(false);

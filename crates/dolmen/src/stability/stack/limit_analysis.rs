@@ -8,7 +8,7 @@
 //! | C | – | cohesion × area of the joint, shared alike by its corners | N |
 
 use super::Threshold;
-use super::limit_acts::acts;
+use super::limit_acts::{Before, acts};
 use super::limit_along::{along, unit};
 use super::limit_mechanism::{falling, moving_with, swaying};
 use super::limit_options::{Holding, LimitAnalysis, LimitAnalysisResult, LimitAnalysisStatus, Shaking};
@@ -87,7 +87,13 @@ fn analysed(stack: &Stack, options: &LimitAnalysis) -> Result<(LimitAnalysisResu
         Shaking::Along(direction) => Some(unit(direction)?),
     };
     let loads = options.loads.on_blocks(stack)?;
-    let acts = acts(stack, options.holding);
+    let before = Before {
+        stack,
+        loads: &loads,
+        towards: direction,
+        grows: false,
+    };
+    let acts = acts(&before, options.holding);
     let ties = options.holding == Holding::CohesionAndTies;
     let count = stack.blocks().len();
     if let Some(swaying) = &options.swaying

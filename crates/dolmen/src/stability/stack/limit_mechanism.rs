@@ -15,6 +15,9 @@ use glam::DVec3;
 /// Motions of a joint below this part of the largest are not named. Chosen here: what the solver loses is 1e-8.
 const NAMED_LEAST: f64 = 1e-3;
 
+/// A direction of shaking to ask for what falls whatever the shaking.
+const ANY_WAY: [f64; 2] = [1.0, 0.0];
+
 /// The mechanism in which a piece that does not stand falls.
 ///
 /// ```text
@@ -22,8 +25,14 @@ const NAMED_LEAST: f64 = 1e-3;
 /// its dual: the mechanism that gains most energy while all corners together open by a given sum
 /// ```
 ///
-/// Of the many mechanisms that fall this one opens few joints. `None` where the pull is rounding: what is balanced on an edge gains nothing.
+/// Of the many mechanisms that fall this one opens few joints; where joints have a strength, it is the certificate of the programme. `None` where the pull is rounding: what is balanced on an edge gains nothing.
 pub(super) fn falling(stack: &Stack, piece: &Piece) -> Result<Option<Mechanism>, StabilityError> {
+    // no pull holds what crushes
+    if piece.crushes() {
+        let mut programme = piece.programme(Within::Line(ANY_WAY))?;
+        let velocities = programme.falling_velocities(ANY_WAY)?;
+        return Ok(velocities.and_then(|velocities| moving_with(stack, piece, &velocities)));
+    }
     let found = least_pull(piece.at_rest(), piece.pushes(), piece.units())?;
     Ok(found.and_then(|velocities| named(stack, &piece.motions(&velocities, stack.blocks().len()))))
 }
@@ -57,7 +66,9 @@ pub(super) fn named(stack: &Stack, motions: &[Vec<BodyMotion>]) -> Option<Mechan
         .map(|joint| corners_of(joint, motions))
         .collect();
     let each = corners.iter().flatten();
-    let most = each.fold(0.0_f64, |most, corner| most.max(corner.opens).max(corner.slips));
+    let most = each.fold(0.0_f64, |most, corner| {
+        most.max(corner.opens.abs()).max(corner.slips)
+    });
     let least = NAMED_LEAST * most;
     let joints: Vec<MovingJoint> = corners
         .iter()
@@ -99,7 +110,8 @@ fn moving(joint: usize, corners: &[Corner], friction: f64, least: f64) -> Option
     let opens = closed.len() < corners.len();
     let slides = closed.iter().any(|corner| corner.slips > least);
     let motion = match (opens, slides) {
-        (false, false) => return None,
+        (false, false) if corners.iter().all(|corner| corner.opens >= -least) => return None,
+        (false, false) => JointMotion::Crushes,
         (true, false) => JointMotion::Opens,
         (false, true) => JointMotion::Slides,
         (true, true) => JointMotion::OpensAndSlides,

@@ -2,7 +2,7 @@
 
 use super::SwayingForces;
 use super::cuts::{Carriers, carries};
-use super::limit_programme::{Column, Programme, Push, Within, settings};
+use super::limit_programme::{Column, Programme, Push, ToePush, Within, settings};
 use super::limit_region::{Symmetry, group, turned};
 use super::loads::{Load, together};
 use super::mechanism::BodyMotion;
@@ -32,10 +32,33 @@ pub(super) struct Act {
 pub(super) enum Law {
     /// Push along the first axis; across it the friction coefficient times as much.
     Friction(f64),
+    /// Push along the first axis, across it the friction coefficient times as much; all toes of a joint together no more than full.
+    Toe {
+        /// The friction coefficient.
+        friction: f64,
+        /// What this one bears alone, N.
+        capacity_n: f64,
+    },
     /// Any force across the first axis up to this, N.
     Shear(f64),
     /// Pull against the first axis up to this, N.
     Pull(f64),
+}
+
+impl Law {
+    /// Whether two are the same but for rounding of a capacity.
+    fn is_like(self, other: Law) -> bool {
+        match (self, other) {
+            (
+                Law::Toe { friction, capacity_n },
+                Law::Toe {
+                    friction: of_other,
+                    capacity_n: other_n,
+                },
+            ) => friction == of_other && (capacity_n - other_n).abs() <= SAME * capacity_n,
+            _ => self == other,
+        }
+    }
 }
 
 /// What grows until something moves.
@@ -133,6 +156,11 @@ impl Piece {
         motions
     }
 
+    /// Whether joints of finite strength take part.
+    pub(super) fn crushes(&self) -> bool {
+        self.pushes.iter().any(|push| matches!(push, Push::Toes(_)))
+    }
+
     /// Turns and mirrors in plan that leave what it can bear as it is.
     pub(super) fn symmetries(&self) -> &[Symmetry] {
         &self.symmetries
@@ -154,6 +182,48 @@ impl Piece {
             within,
             settings,
         )
+    }
+}
+
+/// The pushes of a piece, one after the other.
+#[derive(Default)]
+struct Gathered {
+    pushes: Vec<Push>,
+    units: Vec<f64>,
+    /// The link whose toes the last push holds.
+    toes_of: Option<usize>,
+}
+
+impl Gathered {
+    /// Adds what an act can do; `column` is the balance of one unit of force along a way.
+    fn add(&mut self, act: &Act, unit: f64, column: impl Fn(DVec3) -> Column) {
+        let [normal, first_way, second_way] = act.axes;
+        let mut toes_of = None;
+        let push = match act.law {
+            Law::Friction(0.0) => Push::Normal(column(normal)),
+            Law::Friction(mu) => {
+                Push::Cone([column(normal), column(first_way * mu), column(second_way * mu)])
+            }
+            Law::Toe { friction, capacity_n } => {
+                let toe = ToePush {
+                    parts: [normal, first_way * friction, second_way * friction].map(column),
+                    share: unit / capacity_n,
+                };
+                // the toes of a joint come one after the other
+                let is_next = self.toes_of == Some(act.link);
+                if let Some(Push::Toes(toes)) = self.pushes.last_mut().filter(|_| is_next) {
+                    toes.push(toe);
+                    return;
+                }
+                toes_of = Some(act.link);
+                Push::Toes(vec![toe])
+            }
+            Law::Shear(strength) => Push::Disc([column(first_way), column(second_way)], strength / unit),
+            Law::Pull(strength) => Push::Pull(column(-normal), strength / unit),
+        };
+        self.toes_of = toes_of;
+        self.pushes.push(push);
+        self.units.push(unit);
     }
 }
 
@@ -257,8 +327,7 @@ pub(super) fn pieces(
                 .collect();
             let row_of = |block: usize| within.binary_search(&block).ok().map(|at| 6 * at);
             let mut own = Vec::new();
-            let mut pushes = Vec::new();
-            let mut units = Vec::new();
+            let mut gathered = Gathered::default();
             for &act in &acts_of[piece] {
                 let ends = ends(act.link);
                 let Some(&(first, _)) = ends.first() else {
@@ -278,18 +347,7 @@ pub(super) fn pieces(
                     }
                     column
                 };
-                let [normal, first_way, second_way] = act.axes;
-                pushes.push(match act.law {
-                    Law::Friction(0.0) => Push::Normal(column(normal)),
-                    Law::Friction(mu) => {
-                        Push::Cone([column(normal), column(first_way * mu), column(second_way * mu)])
-                    }
-                    Law::Shear(strength) => {
-                        Push::Disc([column(first_way), column(second_way)], strength / unit)
-                    }
-                    Law::Pull(strength) => Push::Pull(column(-normal), strength / unit),
-                });
-                units.push(unit);
+                gathered.add(act, unit, column);
                 own.push((act, ends));
             }
             let balances: Vec<&Balance> = within.iter().map(|&block| &balances[block]).collect();
@@ -303,7 +361,7 @@ pub(super) fn pieces(
                     })
                     .collect(),
                 length: scale.length,
-                units,
+                units: gathered.units,
                 at_rest: Vec::new(),
                 shaking: [Vec::new(), Vec::new()],
                 // what sways differently is not looked at for its mirrors
@@ -311,7 +369,7 @@ pub(super) fn pieces(
                     Growing::Shaking => symmetries(&within, &balances, &own, &scale),
                     Growing::Swaying(_) | Growing::Loads(_) => group(&[]),
                 },
-                pushes,
+                pushes: gathered.pushes,
             };
             for balance in balances {
                 let load = &balance.load;
@@ -388,7 +446,7 @@ fn symmetries(
                         .zip(to_ends)
                         .all(|(a, b)| a.1 == b.1 && image(a.0) == Some(b.0));
                 same_ends
-                    && from.law == to.law
+                    && from.law.is_like(to.law)
                     && near(place(from.at), to.at, scale.length)
                     && near(way(from.axes[0]), to.axes[0], 1.0)
             })

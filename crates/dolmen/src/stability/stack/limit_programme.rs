@@ -29,10 +29,18 @@ pub(super) enum Push {
     Cone([Column; 3]),
     /// Pushes only.
     Normal(Column),
+    /// Every block of full stress of one joint, each in Coulomb's cone; forces over what each bears alone add to 1 at most.
+    Toes(Vec<ToePush>),
     /// Any direction of a plane up to a strength (over the weight); may be infinite.
     Disc([Column; 2], f64),
     /// Pulls only, up to a strength (over the weight); may be infinite.
     Pull(Column, f64),
+}
+
+/// One block of full stress: the columns of its cone, and what a unit of force takes of the joint.
+pub(super) struct ToePush {
+    pub(super) parts: [Column; 3],
+    pub(super) share: f64,
 }
 
 /// Row and value.
@@ -71,7 +79,7 @@ pub(super) struct Support {
 ///
 /// ```text
 /// forces      maximise ν·a over f, a:   Σ G f + load + a·m = 0,  f in its cones,  |a| ≤ A_most
-/// mechanism   minimise −load·v + Σ strength·|slip| + A_most |ν − m·v| over v:  Gᵀ v in the dual cones
+/// mechanism   minimise −load·v + Σ strength·|slip| + Σ crushing + A_most |ν − m·v| over v:  Gᵀ v in the dual cones
 /// ```
 ///
 /// Both are solved at once; that both ends meet is the certificate.
@@ -193,6 +201,20 @@ impl Programme {
     pub(super) fn mechanism(&mut self, towards: [f64; 2]) -> Result<Option<Vec<f64>>, StabilityError> {
         let answer = self.support(towards)?;
         Ok((answer != Answer::Falls).then(|| self.velocities().to_vec()))
+    }
+
+    /// The velocities in which it falls whatever the acceleration along ν, or with the least one the other way; `None` if it stands.
+    pub(super) fn falling_velocities(
+        &mut self,
+        towards: [f64; 2],
+    ) -> Result<Option<Vec<f64>>, StabilityError> {
+        for way in [towards, towards.map(|part| -part)] {
+            match self.support(way)? {
+                Answer::Reaches(support) if support.bound > 0.0 => {}
+                _ => return Ok(Some(self.velocities().to_vec())),
+            }
+        }
+        Ok(None)
     }
 
     /// The velocities of the last solution.
@@ -354,6 +376,19 @@ impl Build {
             Push::Normal(part) => {
                 self.row(part);
                 self.cones.push(SupportedConeT::NonnegativeConeT(1));
+            }
+            Push::Toes(toes) => {
+                // the rate at which the joint crushes, which costs all that it bears
+                self.bounded(1.0);
+                self.cones.push(SupportedConeT::NonnegativeConeT(1));
+                let variable = self.columns.len() - 1;
+                for toe in toes {
+                    self.columns[variable].push((self.next, -toe.share));
+                    for part in &toe.parts {
+                        self.row(part);
+                    }
+                    self.cones.push(SupportedConeT::SecondOrderConeT(3));
+                }
             }
             Push::Disc(parts, strength) => {
                 if strength.is_finite() {

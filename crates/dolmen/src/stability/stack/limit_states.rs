@@ -46,6 +46,9 @@ pub struct CutLimits {
     pub gravity_margin: f64,
     /// Every line about which it can tip; none if it does not stand.
     pub edges: Vec<EdgeLimit>,
+    /// How far inside the edge of the contact the line lies about which it tips soonest, because the edge crushes, m; `None` without a
+    /// strength, or if it does not stand.
+    pub crushed_m: Option<f64>,
     /// Tipping, where it begins soonest; ties are not yet pulled. `None` if it does not stand.
     pub uplift: Option<Threshold>,
     /// Tipping with every tie of the cut pulling at its strength.

@@ -6,14 +6,14 @@
 //! | W | `weight_n` | weight of the stack | N |
 
 use super::StackLoads;
-use super::limit_acts::acts;
+use super::limit_acts::{Before, acts};
 use super::limit_along::{Along, along};
 use super::limit_mechanism::{falling, moving_with};
 use super::limit_options::Holding;
 use super::limit_pieces::{Growing, Piece, pieces};
 use super::limit_programme::{ACCELERATION_MOST, Answer, Within};
 use super::loads::{push_all, without_weight};
-use super::mechanism::{JointMotion, Mechanism};
+use super::mechanism::Mechanism;
 use crate::stability::StabilityError;
 use crate::structure::stack::{Stack, StaticLoad};
 
@@ -49,7 +49,7 @@ impl LoadFactor {
     /// Whether a joint slides in the mechanism: friction taken as associated then makes the factor an upper bound.
     pub fn slides(&self) -> bool {
         let joints = self.mechanism.iter().flat_map(|mechanism| &mechanism.joints);
-        joints.into_iter().any(|joint| joint.motion != JointMotion::Opens)
+        joints.into_iter().any(|joint| joint.motion.slides())
     }
 }
 
@@ -166,6 +166,12 @@ fn pieces_of(
         })
         .collect();
     let grows = without_weight(loads.len(), &scaled);
-    let acts = acts(bare, Holding::Cohesion);
+    let before = Before {
+        stack: bare,
+        loads: &loads,
+        towards: None,
+        grows: true,
+    };
+    let acts = acts(&before, Holding::Cohesion);
     Ok((pieces(bare, &loads, &acts, Growing::Loads(&grows), false), unit))
 }

@@ -10,13 +10,13 @@
 //! | d₀* | `overturning_m` | displacement of the oscillator at which nothing holds it any more | m |
 
 use super::StackLoads;
-use super::limit_acts::acts;
+use super::limit_acts::{Before, acts};
 use super::limit_along::unit;
 use super::limit_mechanism::named;
 use super::limit_options::Holding;
 use super::limit_pieces::{Growing, Piece, pieces};
 use super::limit_programme::{ACCELERATION_MOST, Answer, Within};
-use super::mechanism::{BodyMotion, JointMotion};
+use super::mechanism::BodyMotion;
 use crate::stability::StabilityError;
 use crate::structure::stack::{Block, Stack};
 use glam::DVec3;
@@ -112,7 +112,13 @@ pub fn local_mechanisms(
         .map(|&direction| unit(direction))
         .collect::<Result<Vec<_>, _>>()?;
     let loads = StackLoads::default().on_blocks(stack)?;
-    let acts = acts(stack, Holding::Cohesion);
+    let before = Before {
+        stack,
+        loads: &loads,
+        towards: None,
+        grows: false,
+    };
+    let acts = acts(&before, Holding::Cohesion);
     let pieces = pieces(stack, &loads, &acts, Growing::Shaking, false);
     let limits: Vec<_> = ways.iter().map(|&way| Limit::of(&pieces, way)).collect();
     let each = ways.iter().zip(&limits).map(|(&way, limit)| {
@@ -132,7 +138,7 @@ pub fn local_mechanisms(
             return Ok(None);
         };
         let mut joints = mechanism.joints.iter();
-        let slides = joints.any(|joint| joint.motion != JointMotion::Opens);
+        let slides = joints.any(|joint| joint.motion.slides());
         Ok(of_parts(stack, &motions, way, limit.multiplier, slides))
     });
     Ok(each.collect())

@@ -12,6 +12,20 @@ pub enum JointMotion {
     Slides,
     /// It slides on an edge or corner and opens elsewhere.
     OpensAndSlides,
+    /// It crushes, and neither opens nor slides.
+    Crushes,
+}
+
+impl JointMotion {
+    /// Whether it slides, as a whole or on an edge.
+    pub fn slides(self) -> bool {
+        matches!(self, JointMotion::Slides | JointMotion::OpensAndSlides)
+    }
+
+    /// Whether it opens, as a whole or about an edge.
+    pub fn opens(self) -> bool {
+        matches!(self, JointMotion::Opens | JointMotion::OpensAndSlides)
+    }
 }
 
 /// A joint that moves in a mechanism.
@@ -30,7 +44,7 @@ pub struct MovingJoint {
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Mechanism {
-    /// Every joint that opens or slides; the others stay as they are.
+    /// Every joint that opens, slides or crushes; the others stay as they are.
     pub joints: Vec<MovingJoint>,
 }
 

@@ -16,6 +16,7 @@ mod limit_pieces;
 mod limit_programme;
 mod limit_region;
 mod limit_states;
+mod limit_toes;
 mod load_factor;
 mod loads;
 mod local_mechanism;

@@ -60,6 +60,7 @@ pub(super) fn limits_of(
         resultant_m: resultant,
         gravity_margin: 0.0,
         edges: Vec::new(),
+        crushed_m: None,
         uplift: None,
         uplift_with_ties: None,
         sliding: None,
@@ -76,11 +77,12 @@ pub(super) fn limits_of(
         };
         return limits;
     }
-    part.tip(&mut limits, options.compressive_strength_pa);
+    part.tip(&mut limits, part.strength());
     part.slide(&mut limits);
     if !limits.standing.stands() || !soil.standing.stands() {
         limits.edges.clear();
         limits.tipping.clear();
+        limits.crushed_m = None;
         (limits.uplift, limits.uplift_with_ties) = (None, None);
         (limits.sliding, limits.sliding_with_ties) = (None, None);
     }
@@ -114,8 +116,8 @@ impl<'a> Part<'a> {
     }
 
     /// All that keeps it from tipping and sliding, without ties.
-    pub(super) fn resists(&self, strength: Option<f64>) -> Vec<Resistance> {
-        let mut all = Vec::new();
+    pub(super) fn resists(&self) -> Vec<Resistance> {
+        let (mut all, strength) = (Vec::new(), self.strength());
         for outward in self.outwards(strength.is_some()) {
             // a contact that cannot bear its load resists nothing
             let (pivot, crushed) = match self.pivot(outward, strength) {
@@ -327,6 +329,15 @@ impl<'a> Part<'a> {
             });
             least.map(|half_plane| half_plane.threshold(self.gravity))
         };
+        limits.crushed_m = strength.and_then(|_| {
+            let pivot = self.pivot(best_direction, strength)?;
+            let along = |point: [f64; 2]| point[0] * best_direction[0] + point[1] * best_direction[1];
+            let corners = self.contact.hull.corners_m.iter();
+            let edge = corners
+                .map(|&corner| along(corner))
+                .fold(f64::NEG_INFINITY, f64::max);
+            Some(edge - along(pivot))
+        });
         limits.uplift = soonest(&tangents);
         limits.uplift_with_ties = soonest(&with_ties);
     }
@@ -380,6 +391,13 @@ impl<'a> Part<'a> {
         let tied: f64 = self.ties().map(|tie| tie.shear_strength_n).sum();
         limits.sliding = Some(self.sliding(mu, cohesion).threshold(self.gravity));
         limits.sliding_with_ties = Some(self.sliding(mu, cohesion + tied).threshold(self.gravity));
+    }
+
+    /// Least compressive strength of its joints, Pa; `None` if none crushes.
+    fn strength(&self) -> Option<f64> {
+        let joints = self.cut.joints.iter().map(|&joint| &self.stack.joints()[joint]);
+        let given = joints.filter_map(|joint| joint.material.compressive_strength_pa);
+        given.reduce(f64::min)
     }
 
     /// Least friction of its joints, and cohesion × area of all, N.

@@ -8,7 +8,7 @@
 //! | F, M | `force`, `moment` | weight (1 + a_z/g) and static loads on it, about the origin | N, N m |
 //! | x | – | horizontal acceleration of the inertia forces m x | m/s² |
 //! | μ, C | `mu`, `cohesion` | least friction of the joints, cohesion × area | –, N |
-//! | σ_c | `compressive_strength_pa` | strength of the stone in the toe | Pa |
+//! | f | `compressive_strength_pa` | strength of the stone in the toe, of a joint | Pa |
 //! | K | `soil_rocking_stiffness_n_m_rad` | moment over rotation of the base on its soil | N m/rad |
 
 use super::cuts::cuts;
@@ -26,7 +26,7 @@ use crate::structure::stack::Stack;
 ///     soonest along (t × (c − p))_h, so the least over all directions is the least over the edges
 /// sliding, all unit v in the plane: x · m (v + μ n)_h ≤ μ N + C − v · F,  N = −F · n
 ///     tilted by β, weight only: a/g = tan(φ − β)
-/// strength:   the line lies at the centroid of the outermost strip of area N/σ_c, in every direction
+/// strength:   the line lies at the centroid of the outermost strip of area N/f, in every direction
 /// soil:       the base turns by θ = (W h a/g + M_s) / (K − W h); every part then feels a + g θ, so with M_s = 0
 ///             a = a_rigid (1 − W h / K)        W, h weight and height of centroid of the whole stack
 /// ```
@@ -38,7 +38,7 @@ use crate::structure::stack::Stack;
 /// Uplift and sliding are each found alone: a part that twists while it slides, or opens while it slides, needs
 /// a limit analysis. In a stack that is not statically determinate every threshold is an upper
 /// bound, three times too high on a beam across two pillars, and the result names nothing that governs. Stones beside a part neither hold nor push it; side supports are left out. The tensile strength of a joint is
-/// left out, its cohesion acts in sliding only. Of joints with different friction the least counts. With ties: each at
+/// left out, its cohesion acts in sliding only. Of joints with different friction or strength the least counts. With ties: each at
 /// its strength, although a brittle one may break before the next is pulled.
 ///
 /// # Source
@@ -84,22 +84,14 @@ pub fn stack_limits(stack: &Stack, options: &StackLimits) -> Result<StackLimitSt
 
 /// What acts on each block, and how the soil turns under it.
 pub(super) fn acting(stack: &Stack, options: &StackLimits) -> Result<(Vec<Load>, Soil), StabilityError> {
-    for (option, given) in [
-        ("compressive_strength_pa", options.compressive_strength_pa),
-        (
-            "soil_rocking_stiffness_n_m_rad",
-            options.soil_rocking_stiffness_n_m_rad,
-        ),
-    ] {
-        if let Some(given) = given
-            && !(given > 0.0 && given.is_finite())
-        {
-            return Err(StabilityError::Option {
-                option,
-                given,
-                allowed: "a positive number, or left out",
-            });
-        }
+    if let Some(given) = options.soil_rocking_stiffness_n_m_rad
+        && !(given > 0.0 && given.is_finite())
+    {
+        return Err(StabilityError::Option {
+            option: "soil_rocking_stiffness_n_m_rad",
+            given,
+            allowed: "a positive number, or left out",
+        });
     }
     let loads = options.loads.on_blocks(stack)?;
     let all: Vec<usize> = (0..stack.blocks().len()).collect();
@@ -329,14 +321,19 @@ mod tests {
     fn exact_strength_moves_the_line_in() {
         // N = .32 × 2600 × 9.81 = 8161.92 N over .4 m: strip N / (σ .4) = 20.4048 mm at 1 MPa, pivot half of it inside
         let block = tower(&[(0.4, 2.0)], 0.6);
-        let options = StackLimits {
-            compressive_strength_pa: Some(1e6),
-            ..StackLimits::default()
+        let of_strength = |compressive_strength_pa: f64| {
+            let material = JointMaterial {
+                compressive_strength_pa: Some(compressive_strength_pa),
+                ..JointMaterial::default()
+            };
+            block.clone().with_material(0, material).unwrap()
         };
+        let options = StackLimits::default();
+        let crushing = of_strength(1e6);
         let inside = 0.32 * 2600.0 * 9.81 / 1e6 / 0.4 / 2.0;
-        assert!((uplift(&block, &options) - (0.2 - inside)).abs() < 1e-9);
+        assert!((uplift(&crushing, &options) - (0.2 - inside)).abs() < 1e-9);
         // in any direction never above the exact one, and close to it
-        let states = stack_limits(&block, &options).unwrap();
+        let states = stack_limits(&crushing, &options).unwrap();
         let contact = &states.cuts[0].contact;
         let area = 0.32 * 2600.0 * 9.81 / 1e6;
         let around = |k: i32| (f64::from(k).to_radians().cos(), f64::from(k).to_radians().sin());
@@ -355,11 +352,7 @@ mod tests {
                 "{k} {found} {exact}"
             );
         }
-        let weak = StackLimits {
-            compressive_strength_pa: Some(5e4),
-            ..StackLimits::default()
-        };
-        let states = stack_limits(&block, &weak).unwrap();
+        let states = stack_limits(&of_strength(5e4), &options).unwrap();
         assert_eq!((states.governing, states.verdict), (None, Verdict::Unstable));
         assert!(
             states
@@ -463,9 +456,17 @@ mod tests {
         let fault = stack_limits(&block, &options).unwrap_err();
         assert!(fault.to_string().contains("must be above −9.81"));
         let options = StackLimits {
-            compressive_strength_pa: Some(f64::NAN),
+            soil_rocking_stiffness_n_m_rad: Some(f64::NAN),
             ..StackLimits::default()
         };
         assert!(stack_limits(&block, &options).is_err());
+        for given in [0.0, -1e6, f64::NAN, f64::INFINITY] {
+            let material = JointMaterial {
+                compressive_strength_pa: Some(given),
+                ..JointMaterial::default()
+            };
+            let fault = block.clone().with_material(0, material).unwrap_err();
+            assert!(fault.to_string().contains("compressive_strength_pa"), "{fault}");
+        }
     }
 }

@@ -7,8 +7,6 @@ use super::StackLoads;
 pub struct StackLimits {
     /// What acts before any horizontal shaking. Default nothing.
     pub loads: StackLoads,
-    /// Compressive strength of the stone, Pa: moves the line that a part turns about inwards. Default `None`: infinite.
-    pub compressive_strength_pa: Option<f64>,
     /// Moment over rotation of the whole base on its soil, N m/rad, the same in all directions. Default `None`: rigid.
     pub soil_rocking_stiffness_n_m_rad: Option<f64>,
 }

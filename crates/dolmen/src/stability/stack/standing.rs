@@ -47,6 +47,11 @@ pub enum Standing {
         /// Compressive strength, Pa.
         strength_pa: f64,
     },
+    /// Stones that share their load crush: no forces in the joints balance the weight, and they would if no edge crushed.
+    CrushesTogether {
+        /// Least compressive strength of the joints, Pa.
+        strength_pa: f64,
+    },
     /// The soil turns away under the stack.
     SoilTurns {
         /// Its rocking stiffness, N m/rad.
@@ -97,6 +102,11 @@ impl fmt::Display for Standing {
                 f,
                 "above {above} the stone crushes: {pressure_pa:.3e} Pa over the whole joint, and its strength is \
                  {strength_pa:.3e} Pa"
+            ),
+            Standing::CrushesTogether { strength_pa } => write!(
+                f,
+                "edges of stones that share their load crush: with a strength of {strength_pa:.3e} Pa no forces in the joints balance \
+                 the weight"
             ),
             Standing::SoilTurns {
                 stiffness_n_m_rad,

@@ -4,7 +4,7 @@
 //! |:--|:--|:--|:--|
 //! | ν | `outward` | direction in the plane, unit | – |
 //! | t | `depth` | depth of the pressed strip behind the outermost corner along ν | m |
-//! | A(t) | `area` | area of the patches within the strip; A σ_c = N | m² |
+//! | A(t) | `area` | area of the patches within the strip; A f = N | m² |
 
 use crate::structure::stack::Polygon;
 
@@ -12,7 +12,7 @@ use crate::structure::stack::Polygon;
 /// they have less in all.
 ///
 /// ```text
-/// ∫ over {r : ν·r ≥ max ν·r − t} = A = N / σ_c        rectangle b × l: t = N/(σ_c b), pivot t/2 inside the edge
+/// ∫ over {r : ν·r ≥ max ν·r − t} = A = N / f        rectangle b × l: t = N/(f b), pivot t/2 inside the edge
 /// ```
 pub(super) fn toe(patches: &[Polygon], outward: [f64; 2], area: f64) -> Option<[f64; 2]> {
     let along = |corner: &[f64; 2]| corner[0] * outward[0] + corner[1] * outward[1];

@@ -13,6 +13,8 @@ pub struct JointMaterial {
     pub cohesion_pa: f64,
     /// Tensile strength of the bond, Pa, lost where it fails. Default 0: dry.
     pub tension_pa: f64,
+    /// Compressive strength f of stone or mortar in the joint, Pa: an edge crushes under a block of this stress. Default `None`: it never crushes.
+    pub compressive_strength_pa: Option<f64>,
     /// Normal stiffness per area, Pa/m. Default 1e9 (Kim, Koo & Hong 2018, Fig. 17).
     pub normal_stiffness_pa_m: f64,
     /// Shear stiffness per area, Pa/m. Default 4e8 (the same).
@@ -33,6 +35,7 @@ impl Default for JointMaterial {
             friction_kinetic: 0.6,
             cohesion_pa: 0.0,
             tension_pa: 0.0,
+            compressive_strength_pa: None,
             normal_stiffness_pa_m: 1e9,
             shear_stiffness_pa_m: 4e8,
             damping_ratio: 0.3,
@@ -76,7 +79,10 @@ impl JointMaterial {
             ("normal_stiffness_pa_m", self.normal_stiffness_pa_m),
             ("shear_stiffness_pa_m", self.shear_stiffness_pa_m),
         ];
-        for (quantity, given) in positive {
+        let strength = self
+            .compressive_strength_pa
+            .map(|given| ("compressive_strength_pa", given));
+        for (quantity, given) in positive.into_iter().chain(strength) {
             if !(given > 0.0 && given.is_finite()) {
                 return refuse(quantity, given, "a positive number");
             }

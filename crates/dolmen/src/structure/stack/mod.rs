@@ -26,7 +26,10 @@ mod slicing;
 mod solid;
 mod stack_of_blocks;
 mod static_load;
+mod strength;
 mod support_movement;
+mod tower;
+mod trilithon;
 mod wall;
 
 pub use arch::{ArchFactors, arch};
@@ -45,4 +48,6 @@ pub use solid::{Placement, Scan, Solid};
 pub use stack_of_blocks::{Block, SideSupport, Stack, Tie};
 pub use static_load::StaticLoad;
 pub use support_movement::SupportMovement;
+pub use tower::{TowerFactors, TowerPlan, tower};
+pub use trilithon::{TrilithonFactors, trilithon};
 pub use wall::{WallFactors, wall};
