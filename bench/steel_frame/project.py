@@ -1,4 +1,4 @@
-"""Makes a project of the fifteen setups of a steel frame that Bauhaus-Universität Weimar measured: FOLDER INTO
+"""Makes a project of the fifteen setups of a steel frame, published as measured at Bauhaus-Universität Weimar: FOLDER INTO
 
 FOLDER is tests/files of the repository pyOMA-dev/pyOMA (GPL-3.0; commit c0e17452), INTO a new folder. Three lasers measure the velocity of
 one node a setup along their beams, two accelerometers stay: velocities are differentiated, so that all channels are accelerations. Then:

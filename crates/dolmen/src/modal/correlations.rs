@@ -155,6 +155,35 @@ impl Correlations {
         &self.mean[k * size..(k + 1) * size]
     }
 
+    /// Of the channels in another order, each times its sign.
+    pub(crate) fn arranged(&self, order: &[usize], signs: &[f64]) -> Correlations {
+        let l = self.channels;
+        let pairs = |lags: &Vec<f64>| -> Vec<f64> {
+            let of_lag = |lag: &[f64]| -> Vec<f64> {
+                let places = (0..l * l).map(|at| (at / l, at % l));
+                places
+                    .map(|(i, j)| signs[i] * signs[j] * lag[order[i] * l + order[j]])
+                    .collect()
+            };
+            lags.chunks_exact(l * l).flat_map(of_lag).collect()
+        };
+        let samples = |all: &Vec<f64>| -> Vec<f64> {
+            let of_sample = |y: &[f64]| -> Vec<f64> { (0..l).map(|i| signs[i] * y[order[i]]).collect() };
+            all.chunks_exact(l).flat_map(of_sample).collect()
+        };
+        Correlations {
+            mean: pairs(&self.mean),
+            deviations: self.deviations.iter().map(pairs).collect(),
+            ends: self.ends.as_ref().map(|ends| Ends {
+                head: samples(&ends.head),
+                tail: samples(&ends.tail),
+                starts: ends.starts,
+            }),
+            padded: self.padded.as_ref().map(pairs),
+            ..*self
+        }
+    }
+
     /// Lags of the record with zeros behind it: start times up to the last that has an end, over the same S.
     fn padded(&self) -> Option<Vec<f64>> {
         let (l, ends) = (self.channels, self.ends.as_ref()?);

@@ -2,31 +2,31 @@
 //!
 //! | symbol | code | meaning | shape |
 //! |:--|:--|:--|:--|
-//! | H_s^ref, H_s^mov | `Setup::references`, `moved` | Hankel matrices of the sensors that stay, that move, with those that stay | r br × r br, m_s br × r br |
+//! | H_s^ref, H_s^mov | `Setup::whole` | Hankel matrices of the sensors that stay, that move, with those that stay; not formed | r br × r br, m_s br × r br |
 //! | U | `basis` | left singular vectors of [H_1^ref … H_S^ref] | r br × n |
 //! | Z_s | | Uᵀ H_s^ref: what shook setup s | n × r br |
 //! | Z_s⁺ = Q R⁻ᵀ | `Excitation` | from the QR of Z_sᵀ | r br × n |
+//! | T | `Setup::seen` | H_s^mov Z_s⁺: what the sensors that move see where those that stay see U | m_s br × n |
+//! | X | `x` | singular vectors of the stacked matrix over its singular values | r br × n |
 
 use super::sensor_places::ChannelPlace;
 use crate::modal::correlations::{Correlations, correlate, lags_before};
-use crate::modal::subspace::Ssi;
-use crate::modal::subspace::of_matrix;
-use crate::modal::subspace::{RANK_LEAST, Subspace, subspace};
-use crate::modal::subspace::{future_past, side_by_side};
+use crate::modal::subspace::{BlockHankel, FuturePast, RANK_LEAST, Rows, Ssi, Subspace};
+use crate::modal::subspace::{of_operator, of_product, subspace};
 use crate::modal::{Method, ModalError};
 use crate::signal::Record;
-use dolmen_linalg::{Matrix, qr, solve_lower};
+use dolmen_linalg::{LinalgError, Matrix, Operator, qr, solve_lower, solve_lower_transposed};
 
-/// Hankel matrices of one setup, sensors turned as the first setup has them.
+/// Hankel matrices of one setup, sensors turned as the first setup has them; those that stay come first, in the order of their places.
 pub(super) struct Setup {
-    /// Of the sensors that stay, in the order of their places.
-    references: Matrix,
-    /// Of the others.
-    moved: Matrix,
+    whole: FuturePast,
+    /// Of each block of time, what it adds.
+    deviations: Vec<BlockHankel>,
+    channels: usize,
+    /// Sensors that stay.
+    references: usize,
     /// Places of the others.
     moved_places: Vec<usize>,
-    /// The same of each block's deviation.
-    deviations: Vec<[Matrix; 2]>,
     /// Mean square of the sensors that stay.
     pub(super) power: f64,
     step_s: f64,
@@ -45,36 +45,92 @@ impl Setup {
     }
 
     fn of(r: &Correlations, channel_places: &[ChannelPlace], references: &[usize], br: usize) -> Self {
-        let l = r.channels;
         let channel_at = |place: &usize| channel_places.iter().position(|s| s.place == *place);
         let stay: Vec<usize> = references.iter().filter_map(channel_at).collect();
-        let move_: Vec<usize> = (0..l).filter(|c| !stay.contains(c)).collect();
-        let n = stay.len();
-        let split = |whole: &Matrix| {
-            let of = |rows: &[usize]| {
-                Matrix::from_fn(rows.len() * br, n * br, |i, j| {
-                    let c = rows[i % rows.len()];
-                    channel_places[c].sign
-                        * channel_places[stay[j % n]].sign
-                        * whole[(i / rows.len() * l + c, j)]
-                })
-            };
-            [of(&stay), of(&move_)]
-        };
-        let of_lags = |lags: &Vec<f64>| {
-            let beside = side_by_side(lags, l, &stay, br);
-            let whole = Matrix::from_fn(l * br, n * br, |i, j| beside[(i % l, i / l * n + j)]);
-            split(&whole)
-        };
-        let [at_references, moved] = split(&future_past(r, &stay, br));
+        let moved: Vec<usize> = (0..r.channels).filter(|c| !stay.contains(c)).collect();
+        let order: Vec<usize> = stay.iter().chain(&moved).copied().collect();
+        let signs: Vec<f64> = order.iter().map(|&c| channel_places[c].sign).collect();
+        let r = r.arranged(&order, &signs);
+        let (l, n) = (order.len(), stay.len());
+        let first: Vec<usize> = (0..n).collect();
         Setup {
-            references: at_references,
-            moved,
-            moved_places: move_.iter().map(|&c| channel_places[c].place).collect(),
-            deviations: r.deviations.iter().map(of_lags).collect(),
-            power: stay.iter().map(|&c| r.lag(0)[c * l + c]).sum::<f64>() / n as f64,
+            whole: FuturePast::new(&r, &first, br),
+            deviations: (r.deviations.iter())
+                .map(|lags| BlockHankel::new(lags, l, &first, br))
+                .collect(),
+            channels: l,
+            references: n,
+            moved_places: moved.iter().map(|&c| channel_places[c].place).collect(),
+            power: (0..n).map(|c| r.lag(0)[c * l + c]).sum::<f64>() / n as f64,
             step_s: r.step_s,
         }
+    }
+
+    /// Rows of the sensors that stay, and of those that move.
+    fn parted(&self, y: &Matrix) -> [Matrix; 2] {
+        let (l, n) = (self.channels, self.references);
+        let blocks = y.rows() / l;
+        let of = |from: usize, count: usize| {
+            Matrix::from_fn(count * blocks, y.columns(), |i, j| {
+                y[(i / count * l + from + i % count, j)]
+            })
+        };
+        // a setup may have no sensor that moves
+        let moved = match l - n {
+            0 => Matrix::zeros(0, y.columns()),
+            count => of(n, count),
+        };
+        [of(0, n), moved]
+    }
+
+    /// Rows of the sensors that stay, zeros for those that move.
+    fn lifted(&self, y: &Matrix) -> Matrix {
+        let (l, n) = (self.channels, self.references);
+        Matrix::from_fn(y.rows() / n * l, y.columns(), |i, j| match i % l {
+            c if c < n => y[(i / l * n + c, j)],
+            _ => 0.0,
+        })
+    }
+}
+
+/// [H_1^ref … H_S^ref], not formed.
+struct Beside<'a> {
+    setups: &'a [Setup],
+    rows: usize,
+}
+
+impl Beside<'_> {
+    fn formed(&self) -> Result<Matrix, LinalgError> {
+        let of_each: Vec<Matrix> = (self.setups.iter())
+            .map(|s| Ok(s.parted(&s.whole.times(Matrix::identity(self.rows))?)[0].clone()))
+            .collect::<Result<_, LinalgError>>()?;
+        Ok(Matrix::from_fn(self.rows, of_each.len() * self.rows, |i, j| {
+            of_each[j / self.rows][(i, j % self.rows)]
+        }))
+    }
+}
+
+impl Operator for Beside<'_> {
+    fn shape(&self) -> [usize; 2] {
+        [self.rows, self.setups.len() * self.rows]
+    }
+    fn times(&self, x: Matrix) -> Result<Matrix, LinalgError> {
+        let mut sum = Matrix::zeros(self.rows, x.columns());
+        for (s, setup) in self.setups.iter().enumerate() {
+            let of_setup = x.block(s * self.rows, 0, self.rows, x.columns());
+            sum = &sum + &setup.parted(&setup.whole.times(of_setup)?)[0];
+        }
+        Ok(sum)
+    }
+    fn transpose_times(&self, y: Matrix) -> Result<Matrix, LinalgError> {
+        let mut all = Matrix::zeros(self.shape()[1], y.columns());
+        for (s, setup) in self.setups.iter().enumerate() {
+            let of_setup = setup.whole.transpose_times(setup.lifted(&y))?;
+            for j in 0..y.columns() {
+                all.column_mut(j)[s * self.rows..(s + 1) * self.rows].copy_from_slice(of_setup.column(j));
+            }
+        }
+        Ok(all)
     }
 }
 
@@ -86,18 +142,34 @@ struct Excitation {
 }
 
 impl Excitation {
-    fn of(basis: &Matrix, references: &Matrix) -> Result<Self, ModalError> {
-        let f = qr(&basis.transpose_times(references).transpose())?;
+    /// Of Z_sᵀ.
+    fn of(transposed: &Matrix) -> Result<Self, ModalError> {
+        let f = qr(transposed)?;
         Ok(Excitation {
             q: f.q,
             lower: f.r.transpose(),
         })
     }
 
-    /// H^mov Z_s⁺ Z_1.
-    fn rescaled(&self, moved: &Matrix, first: &Matrix) -> Result<Matrix, ModalError> {
-        Ok(&(moved * &self.q) * &solve_lower(&self.lower, first.clone())?)
+    /// Z_s⁺ Y.
+    fn inverse_times(&self, y: Matrix) -> Result<Matrix, ModalError> {
+        Ok(&self.q * &solve_lower(&self.lower, y)?)
     }
+}
+
+/// What the deviations of all blocks of time are taken from.
+struct Stacked<'a> {
+    setups: &'a [Setup],
+    basis: Matrix,
+    /// Of the singular value decomposition of [`Beside`].
+    beside_x: Matrix,
+    /// Z_sᵀ.
+    transposed: Vec<Matrix>,
+    /// T of each setup.
+    seen: Vec<Matrix>,
+    x: Matrix,
+    /// Z_1 X.
+    first_x: Matrix,
 }
 
 /// Poles of the stacked correlations, and what each block of time changes in them.
@@ -107,88 +179,45 @@ pub(super) fn stacked(
     ssi: &Ssi,
     duration_s: f64,
 ) -> Result<Subspace, ModalError> {
-    let (r, br) = (ssi.references.len(), ssi.block_rows);
-    let beside = Matrix::from_fn(r * br, setups.len() * r * br, |i, j| {
-        setups[j / (r * br)].references[(i, j % (r * br))]
-    });
-    let seen = of_matrix(&beside, ssi.order_most)?;
-    let rank = seen.s.iter().filter(|s| **s > RANK_LEAST * seen.s[0]).count();
-    if ssi.order_most > rank {
-        return Err(ModalError::Rank {
-            given: ssi.order_most,
-            rank,
-        });
+    let (rows, n) = (ssi.references.len() * ssi.block_rows, ssi.order_most);
+    let beside = Beside { setups, rows };
+    let shared = of_operator(&beside, n, || beside.formed())?;
+    let rank = shared.s.iter().filter(|s| **s > RANK_LEAST * shared.s[0]).count();
+    if n > rank {
+        return Err(ModalError::Rank { given: n, rank });
     }
-    let (basis, x) = (seen.u, seen.x);
-    let stay: Vec<usize> = {
-        let moved: Vec<usize> = setups
-            .iter()
-            .flat_map(|s| s.moved_places.iter().copied())
-            .collect();
-        (0..places).filter(|place| !moved.contains(place)).collect()
-    };
-    // rows of one setup at their places among all
-    let place = |whole: &mut Matrix, part: &Matrix, at: &[usize]| {
-        for j in 0..part.columns() {
-            let column = whole.column_mut(j);
-            for (i, x) in part.column(j).iter().enumerate() {
-                column[i / at.len() * places + at[i % at.len()]] = *x;
-            }
-        }
-    };
-    // U Z_1 is what of the first setup's references the basis spans: every setup has a say in what they see
-    let first = basis.transpose_times(&setups[0].references);
-    let whole_of = |at_references: &Matrix, of: &dyn Fn(usize) -> Result<Matrix, ModalError>| {
-        let mut whole = Matrix::zeros(places * br, r * br);
-        place(&mut whole, at_references, &stay);
-        for (s, setup) in setups.iter().enumerate() {
-            if !setup.moved_places.is_empty() {
-                place(&mut whole, &of(s)?, &setup.moved_places);
-            }
-        }
-        Ok::<Matrix, ModalError>(whole)
-    };
-    let excitations: Vec<Excitation> = setups
+    let basis = shared.u;
+    let moved_places: Vec<usize> = setups
         .iter()
-        .map(|s| Excitation::of(&basis, &s.references))
-        .collect::<Result<_, _>>()?;
-    let at_references = &basis * &first;
-    let whole = whole_of(&at_references, &|s| {
-        excitations[s].rescaled(&setups[s].moved, &first)
-    })?;
-    let parts = of_matrix(&whole, ssi.order_most)?;
-    let blocks: usize = setups.iter().map(|s| s.deviations.len()).sum();
-    let mut moved = Vec::with_capacity(blocks);
-    for (index, setup) in setups.iter().enumerate() {
-        let count = setup.deviations.len() as f64;
-        // each setup has its own mean: b/(b - 1) of its own blocks, not of all
-        let share = (count / (count - 1.0) * (blocks as f64 - 1.0) / blocks as f64).sqrt();
-        for [of_references, of_moved] in &setup.deviations {
-            let references = added(&setup.references, of_references);
-            let excitation = Excitation::of(&basis, &references)?;
-            let first = if index == 0 {
-                basis.transpose_times(&references)
-            } else {
-                first.clone()
-            };
-            // U Uᵀ H_1 turns with U: (I - U Uᵀ) dH_s X_s Z_1, X = V S⁻¹
-            let turned = of_references * &(&x.block(index * r * br, 0, r * br, x.columns()) * &first);
-            let inside = &basis * &basis.transpose_times(&turned);
-            let at_references = added(&added(&(&basis * &first), &turned), &inside.scaled(-1.0));
-            let changed = whole_of(&at_references, &|s| {
-                if s == index {
-                    excitation.rescaled(&added(&setup.moved, of_moved), &first)
-                } else {
-                    excitations[s].rescaled(&setups[s].moved, &first)
-                }
-            })?;
-            let mut change = changed;
-            for (x, before) in change.as_mut_slice().iter_mut().zip(whole.as_slice()) {
-                *x = share * (*x - before);
-            }
-            moved.push(&change * &parts.x);
-        }
+        .flat_map(|s| s.moved_places.iter().copied())
+        .collect();
+    let stay: Vec<usize> = (0..places)
+        .filter(|place| !moved_places.contains(place))
+        .collect();
+    let (mut transposed, mut seen) = (Vec::new(), Vec::new());
+    // U, and T of each setup, at their places among all
+    let mut all = Matrix::zeros(places * ssi.block_rows, n);
+    placed(&mut all, &basis, (&stay, places));
+    for setup in setups {
+        let z = setup.whole.transpose_times(setup.lifted(&basis))?;
+        let excitation = Excitation::of(&z)?;
+        let [_, moved] = setup.parted(&setup.whole.times(excitation.q)?);
+        let of_setup = solve_lower_transposed(&excitation.lower, moved.transpose())?.transpose();
+        placed(&mut all, &of_setup, (&setup.moved_places, places));
+        seen.push(of_setup);
+        transposed.push(z);
     }
+    // U Z_1 is what of the first setup's references the basis spans: every setup has a say in what they see
+    let parts = of_product(&all, &transposed[0])?;
+    let stacked = Stacked {
+        setups,
+        beside_x: shared.x,
+        first_x: transposed[0].transpose_times(&parts.x),
+        x: parts.x.clone(),
+        basis,
+        transposed,
+        seen,
+    };
     let correlations = Correlations {
         channels: places,
         lags: 0,
@@ -198,16 +227,79 @@ pub(super) fn stacked(
         ends: None,
         padded: None,
     };
-    let found = subspace(correlations, ssi, (Method::SsiCov, duration_s), parts)?;
-    Ok(Subspace { moved, ..found })
+    let mut found = subspace(correlations, ssi, (Method::SsiCov, duration_s), parts)?;
+    let blocks: usize = setups.iter().map(|s| s.deviations.len()).sum();
+    for (index, setup) in setups.iter().enumerate() {
+        let count = setup.deviations.len() as f64;
+        // each setup has its own mean: b/(b - 1) of its own blocks, not of all
+        let share = (count / (count - 1.0) * (blocks as f64 - 1.0) / blocks as f64).sqrt();
+        let own: Vec<usize> = stay.iter().chain(&setup.moved_places).copied().collect();
+        // the first setup's shaking is the one that all are brought to
+        let touched: Vec<usize> = if index == 0 { (0..places).collect() } else { own };
+        let rows = Rows::of((&found.u, &found.upper), places, &touched);
+        for deviation in &setup.deviations {
+            let mut change = Matrix::zeros(touched.len() * ssi.block_rows, n);
+            for (part, at) in stacked.changes(index, deviation)? {
+                let at = at.unwrap_or(&stay);
+                let among: Vec<usize> = (at.iter())
+                    .filter_map(|place| touched.iter().position(|t| t == place))
+                    .collect();
+                placed(&mut change, &part.scaled(share), (&among, touched.len()));
+            }
+            let block = rows.block(&change);
+            found.moved.push(block);
+        }
+    }
+    Ok(found)
 }
 
-fn added(a: &Matrix, b: &Matrix) -> Matrix {
-    let mut sum = a.clone();
-    for (x, y) in sum.as_mut_slice().iter_mut().zip(b.as_slice()) {
-        *x += y;
+/// A change of some rows, and the places of their sensors; `None`: of those that stay.
+type Change<'a> = (Matrix, Option<&'a [usize]>);
+
+impl Stacked<'_> {
+    /// What the deviation of a block of time of the setup at `index` changes in the product of the stacked matrix with X.
+    fn changes(&self, index: usize, deviation: &BlockHankel) -> Result<Vec<Change<'_>>, ModalError> {
+        let setup = &self.setups[index];
+        let (basis, rows) = (&self.basis, self.basis.rows());
+        let z = &self.transposed[index] + &deviation.transposed_times(&setup.lifted(basis));
+        let first_x = match index {
+            0 => z.transpose_times(&self.x),
+            _ => self.first_x.clone(),
+        };
+        // U Uᵀ H_1 turns with U: (I - U Uᵀ) dH_s X_s Z_1, X_s = V S⁻¹
+        let weights = &self
+            .beside_x
+            .block(index * rows, 0, rows, self.beside_x.columns())
+            * &first_x;
+        let [turned, _] = setup.parted(&deviation.times(&weights));
+        let inside = basis.transpose_times(&turned);
+        let along = &(&first_x - &self.first_x) - &inside;
+        let mut changes = vec![(&(basis * &along) + &turned, None)];
+        let weights = Excitation::of(&z)?.inverse_times(first_x.clone())?;
+        let sum = &setup.whole.times(weights.clone())? + &deviation.times(&weights);
+        for (s, (setup, seen)) in self.setups.iter().zip(&self.seen).enumerate() {
+            let now = match s == index {
+                true => setup.parted(&sum)[1].clone(),
+                false if index == 0 => seen * &first_x,
+                false => continue,
+            };
+            changes.push((
+                &now - &(seen * &self.first_x),
+                Some(setup.moved_places.as_slice()),
+            ));
+        }
+        Ok(changes)
     }
-    sum
+}
+
+/// Rows of one setup at their places among all: of each block row one for each of `at`.
+fn placed(whole: &mut Matrix, part: &Matrix, (at, places): (&[usize], usize)) {
+    for j in 0..part.columns() {
+        let column = whole.column_mut(j);
+        for (i, x) in part.column(j).iter().enumerate() {
+            column[i / at.len() * places + at[i % at.len()]] = *x;
+        }
+    }
 }
 
 #[cfg(test)]
@@ -320,10 +412,8 @@ mod tests {
         // blocks 0, 2 and 4 at once, and their opposites
         together.moved = (0..2)
             .map(|sign| {
-                added(
-                    &added(&found.moved[sign], &found.moved[2 + sign]),
-                    &found.moved[4 + sign],
-                )
+                let two = found.moved[sign].plus(&found.moved[2 + sign]);
+                two.plus(&found.moved[4 + sign])
             })
             .collect();
         // they were scaled by √(2/1 × 5/6): taken out

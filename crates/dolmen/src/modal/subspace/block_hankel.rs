@@ -15,7 +15,7 @@ use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 use std::sync::Arc;
 
 /// H, by the transforms of its blocks.
-pub(super) struct BlockHankel {
+pub(crate) struct BlockHankel {
     /// Rows and columns of a block.
     size: [usize; 2],
     block_rows: usize,
@@ -26,7 +26,7 @@ pub(super) struct BlockHankel {
 
 impl BlockHankel {
     /// Of the lags 1 … 2 br - 1 of all channels with the reference channels.
-    pub(super) fn new(lags: &[f64], channels: usize, references: &[usize], block_rows: usize) -> Self {
+    pub(crate) fn new(lags: &[f64], channels: usize, references: &[usize], block_rows: usize) -> Self {
         let (l, r) = (channels, references.len());
         let transform = Transform::of(2 * block_rows - 1);
         let mut bins = vec![Matrix::zeros(2 * l, r); transform.bins()];
@@ -48,6 +48,11 @@ impl BlockHankel {
             transform,
             bins,
         }
+    }
+
+    /// H X.
+    pub(crate) fn times(&self, x: &Matrix) -> Matrix {
+        self.times_transformed(&self.transformed(x))
     }
 
     /// H X, of an X that [`transformed`](Self::transformed) made ready.
@@ -81,7 +86,7 @@ impl BlockHankel {
     }
 
     /// Hᵀ Y: Ẑ = R̂ᵀ conj(Ŷ).
-    fn transposed_times(&self, y: &Matrix) -> Matrix {
+    pub(crate) fn transposed_times(&self, y: &Matrix) -> Matrix {
         let ([l, r], n) = (self.size, y.columns());
         let stacked = self.blocks_transformed(y, l, [2 * l, 2 * n], |bin, (i, j), z| {
             bin[(i, j)] = z.re;
@@ -161,14 +166,14 @@ pub(super) struct Transformed {
 /// G(a, b) = R_(a-b) + 1/S Σ_u [y(S + a - u) ŷ(S + b - u)ᵀ - y(a - u) ŷ(b - u)ᵀ],   u = 1 … b
 /// ```
 /// The sums are products of two thin matrices, (l br) × (br - 1) and (r br) × (br - 1) each.
-pub(super) struct FuturePast {
+pub(crate) struct FuturePast {
     hankel: BlockHankel,
     /// Pairs of thin matrices A, B: Σ A Bᵀ is added.
     thin: Vec<[Matrix; 2]>,
 }
 
 impl FuturePast {
-    pub(super) fn new(r: &Correlations, references: &[usize], block_rows: usize) -> Self {
+    pub(crate) fn new(r: &Correlations, references: &[usize], block_rows: usize) -> Self {
         let all: Vec<usize> = (0..r.channels).collect();
         let thin = |ends: &Ends| {
             let share = 1.0 / ends.starts as f64;
@@ -210,7 +215,7 @@ impl Operator for FuturePast {
         self.hankel.size.map(|size| size * self.hankel.block_rows)
     }
     fn times(&self, x: Matrix) -> Result<Matrix, LinalgError> {
-        let mut y = self.hankel.times_transformed(&self.hankel.transformed(&x));
+        let mut y = self.hankel.times(&x);
         for [a, b] in &self.thin {
             y = &y + &(a * &b.transpose_times(&x));
         }

@@ -33,12 +33,20 @@ pub(super) fn of_covariance(r: &Correlations, options: &Ssi) -> Result<Decompose
     })
 }
 
-/// Of a matrix of correlations.
-pub(crate) fn of_matrix(cross: &Matrix, order_most: usize) -> Result<Decomposed, ModalError> {
-    of_operator(&Covariance(cross), order_most, || Ok(cross.clone()))
+/// Of A Bᵀ, by the decomposition of R_A R_Bᵀ.   shape: m × n and k × n
+pub(crate) fn of_product(a: &Matrix, b: &Matrix) -> Result<Decomposed, ModalError> {
+    let (a, b) = (qr(a)?, qr(b)?);
+    let f = svd(&(&a.r * &b.r.transpose()))?;
+    let n = f.s.len();
+    Ok(Decomposed {
+        u: &a.q * &f.u,
+        x: &b.q * &over_singular_values(&f, n),
+        s: f.s,
+    })
 }
 
-fn of_operator(
+/// Of a matrix of correlations that need not be formed.
+pub(crate) fn of_operator(
     cross: &dyn Operator,
     order_most: usize,
     dense: impl Fn() -> Result<Matrix, LinalgError>,
@@ -167,20 +175,6 @@ fn leading(
         }
     }
     svd(&dense()?)
-}
-
-struct Covariance<'a>(&'a Matrix);
-
-impl Operator for Covariance<'_> {
-    fn shape(&self) -> [usize; 2] {
-        [self.0.rows(), self.0.columns()]
-    }
-    fn times(&self, x: Matrix) -> Result<Matrix, LinalgError> {
-        Ok(self.0 * &x)
-    }
-    fn transpose_times(&self, y: Matrix) -> Result<Matrix, LinalgError> {
-        Ok(self.0.transpose_times(&y))
-    }
 }
 
 /// Y⁺ Y⁻ᵀ L⁻ᵀ, not formed.

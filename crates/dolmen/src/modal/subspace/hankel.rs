@@ -20,7 +20,7 @@ pub(crate) const HANKEL_ROWS_MOST: usize = 2400;
 /// G(a + 1, b + 1) = G(a, b) + [y(S + a) ŷ(S + b)ᵀ - y(a) ŷ(b)ᵀ] / S,   G(k, 0) = R_k
 /// ```
 /// No product of the record is summed twice, and no matrix with a column a sample is formed.
-pub(crate) fn future_past(r: &Correlations, references: &[usize], block_rows: usize) -> Matrix {
+pub(super) fn future_past(r: &Correlations, references: &[usize], block_rows: usize) -> Matrix {
     let (l, n) = (r.channels, references.len());
     let all: Vec<usize> = (0..l).collect();
     let mut out = Matrix::zeros(l * block_rows, n * block_rows);
@@ -122,7 +122,7 @@ fn put(out: &mut Matrix, row: usize, column: usize, rows: usize, sum: &[f64]) {
 
 /// Lags 1 … 2 br - 1 of the reference channels side by side, so that block row i of their Hankel matrix is the columns
 /// from i r on.   shape: l × r (2 br - 1)
-pub(crate) fn side_by_side(lags: &[f64], channels: usize, references: &[usize], block_rows: usize) -> Matrix {
+pub(super) fn side_by_side(lags: &[f64], channels: usize, references: &[usize], block_rows: usize) -> Matrix {
     let (l, n) = (channels, references.len());
     Matrix::from_fn(l, n * (2 * block_rows - 1), |i, column| {
         lags[(column / n + 1) * l * l + i * l + references[column % n]]

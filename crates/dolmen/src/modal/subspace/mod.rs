@@ -1,5 +1,6 @@
 //! Modes from stochastic subspaces: decompositions, poles of all orders, their deviations and clusters.
 
+mod block_change;
 mod block_hankel;
 mod clusters;
 mod decomposed;
@@ -9,10 +10,12 @@ mod ssi_options;
 mod stabilization;
 mod uncertainty;
 
+pub(super) use block_change::Rows;
+pub(super) use block_hankel::{BlockHankel, FuturePast};
 pub(super) use clusters::group_poles;
 pub use clusters::{Cluster, Clustering, Fate, clusters};
-pub(super) use decomposed::of_matrix;
-pub(super) use hankel::{HANKEL_ROWS_MOST, future_past, side_by_side};
+pub(super) use decomposed::{of_operator, of_product};
+pub(super) use hankel::HANKEL_ROWS_MOST;
 pub use ssi::{Pole, Subspace, ssi_cov, ssi_data};
 pub(super) use ssi::{RANK_LEAST, check_ssi, poles_of, state, subspace};
 pub use ssi_options::Ssi;

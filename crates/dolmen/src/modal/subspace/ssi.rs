@@ -12,6 +12,7 @@
 //! | A | `a` | state matrix, O↑ A = O↓ | n × n |
 //! | λ, φ | `lambda`, `phi` | eigenvalue and vector of A | |
 
+use super::block_change::Block;
 use super::decomposed::{Decomposed, of_covariance, of_data};
 use super::ssi_options::Ssi;
 use crate::modal::correlations::{Correlations, correlate, lags_before};
@@ -86,8 +87,8 @@ pub struct Subspace {
     pub(crate) upper: Qr,
     /// Qᵀ O↓.
     pub(crate) shifted: Matrix,
-    /// dH X of each block of time where the correlations do not hold them: of setups put together.
-    pub(crate) moved: Vec<Matrix>,
+    /// dH X of each block of time, projected, where the correlations do not hold them: of setups put together.
+    pub(crate) moved: Vec<Block>,
 }
 
 /// Poles of the model orders 2, 4 … `order_most` of an ambient record, from its correlations.

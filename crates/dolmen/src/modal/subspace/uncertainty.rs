@@ -10,6 +10,7 @@
 //! | J, K | `j`, `k` | D↑ᵀ U↓, D↑ᵀ U↑ = Gᵀ R | N × N |
 //! | χ, φ | `left`, `right` | left and right eigenvectors of A, χᵀφ = 1 | n |
 
+use super::block_change::{Block, Rows};
 use super::block_hankel::BlockHankel;
 use super::ssi::{Pole, Subspace, back_substitute, state};
 use crate::modal::ModalError;
@@ -88,16 +89,18 @@ impl<'a> Propagation<'a> {
     /// Projects every block's deviation: the work that all poles share.
     pub fn new(subspace: &'a Subspace) -> Self {
         let (l, br) = (subspace.correlations.channels, subspace.block_rows);
-        let mut x = None;
+        let (mut x, mut rows) = (None, None);
         let of_lags = subspace.correlations.deviations.iter().map(|lags| {
             let hankel = BlockHankel::new(lags, l, &subspace.references, br);
             let x = x.get_or_insert_with(|| hankel.transformed(&subspace.x));
-            Block::new(subspace, &hankel.times_transformed(x))
+            let rows = rows.get_or_insert_with(|| {
+                Rows::of((&subspace.u, &subspace.upper), l, &(0..l).collect::<Vec<_>>())
+            });
+            rows.block(&hankel.times_transformed(x))
         });
-        let of_setups = subspace.moved.iter().map(|d| Block::new(subspace, d));
         Propagation {
             subspace,
-            blocks: of_lags.chain(of_setups).collect(),
+            blocks: of_lags.chain(subspace.moved.iter().cloned()).collect(),
             orders: (0..=subspace.order_most).map(|_| None).collect(),
         }
     }
@@ -191,33 +194,6 @@ fn unit_shape_change(shape: &[Complex64], change: &[Complex64]) -> Vec<Complex64
     let (top, d_top) = (shape[m], change[m]);
     let pairs = shape.iter().zip(change);
     pairs.map(|(x, d)| d / top - x * d_top / (top * top)).collect()
-}
-
-/// What one block of time changes, projected.
-struct Block {
-    e: Matrix,
-    f: Matrix,
-    g: Matrix,
-    j: Matrix,
-    k: Matrix,
-    /// First block row of D.
-    top: Matrix,
-}
-
-impl Block {
-    fn new(s: &Subspace, d: &Matrix) -> Self {
-        let (l, m, n) = (s.correlations.channels, s.u.rows(), s.order_most);
-        let (up, down) = (d.block(0, 0, m - l, n), d.block(l, 0, m - l, n));
-        let g = s.upper.q.transpose_times(&up);
-        Block {
-            e: s.u.transpose_times(d),
-            f: s.upper.q.transpose_times(&down),
-            j: up.transpose_times(&s.u.block(l, 0, m - l, n)),
-            k: g.transpose_times(&s.upper.r),
-            g,
-            top: d.block(0, 0, l, n),
-        }
-    }
 }
 
 /// Eigenvalues and vectors of the state matrix of one order.

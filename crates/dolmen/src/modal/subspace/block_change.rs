@@ -1,0 +1,84 @@
+//! What one block of time changes in a subspace, projected once for all orders; the symbols are those of uncertainty.rs.
+
+use dolmen_linalg::{Matrix, Qr};
+
+/// What one block of time changes, projected.
+#[derive(Clone, Debug)]
+pub(crate) struct Block {
+    pub(super) e: Matrix,
+    pub(super) f: Matrix,
+    pub(super) g: Matrix,
+    pub(super) j: Matrix,
+    pub(super) k: Matrix,
+    /// First block row of D.
+    pub(super) top: Matrix,
+}
+
+#[cfg(test)]
+impl Block {
+    /// Of two blocks of time that move together.
+    pub(crate) fn plus(&self, other: &Block) -> Block {
+        Block {
+            e: &self.e + &other.e,
+            f: &self.f + &other.f,
+            g: &self.g + &other.g,
+            j: &self.j + &other.j,
+            k: &self.k + &other.k,
+            top: &self.top + &other.top,
+        }
+    }
+}
+
+/// The rows of some channels in U, U↓ and Q: a change in their rows alone is projected by these.
+pub(crate) struct Rows {
+    channels: Vec<usize>,
+    /// Channels in all.
+    count: usize,
+    r: Matrix,
+    u: Matrix,
+    u_down: Matrix,
+    q: Matrix,
+}
+
+impl Rows {
+    /// Of U and of the Q R of U↑, which have a row a channel and block.
+    pub(crate) fn of((u, upper): (&Matrix, &Qr), count: usize, channels: &[usize]) -> Self {
+        let those = |m: &Matrix| {
+            let blocks = m.rows() / count;
+            Matrix::from_fn(blocks * channels.len(), m.columns(), |i, j| {
+                m[(i / channels.len() * count + channels[i % channels.len()], j)]
+            })
+        };
+        let (u, k) = (those(u), channels.len());
+        Rows {
+            u_down: u.block(k, 0, u.rows() - k, u.columns()),
+            q: those(&upper.q),
+            r: upper.r.clone(),
+            channels: channels.to_vec(),
+            count,
+            u,
+        }
+    }
+
+    /// Of the rows of D that belong to these channels; the others are zero.
+    pub(crate) fn block(&self, d: &Matrix) -> Block {
+        let (k, n) = (self.channels.len(), d.columns());
+        let rows = d.rows() - k;
+        let (up, down) = (d.block(0, 0, rows, n), d.block(k, 0, rows, n));
+        let g = self.q.transpose_times(&up);
+        let mut top = Matrix::zeros(self.count, n);
+        for j in 0..n {
+            for (i, channel) in self.channels.iter().enumerate() {
+                top[(*channel, j)] = d[(i, j)];
+            }
+        }
+        Block {
+            e: self.u.transpose_times(d),
+            f: self.q.transpose_times(&down),
+            j: up.transpose_times(&self.u_down),
+            k: g.transpose_times(&self.r),
+            g,
+            top,
+        }
+    }
+}
