@@ -324,7 +324,10 @@ pub fn fresh_folder(path: &Path) -> Result<()> {
 /// Makes `path` a folder with these files, or leaves everything as it was.
 pub fn fill_fresh(path: &Path, files: &[(&str, &[u8])]) -> Result<()> {
     let was_there = path.is_dir();
-    fresh_folder(path)?;
+    match is_begun(path, files) {
+        true => clear_parts(path),
+        false => fresh_folder(path)?,
+    }
     let filled = files
         .iter()
         .try_for_each(|(name, bytes)| write(&path.join(name), bytes));
@@ -337,6 +340,27 @@ pub fn fill_fresh(path: &Path, files: &[(&str, &[u8])]) -> Result<()> {
         }
     }
     filled
+}
+
+/// Whether a folder holds a part of these files and nothing else: what a run that was killed left.
+fn is_begun(path: &Path, files: &[(&str, &[u8])]) -> bool {
+    let Ok(entries) = fs::read_dir(path) else {
+        return false;
+    };
+    let names: Vec<String> = entries
+        .map(|entry| {
+            entry.map_or_else(
+                |_| String::new(),
+                |of| of.file_name().to_string_lossy().into_owned(),
+            )
+        })
+        .filter(|name| !(name.starts_with(PART.0) && name.ends_with(PART.1)))
+        .collect();
+    let is_ours = |name: &String| {
+        let of_name = files.iter().find(|(own, _)| own == name);
+        of_name.is_some_and(|(_, bytes)| fs::read(path.join(name)).is_ok_and(|found| found == *bytes))
+    };
+    names.len() < files.len() && names.iter().all(is_ours)
 }
 
 /// Makes the folder asked for if it is free, else the first of "NAME-2", "NAME-3"… that is: nothing is overwritten.

@@ -111,4 +111,6 @@ mod wind_on_buildings;
 mod workbooks;
 #[cfg(target_os = "linux")]
 mod writers_disks;
+#[cfg(target_os = "linux")]
+mod writers_killed;
 mod written_back;
