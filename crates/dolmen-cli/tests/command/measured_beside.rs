@@ -187,9 +187,42 @@ fn agrees_a_model_under_its_measured_ground_and_one_a_fifth_too_stiff_does_not()
     assert!(said.contains("Not compared") && said.contains("RF"), "{said}");
     let said = with("direction = \"-x\"", "direction = \"x\"");
     assert!(said.contains("opposite to RF"), "{said}");
+    // a direction whose ground nobody recorded
+    let said = with(
+        "[survey.2026-09-12.records]",
+        "[direction.y]\nstiffness = [8, 8]\n[survey.2026-09-12.records]",
+    );
+    let said = said.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(
+        said.contains("Direction y is moved by the ground that survey 2026-09-12 recorded along x"),
+        "{said}"
+    );
     // what is changed is not what was felt
     let changed = json(&scratch, &format!("{words} --scale 2"));
     assert!(first(&changed, "measured").unwrap().is_null());
+}
+
+/// Seventy seconds of noise, and an earthquake whose beginning was cut off: the model is not blamed.
+#[test]
+fn holds_a_record_in_which_no_earthquake_stands_out_blames_no_model() {
+    let scratch = Scratch::new("no-earthquake");
+    fs::write(scratch.path().join("project.toml"), frame(1.0)).unwrap();
+    let rows = record();
+    for part in [&rows[..5900], &rows[7000..8000]] {
+        let lines = part.iter().map(|[g, f, r]| format!("{g:.5},{f:.5},{:.5}\n", -r));
+        fs::write(
+            scratch.path().join("record.csv"),
+            "G,F1,RF\n".to_owned() + &lines.collect::<String>(),
+        )
+        .unwrap();
+        let said = good(scratch.briefly("simulate . --motion survey:2026-09-12")).stdout;
+        let words = said.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(
+            words.contains("no earthquake stands out of the record of survey 2026-09-12"),
+            "{said}"
+        );
+        assert!(!words.contains("does not move as the structure did"), "{said}");
+    }
 }
 
 #[test]

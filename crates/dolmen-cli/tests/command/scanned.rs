@@ -195,3 +195,32 @@ fn holds_heights_of_stones_that_carry_one_together_are_no_sensitivity() {
         "{table}"
     );
 }
+
+/// Stones in the grid of a map: rounding of 4,000 km left forces of 4e-5 of the weight, so that a run under its own weight found no rest.
+#[test]
+fn refuses_stones_in_the_grid_of_a_map_and_says_what_to_take_off() {
+    let scratch = Scratch::new("grid");
+    let stone = |x: f64, y: f64| {
+        let corners: Vec<String> = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]
+            .iter()
+            .flat_map(|at| [0.0, 1.0].map(|z| format!("[{}, {}, {z}]", x + at[0], y + at[1])))
+            .collect();
+        let points = corners.join(", ");
+        format!(
+            "schema = 1\nkind = \"stack\"\nname = \"x\"\ndensity = 2600\nblocks = [\n{{ name = \"a\", shape = \"points\", coordinates = \"site\", points = [{points}] }},\n]\n"
+        )
+    };
+    std::fs::write(scratch.path().join("far.toml"), stone(512_345.6, 4_012_345.7)).unwrap();
+    std::fs::write(scratch.path().join("near.toml"), stone(5000.0, 3000.0)).unwrap();
+    assert!(scratch.dolmen("check near.toml").status < 2);
+    let refused = scratch.dolmen("check far.toml");
+    assert_eq!(refused.status, 2);
+    for part in [
+        "lies 4012 km from the origin",
+        "take 512340 off every x and 4012340 off every y",
+    ] {
+        assert!(refused.stderr.contains(part), "{}", refused.stderr);
+    }
+    let korean = scratch.dolmen("check far.toml --language ko");
+    assert!(korean.stderr.contains("원점에서 4012 km"), "{}", korean.stderr);
+}

@@ -18,6 +18,9 @@ const SIZE_RATIO_MOST: f64 = 30.0;
 const SIZE_M: (f64, f64) = (0.005, 50.0);
 /// A block of usual size, m: of two unlike blocks the one further from it is doubted.
 const SIZE_USUAL_M: f64 = 1.0;
+/// Distance of a stone from the origin of its coordinates, m: at 4,000 km rounding of contact forces is 1e-4 of the weight, and no rest is
+/// found; at this it is 1e-7. A grid of a map is farther away.
+const FROM_ORIGIN_MOST_M: f64 = 20_000.0;
 /// Density of a block, kg/m³: light timber to lead, with room.
 const DENSITY_KG_M3: (f64, f64) = (350.0, 15_000.0);
 /// Friction coefficient: a greased sliding bearing to interlocking rubble.
@@ -121,7 +124,6 @@ fn judge_order(reader: &mut Reader, stack: &StackPart) {
     }
 }
 
-/// An arch, wall, tower or trilithon larger or smaller than any.
 /// Tilts that no stone stands at.
 fn judge_tilts(reader: &mut Reader, stack: &StackPart) {
     let tilts = stack.blocks.iter().flat_map(|block| block.tilt.iter().flatten());
@@ -134,6 +136,7 @@ fn judge_tilts(reader: &mut Reader, stack: &StackPart) {
     }
 }
 
+/// An arch, wall, tower or trilithon larger or smaller than any.
 fn judge_made(reader: &mut Reader, made: &MadePart) {
     let bounds = match made {
         MadePart::Arch(arch) => vec![
@@ -267,6 +270,23 @@ fn judge_extents(reader: &mut Reader, stack: &StackPart) {
                 most: most.to_string(),
             };
             reader.slip(&path, message, guess(extent / SIZE_USUAL_M, "m"));
+        }
+        let far = (0..2)
+            .map(|axis| low[axis].abs().max(high[axis].abs()))
+            .fold(0.0, f64::max);
+        if block.shape.keeps_its_place() && far > FROM_ORIGIN_MOST_M {
+            let message = StackSlip::FarFromOrigin {
+                name: block.name.to_string(),
+                far: format!("{:.0}", far / 1000.0),
+                most: format!("{:.0}", FROM_ORIGIN_MOST_M / 1000.0),
+            };
+            let round = |axis: usize| format!("{:.0}", (low[axis] / 10.0).floor() * 10.0);
+            let help = StackSlip::TakeOff {
+                x: round(0),
+                y: round(1),
+            };
+            reader.slip(&format!("blocks[{}].{key}", i + 1), message, help);
+            return; // the others lie beside it
         }
     }
 }

@@ -65,6 +65,14 @@ messages! {
             en: "{path}: '{name}' is {extent} m across, but stones are {least} to {most} m",
             ko: "{path}: '{name}'의 크기가 {extent} m인데, 석재는 {least}~{most} m이다",
         },
+        FarFromOrigin { name: String, far: String, most: String } => {
+            en: "'{name}' lies {far} km from the origin of its coordinates, as in the grid of a map: beyond {most} km rounding disturbs the forces in the joints",
+            ko: "'{name}'이(가) 좌표 원점에서 {far} km 떨어져 있다. 지도 좌표계로 보이는데, {most} km를 넘으면 반올림 오차가 접합면의 힘을 흐트러뜨린다",
+        },
+        TakeOff { x: String, y: String } => {
+            en: "take {x} off every x and {y} off every y, of all stones alike (programs for point clouds call that a global shift)",
+            ko: "모든 석재의 x에서 {x}, y에서 {y}을(를) 똑같이 뺀다(점군 프로그램의 global shift)",
+        },
         ButStoneHasTo { path: String, written: String } => {
             en: "{path} = {written}, but stone has 1500 to 3200 kg/m3",
             ko: "{path} = {written}인데, 석재의 밀도는 1500~3200 kg/m3이다",

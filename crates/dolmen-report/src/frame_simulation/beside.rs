@@ -1,6 +1,7 @@
 //! A simulated frame beside what was measured.
 
 use crate::document::{Cell, Column, Finding, Table, Tone};
+use dolmen::signal::Component;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::frame::{FrameBeside, FrameSimulation, SensorBeside};
 
@@ -40,6 +41,14 @@ messages! {
             en: "The model moves opposite to {channels} and else alike: is the sensor turned by 180°? Then change the sign of its `direction`.",
             ko: "모델이 {channels}과(와) 반대로, 그 밖에는 같게 움직인다. 센서가 180° 돌아가 있는지 확인하고, 그렇다면 `direction`의 부호를 바꾼다.",
         },
+        NoEarthquake { of: Sentence, survey: String } => {
+            en: "{of}: no earthquake stands out of the record of survey {survey}, so all of it acted. Either nothing but ambient motion was recorded, or the record begins within the shaking, while the model begins at rest: that the two differ says nothing of the model then. Give a record that begins seconds before the shaking.",
+            ko: "{of}: 계측 조사 {survey}의 기록에서 지진이 뚜렷하지 않아 기록 전체로 흔들었다. 상시진동만 기록되었거나 흔들리는 중에 기록이 시작된 것인데, 모델은 정지 상태에서 시작하므로 차이가 나도 모델의 잘못이라고 할 수 없다. 흔들리기 몇 초 전부터 시작하는 기록을 준다.",
+        },
+        GroundOfAnother { of: Sentence, survey: String, along: String } => {
+            en: "{of} is moved by the ground that survey {survey} recorded along {along}, since the motion has no component of its own here. The structure did not feel that ground along this direction, so the answer is that of a made-up earthquake.",
+            ko: "{of}: 이 방향의 지반 기록이 없어 계측 조사 {survey}의 {along} 방향 지반운동으로 흔들었다. 구조물이 이 방향으로 겪은 지진이 아니므로 가상 지진의 결과로 본다.",
+        },
         Sensor => { en: "Sensor", ko: "센서" },
         Name { name: String } => { en: "{name}", ko: "{name}" },
         Height => { en: "height", ko: "높이" },
@@ -77,9 +86,18 @@ fn ratio(value: f64) -> Quantity {
 /// Whether the model moved as the structure did, and which sensors say nothing of it or may be turned; `title` is of the run.
 pub(super) fn findings(simulation: &FrameSimulation, title: Sentence) -> Vec<Finding> {
     let Some(of) = simulation.beside.as_ref() else {
-        return Vec::new();
+        return ground_of_another(simulation, title).into_iter().collect();
     };
-    let mut all = vec![moves(of, title)];
+    let mut all = vec![match of.stands_out || of.follows() {
+        true => moves(of, title),
+        false => Finding::key(
+            Tone::Warn,
+            Beside::NoEarthquake {
+                of: title,
+                survey: of.survey.clone(),
+            },
+        ),
+    }];
     let turned: Vec<String> = of.turned().map(|sensor| sensor.channel.clone()).collect();
     if !turned.is_empty() {
         all.push(Finding::key(Tone::Warn, Beside::Turned { channels: turned }));
@@ -88,6 +106,17 @@ pub(super) fn findings(simulation: &FrameSimulation, title: Sentence) -> Vec<Fin
         all.push(Finding::key(Tone::Warn, left_out(of)));
     }
     all
+}
+
+/// A direction moved by the ground that a survey recorded along the other axis.
+fn ground_of_another(simulation: &FrameSimulation, of: Sentence) -> Option<Finding> {
+    let survey = simulation.motion.measured.as_ref()?.survey.clone();
+    let is_axis = [Component::X, Component::Y]
+        .iter()
+        .any(|axis| simulation.direction == axis.name());
+    let along = simulation.component.name().to_owned();
+    (is_axis && simulation.direction != along)
+        .then(|| Finding::key(Tone::Warn, Beside::GroundOfAnother { of, survey, along }))
 }
 
 fn left_out(of: &FrameBeside) -> Beside {

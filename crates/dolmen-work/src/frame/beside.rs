@@ -12,6 +12,8 @@ const ABOVE_TOP: f64 = 0.02;
 pub struct FrameBeside {
     /// The survey.
     pub survey: String,
+    /// Whether an earthquake stands out of the record.
+    pub stands_out: bool,
     /// Between samples, s.
     pub step_s: f64,
     /// Each sensor, the highest last.
@@ -132,6 +134,7 @@ pub(super) fn beside(
     let misplaced = misplaced.map(|of| of.name.clone());
     Some(FrameBeside {
         survey: measured.survey.clone(),
+        stands_out: measured.stands_out,
         step_s: measured.step_s,
         left_out: measured.left_out.iter().cloned().chain(misplaced).collect(),
         sensors,

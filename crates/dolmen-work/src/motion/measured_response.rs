@@ -9,6 +9,8 @@ pub struct MeasuredResponse {
     pub survey: String,
     /// From the first sample of the record to the first one here, s.
     pub from_s: f64,
+    /// Whether an earthquake stands out of the record; else all of it acts, and the structure may have been moving when it began.
+    pub stands_out: bool,
     /// Between samples, s.
     pub step_s: f64,
     /// Channels that measured accelerations at a known place along a known axis.

@@ -55,6 +55,7 @@ pub(super) fn of_survey(name: &str, project: &Project, files: &dyn Files) -> Res
     let means: Vec<f64> = (0..whole.channels().len())
         .map(|c| mean(whole.samples(c)))
         .collect();
+    let stands_out = shaking.is_some();
     let part = match shaking {
         Some(_) => cut(whole, from_s, to_s)?,
         None => whole,
@@ -91,6 +92,7 @@ pub(super) fn of_survey(name: &str, project: &Project, files: &dyn Files) -> Res
         measured: Some(Arc::new(MeasuredResponse {
             survey: name.to_owned(),
             from_s,
+            stands_out,
             step_s,
             channels,
             left_out,

@@ -10,6 +10,7 @@ mod cases;
 mod choi_2021;
 mod chopra_2017;
 mod columns;
+mod crushing;
 mod dampers;
 mod driven_modes;
 mod dry_friction;

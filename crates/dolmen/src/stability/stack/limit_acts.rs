@@ -18,6 +18,8 @@ pub(super) struct Before<'a> {
     pub(super) towards: Option<[f64; 2]>,
     /// Whether loads grow that may press, or shaking alone.
     pub(super) grows: bool,
+    /// Whether joints of finite strength are looked at coarsely, where the solver fails on all that is known of them.
+    pub(super) is_coarse: bool,
 }
 
 /// What every corner of every joint, and every tie, can do; of joints of finite strength, every block of full stress.
@@ -130,7 +132,11 @@ impl<'a> Crushing<'a> {
             },
             false => Pressed::About {
                 force_n,
-                joints: joints.len(),
+                joints: if self.before.is_coarse {
+                    usize::MAX
+                } else {
+                    joints.len()
+                },
             },
         }
     }

@@ -82,6 +82,7 @@ pub(crate) fn stands_by_limit_analysis(
         loads: &loads,
         towards: Some(way),
         grows: false,
+        is_coarse: false,
     };
     let acts = acts(&before, Holding::FrictionOnly);
     for piece in &pieces(stack, &loads, &acts, Growing::Shaking, false) {

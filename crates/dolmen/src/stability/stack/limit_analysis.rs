@@ -58,7 +58,13 @@ use crate::structure::stack::Stack;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn limit_analysis(stack: &Stack, options: &LimitAnalysis) -> Result<LimitAnalysisResult, StabilityError> {
-    let (mut result, moving) = analysed(stack, options)?;
+    let (mut result, moving) = match analysed(stack, options, false) {
+        // coarser joints bear less, never more, and make a programme a fraction as large
+        Err(StabilityError::ConicProgramme { .. }) if stack.least_strength_pa().is_some() => {
+            analysed(stack, options, true)?
+        }
+        other => other?,
+    };
     result.mechanism = match moving {
         Moving::Nothing => None,
         Moving::Falls(piece) => falling(stack, &piece)?,
@@ -81,7 +87,11 @@ enum Moving {
 }
 
 /// The analysis without its mechanism, and what moves.
-fn analysed(stack: &Stack, options: &LimitAnalysis) -> Result<(LimitAnalysisResult, Moving), StabilityError> {
+fn analysed(
+    stack: &Stack,
+    options: &LimitAnalysis,
+    is_coarse: bool,
+) -> Result<(LimitAnalysisResult, Moving), StabilityError> {
     let direction = match options.shaking {
         Shaking::AnyWay => None,
         Shaking::Along(direction) => Some(unit(direction)?),
@@ -92,6 +102,7 @@ fn analysed(stack: &Stack, options: &LimitAnalysis) -> Result<(LimitAnalysisResu
         loads: &loads,
         towards: direction,
         grows: false,
+        is_coarse,
     };
     let acts = acts(&before, options.holding);
     let ties = options.holding == Holding::CohesionAndTies;

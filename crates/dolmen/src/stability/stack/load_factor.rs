@@ -171,6 +171,7 @@ fn pieces_of(
         loads: &loads,
         towards: None,
         grows: true,
+        is_coarse: false,
     };
     let acts = acts(&before, Holding::Cohesion);
     Ok((pieces(bare, &loads, &acts, Growing::Loads(&grows), false), unit))

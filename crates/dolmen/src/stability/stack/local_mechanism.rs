@@ -117,6 +117,7 @@ pub fn local_mechanisms(
         loads: &loads,
         towards: None,
         grows: false,
+        is_coarse: false,
     };
     let acts = acts(&before, Holding::Cohesion);
     let pieces = pieces(stack, &loads, &acts, Growing::Shaking, false);

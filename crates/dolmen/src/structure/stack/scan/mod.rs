@@ -4,6 +4,7 @@ mod fit;
 mod half_spaces;
 mod plane;
 mod regions;
+mod rounding;
 mod surface;
 
 pub(super) use fit::fitted;

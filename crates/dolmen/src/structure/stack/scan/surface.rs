@@ -19,6 +19,8 @@ pub(super) struct Surface {
     pub(super) across: Vec<[usize; 3]>,
     /// Normals of triangles with their areas as length, m².
     pub(super) areas: Vec<DVec3>,
+    /// Unit normals of vertices, the mean by area of the triangles about them and about their neighbours: noise turns a single one by 2 s/ℓ.
+    pub(super) normals: Vec<DVec3>,
     /// Median length of an edge, m.
     pub(super) edge_m: f64,
 }
@@ -45,7 +47,19 @@ impl Surface {
             across[pair[0].1][pair[0].2] = pair[1].1;
             across[pair[1].1][pair[1].2] = pair[0].1;
         }
+        let about = |of: &dyn Fn(usize) -> DVec3| {
+            let mut sums = vec![DVec3::ZERO; vertices.len()];
+            for (number, t) in triangles.iter().enumerate() {
+                for corner in t {
+                    sums[*corner] += of(number);
+                }
+            }
+            sums
+        };
+        let near = about(&|number| areas[number]);
+        let normals = about(&|number| triangles[number].iter().map(|corner| near[*corner]).sum());
         Surface {
+            normals: normals.into_iter().map(DVec3::normalize_or_zero).collect(),
             vertices,
             triangles: triangles.to_vec(),
             across,

@@ -1,0 +1,68 @@
+//! What inspections and tests say of a bed: edges that crush, a bed of which a part is lost. Closed forms.
+
+use super::{Case, ValidationError};
+use crate::assess::{StackCheckOptions, check_stack};
+use crate::structure::stack::{Block, JointMaterial, LostBed, Solid, Stack, without_bed};
+
+const SOURCE: &str = "Edges and beds";
+const NOTE: &str = "A block 0.5 × 0.8 × 2.4 m. Published: closed forms. An edge crushes over the strip N/(f l), so that the pivot lies half of it inside: \
+                    (b/2 − N/(2 f l)) / h. A bed of which a fifth is lost at one side has its pivot at b/2 − b/5.";
+const TOLERANCE: f64 = 1e-6;
+const GRAVITY_M_S2: f64 = 9.81;
+const DENSITY_KG_M3: f64 = 2600.0;
+const SIZE_M: [f64; 3] = [0.5, 0.8, 2.4];
+
+pub(super) fn cases() -> Result<Vec<Case>, ValidationError> {
+    let [width_m, depth_m, height_m] = SIZE_M;
+    let block = || -> Result<Vec<Block>, ValidationError> {
+        Ok(vec![Block {
+            name: "block".to_owned(),
+            solid: Solid::cuboid(width_m, depth_m, height_m)?,
+            density_kg_m3: DENSITY_KG_M3,
+        }])
+    };
+    let half_m = 0.5 * height_m;
+    let pressure_pa = height_m * DENSITY_KG_M3 * GRAVITY_M_S2;
+    let mut found = Vec::new();
+    for times in [1.5, 4.0, 30.0] {
+        let strength_pa = times * pressure_pa;
+        let material = JointMaterial {
+            compressive_strength_pa: Some(strength_pa),
+            ..JointMaterial::with_friction(0.9)
+        };
+        let lever_m = 0.5 * width_m - 0.5 * width_m / times;
+        found.push((
+            format!("block, strength {times} times the pressure on its bed: first motion"),
+            lever_m / half_m,
+            first_motion_g(block()?, material)?,
+        ));
+    }
+    let lost = LostBed {
+        block: 0,
+        share: 0.2,
+        outward: [1.0, 0.0],
+    };
+    found.push((
+        "block, a fifth of its bed lost at one side: first motion".to_owned(),
+        (0.5 - 0.2) * width_m / half_m,
+        first_motion_g(without_bed(block()?, &lost)?, JointMaterial::with_friction(0.9))?,
+    ));
+    let case = |(what, published, computed): (String, f64, f64)| Case {
+        source: SOURCE,
+        what,
+        unit: "g",
+        published,
+        computed,
+        tolerance: TOLERANCE,
+        corrected: None,
+        note: NOTE,
+    };
+    Ok(found.into_iter().map(case).collect())
+}
+
+/// Least acceleration at which something begins to move.
+fn first_motion_g(blocks: Vec<Block>, material: JointMaterial) -> Result<f64, ValidationError> {
+    let stack = Stack::new(blocks, material, GRAVITY_M_S2)?;
+    let check = check_stack(&stack, &StackCheckOptions::default())?;
+    Ok(check.capacity.map_or(f64::NAN, |of| of.acceleration_g))
+}
