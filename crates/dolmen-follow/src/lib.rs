@@ -1,11 +1,11 @@
-//! Folders and a store of surveys together: projects into the store and out of it, every structure watched, and record files that
-//! come into a folder, which become surveys of a structure, judged as they come.
+//! Connects folders and a store of surveys: moves projects into the store and out of it, watches every structure, and turns the record files that
+//! arrive in a folder into surveys of a structure, judging each.
 //!
 //! ```text
 //! Follow (folder, store, structure) ─ follow ─→ Inbox ─ Reader ─→ Store ─ watch ─→ Listener, --on-alarm, metrics
 //! ```
 //!
-//! A [`Listener`], a terminal or a service, hears what comes of each file, and says when to stop.
+//! A [`Listener`], such as a terminal or a service, receives the result of each file, and decides when to stop.
 
 mod call;
 mod clock;

@@ -1,8 +1,8 @@
-//! Rows of a table that sum up the rows above them, which are no parts.
+//! Rows of a table that are sums of the rows above them, and no parts of the structure.
 
 use dolmen_records::{SheetCell, SheetValue};
 
-/// Names of rows that sum up others, or give their mean, extremes or scatter, in small letters and without blanks.
+/// Names of rows that hold a sum, mean, extreme or scatter of others, in lower case and without blanks.
 const NAMES: [&str; 33] = [
     "합계",
     "계",
@@ -38,22 +38,23 @@ const NAMES: [&str; 33] = [
     "sd",
     "std",
 ];
-/// How near to the sum a rounded total is, relative.
+/// Relative difference up to which a rounded number counts as the sum.
 const NEAR: f64 = 1e-3;
-/// Rows above a sum without a name, and numbers in it that are all sums: fewer may be chance.
+/// Fewest rows above a total that is known by its numbers alone: the sum of fewer may be chance.
 const ROWS_LEAST: usize = 2;
+/// Fewest numbers of such a total if its row has a name.
 const SUMS_LEAST: usize = 2;
 
-/// A row that is no part.
+/// A row that is not a part, with the cell that shows it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Total<'a> {
-    /// Its name says so.
+    /// By its name.
     Named(&'a SheetCell),
     /// Each of its numbers is the sum of those above.
     Sums(&'a SheetCell),
 }
 
-/// The first row that sums up others: by its name, or the last one by its numbers. `name_at` is the column of the names.
+/// The first row named as a total; else the last row, if each of its numbers is a sum. `name_at` is the column of the names.
 pub(super) fn total(body: &[Vec<SheetCell>], name_at: Option<usize>) -> Option<Total<'_>> {
     let name = |row: &'_ Vec<SheetCell>| name_at.filter(|at| *at < row.len());
     let named = body.iter().find_map(|row| {
@@ -139,7 +140,7 @@ mod tests {
         }
         assert!(with(("d", &[52.3, 7.4])) && with(("", &[52.3])));
         assert!(!with(("d", &[52.3, 7.3])) && !with(("d", &[52.3])) && !with(("계단석", &[1.0, 1.0])));
-        // a stone as heavy as the one below it is no sum
+        // a stone as heavy as the one below it is not a sum
         assert!(total(&rows(&parts[..1].repeat(2)), Some(0)).is_none());
     }
 }

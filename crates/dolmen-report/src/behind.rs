@@ -1,4 +1,4 @@
-//! What stands behind the sections of a report: what was given, method and limits, sources.
+//! The last sections of a report: input data, method and limits, sources.
 
 use crate::document::{Block, Document};
 use crate::html::Imprint;
@@ -38,7 +38,7 @@ fn given(document: &mut Document<'_>, answer: &ProjectReport) {
     for headed in inputs_tables(answer, &inputs_listed(project)) {
         document.put(Block::Table(headed.table.without_empty_columns()));
     }
-    // many stand in a table of those above
+    // many surveys are in a table above already
     if !is_tabled(project) {
         for survey in &project.surveys {
             document.subheading(said(|language| survey_head(survey, language)));
@@ -61,7 +61,7 @@ fn said<T: Into<String>>(words: impl Fn(Language) -> T) -> Sentence {
     Workbook::Verbatim { text }.into()
 }
 
-/// Points that are as many in both languages.
+/// A list with one text in both languages for each point; both have the same number of points.
 fn list(points: impl Fn(Language) -> Vec<String>) -> Block<'static> {
     let both = points(Language::English)
         .into_iter()

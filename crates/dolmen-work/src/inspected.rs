@@ -13,7 +13,7 @@ use std::collections::BTreeMap;
 pub struct Inspected {
     /// The inspections by time.
     pub inspections: Vec<InspectionOf>,
-    /// Each damage that is told from others, worst first: at its limit, growing, then by part.
+    /// Each damage that can be followed, worst first: at its limit, growing, then by part.
     pub damages: Vec<WatchedDamage>,
     /// Damages of which one inspection lists several alike.
     pub several: Vec<SeveralAlike>,

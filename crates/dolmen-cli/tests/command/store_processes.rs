@@ -1,5 +1,5 @@
 // SOURCE     docs/store.md.
-// GOAL       What was acknowledged stays, once, whatever happens to the process; a store that is busy or none is refused.
+// GOAL       An acknowledged survey stays in the store exactly once, whatever happens to the process; a busy store, or a file that is no store, is refused.
 // TOLERANCE  none: bytes, rows, words and exit statuses.
 
 use super::stores::{FILE, below, content, database, good, json, project, refused};
@@ -10,7 +10,7 @@ use std::fs;
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
 
-/// Starts `dolmen survey add` of these projects; each that is acknowledged is a line of JSON.
+/// Starts `dolmen survey add` on these projects; it prints a line of JSON for each that it has stored.
 pub(crate) fn adding(folder: &Path, store: &str, projects: &[String]) -> Child {
     Command::new(env!("CARGO_BIN_EXE_dolmen"))
         .args([
@@ -31,12 +31,12 @@ pub(crate) fn adding(folder: &Path, store: &str, projects: &[String]) -> Child {
         .unwrap()
 }
 
-/// Names that were acknowledged.
+/// Names of the structures that were acknowledged.
 pub(crate) fn acknowledged(stdout: &[u8]) -> Vec<String> {
     acknowledged_of(stdout, "structure")
 }
 
-/// What whole lines of JSON say under a key.
+/// Values of a key in the whole lines of JSON.
 pub(crate) fn acknowledged_of(stdout: &[u8], key: &str) -> Vec<String> {
     let lines = String::from_utf8_lossy(stdout).into_owned();
     let whole = lines.split_inclusive('\n').filter(|line| line.ends_with('\n'));
@@ -48,14 +48,14 @@ pub(crate) fn acknowledged_of(stdout: &[u8], key: &str) -> Vec<String> {
         .collect()
 }
 
-/// Kills `add` at so many random moments, and holds that what was acknowledged is there, once.
+/// Kills `add` at `moments` random moments, and checks that every acknowledged survey is there exactly once.
 pub(crate) fn kill_at_random_moments(scratch: &Scratch, store: &str, moments: usize) {
     const SURVEYS: usize = 2;
     let projects: Vec<String> = (0..4).map(|at| format!("p{at}")).collect();
     projects.iter().for_each(|name| project(scratch, name, SURVEYS));
     let (mut seed, mut killed, mut whole_us) = (7, 0, 0);
     for moment in 0..=moments {
-        // each time other bytes: a new state of every project
+        // other bytes each time, so that every project has a new state
         for name in &projects {
             let folder = scratch.path().join(name);
             let text = fs::read_to_string(folder.join("project.toml")).unwrap();
@@ -72,7 +72,7 @@ pub(crate) fn kill_at_random_moments(scratch: &Scratch, store: &str, moments: us
         let output = child.wait_with_output().unwrap();
         let said = acknowledged(&output.stdout);
         if moment < 2 {
-            // undisturbed: the store is made, then how long it takes
+            // undisturbed: makes the store, then measures how long adding takes
             whole_us = start.elapsed().as_micros() as u64;
             assert_eq!(said, projects, "{}", String::from_utf8_lossy(&output.stderr));
         }
@@ -88,7 +88,7 @@ pub(crate) fn kill_at_random_moments(scratch: &Scratch, store: &str, moments: us
         killed * 2 > moments,
         "{killed} of {moments} were killed before their end"
     );
-    // once more to the end: nothing is there twice
+    // once more, to the end: nothing is stored twice
     let names = projects.join(" ");
     good(scratch.briefly(&format!("survey add {names} --without-modes {store}")));
     let listed = json(scratch, &format!("survey list {store}"));
@@ -157,7 +157,7 @@ fn refuses_a_store_that_another_process_writes_and_files_that_are_none() {
         &scratch.briefly(&format!("survey add b {FILE} --without-modes --wait 0.2")),
         "Another process is writing",
     );
-    // reading goes on
+    // reading still works
     good(scratch.briefly(&format!("survey list {FILE}")));
     other.execute_batch("rollback").unwrap();
     drop(other);

@@ -1,25 +1,24 @@
-//! Time stamps: are they even, and what rate do they say?
+//! Time stamps: whether they are even, and the sampling rate that they give.
 //!
-//! A stamp printed to the digit u lies within u of the true time (rounded or cut). Stamps are even if one step Δ puts every
-//! one of them within its u, and 1 % of a step for the clock, of t_0 + i Δ. Each stamp narrows the interval in which Δ must
-//! lie; the first that leaves it empty is refused. Where u is more than a quarter of a step, one missing sample could hide
-//! in the rounding: then all steps must be the same, as they are where Δ is a multiple of u, or the rate must be given.
+//! A stamp whose last digit is worth u lies within u of the true time (rounded or truncated). Stamps are even if there is a step
+//! Δ with every stamp i within u, and 1 % of a step for the clock, of t_0 + i Δ. Each stamp narrows the interval of possible Δ;
+//! the first that leaves it empty is refused. Where u is more than a quarter of a step, rounding could hide a missing sample:
+//! then all steps must be equal, as they are if Δ is a multiple of u, or the rate must be given.
 
 use super::RecordError;
 use crate::number::Number;
 
-/// Share of a step by which a clock may be off at any one sample: no more than noise far below that of a sensor. Chosen here.
+/// Share of a step by which the clock may be off at a sample: the error that this makes is far below the noise of a sensor. Chosen here.
 const CLOCK_JITTER: f64 = 0.01;
-/// Stamps coarser than this share of a step cannot show that one sample is missing, unless all steps are the same. Chosen
-/// here.
+/// Stamps coarser than this share of a step cannot show a missing sample, unless all steps are equal. Chosen here.
 const RESOLUTION_MOST: f64 = 0.25;
-/// Share by which a rate given may differ from that of the stamps: 1e-4 of every frequency, well below any scatter.
+/// Relative difference allowed between a given rate and that of the stamps: an error of 1e-4 in every frequency, well below any scatter.
 const RATE_TOLERANCE: f64 = 1e-4;
-/// A given step this near to a multiple of the resolution (relative) is one: its stamps are printed without rounding.
+/// Relative distance up to which a given step counts as a multiple of the resolution: its stamps are then printed without rounding.
 const MULTIPLE: f64 = 1e-6;
-/// Rounding of a mean of differences of doubles, generously (relative).
+/// Relative rounding error of a mean of differences of doubles, generous.
 const ROUNDING: f64 = 1e-9;
-/// A double holds so many digits.
+/// Decimal digits of a double.
 const DIGITS_MOST: i32 = 17;
 
 /// Where the sampling rate comes from.
@@ -27,7 +26,7 @@ const DIGITS_MOST: i32 = 17;
 pub enum RateSource {
     /// It was given, and there are no time stamps.
     Given,
-    /// From the time stamps: of the rates they allow, the one with the fewest digits, as rate or as step.
+    /// From the time stamps: of the rates that they allow, the one that has the fewest digits, as a rate or as a step.
     Stamps,
     /// It was given, and the time stamps agree.
     GivenAndStamps,
@@ -44,10 +43,10 @@ pub(super) struct Stamps {
     first_s: f64,
     last_s: f64,
     last_step_s: f64,
-    /// Whether all steps are the same, to half the last digit.
+    /// Whether all steps are equal, to half the last digit.
     all_same: bool,
     count: usize,
-    /// Most digits (from the first that is not 0) and most decimals of any stamp: programs print all stamps of a file alike.
+    /// Most significant digits and most decimals of any stamp: a program prints all stamps of a file in one format.
     digits: i32,
     decimals: i32,
     /// What the last digit is worth for stamps of `decade.0` ≤ |value| < `decade.1`, in the unit of the column.
@@ -79,7 +78,7 @@ impl Stamps {
         }
     }
 
-    /// Takes the next stamp; refuses one that no even step agrees with.
+    /// Takes the next stamp, and refuses it if no constant step fits all stamps.
     pub(super) fn push(&mut self, printed: Number, line: usize) -> Result<(), RecordError> {
         self.look_at_digits(printed);
         let stamp_s = printed.value * self.unit_s;
@@ -94,10 +93,10 @@ impl Stamps {
         let resolution_s = self.unit_s * self.resolution;
         let allowed = resolution_s + CLOCK_JITTER * elapsed.abs() / i;
         let (least, most) = ((elapsed - allowed) / i, (elapsed + allowed) / i);
-        // written so that it is false for NaN
+        // false for NaN
         let agrees = most >= self.step_least_s && least <= self.step_most_s && most > 0.0;
         if !agrees {
-            self.count -= 1; // it does not count: it may be the first behind a gap
+            self.count -= 1; // not counted: it may be the first after a gap
             if self.count == 1 && stamp_s <= self.first_s {
                 return Err(RecordError::StampsStand {
                     line,
@@ -136,7 +135,7 @@ impl Stamps {
         self.first_s
     }
 
-    /// Whether stamps of that resolution show a missing sample only by a step that differs.
+    /// Whether stamps of this resolution show a missing sample only if all other steps are equal.
     fn must_be_same(&self, resolution_s: f64) -> bool {
         let step_s = self
             .given_hz
@@ -175,7 +174,7 @@ impl Stamps {
         }
     }
 
-    /// Middle of the steps that agree so far, s; their upper end while there is no lower.
+    /// Middle of the interval of steps that fit so far, s; its upper end while it has no lower one.
     pub(super) fn step_s(&self) -> f64 {
         if self.count < 2 {
             f64::NAN
@@ -186,8 +185,8 @@ impl Stamps {
         }
     }
 
-    /// Finds out what the last digit printed of this stamp is worth. A program that prints a fixed number of digits prints
-    /// fewer decimals of larger numbers. Works anew only where the answer can change.
+    /// Finds what the last printed digit of this stamp is worth: with a fixed number of digits, larger numbers have fewer decimals.
+    /// Computes it again only where it can change.
     fn look_at_digits(&mut self, printed: Number) {
         let size = printed.value.abs();
         if printed.decimals <= self.decade_decimals && (self.decade.0..self.decade.1).contains(&size) {

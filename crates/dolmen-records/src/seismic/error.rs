@@ -1,13 +1,13 @@
-//! Why a file of a seismic station cannot be read.
+//! Errors of reading a file of a seismic station.
 
 use crate::limits::LimitError;
 use dolmen_words::message::Both;
 
-/// Why the bytes of a file are no channels of a seismic station. Each variant says where in the file and what to do. Lines are
-/// counted from 1.
+/// Why Dolmen cannot read the bytes of a file as channels of a seismic station. Each variant gives the place in the file and what to do. Lines
+/// count from 1.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SeismicError {
-    /// The header of an AT2 file does not say how many samples and how far apart.
+    /// The header of an AT2 file lacks the number of samples or the time step.
     At2Header {
         /// The line.
         line: usize,
@@ -21,28 +21,28 @@ pub enum SeismicError {
         /// "velocities", "displacements".
         what: Both,
     },
-    /// A unit that a header names is not known.
+    /// The unit in a header is unknown.
     At2Unit {
         /// The line.
         line: usize,
         /// What stands there.
         text: String,
     },
-    /// A value is no number.
+    /// A value is not a number.
     NotANumber {
         /// The line.
         line: usize,
         /// What stands there, at most 80 characters of it.
         text: String,
     },
-    /// Not as many samples as the header says.
+    /// The number of samples is not that of the header.
     Count {
         /// As the header says.
         stated: u64,
         /// As there are.
         found: usize,
     },
-    /// A line is not what the format has there.
+    /// A line is not the one that the format requires there.
     Line {
         /// The line.
         line: usize,
@@ -58,14 +58,14 @@ pub enum SeismicError {
         /// What it must be.
         wanted: Both,
     },
-    /// A header does not say something.
+    /// A header lacks something.
     Missing {
         /// What is missing.
         label: &'static str,
         /// Lines that were looked through.
         lines: usize,
     },
-    /// The file is not as long as its headers say.
+    /// The length of the file is not that of its headers.
     Bytes {
         /// The format.
         format: &'static str,
@@ -74,7 +74,7 @@ pub enum SeismicError {
         /// As there are.
         found: usize,
     },
-    /// The header of a SAC file says something that is no motion.
+    /// A field in the header of a SAC file does not belong to a motion.
     Sac {
         /// The field and what it must be.
         what: Both,
@@ -88,7 +88,7 @@ pub enum SeismicError {
         /// What is wrong.
         what: Both,
     },
-    /// The samples of a miniSEED record are coded in a way that is not read.
+    /// The samples of a miniSEED record have an encoding that Dolmen does not read.
     Encoding {
         /// Where the record begins, bytes from 0.
         at: u64,
@@ -104,7 +104,7 @@ pub enum SeismicError {
         /// Where it begins, s.
         found_s: f64,
     },
-    /// The file asks too much of the reader.
+    /// The file exceeds a limit of the reader.
     Limit(LimitError),
     /// Raw counts of a recorder that the file does not convert.
     Counts {

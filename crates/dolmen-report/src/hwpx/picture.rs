@@ -1,4 +1,4 @@
-//! Pictures, which stand in a line as a letter does.
+//! Pictures, placed in a line like a letter.
 
 use super::spaces::item;
 use crate::paper::Picture;
@@ -83,7 +83,7 @@ pub(super) fn margins(side: &str) -> [(&'static str, &str); 4] {
     ["left", "right", "top", "bottom"].map(|at| (at, side))
 }
 
-/// How large a picture or table is.
+/// Size of a picture or table.
 pub(super) fn size(xml: &mut Xml, width: &str, height: &str) {
     xml.leaf(
         "hp:sz",
@@ -97,7 +97,7 @@ pub(super) fn size(xml: &mut Xml, width: &str, height: &str) {
     );
 }
 
-/// Where it stands: in the line as a letter, or below its paragraph.
+/// Position: in the line like a letter, or below its paragraph.
 pub(super) fn place(xml: &mut Xml, as_letter: bool) {
     let as_letter = if as_letter { "1" } else { "0" };
     xml.leaf(

@@ -7,7 +7,7 @@ use dolmen_work::building::{
 };
 use serde_json::{Value, json};
 
-/// Means, standard deviations and peaks, the wind along x and along y.
+/// Means, standard deviations and peaks, for wind along x and along y.
 pub(super) fn building_wind(standing: &StandingBuilding, wind: &BuildingWind) -> Value {
     json!({
         "spectrum": match wind.spectrum {

@@ -1,11 +1,11 @@
-//! What is fitted to a study, once: tables, text, figures and the report tell of the same curves.
+//! Curves fitted to a study. Each is fitted once, so that tables, text, figures and the report show the same.
 
 use super::combination_fragility::CombinationFragility;
 use super::joint_fragility::JointFragility;
 use super::shaking_measure::MeasureComparison;
 use std::sync::OnceLock;
 
-/// What was fitted to the runs of a study so far.
+/// Curves fitted to the runs of a study so far.
 #[derive(Clone, Debug, Default)]
 pub struct Fitted {
     pub(super) combinations: OnceLock<Vec<CombinationFragility>>,

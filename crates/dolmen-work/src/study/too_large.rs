@@ -1,15 +1,15 @@
-//! Studies that would not end, or whose results no memory holds.
+//! Studies that would take too long, or whose results exceed the memory.
 
 use super::error::StudyError;
 use crate::error::WorkError;
 use dolmen_project::StudyPart;
 
-/// Most scans of a study: more do not fit into memory with their results. Chosen here.
+/// Most scans of a study: the results of more do not fit into memory. Chosen here.
 const SCANS_MOST: usize = 10_000_000;
-/// Most points of the maps of a study, of all its cases. Chosen here: a point takes a millisecond, so that they take half an hour on one core.
+/// Most points in the maps of all cases of a study. Chosen here: at a millisecond a point they take half an hour on one core.
 const POINTS_MOST: usize = 1_000_000;
 
-/// Refuses more scans or points of maps than are computed, of a study under so many motions.
+/// Refuses a study with too many scans or points of maps; `motions` is the number of its motions.
 pub(super) fn refuse_too_large(study: &StudyPart, motions: usize) -> Result<(), WorkError> {
     let cases = study.combinations().saturating_mul(study.samples.unwrap_or(1));
     let scans = cases

@@ -1,4 +1,4 @@
-//! Buildings and dampers in time: closed forms, and one method beside another.
+//! Buildings and dampers in time: compared with closed forms, and one method with another.
 
 use super::{Case, ValidationError, twisting_floor};
 use crate::damper::{
@@ -100,7 +100,7 @@ pub(super) fn cases() -> Result<Vec<Case>, ValidationError> {
     Ok(cases)
 }
 
-/// Standard deviations under white noise along y, each by Lyapunov's equation and by complex modes put together.
+/// Standard deviations under white noise along y, each by Lyapunov's equation and by superposition of complex modes.
 fn white_noise() -> Result<[[f64; 2]; 3], ValidationError> {
     let damping = BuildingDamping::Modal(vec![0.02]);
     let alone = VibratingBuilding::new(twisting_floor(1e5)?, &damping, Vec::new())?;

@@ -1,9 +1,9 @@
-//! What stuck and turning joints of a chain do after an event: Coulomb's law for all of them together.
+//! Which joints of a chain stick and which turn after an event, by Coulomb's law for all of them together.
 //!
-//! Moments and rates are compared as their Taylor series are, coefficient by coefficient: a joint whose moment is just at its limit
-//! goes or holds as the first coefficient that is not rounding says. In these numbers the law is a linear complementarity problem
-//! with a positive definite matrix, which pivoting solves: the joint furthest from the law changes first; if that has not ended after
-//! some rounds, the lowest one does, which always ends (Murty).
+//! Moments and rates are compared by their Taylor series, coefficient by coefficient: if the moment of a joint is exactly at its limit,
+//! the first coefficient above rounding decides whether the joint turns or holds. In these series the law is a linear complementarity
+//! problem with a positive definite matrix, solved by pivoting: the joint that violates the law most changes first. If that does not end
+//! after some rounds, the lowest such joint changes instead, which always ends (Murty).
 //!
 //! # Source
 //! Murty, K. G. (1974) Note on a Bard-type scheme for solving the complementarity problem. Opsearch 11:123-130. Differs from the
@@ -16,14 +16,14 @@ use super::frame_model::Slider;
 use super::{ChainSlip, DynamicsError, TimeFunction};
 use crate::numeric::first_descent;
 
-/// Events closer than this count as a pile, and once, s.
+/// Events closer than this belong together and count as one, s.
 const PILE_S: f64 = 1e-9;
-/// Part of the largest moment below which a moment at an event, or a rate of it over the step, is rounding: as of a frame.
+/// Share of the largest moment below which a moment at an event, or its rate over the step, counts as rounding; as for frames.
 const ROUNDING: f64 = 1e-12;
-/// Rates of everything below which a chain is at rest, rad/s.
+/// Angular velocity below which every link must be for a chain at rest, rad/s.
 const REST_RAD_S: f64 = 1e-13;
 
-/// A joint that is off the law: at which power of time, by how much, and what it should do.
+/// A joint that violates the law: at which power of time, by how much, and the state that it should take.
 struct Off {
     power: usize,
     excess: f64,
@@ -32,7 +32,7 @@ struct Off {
 }
 
 impl Run<'_> {
-    /// First change of a joint's friction within the step, with its σ.
+    /// First change of a joint's friction within the step, with its time σ as a share of the step.
     pub(super) fn first_slider_change(&self, joint: usize) -> Option<(f64, Change)> {
         let [holds, _] = self.series.model.joints[joint].friction.moments_n_m()?;
         let zeros = self.friction.zeros[joint].min(DEGREE + 1);
@@ -51,7 +51,7 @@ impl Run<'_> {
                 for sign in [1.0, -1.0] {
                     let mut left = held.map(|c| -sign * c);
                     left[0] += holds;
-                    // the limit it is at, not the other
+                    // only for the limit at which the joint is
                     if left[0] < 0.5 * holds {
                         left[..zeros].fill(0.0);
                     }
@@ -67,7 +67,7 @@ impl Run<'_> {
         }
     }
 
-    /// A joint's friction changes: what all of them do then is found before the next step.
+    /// Changes a joint's friction. `settle` finds before the next step what all joints then do.
     pub(super) fn change_slider(&mut self, joint: usize, change: Change) -> Result<(), DynamicsError> {
         let friction = &mut self.friction;
         if self.at_s - friction.pile_at_s > PILE_S {
@@ -90,25 +90,25 @@ impl Run<'_> {
                 friction.zeros[joint] = 1;
                 Slider::Slipping(sign)
             }
-            // whether it goes on, holds, or turns back is found from the balance of all
+            // `settle` finds from the balance of all whether it goes on, holds or turns back
             _ => Slider::Stuck,
         };
         Ok(())
     }
 
-    /// Finds which joints at rest hold and which go, if an event has left that open; `h` is a step to look ahead, s.
+    /// Finds which joints at rest hold and which turn, if an event has left that open; `h` is the step looked ahead, s.
     pub(super) fn settle(&mut self, load: &TimeFunction, mut h: f64) -> Result<(), DynamicsError> {
         let Some(before) = self.friction.unsettled.take() else {
             return Ok(());
         };
         let n = self.state.sliders.len();
         for joint in 0..n {
-            // let go at this same time: it is at rest still
+            // released at this same time, so still at rest
             let at_rest = self.friction.zeros[joint] > 0 && !self.friction.gone.contains(&joint);
             if at_rest && matches!(self.state.sliders[joint], Slider::Slipping(_)) {
                 self.state.sliders[joint] = Slider::Stuck;
             }
-            // stuck joints pass on one rate, to the last digit
+            // links on both sides of a stuck joint have one rate, to the last digit
             if self.state.sliders[joint] == Slider::Stuck {
                 self.state.omega[joint] = joint.checked_sub(1).map_or(0.0, |below| self.state.omega[below]);
             }
@@ -117,7 +117,7 @@ impl Run<'_> {
             .filter(|joint| self.state.sliders[*joint] == Slider::Stuck)
             .collect();
         let worst_first = 10 + 4 * n;
-        // Murty's rule visits at most so many states of few joints; of many, far fewer are ever met
+        // the most states that Murty's rule can visit with few joints; with many joints it visits far fewer
         let tries_most = worst_first + (1usize << resting.len().min(12));
         for tried in 0..=tries_most {
             self.series.coefficients(&self.state, load, self.at_s, h);
@@ -144,12 +144,12 @@ impl Run<'_> {
         })
     }
 
-    /// The joints among those at rest that are off the law, in order; and where the series of the others begin.
+    /// The joints at rest that violate the law, in order. Also notes at which power the series of each joint begins.
     fn off_the_law(&mut self, resting: &[usize], h: f64) -> Vec<Off> {
         let mut rounding_n_m = [0.0; DEGREE - 1];
         let mut largest: f64 = 0.0;
         for (k, rounding) in rounding_n_m.iter_mut().enumerate() {
-            // an error of one power stays in all that follow
+            // the error of one power stays in all that follow
             largest = largest.max(ROUNDING * self.series.moment_scale(&self.state, k, h));
             *rounding = largest;
         }
@@ -181,7 +181,7 @@ impl Run<'_> {
             };
             let power = (0..DEGREE - 1).find(|&k| margin(k).abs() > rounding_n_m[k]);
             let stuck = matches!(to, Slider::Slipping(_));
-            // at a limit above the kinetic one it holds, until it is passed
+            // at a static limit above the kinetic one it holds until the limit is passed
             let may_pass = |power: usize| !(stuck && power > 0 && holds > turns);
             if let Some(power) = power.filter(|power| margin(*power) < 0.0 && may_pass(*power)) {
                 let excess = -margin(power) / holds;
@@ -202,7 +202,7 @@ impl Run<'_> {
         off
     }
 
-    /// Takes note of the joints that began to turn, turned back or stopped.
+    /// Records the joints that began to turn, turned back or stopped.
     fn note_slips(&mut self, before: &[Slider]) {
         let mut changed = false;
         for (joint, before) in before.iter().enumerate() {
@@ -224,7 +224,7 @@ impl Run<'_> {
         }
     }
 
-    /// Ends the turn of a joint that is under way, if one is.
+    /// Ends the slip of a joint, if it is slipping.
     pub(super) fn end_slip(&mut self, joint: usize) {
         if let Some((from_s, from_rad)) = self.friction.turning[joint].take() {
             self.friction.slips.push(ChainSlip {
@@ -236,7 +236,7 @@ impl Run<'_> {
         }
     }
 
-    /// Whether everything stands still.
+    /// Whether all links are at rest.
     pub(super) fn is_at_rest(&self) -> bool {
         self.state.omega.iter().all(|rate| rate.abs() <= REST_RAD_S)
     }

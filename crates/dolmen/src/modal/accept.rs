@@ -1,4 +1,4 @@
-//! Modes that the user insists on: what stands at a frequency and was refused becomes a mode that carries the reason.
+//! Modes that the user insists on: a refused candidate at a given frequency becomes a mode that carries the reason of its refusal.
 
 use super::candidate::Candidate;
 use super::options::Identify;
@@ -8,11 +8,11 @@ use super::subspace::{Cluster, Criteria, Deviations, Fate};
 use super::{Accepted, ModalError, Mode, Modes, Note, Pole, Refusal, RefusedPeak};
 use crate::signal::Record;
 
-/// Fewest model orders whose poles are one estimate, where the tests ask for more. Chosen here: two agree by chance in a record of many channels.
+/// Fewest model orders in a group of poles that may be accepted. Chosen here: in a record of many channels two orders agree by chance.
 const ORDERS_LEAST: usize = 3;
 
-/// What stands at each frequency that the user insists on and no test admits: the group of poles, else the poles that no test lets be a mode,
-/// else the visible peak itself. `set_aside` are peaks that were taken for something else before.
+/// For each frequency that the user insists on, what the tests refused there: the group of poles, else a single pole that may not be a mode,
+/// else the visible peak itself. `set_aside` are peaks that an earlier step took for something else.
 pub(super) fn candidates(
     options: &Identify,
     (peaks, set_aside): (&Modes, &[Candidate]),
@@ -77,7 +77,7 @@ pub(super) fn candidates(
     Ok(found)
 }
 
-/// The refused group of poles there: of a peak that is seen the one of most orders, else the nearest.
+/// The refused group of poles there: at a visible peak the one of most orders, else the nearest.
 fn group_at<'a>(
     diagram: &Diagram<'a>,
     (asked_hz, is_seen): (f64, bool),
@@ -96,7 +96,7 @@ fn group_at<'a>(
     }
 }
 
-/// The pole nearest to all others at a peak that no test lets be a mode, and that would come to rest.
+/// Of the decaying poles at a peak that cannot be modes, the one nearest to all others.
 fn pole_at(diagram: &Diagram<'_>, peak_hz: f64) -> Option<Pole> {
     const AT_PEAK: f64 = 0.01; // relative
     let poles = diagram.stabilization.poles.iter();
@@ -112,7 +112,7 @@ fn pole_at(diagram: &Diagram<'_>, peak_hz: f64) -> Option<Pole> {
     (orders.len() >= ORDERS_LEAST).then(|| (*middle).clone())
 }
 
-/// What one step took out of the modes.
+/// The modes that a step removed, each with its refusal.
 pub(super) fn taken_out(
     before: &[Mode],
     after: &[Mode],
@@ -128,8 +128,8 @@ pub(super) fn taken_out(
         .collect()
 }
 
-/// The modes that the user insists on and no test admits, of those that were refused the nearest to each; says which were found anyway, and
-/// where nothing stands. `seen_hz` are the peaks of the spectrum.
+/// For each frequency that the user insists on and where no mode was found, the nearest refused candidate. Notes name the modes that were found anyway, and
+/// the frequencies without a candidate. `seen_hz` are the peaks of the spectrum.
 pub(super) fn accepted(
     options: &Identify,
     found: &[Mode],
@@ -173,7 +173,7 @@ pub(super) fn accepted(
     all
 }
 
-/// Nothing stands there: what is nearest on either side.
+/// There is no candidate: names the nearest mode or peak on either side.
 fn nothing(asked_hz: f64, within_hz: f64, found: &[Mode], seen_hz: &[f64]) -> Note {
     let all = || {
         found
@@ -190,7 +190,7 @@ fn nothing(asked_hz: f64, within_hz: f64, found: &[Mode], seen_hz: &[f64]) -> No
     }
 }
 
-/// Puts them among the modes of the channels that were kept, each with the steadiness of its motion.
+/// Adds the accepted modes, with the channels that were kept, each tested for machines.
 pub(super) fn put_in(
     record: &Record,
     options: &Identify,
@@ -237,7 +237,7 @@ pub(super) fn put_in(
     Ok(())
 }
 
-/// Puts them among the modes, by frequency, and names them.
+/// Adds the accepted modes in order of frequency, and names them in a note.
 pub(super) fn join(accepted: Vec<Mode>, modes: &mut Vec<Mode>, notes: &mut Vec<Note>) {
     let named = |mode: &Mode| RefusedPeak {
         frequency_hz: mode.frequency_hz,
@@ -261,7 +261,7 @@ mod tests {
     use dolmen_linalg::Complex64;
     use std::f64::consts::TAU;
 
-    /// Two floors whose modes at 1.1 and 4.2 Hz, ζ 2 %, a clustering of this strictness judges.
+    /// Modes of two floors (1.1 and 4.2 Hz, ζ 2 %), where a group may scatter by `most` times its floor.
     fn two_floors(most: f64, accept_hz: &[f64]) -> ModalAnalysis {
         let record = ReferenceCase::ShearChain.made(3).unwrap().make().unwrap();
         let options = Identify {
@@ -293,7 +293,7 @@ mod tests {
             matches!(told.refusal, Some(Refusal::Scattered { most: 0.3, .. })),
             "{told:?}"
         );
-        // what the note says is followed, to its three decimals
+        // the frequency as a note prints it, to three decimals
         let asked_hz = (told.frequency_hz * 1e3).round() / 1e3;
         let insisted = two_floors(0.3, &[asked_hz]);
         let [mode] = &insisted.modes.modes[..] else {
@@ -316,7 +316,7 @@ mod tests {
         assert!(mode.kurtosis.is_some());
         let is_named = |note: &Note| matches!(note, Note::Accepted { modes } if modes.len() == 1);
         assert!(insisted.notes.iter().any(is_named), "{:?}", insisted.notes);
-        // it is the same mode that the usual test finds
+        // the same mode as with the default test
         let usual = two_floors(3.5, &[]);
         let apart_hz = (usual.modes.modes[1].frequency_hz - mode.frequency_hz).abs();
         assert!(apart_hz < 0.2 * sd_hz, "{apart_hz} {sd_hz}");

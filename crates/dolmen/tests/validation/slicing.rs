@@ -306,7 +306,7 @@ fn exact_bed_of_a_displaced_stone() {
     assert!((found - 0.17 / 0.4).abs() < 1e-5, "{found}");
 }
 
-/// A plain shaft has no step: it is cut where it is said.
+/// A plain shaft has no step: it is cut at the given height.
 #[test]
 fn exact_cut_of_a_shaft_without_steps() {
     let stones = [Stone::boxed(0.2, 0.5), Stone::boxed(0.2, 0.5)];

@@ -9,8 +9,8 @@ use crate::numeric::{Interval, normal_quantile};
 
 /// Fewest designs a score is trained on: as many as a quadratic surface of six factors has terms. Chosen here; 150 are wanted.
 const DESIGNS_LEAST: usize = 28;
-/// Part by which a factor may lie beyond the range trained even where that is allowed: farther off its unit is wrong, or the score knows nothing.
-/// Chosen here.
+/// A factor may lie above the trained range by this factor, or below it by its inverse, where extrapolation is allowed: farther off its unit is wrong, or the
+/// score knows nothing. Chosen here.
 const FARTHEST: f64 = 1.5;
 /// The coalition of all six factors.
 const ALL: u32 = 0b11_1111;

@@ -1,17 +1,17 @@
-//! How a stack moves in a computed mode.
+//! How a stack moves in a computed mode: along an axis, or about the vertical.
 
 use super::stack_motion::StackMotion;
 use crate::structure::stack::{Block, Stack};
 use dolmen_linalg::Matrix;
 
-/// Kinetic energy along an axis from which a mode is one of swaying along it: as for the first sway.
+/// Least share of the kinetic energy along an axis for a mode that sways along it: as for the first sway.
 const SWAY_LEAST: f64 = 0.25;
-/// Kinetic energy of turning about the vertical from which a mode is one of torsion. Chosen here: more than half of it.
+/// Least share of the kinetic energy in rotation about the vertical for a mode of torsion. Chosen here: half.
 const TWIST_LEAST: f64 = 0.5;
-/// Heights closer than this are one, m. Chosen here: far below any stone.
+/// Heights closer than this count as equal, m. Chosen here: far below the height of any stone.
 const AT_BED_M: f64 = 1e-6;
 
-/// Whether a mode of unit modal mass moves so: `displacements` are three of the centroid and three turns a block.
+/// Whether a mode of unit modal mass has this motion. `displacements`: of each block three of its centroid, then three rotations.
 pub(super) fn moves(stack: &Stack, mass: &Matrix, displacements: &[f64], motion: StackMotion) -> bool {
     match motion.axis() {
         Some(axis) => sway_share(mass, displacements, axis) >= SWAY_LEAST,
@@ -24,7 +24,7 @@ fn sway_share(mass: &Matrix, displacements: &[f64], axis: usize) -> f64 {
     along.map(|i| mass[(i, i)] * displacements[i].powi(2)).sum()
 }
 
-/// Kinetic energy of each block's turning about the vertical through the centroid of the stack.
+/// Share of the kinetic energy in rotation of the blocks about the vertical through the centroid of the stack.
 fn twist_share(stack: &Stack, mass: &Matrix, displacements: &[f64]) -> f64 {
     let whole = stack.mass_kg();
     let centre = [0, 1].map(|axis| {
@@ -42,7 +42,8 @@ fn twist_share(stack: &Stack, mass: &Matrix, displacements: &[f64]) -> f64 {
     each.sum()
 }
 
-/// Row that gives the displacement along an axis at a height from those of the blocks: of the stones there, their mean by mass. On a bed it is the stone below.
+/// Row that multiplies the displacements of the blocks and gives the displacement along an axis at a height: the mean, by mass, of the stones there. On a bed the
+/// stone below counts.
 pub(super) fn displacement_row(stack: &Stack, height_m: f64, axis: usize) -> Vec<f64> {
     let blocks = stack.blocks();
     let mut row = vec![0.0; 6 * blocks.len()];

@@ -1,7 +1,7 @@
-//! The limit analysis without what only dilating joints hold.
+//! The limit analysis without the strength that only dilating joints give.
 //!
-//! Taken as associated, friction makes a joint that slides rise as it does. Coulomb joints do not: two leaves of a wall that turn each about
-//! its own toe slide on each other without pressing on each other.
+//! Associated friction makes a sliding joint dilate. Coulomb joints do not: two leaves of a wall that each turn about
+//! its own toe slide along each other without pressing.
 
 use super::cuts::carries;
 use super::limit_analysis::limit_analysis;
@@ -13,25 +13,25 @@ use crate::structure::stack::Stack;
 /// Rounds in which more joints may begin to slide. Chosen here.
 pub(crate) const ROUNDS: usize = 6;
 
-/// A limit analysis, the lesser of with and without friction in upright joints that slide.
+/// The lower limit of those with and without friction in upright joints that slide.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Undilated {
-    /// The lesser.
+    /// The analysis with the lower limit.
     pub analysis: LimitAnalysisResult,
-    /// What the analysis with all friction gave, over gravity, where that is more.
+    /// Limit with friction in all joints, over gravity, where it is higher.
     pub dilating_g: Option<f64>,
     /// Whether a joint that slides still holds others apart in the mechanism, so that the limit is an upper bound.
     pub is_upper_bound: bool,
 }
 
-/// The limit analysis, and again without friction in the upright joints that slide in its mechanism until none that rubs does; the least of
-/// all.
+/// Repeats the limit analysis without friction in the upright joints that slide in its mechanism, until no joint with friction does. Returns the lowest
+/// limit.
 ///
 /// # Errors
 /// Those of [`limit_analysis`].
 ///
 /// # Limits
-/// Joints that carry keep their friction: the weight on them presses whether they dilate or not. Where one slides while others
+/// Joints that carry weight keep their friction: the weight presses them together whether they dilate or not. Where one slides while others
 /// open, or the stack needs the friction of an upright joint that slides to stand at all, the answer says that it is an upper bound.
 pub fn limit_analysis_undilated(stack: &Stack, options: &LimitAnalysis) -> Result<Undilated, StabilityError> {
     let first = limit_analysis(stack, options)?;
@@ -71,7 +71,7 @@ fn limit_g(analysis: &LimitAnalysisResult) -> Option<f64> {
     }
 }
 
-/// The stack without friction in the upright joints that slide in a mechanism; `None` if none that rubs does.
+/// The stack without friction in the upright joints that slide in a mechanism; `None` if none of them has friction.
 pub(crate) fn without_sliding_friction(stack: &Stack, mechanism: Option<&Mechanism>) -> Option<Stack> {
     let mut smoother = stack.clone();
     let mut is_other = false;
@@ -88,7 +88,7 @@ pub(crate) fn without_sliding_friction(stack: &Stack, mechanism: Option<&Mechani
     is_other.then_some(smoother)
 }
 
-/// Whether joints that rub slide while others open.
+/// Whether joints with friction slide while others open.
 fn slides_and_opens(stack: &Stack, mechanism: Option<&Mechanism>) -> bool {
     let joints = mechanism.map(|of| of.joints.as_slice()).unwrap_or_default();
     let rubs = |joint: usize| stack.joints()[joint].material.friction_static > 0.0;

@@ -1,12 +1,12 @@
-//! Why a building cannot exist, or does not stand.
+//! Errors of a building: what makes it impossible, or makes it fall.
 
-/// Why a floor, a storey or a building cannot be. Each variant carries the value that was refused.
+/// Why a floor, a storey or a building is refused. Each variant carries the refused value.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum BuildingError {
     /// No floors.
     #[error("the building has no floors, but needs at least 1")]
     Empty,
-    /// Not one storey below each floor.
+    /// The numbers of storeys and floors differ.
     #[error("{storeys} storeys and {floors} floors are given: each floor stands on one storey, lowest first")]
     Count {
         /// Storeys given.
@@ -87,7 +87,7 @@ pub enum BuildingError {
         /// Stiffness against turning about it, N·m/rad.
         stiffness_n_m_rad: f64,
     },
-    /// P-delta takes more than a storey has.
+    /// P-delta takes more stiffness than a storey has.
     #[error(
         "the building falls: storey {storey} {motion} under {load_factor:.4} of the weight above it (P-delta); it needs \
          stiffer walls there, a lower weight or a lower storey"
@@ -100,7 +100,7 @@ pub enum BuildingError {
         /// Factor on the weight at which it falls.
         load_factor: f64,
     },
-    /// An outline that is no plan of a floor.
+    /// An outline that cannot be the plan of a floor.
     #[error("the outline {why}: give its corners in order, each once")]
     Outline {
         /// What is wrong with it.
@@ -140,7 +140,7 @@ pub enum BuildingError {
         /// What is allowed.
         allowed: &'static str,
     },
-    /// Damping that feeds a mode.
+    /// Damping that adds energy to a mode.
     #[error("mode {mode} at {frequency_hz:.4} Hz would have a damping ratio of {damping_ratio:.5}: {why}")]
     Damping {
         /// Which mode, from 1.
@@ -158,7 +158,7 @@ pub enum BuildingError {
 }
 
 impl BuildingError {
-    /// Whether an iteration ended before it converged: the input may be good.
+    /// Whether the error is an iteration that did not converge: the input may be valid.
     pub fn did_not_converge(&self) -> bool {
         match self {
             Self::Linalg(why) => why.did_not_converge(),

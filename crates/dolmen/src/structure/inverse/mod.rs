@@ -1,4 +1,4 @@
-//! Stiffness of the springs of any structure from its measured modes: the search that chains and frames share.
+//! Stiffness of springs from measured modes: the search that chains and frames share.
 
 mod continuation;
 mod modal_fit;

@@ -1,25 +1,25 @@
-//! A closed triangle mesh with its neighbours, the noise of its vertices and normals smoothed over it.
+//! A closed triangle mesh: neighbours of its triangles, noise of its vertices, smoothed normals.
 
 use glam::DVec3;
 
-/// A turn between neighbours below this is no edge that anybody models, rad: 3°, a cylinder of 120 sides. Chosen here.
+/// Angle between neighbours below which there is no modelled edge, rad: 3°, a cylinder of 120 sides. Chosen here.
 const TURN_MODELLED_RAD: f64 = 0.052;
-/// The same of triangles that may be a bed, rad: 8°. Sides of drums turn by less, beds by nothing. Chosen here.
+/// The same for triangles that may be part of a bed, rad: 8°. Neighbours on the side of a drum may differ by less, those on a modelled bed do not differ. Chosen here.
 const TURN_BED_RAD: f64 = 0.14;
-/// Rise of the normal of what may be a bed as its stone stands, as sine: 20° from level.
+/// Least vertical component of the unit normal of a triangle that may be part of a bed: a slope of 20°.
 const BED_RISE: f64 = 0.94;
-/// Median over standard deviation of the size of a normal variable.
+/// Median of the absolute value of a normal variable over its standard deviation.
 const MEDIAN_OF_NORMAL: f64 = 0.6745;
 
-/// A mesh as the fit of planes needs it.
+/// A mesh with what the fit of planes needs.
 pub(super) struct Surface {
     pub(super) vertices: Vec<DVec3>,
     pub(super) triangles: Vec<[usize; 3]>,
     /// The triangle beyond the edge from corner i to the next.
     pub(super) across: Vec<[usize; 3]>,
-    /// Normals of triangles with their areas as length, m².
+    /// Normals of triangles, as long as their areas, m².
     pub(super) areas: Vec<DVec3>,
-    /// Unit normals of vertices, the mean by area of the triangles about them and about their neighbours: noise turns a single one by 2 s/ℓ.
+    /// Unit normals of vertices: the mean, by area, of the triangles around each and around its neighbours. Noise s turns that of one triangle by 2 s/ℓ.
     pub(super) normals: Vec<DVec3>,
     /// Median length of an edge, m.
     pub(super) edge_m: f64,
@@ -77,7 +77,7 @@ impl Surface {
         (a + b + c) / 3.0
     }
 
-    /// Whether no two neighbours are nearly but not quite in one plane, which only noise and fine curvature make.
+    /// Whether any two neighbours either lie in one plane or meet in an edge: only noise and fine curvature turn them by a small angle.
     pub(super) fn is_modelled(&self, flat_m: f64) -> bool {
         (0..self.triangles.len()).all(|t| {
             let normal = self.areas[t].normalize_or_zero();
@@ -95,15 +95,15 @@ impl Surface {
         })
     }
 
-    /// Standard deviation of the vertices off the surface, m: of each from the mean of its neighbours along its normal,
-    /// the median of all, as of a normal variable. Curvature within one edge counts as noise.
+    /// Standard deviation of the vertices from the surface, m: from the median, over the vertices, of the distance of each from the mean of its
+    /// neighbours along its normal. Curvature within one edge counts as noise.
     pub(super) fn noise_m(&self) -> f64 {
         let mut sums = vec![(DVec3::ZERO, DVec3::ZERO, 0.0); self.vertices.len()];
         for (t, corners) in self.triangles.iter().enumerate() {
             for edge in 0..3 {
                 let sum = &mut sums[corners[edge]];
                 sum.0 += self.areas[t];
-                sum.1 += self.vertices[corners[(edge + 1) % 3]]; // each neighbour once round the vertex
+                sum.1 += self.vertices[corners[(edge + 1) % 3]]; // counts each neighbour of the vertex once
                 sum.2 += 1.0;
             }
         }
@@ -118,8 +118,8 @@ impl Surface {
         median(&mut heights) / MEDIAN_OF_NORMAL
     }
 
-    /// Unit normals of triangles from all area within `radius_m` that hangs together with each, and how flat it is there
-    /// (length of the sum over the sum of lengths).
+    /// For each triangle the unit normal of the connected area within `radius_m`, and the flatness of that area
+    /// (length of the sum of its normals over the sum of their lengths).
     pub(super) fn smoothed(&self, radius_m: f64) -> Vec<(DVec3, f64)> {
         let centres: Vec<DVec3> = (0..self.triangles.len()).map(|t| self.centre(t)).collect();
         let mut seen = vec![usize::MAX; self.triangles.len()];
@@ -151,7 +151,7 @@ impl Surface {
     }
 }
 
-/// Standard deviation of the vertices of a closed mesh off its surface, m; 0 of one that was modelled, whose faces are flat within `flat_m`.
+/// Standard deviation of the vertices of a closed mesh from its surface, m; 0 for a modelled mesh, whose faces are flat within `flat_m`.
 pub(in crate::structure::stack) fn noise_of(
     vertices_m: &[[f64; 3]],
     triangles: &[[usize; 3]],
@@ -164,7 +164,7 @@ pub(in crate::structure::stack) fn noise_of(
     }
 }
 
-/// The middle value; 0 of none.
+/// The median; 0 without values.
 pub(super) fn median(values: &mut [f64]) -> f64 {
     let middle = values.len() / 2;
     match values.is_empty() {
