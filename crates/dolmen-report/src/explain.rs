@@ -48,6 +48,16 @@ harmonics. A copied one makes the shapes look surer than they are. Mend the cabl
 with `leave_out = true` on it in the project file.",
     },
     Explanation {
+        code: "columns-apart",
+        title: "The columns of a level do not move as one",
+        text: "\
+One stiffness for a storey takes it that all its columns move together. Sensors side by side on one level, in one direction,
+are compared in every mode, in amplitude and in phase, with the deviations of the shape and 2 % for the calibration of each
+sensor. A floor that sways and turns is no fault. One column that moves as no rigid floor does is named where at least three
+sensors stand on the level: its foot may be loose, its tenon open, or its sensor badly fixed. Exchange the sensor with that of
+another column and measure again; then look at the column. With two sensors a turn of the floor looks the same.",
+    },
+    Explanation {
         code: "damage-states",
         title: "DS1, DS2 and DS3: how far a structure was damaged",
         text: "\
@@ -138,6 +148,22 @@ changes in one more than in the other by five deviations is a machine whose spee
 Frequencies alone do not determine where a structure is stiff: two storeys have two answers, five joints at least
 sixteen. All that were found are listed. They differ in their mode shapes: one measured shape (two sensors at
 different heights, recorded together) usually chooses. Dolmen does not choose without one.",
+    },
+    Explanation {
+        code: "joint-values",
+        title: "What is known of friction, restitution and stiffness of stone joints",
+        text: "\
+Friction, measured: flat faces of Hwangdeung granite (Korea) 29.4°, that is 0.563, single series within 2° of it; of Berea
+sandstone 34.1°, 0.677, within 3° (Jang and others 2018). The default 0.6 lies above that granite: where sliding governs,
+try 0.56 too. Classes of typical values, dry faces (stonewalls.ch): shale, slate, marl 0.36 to 0.51; sandstone, gneiss 0.51
+to 0.67; granite, basalt, limestone 0.67 to 0.84. Hewn faces interlock and have more; wet, earthy or crumbling ones less.
+
+Restitution, measured: a rocking block kept 0.97 (three times as high as wide) and 0.95 (five times) of the angular velocity
+that a rigid block keeps, on concrete, and 0.67 on rubber (ElGawady and others): real blocks come to rest sooner.
+
+Stiffness: K_n 1.0e9 and K_s 4.0e8 Pa/m are what Kim, Koo and Hong (2018) chose for a model. No measured stiffness or damping of a
+stone joint could be read: try several, or find it from frequencies (`dolmen identify`). All rows with their conditions, and
+what was sought and not read: data/joint_values.",
     },
     Explanation {
         code: "joints-unknown",
@@ -345,6 +371,32 @@ mod tests {
         assert_eq!(explain("DS2").map(|e| e.code), Some("damage-states"));
         assert_eq!(nearest_code("unsafe_criterion"), Some("unsafe-criterion"));
         assert_eq!(nearest_code("zzz"), None);
+    }
+
+    #[test]
+    fn holds_joint_values_are_those_of_the_data() {
+        let table = include_str!("../../../data/joint_values/joint_values.csv");
+        let text = explain("joint-values").map_or("", |e| e.text);
+        let docs = include_str!("../../../docs/stack.md");
+        let mut rows = csv::Reader::from_reader(table.as_bytes());
+        for row in rows.records().map(Result::unwrap) {
+            let (quantity, value, low, high) = (&row[0], &row[2], &row[3], &row[4]);
+            let printed = if value.is_empty() {
+                vec![low, high]
+            } else {
+                vec![value]
+            };
+            assert!(printed.iter().all(|of| text.contains(of)), "{row:?}");
+            assert!(printed.iter().all(|of| docs.contains(of)), "{row:?}");
+            if quantity == "friction_angle" {
+                let angle: f64 = value.parse().unwrap();
+                let coefficient = format!("{:.3}", angle.to_radians().tan());
+                assert!(
+                    text.contains(&coefficient) && docs.contains(&coefficient),
+                    "{coefficient}"
+                );
+            }
+        }
     }
 
     #[test]

@@ -1,8 +1,10 @@
 //! Stiffness from a record whose shapes contradict the model, or whose sensors contradict each other: it is not chosen.
 
 use crate::kinds;
-use crate::surveyed::{StiffnessDoubt, SurveyAnswer};
-use dolmen_project::{Project, Survey};
+use crate::surveyed::{StiffnessDoubt, SurveyAnswer, SurveyColumns};
+use dolmen::modal::Modes;
+use dolmen::structure::{ColumnsTogether, columns_together};
+use dolmen_project::{Project, Structure, Survey};
 
 /// Directions that records give stiffness in, in the order of the axes.
 const AXES: [&str; 2] = ["x", "y"];
@@ -34,4 +36,17 @@ pub(crate) fn doubt(project: &Project, survey: &Survey, answer: &mut SurveyAnswe
         };
     }
     answer.shape_doubt = doubt;
+}
+
+/// Whether the columns of a frame move as one in the modes of a record; empty of other kinds, and without two sensors on a level.
+pub(crate) fn columns(project: &Project, modes: &Modes) -> Vec<SurveyColumns> {
+    if !matches!(project.structure, Structure::Frame(_)) {
+        return Vec::new();
+    }
+    let along = [("x", [1.0, 0.0, 0.0]), ("y", [0.0, 1.0, 0.0])];
+    let each = along.map(|(direction, vector)| SurveyColumns {
+        direction,
+        levels: columns_together(modes, vector, &ColumnsTogether::default()),
+    });
+    each.into_iter().filter(|of| !of.levels.is_empty()).collect()
 }

@@ -3,7 +3,7 @@
 use crate::answer::IdentifyAnswer;
 use crate::asked_modes::{drawn, options};
 use crate::building::{self, stiffness::FromModes};
-use crate::doubted::doubt;
+use crate::doubted::{columns, doubt};
 use crate::error::{Within as _, WorkError};
 use crate::held_beside_file::hold_beside_file;
 use crate::kinds;
@@ -154,6 +154,7 @@ pub(crate) fn found_in(
         setups,
         model: None,
         shape_doubt: None,
+        columns: Vec::new(),
         exchanged_directions: None,
         stiffness: Vec::new(),
         plan: None,
@@ -269,7 +270,8 @@ fn of_survey(
         });
     }
     if let Some((found, _)) = answer.modes() {
-        answer.model = model_modes(project, found);
+        let (model, seen) = (model_modes(project, found), columns(project, found));
+        (answer.model, answer.columns) = (model, seen);
     }
     answer.stiffness = stiffness;
     doubt(project, survey, &mut answer);

@@ -12,7 +12,7 @@ use dolmen::modal::{
 };
 use dolmen::signal::ChannelFault;
 use dolmen::structure::building::PlanStiffnessError;
-use dolmen::structure::{Choice, Convention, ShapeDoubt, StiffnessSolutions};
+use dolmen::structure::{Choice, ColumnsOfLevel, Convention, ShapeDoubt, StiffnessSolutions};
 use dolmen_project::EarthquakePart;
 use dolmen_words::message::Both;
 
@@ -164,6 +164,8 @@ pub struct SurveyAnswer {
     pub model: Option<ModelModes>,
     /// What the shapes of its records say against the chain or frame.
     pub shape_doubt: Option<ShapeDoubt>,
+    /// Whether the columns of each level of a frame move as one in its modes, by direction.
+    pub columns: Vec<SurveyColumns>,
     /// Two directions whose stiffness is each that of the other in the file.
     pub exchanged_directions: Option<[String; 2]>,
     /// Stiffness from its modes, one entry a direction and convention.
@@ -174,6 +176,15 @@ pub struct SurveyAnswer {
     pub factors: Option<Box<FactorsAnswer>>,
     /// Why its modes lead to no stiffness, where they do not.
     pub without_stiffness: Option<WithoutStiffness>,
+}
+
+/// The columns of a frame in the modes along one direction.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SurveyColumns {
+    /// "x" or "y".
+    pub direction: &'static str,
+    /// Each level with several sensors, mode by mode.
+    pub levels: Vec<ColumnsOfLevel>,
 }
 
 /// What several setups gave.

@@ -7,7 +7,7 @@ use serde_json::Value;
 use std::collections::BTreeSet;
 use std::fs;
 
-const COMMANDS: [&str; 60] = [
+const COMMANDS: [&str; 61] = [
     "check examples/naju_flagpole/two_directions.toml",
     "check examples/naju_flagpole/side_posts.toml",
     "simulate examples/naju_flagpole/side_posts.toml --motion el-centro --duration 3",
@@ -32,6 +32,7 @@ const COMMANDS: [&str; 60] = [
     "identify examples/frame_on_soft_ground",
     "identify examples/frame_after_an_earthquake",
     "identify examples/gate_in_plan",
+    "identify examples/gate_columns",
     "identify examples/five_storey_pagoda",
     "compare examples/gate_through_the_seasons",
     "watch examples/pagoda_over_the_years",

@@ -51,6 +51,10 @@ messages! {
             en: "Beds opened on one side, beyond a third of the moment at their edge, below {joints}: where they are of stone, springs are softer from there on than this run takes them.",
             ko: "접합면의 모멘트가 전도 모멘트의 1/3을 넘어 한쪽이 벌어진 부재 하부: {joints}. 석재라면 이후 강성이 이 해석의 값보다 작아진다.",
         },
+        Rigid { joints: Vec<Sentence>, change: Quantity } => {
+            en: "Taken as rigid, being so stiff beside the others: the joints below {joints}. That changes every other natural frequency by at most {change} of it; their rotation is their moment over their stiffness.",
+            ko: "다른 접합부에 비해 강성이 매우 커서 강체로 본 접합부: {joints} 하부. 이에 따른 나머지 고유진동수의 변화는 {change} 이하이며, 그 회전각은 모멘트를 강성으로 나눈 값이다.",
+        },
         Below { name: String } => { en: "‘{name}’", ko: "‘{name}’" },
         Large { steps: usize, duration: Quantity } => {
             en: "Rigid links with large rotations: {duration} in {steps} steps of Taylor series, openings located between them.",
@@ -169,6 +173,20 @@ pub(super) fn bed_notes(document: &mut Document<'_>, simulation: &ChainSimulatio
     }
 }
 
+/// The joints that were taken as rigid, and what that changes.
+fn rigid(simulation: &ChainSimulation) -> Option<Run> {
+    let rigid = &simulation.history.rigid_joints;
+    let change_ratio = rigid.first()?.frequency_change_ratio;
+    let below = rigid.iter().map(|of| {
+        let name = simulation.link(of.joint).to_owned();
+        Run::Below { name }.into()
+    });
+    Some(Run::Rigid {
+        joints: below.collect(),
+        change: Quantity::new(change_ratio, Unit::percent(), Digits::Significant(2)),
+    })
+}
+
 /// The balance of energy, the steps, what is assumed.
 pub(super) fn run(document: &mut Document<'_>, simulation: &ChainSimulation) {
     let history = &simulation.history;
@@ -178,6 +196,9 @@ pub(super) fn run(document: &mut Document<'_>, simulation: &ChainSimulation) {
         ChainRotations::Large => Run::Large { steps, duration },
         ChainRotations::Small => Run::Small { steps, duration },
     });
+    if let Some(rigid) = rigid(simulation) {
+        document.note(rigid);
+    }
     if simulation.model.has_friction() {
         document.note(Run::FrictionChanges {
             events: history.friction_events,

@@ -96,6 +96,7 @@ pub(crate) fn gate() -> ProjectReport {
     let check = Check::Frame(checks.collect());
     let survey = SurveyAnswer {
         shape_doubt: None,
+        columns: Vec::new(),
         exchanged_directions: None,
         plan: None,
         factors: None,
@@ -332,6 +333,7 @@ pub(crate) fn survey() -> ProjectReport {
                 [survey.now.records]\nfile = \"r.csv\"\nsampling_rate = \"100 Hz\"\n";
     let survey = SurveyAnswer {
         shape_doubt: None,
+        columns: Vec::new(),
         exchanged_directions: None,
         plan: None,
         factors: None,

@@ -1,6 +1,7 @@
 //! What stiffness from vibration says in plain words.
 
 use super::beside;
+use super::columns;
 use super::doubted;
 use super::joints;
 use super::notes::stiffness_note;
@@ -168,7 +169,9 @@ fn found(project: &Project, all: &[SurveyAnswer], shown: &[&SurveyAnswer]) -> Ve
     // what is wrong with the sensors comes before what they lead to
     let sensors = all.iter().filter_map(doubted::finding);
     let beside = shown.iter().flat_map(|survey| beside::findings(survey));
+    let apart = all.iter().flat_map(columns::findings);
     sensors
+        .chain(apart)
         .chain(own)
         .chain(hangs)
         .chain(beside)

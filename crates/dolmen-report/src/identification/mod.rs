@@ -1,6 +1,7 @@
 //! What vibration says of the stiffness of a structure: findings, and the section of every solution.
 
 mod beside;
+mod columns;
 mod doubted;
 mod findings;
 mod joint_modes;
@@ -48,8 +49,9 @@ messages! {
 }
 
 /// The sentences on stiffness from vibration as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 16] = [
+pub(crate) const TEMPLATES: [&[Template]; 17] = [
     beside::Beside::TEMPLATES,
+    columns::Columns::TEMPLATES,
     doubted::Doubted::TEMPLATES,
     plan_centre::Centre::TEMPLATES,
     findings::Found::TEMPLATES,
@@ -70,10 +72,12 @@ pub(crate) const TEMPLATES: [&[Template]; 16] = [
 /// The section of all surveys that lead to a stiffness.
 pub(crate) fn sections<'a>(project: &'a Project, all: &'a [SurveyAnswer]) -> Document<'a> {
     let mut document = Document::default();
-    if all
-        .iter()
-        .all(|survey| survey.stiffness.is_empty() && survey.plan.is_none() && survey.factors.is_none())
-    {
+    if all.iter().all(|survey| {
+        survey.stiffness.is_empty()
+            && survey.plan.is_none()
+            && survey.factors.is_none()
+            && !columns::is_seen(survey)
+    }) {
         return document;
     }
     document.heading(Stiffness::Head);
@@ -81,6 +85,7 @@ pub(crate) fn sections<'a>(project: &'a Project, all: &'a [SurveyAnswer]) -> Doc
         for answer in &survey.stiffness {
             of_answer(&mut document, project, survey, answer);
         }
+        columns::section(&mut document, survey);
         if let Some(answer) = &survey.plan {
             plan::section(&mut document, &survey.name, answer);
         }

@@ -31,6 +31,7 @@ pub fn chain_simulation_json(simulation: &ChainSimulation) -> Value {
             "peak_rotation_rad": peak.rotation_rad, "peak_rotation_at_s": peak.at_s,
             "peak_joint_rotation_rad": across.rotation_rad, "peak_joint_rotation_at_s": across.at_s,
             "peak_moment_at_samples_n_m": simulation.joint_moment_peak_n_m(i),
+            "taken_as_rigid": history.rigid_joints.iter().any(|rigid| rigid.joint == i),
             "open_s": simulation.history.open_s(i),
             "slipped_rad": simulation.history.slipped_rad(i),
             "residual_rotation_rad": history.rotation_rad[i].last(),

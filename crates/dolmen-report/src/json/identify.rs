@@ -10,7 +10,7 @@ use dolmen::modal::{
     Agreement, AtAmplitude, Decay, Driven, DrivenMode, MergedMode, ModeDecay, Modes, Settings,
 };
 use dolmen::structure::building::{PlanMode, PlanSolution};
-use dolmen::structure::{ChannelChange, ShapeDoubt};
+use dolmen::structure::{ChannelChange, ColumnsMove, ColumnsOfLevel, ShapeDoubt};
 use dolmen_words::advice::Advice;
 use dolmen_words::{Language, Sentence};
 use dolmen_work::WrittenBack;
@@ -19,7 +19,9 @@ use dolmen_work::building::PlanAnswer;
 use dolmen_work::model_modes::{BesideModel, ModelMode, ModelModes, WhichMode};
 use dolmen_work::record_seen::{ChannelSeen, RecordSeen, SpectrogramSeen};
 use dolmen_work::stack::FactorsAnswer;
-use dolmen_work::surveyed::{RecordAnswer, SetupsAnswer, StiffnessAnswer, StiffnessDoubt, SurveyAnswer};
+use dolmen_work::surveyed::{
+    RecordAnswer, SetupsAnswer, StiffnessAnswer, StiffnessDoubt, SurveyAnswer, SurveyColumns,
+};
 use serde_json::{Value, json};
 
 /// What was identified from every survey.
@@ -46,12 +48,41 @@ fn survey(survey: &SurveyAnswer) -> Value {
         "setups": survey.setups.as_ref().map(setups),
         "model": survey.model.as_ref().map(model),
         "shape_doubt": survey.shape_doubt.as_ref().map(shape_doubt),
+        "columns": survey.columns.iter().map(columns).collect::<Vec<_>>(),
         "exchanged_directions": survey.exchanged_directions,
         "stiffness": survey.stiffness.iter().map(stiffness).collect::<Vec<_>>(),
         "plan": survey.plan.as_deref().map(plan),
         "joint_factors": survey.factors.as_deref().map(joint_factors),
         "without_stiffness": survey.without_stiffness.as_ref().map(ToString::to_string),
     })
+}
+
+/// Sensors side by side on each level, beside the mean of the others, mode by mode.
+fn columns(of: &SurveyColumns) -> Value {
+    let level = |level: &ColumnsOfLevel| {
+        let (moves, any_of) = match &level.moves {
+            ColumnsMove::AsOne => ("as one", &[][..]),
+            ColumnsMove::Turning => ("as a floor that turns", &[][..]),
+            ColumnsMove::TwoDiffer => ("two differ", &[][..]),
+            ColumnsMove::Apart { any_of } => ("apart", any_of.as_slice()),
+        };
+        let columns = level.columns.iter().map(|column| {
+            json!({
+                "channel": column.channel,
+                "amplitude_of_others": column.of_others.norm(),
+                "phase_from_others_deg": column.of_others.arg().to_degrees(),
+                "amplitude_sd": column.of_others_sd,
+            })
+        });
+        json!({
+            "frequency_hz": level.frequency_hz,
+            "height_m": level.height_m,
+            "moves": moves,
+            "apart_any_of": any_of.iter().map(|at| &level.columns[*at].channel).collect::<Vec<_>>(),
+            "columns": columns.collect::<Vec<_>>(),
+        })
+    };
+    json!({ "direction": of.direction, "levels": of.levels.iter().map(level).collect::<Vec<_>>() })
 }
 
 /// Shapes of a record that the model does not have, and the changes of sensors that would make them agree.

@@ -1,5 +1,7 @@
 //! What the motion of a chain gives: how it ended, and everything needed to draw, to doubt and to repeat it.
 
+use super::chain_rigid::ChainRigidJoint;
+
 /// How a run ended.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ChainOutcome {
@@ -161,6 +163,8 @@ pub struct ChainHistory {
     pub assumes_thin_rods: bool,
     /// The angle at which all links lean without stress, rad.
     pub lean_rad: f64,
+    /// Joints so stiff beside the others that they were taken as rigid: they turn by their moment over their stiffness.
+    pub rigid_joints: Vec<ChainRigidJoint>,
 }
 
 impl ChainHistory {
@@ -190,6 +194,10 @@ impl ChainHistory {
 
     /// Rotation across a joint (0 the lowest) at every sample, from where it is without stress, rad.
     pub fn across_rad(&self, joint: usize) -> Vec<f64> {
+        if let Some(rigid) = self.rigid_joints.iter().find(|rigid| rigid.joint == joint) {
+            let moments = self.joint_moment_n_m[joint].iter();
+            return moments.map(|moment| moment / rigid.stiffness_n_m_rad).collect();
+        }
         let mut across = across(&self.rotation_rad, joint);
         if joint == 0 {
             across.iter_mut().for_each(|angle| *angle -= self.lean_rad);
@@ -197,7 +205,7 @@ impl ChainHistory {
         across
     }
 
-    /// Its rate, rad/s.
+    /// Its rate, rad/s; 0 of a joint taken as rigid.
     pub fn across_rad_s(&self, joint: usize) -> Vec<f64> {
         across(&self.velocity_rad_s, joint)
     }

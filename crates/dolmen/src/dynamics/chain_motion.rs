@@ -8,6 +8,7 @@ use super::chain_history::{ChainHistory, ChainOutcome};
 use super::chain_model::ChainModel;
 use super::chain_moving::{Run, TOGETHER_S};
 use super::chain_props::PropState;
+use super::chain_rigid::{holding, rigid_joints};
 use super::chain_run::ChainRun;
 use super::chain_series::{JointState, Series};
 use super::{DynamicsError, TimeFunction};
@@ -29,7 +30,8 @@ const STEPS_A_CALL: usize = 256;
 /// The solution is expanded in a Taylor series of degree 24 whose last terms are below rounding. The ground's acceleration is
 /// straight between its samples, where steps end. Where a joint opens or closes, a side support is met or left, and a link has fallen are the first
 /// crossings of the polynomials so found: none is passed over, however short. Peaks are those of the polynomials too. Links that
-/// stuck joints join turn as one; friction is neither smoothed nor stepped over: where a joint sticks, goes or turns back is such a
+/// stuck joints join turn as one, and so do those of joints so stiff that they change no other natural frequency by 1e-4 of it
+/// ([`ChainHistory::rigid_joints`]), unless the bed of such a joint would come to its edge; friction is neither smoothed nor stepped over: where a joint sticks, goes or turns back is such a
 /// crossing, and what all joints at rest do then is found for all together.
 ///
 /// `progress` gets the simulated time now and then, and stops the run by returning false.
@@ -55,7 +57,25 @@ pub fn simulate_chain(
 ) -> Result<ChainHistory, DynamicsError> {
     let load = ground_acceleration_m_s2;
     let duration_s = options.check(model, load)?;
-    let mut run = Run::start(model, load, options, duration_s);
+    let mut released = Vec::new();
+    loop {
+        let rigid = rigid_joints(model, options, &released);
+        let holding = holding(model, &rigid);
+        let mut run = Run::start(&holding, rigid, load, options, duration_s);
+        match follow(&mut run, load, duration_s, progress)? {
+            None => return Ok(run.finish()),
+            Some(joint) => released.push(joint),
+        }
+    }
+}
+
+/// Follows a run to its end; the rigid joint whose bed comes to its edge, if one does.
+fn follow(
+    run: &mut Run<'_>,
+    load: &TimeFunction,
+    duration_s: f64,
+    progress: &mut dyn FnMut(f64) -> bool,
+) -> Result<Option<usize>, DynamicsError> {
     let mut ends = load.breaks_s(duration_s);
     ends.push(duration_s);
     let mut try_s = run.series.first_step_s();
@@ -77,18 +97,21 @@ pub fn simulate_chain(
             } else {
                 GROWTH * h
             };
+            if let Some(joint) = run.beyond_its_bed() {
+                return Ok(Some(joint));
+            }
             let ended = run.step(h, end_s)?;
             let steps = run.history.steps;
             if ended {
-                return Ok(run.finish());
+                return Ok(None);
             }
             if steps.is_multiple_of(STEPS_A_CALL) && !progress(run.at_s) {
                 run.history.outcome = ChainOutcome::Stopped { at_s: run.at_s };
-                return Ok(run.finish());
+                return Ok(None);
             }
         }
     }
-    Ok(run.finish())
+    Ok(None)
 }
 
 /// An event within a step.
@@ -169,6 +192,26 @@ impl Run<'_> {
         })
     }
 
+    /// A rigid joint whose moment comes to that at the edge of its bed within the step.
+    fn beyond_its_bed(&self) -> Option<usize> {
+        let mut rigid = self.history.rigid_joints.iter().map(|of| of.joint);
+        rigid.find(|joint| {
+            let (held, most) = (
+                &self.series.held[*joint],
+                self.series.model.moment_most_n_m[*joint],
+            );
+            if held.iter().map(|c| c.abs()).sum::<f64>() < most {
+                return false;
+            }
+            held[0].abs() >= most
+                || [1.0, -1.0].into_iter().any(|sign| {
+                    let mut left = held.map(|c| -sign * c);
+                    left[0] += most;
+                    first_descent(&left, 0.0).is_some()
+                })
+        })
+    }
+
     /// Brings `first` forward if joint `i` opens or closes before it.
     fn first_change(&self, i: usize, first: &mut (f64, Option<Event>)) {
         let most = self.series.model.moment_most_n_m[i];
@@ -222,8 +265,11 @@ impl Run<'_> {
             }
             self.end_slip(joint);
             let across_rad = self.history.joint_peaks[joint].rotation_rad;
-            self.history.joint_moment_peaks_n_m[joint] =
-                self.series.model.moment_n_m(joint, across_rad).abs();
+            let rigid = self.history.rigid_joints.iter().find(|of| of.joint == joint);
+            self.history.joint_moment_peaks_n_m[joint] = match rigid {
+                Some(of) => (of.stiffness_n_m_rad * across_rad).abs(),
+                None => self.series.model.moment_n_m(joint, across_rad).abs(),
+            };
         }
         self.end_touches();
         self.history.uplifts.sort_by(|a, b| a.from_s.total_cmp(&b.from_s));

@@ -7,6 +7,7 @@ use super::chain_history::{
 };
 use super::chain_model::ChainModel;
 use super::chain_props::{Prop, PropState};
+use super::chain_rigid::ChainRigidJoint;
 use super::chain_rotations::ChainRotations;
 use super::chain_run::ChainRun;
 use super::chain_series::{ChainSeries, ChainState, DEGREE, JointState, Series, rate};
@@ -46,6 +47,7 @@ pub(super) struct Run<'a> {
 impl<'a> Run<'a> {
     pub(super) fn start(
         model: &'a ChainModel,
+        rigid: Vec<ChainRigidJoint>,
         load: &TimeFunction,
         options: &ChainRun,
         duration_s: f64,
@@ -71,6 +73,7 @@ impl<'a> Run<'a> {
         let omega = given(&options.start_velocity_rad_s);
         let sliders: Vec<Slider> = (0..n)
             .map(|i| match model.joints[i].friction.moments_n_m() {
+                None if rigid.iter().any(|of| of.joint == i) => Slider::Stuck,
                 None => Slider::Absent,
                 Some(_) if relative(&omega, i) != 0.0 => Slider::Slipping(relative(&omega, i).signum()),
                 Some(_) => Slider::Stuck,
@@ -125,6 +128,7 @@ impl<'a> Run<'a> {
                 at_rest: false,
                 assumes_thin_rods: model.chain.assumes_thin_rods(),
                 lean_rad: model.lean_rad,
+                rigid_joints: rigid,
             },
         };
         if let Some(joint) = run.state.joints.iter().position(|j| *j != JointState::Closed) {
@@ -181,12 +185,11 @@ impl<'a> Run<'a> {
                 h,
                 &mut self.history.rotation_peaks[i],
             );
-            look(
-                &self.series.across[i],
-                self.at_s,
-                h,
-                &mut self.history.joint_peaks[i],
-            );
+            let across = match self.history.rigid_joints.iter().find(|of| of.joint == i) {
+                Some(of) => self.series.held[i].map(|moment| moment / of.stiffness_n_m_rad),
+                None => self.series.across[i],
+            };
+            look(&across, self.at_s, h, &mut self.history.joint_peaks[i]);
         }
         for (p, prop) in self.series.model.props.iter().enumerate() {
             let largest = &mut self.history.support_peaks[p];
@@ -282,7 +285,8 @@ impl<'a> Run<'a> {
         for i in 0..self.state.theta.len() {
             let spring = self.series.model.moment_n_m(i, self.across_now(i));
             self.history.joint_moment_n_m[i].push(spring + self.friction_n_m[i]);
-            self.history.friction_moment_n_m[i].push(self.friction_n_m[i]);
+            let is_rigid = self.history.rigid_joints.iter().any(|of| of.joint == i);
+            self.history.friction_moment_n_m[i].push(if is_rigid { 0.0 } else { self.friction_n_m[i] });
             self.history.rotation_rad[i].push(self.state.theta[i]);
             self.history.velocity_rad_s[i].push(self.state.omega[i]);
         }

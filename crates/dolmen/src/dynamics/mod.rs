@@ -10,6 +10,7 @@ mod chain_motion;
 mod chain_moving;
 mod chain_props;
 mod chain_rest;
+mod chain_rigid;
 mod chain_rotations;
 mod chain_run;
 mod chain_series;
@@ -56,6 +57,7 @@ pub use chain_history::{
 pub use chain_model::{ChainJoint, ChainModel, JointFriction, JointOpening};
 pub use chain_motion::simulate_chain;
 pub use chain_rest::chain_at_rest;
+pub use chain_rigid::ChainRigidJoint;
 pub use chain_rotations::ChainRotations;
 pub use chain_run::ChainRun;
 pub use chain_studies::chain_harmonic_map;

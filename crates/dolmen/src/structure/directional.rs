@@ -12,11 +12,11 @@ use crate::modal::{Mode, Modes};
 use dolmen_linalg::Complex64;
 
 /// A sensor within 15° of the direction (cosine of it) measures it. Chosen here: the error of the cosine is 3 %.
-const ALONG_LEAST: f64 = 0.966;
+pub(super) const ALONG_LEAST: f64 = 0.966;
 /// Sensors of one level may differ by this much of the shape's largest component; more is twisting. Chosen here.
 const TWIST_MOST: f64 = 0.3;
 /// Heights closer than this are one level, m. Chosen here: less than any storey or stone.
-const LEVEL_M: f64 = 0.05;
+pub(super) const LEVEL_M: f64 = 0.05;
 
 /// Modes of one direction, and what was kept out.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -86,9 +86,14 @@ impl DirectionalModes {
     }
 }
 
-/// Components turned by the common angle that makes them as real as they can be.
+/// The common angle that makes components as real as they can be.
+pub(super) fn real_turn(shape: &[Complex64]) -> Complex64 {
+    Complex64::from_polar(1.0, -0.5 * shape.iter().map(|z| z * z).sum::<Complex64>().arg())
+}
+
+/// Components turned by it.
 pub(super) fn real_shape(shape: &[Complex64]) -> Vec<f64> {
-    let turn = Complex64::from_polar(1.0, -0.5 * shape.iter().map(|z| z * z).sum::<Complex64>().arg());
+    let turn = real_turn(shape);
     shape.iter().map(|z| (z * turn).re).collect()
 }
 

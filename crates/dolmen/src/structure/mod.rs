@@ -2,6 +2,7 @@
 
 pub mod building;
 mod chain;
+mod columns_together;
 mod directional;
 mod error;
 mod frame;
@@ -20,6 +21,7 @@ pub mod wind;
 
 pub use building::Building;
 pub use chain::{AddedMass, Chain, ChainStiffness, Inertia, Link, SideSupport, SingleMass, chain_stiffness};
+pub use columns_together::{ColumnOrdinate, ColumnsMove, ColumnsOfLevel, ColumnsTogether, columns_together};
 pub use directional::{DirectionalModes, directional_modes};
 pub use error::StructureError;
 pub use frame::{

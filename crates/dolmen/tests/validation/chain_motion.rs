@@ -35,7 +35,7 @@ fn link(mass_kg: f64, length_m: f64, centroid_m: f64) -> Link {
     }
 }
 
-fn flagpole() -> Chain {
+pub(super) fn flagpole() -> Chain {
     let each = WEIGHT_KN.iter().zip(LENGTH_M.iter().zip(CENTROID_M));
     let links = each.map(|(w, (length, centroid))| link(1e3 * w / G, *length, centroid));
     Chain::new(links.collect(), G).unwrap()
@@ -48,7 +48,7 @@ fn published() -> Vec<f64> {
 }
 
 /// Eq. 43: weight above each joint times height above it.
-fn weight_times_height() -> Vec<f64> {
+pub(super) fn weight_times_height() -> Vec<f64> {
     let above = |i: usize| 1e3 * WEIGHT_KN[i..].iter().sum::<f64>() * LENGTH_M[i..].iter().sum::<f64>();
     (0..5).map(above).collect()
 }
@@ -71,7 +71,7 @@ fn from(rotation_rad: &[f64], duration_s: f64) -> ChainRun {
     }
 }
 
-fn el_centro() -> GroundMotion {
+pub(super) fn el_centro() -> GroundMotion {
     let text = include_str!("../../../../data/el_centro_1940_ns/el_centro_1940_ns.csv");
     let samples = text
         .lines()

@@ -1,0 +1,175 @@
+//! Joints so stiff beside the others that a run takes them as rigid.
+//!
+//! | symbol | code | meaning | unit |
+//! |:--|:--|:--|:--|
+//! | ω², φ | `eigen` | square of a circular frequency and shape, with the joints rigid | 1/s², rad |
+//! | q_i | `held_n_m` | moment that rigid joint i passes in that shape | N m |
+//! | k_i | `stiffness_n_m_rad` | its spring | N m/rad |
+
+use super::chain_model::{ChainModel, JointFriction};
+use super::chain_props::Prop;
+use super::chain_run::ChainRun;
+use dolmen_linalg::{LinalgError, Matrix, generalized_symmetric_eigen};
+
+/// Change of a natural frequency up to which joints are taken as rigid, of it. Chosen here: a hundredth of what 1 % of mass does.
+const FREQUENCY_CHANGE_MOST: f64 = 1e-4;
+/// Joints are tried only if they are so many times as stiff for their load as the softest: below, the change is larger anyway.
+const STIFFER_AT_LEAST: f64 = 100.0;
+/// Rotation across a joint at the start, of the largest across any, above which its spring is followed: it would swing by itself.
+const START_MOST: f64 = 1e-3;
+
+/// A joint that a run took as rigid.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ChainRigidJoint {
+    /// The joint, 0 the lowest.
+    pub joint: usize,
+    /// Its spring, N m/rad.
+    pub stiffness_n_m_rad: f64,
+    /// Largest change of a natural frequency by all joints taken as rigid together, of it.
+    pub frequency_change_ratio: f64,
+}
+
+/// The joints of a chain that a run takes as rigid: the most that change no other natural frequency by more than 1e-4 of it.
+///
+/// ```text
+/// δω/ω = Σ_i q_i²/(2 k_i ω² φᵀMφ)          first order in 1/k_i; i: rigid joints
+/// ```
+/// `released` are joints whose bed would come to its edge.
+///
+/// # Limits
+/// Upright, with no joint open and side supports with a gap both free and touched.
+pub(super) fn rigid_joints(
+    model: &ChainModel,
+    options: &ChainRun,
+    released: &[usize],
+) -> Vec<ChainRigidJoint> {
+    let loads = model.chain.necessary_n_m_rad();
+    let relative = |joint: usize| model.joints[joint].stiffness_n_m_rad / loads[joint];
+    let count = model.joints.len();
+    let softest = (0..count).map(relative).fold(f64::INFINITY, f64::min);
+    let mut stiff: Vec<usize> = (0..count)
+        .filter(|joint| relative(*joint) > STIFFER_AT_LEAST * softest.max(f64::MIN_POSITIVE))
+        .filter(|joint| model.joints[*joint].friction == JointFriction::None)
+        .filter(|joint| !released.contains(joint) && starts_still(model, options, *joint))
+        .collect();
+    stiff.sort_by(|a, b| relative(*b).total_cmp(&relative(*a)));
+    while !stiff.is_empty() {
+        // modes that the numbers do not hold say nothing: the springs are followed then
+        let of = |touched| frequency_change(model, &stiff, touched).unwrap_or(f64::INFINITY);
+        let change = of(false).max(of(true));
+        if change <= FREQUENCY_CHANGE_MOST {
+            stiff.sort_unstable();
+            let taken = stiff.iter().map(|joint| ChainRigidJoint {
+                joint: *joint,
+                stiffness_n_m_rad: model.joints[*joint].stiffness_n_m_rad,
+                frequency_change_ratio: change,
+            });
+            return taken.collect();
+        }
+        stiff.pop();
+    }
+    Vec::new()
+}
+
+/// The chain without the springs and dashpots of these joints: what holds them is found from the balance of the links.
+pub(super) fn holding(model: &ChainModel, rigid: &[ChainRigidJoint]) -> ChainModel {
+    let mut model = model.clone();
+    for of in rigid {
+        let joint = &mut model.joints[of.joint];
+        (joint.stiffness_n_m_rad, joint.damping_n_m_s_rad) = (0.0, 0.0);
+    }
+    model
+}
+
+/// Whether a joint does not turn at the start, beside the others.
+fn starts_still(model: &ChainModel, options: &ChainRun, joint: usize) -> bool {
+    let rotation = &options.start_rotation_rad;
+    let rate = &options.start_velocity_rad_s;
+    let turns = !rate.is_empty() && rate[joint] != joint.checked_sub(1).map_or(0.0, |below| rate[below]);
+    if turns {
+        return false;
+    }
+    let at_zero = vec![0.0; model.joints.len()];
+    let rotation = if rotation.is_empty() { &at_zero } else { rotation };
+    let across = |i: usize| model.across_rad(i, rotation).abs();
+    let most = (0..model.joints.len()).map(across).fold(0.0, f64::max);
+    let moment_n_m = model.joints[joint].stiffness_n_m_rad * across(joint);
+    across(joint) <= START_MOST * most && moment_n_m < model.moment_most_n_m[joint]
+}
+
+/// Largest change of a natural frequency, of it, if these joints are rigid; infinite where a mode neither stands nor falls.
+fn frequency_change(model: &ChainModel, rigid: &[usize], touched: bool) -> Result<f64, LinalgError> {
+    let n = model.joints.len();
+    let mut group: Vec<Option<usize>> = Vec::with_capacity(n);
+    let mut groups = 0;
+    for joint in 0..n {
+        let below = joint.checked_sub(1).and_then(|below| group[below]);
+        group.push(match rigid.contains(&joint) {
+            true => below,
+            false => {
+                groups += 1;
+                Some(groups - 1)
+            }
+        });
+    }
+    let (mass, gravity) = (model.chain.mass_matrix(), model.chain.gravity_moments_n_m_rad());
+    let props: Vec<&Prop> = model
+        .props
+        .iter()
+        .filter(|prop| touched || prop.gap_m == 0.0)
+        .collect();
+    let spring = |joint: usize| match rigid.contains(&joint) {
+        true => 0.0,
+        false => model.joints[joint].stiffness_n_m_rad,
+    };
+    let entry = |i: usize, j: usize| {
+        let own = match (i.max(j), i.abs_diff(j)) {
+            (_, 0) => spring(i) + if i + 1 < n { spring(i + 1) } else { 0.0 } - gravity[i],
+            (upper, 1) => -spring(upper),
+            _ => 0.0,
+        };
+        let beside = props
+            .iter()
+            .map(|prop| prop.stiffness_n_m * prop.lever_m[i] * prop.lever_m[j]);
+        own + beside.sum::<f64>()
+    };
+    let stiffness = Matrix::from_fn(n, n, entry);
+    let joined = |of: &Matrix| {
+        let mut sum = Matrix::zeros(groups, groups);
+        for i in 0..n {
+            for j in 0..n {
+                if let (Some(a), Some(b)) = (group[i], group[j]) {
+                    sum[(a, b)] += of[(i, j)];
+                }
+            }
+        }
+        sum
+    };
+    let eigen = generalized_symmetric_eigen(&joined(&stiffness), &joined(&mass))?;
+    let mut most: f64 = 0.0;
+    for (mode, square) in eigen.values.iter().enumerate() {
+        let of_groups = eigen.vectors.column(mode);
+        let shape: Vec<f64> = group
+            .iter()
+            .map(|of| of.map_or(0.0, |of| of_groups[of]))
+            .collect();
+        let (elastic, inertia) = (stiffness.times(&shape), mass.times(&shape));
+        let mut held_n_m = 0.0;
+        let mut change = 0.0;
+        for joint in (0..n).rev() {
+            held_n_m -= elastic[joint] - square * inertia[joint];
+            if rigid.contains(&joint) {
+                change += held_n_m * held_n_m / model.joints[joint].stiffness_n_m_rad;
+            } else {
+                held_n_m = 0.0;
+            }
+        }
+        let whole = 2.0 * square.abs() * mass.form(&shape, &shape);
+        most = most.max(if whole > 0.0 {
+            change / whole
+        } else {
+            f64::INFINITY
+        });
+    }
+    Ok(most)
+}

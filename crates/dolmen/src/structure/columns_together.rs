@@ -1,0 +1,288 @@
+//! Whether the columns of a level move as one: how alike the ordinates of a mode are at sensors that stand side by side.
+//!
+//! | symbol | code | meaning | unit |
+//! |:--|:--|:--|:--|
+//! | u_c | `ordinate` | component of a mode at column c, along the direction, complex | – |
+//! | v_c | `variance` | variance of its real and of its imaginary part | – |
+//! | s_c | `aside_m` | place of the column across the direction | m |
+//! | a, θ | | sway of the floor and its turn: u_c = a + θ s_c | –, 1/m |
+
+use super::directional::{ALONG_LEAST, LEVEL_M, real_turn};
+use super::left_out::SHARE_LEAST;
+use crate::modal::{Mode, Modes};
+use crate::numeric::fisher_quantile;
+use dolmen_linalg::Complex64;
+
+/// Chance of a false alarm in a whole survey whose columns move as one. Chosen here.
+const CHANCE: f64 = 0.01;
+/// Degrees of freedom of standard deviations whose blocks of time are not known: many.
+const MANY: f64 = 1e4;
+
+/// What the columns of a level do in a mode.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ColumnsMove {
+    /// Alike, in amplitude and phase, within their errors.
+    AsOne,
+    /// As points of a floor that sways and turns.
+    Turning,
+    /// Two sensors that differ: the floor turns, or one column moves by itself. A third sensor tells.
+    TwoDiffer,
+    /// As no rigid floor does.
+    Apart {
+        /// Those without any one of which the others move as one, places in `columns`; empty where no single column explains it.
+        any_of: Vec<usize>,
+    },
+}
+
+/// One sensor on a column, in one mode.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ColumnOrdinate {
+    /// Its channel.
+    pub channel: String,
+    /// Its ordinate over the mean of the other sensors of the level: 1 for a column that moves as they do.
+    pub of_others: Complex64,
+    /// Standard deviation of the real and of the imaginary part of that, calibration included.
+    pub of_others_sd: f64,
+}
+
+/// A level in a mode.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ColumnsOfLevel {
+    /// Of the mode, Hz.
+    pub frequency_hz: f64,
+    /// Of the level, m.
+    pub height_m: f64,
+    /// The sensors, as the channels of the record are ordered.
+    pub columns: Vec<ColumnOrdinate>,
+    /// What they do.
+    pub moves: ColumnsMove,
+}
+
+/// What is taken as alike.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ColumnsTogether {
+    /// Standard deviation of a sensor's calibration, of its reading, in amplitude and in phase (rad). Default 0.02 (our choice): sensors of one
+    /// kind, set up by hand.
+    pub calibration: f64,
+}
+
+impl Default for ColumnsTogether {
+    fn default() -> Self {
+        ColumnsTogether { calibration: 0.02 }
+    }
+}
+
+/// How the columns of each level move in each mode along a horizontal unit vector; empty where no level has two sensors along it, and of modes
+/// whose shape has no standard deviation.
+///
+/// ```text
+/// as one:   χ² = Σ |u_c − a|²/v_c,             2 (n − 1) degrees of freedom,   v_c = sd_c² + (calibration |u_c|)²
+/// a floor:  χ² = Σ |u_c − a − θ s_c|²/v_c,     2 (n − 2)
+/// χ²/degrees > F of (degrees, blocks of time − 1): apart;  1 % is shared out over the levels and modes of the survey
+/// ```
+///
+/// # Limits
+/// Deviations of a shape hold those of the channel that the shape is scaled by, for which the least of the others is taken: the test is on the careful side. What
+/// all columns have in common is not seen. Validated by `tests/validation/columns_together.rs`.
+pub fn columns_together(
+    modes: &Modes,
+    direction: [f64; 3],
+    options: &ColumnsTogether,
+) -> Vec<ColumnsOfLevel> {
+    let sensors = sensors(modes, direction);
+    let levels: Vec<&[Sensor]> = sensors
+        .chunk_by(|a, b| b.height_m - a.height_m < LEVEL_M)
+        .filter(|level| level.len() > 1)
+        .collect();
+    let along = |mode: &&Mode| mode.shape_sd.is_some() && is_along(mode, &sensors);
+    let moving: Vec<&Mode> = modes.modes.iter().filter(along).collect();
+    let chance = CHANCE / (levels.len() * moving.len()).max(1) as f64;
+    let mut found = Vec::new();
+    for mode in moving {
+        let blocks = mode.frequency_changes_hz.len();
+        let below = if blocks > 2 { (blocks - 1) as f64 } else { MANY };
+        for level in &levels {
+            let Some(points) = points(mode, level, options.calibration) else {
+                continue;
+            };
+            let test = Test { chance, below };
+            found.push(ColumnsOfLevel {
+                frequency_hz: mode.frequency_hz,
+                height_m: level[0].height_m,
+                columns: ordinates(level, &points),
+                moves: test.moves(&points),
+            });
+        }
+    }
+    found
+}
+
+/// A sensor along the direction.
+struct Sensor {
+    at: usize,
+    name: String,
+    height_m: f64,
+    aside_m: f64,
+    sign: f64,
+}
+
+/// The sensors along the direction, the lowest first, those of a level as the channels are ordered.
+fn sensors(modes: &Modes, direction: [f64; 3]) -> Vec<Sensor> {
+    let each = modes.channels.iter().enumerate();
+    let mut found: Vec<Sensor> = each
+        .filter_map(|(at, channel)| {
+            let own = channel.direction?.into_iter().zip(direction);
+            let cosine: f64 = own.map(|(s, d)| s * d).sum();
+            let [x, y, height_m] = channel.position_m?;
+            (cosine.abs() >= ALONG_LEAST).then(|| Sensor {
+                at,
+                name: channel.name.clone(),
+                height_m,
+                aside_m: x * direction[1] - y * direction[0],
+                sign: cosine.signum(),
+            })
+        })
+        .collect();
+    found.sort_by(|a, b| a.height_m.total_cmp(&b.height_m));
+    found
+}
+
+/// Whether the mode moves along the direction for the larger part.
+fn is_along(mode: &Mode, sensors: &[Sensor]) -> bool {
+    let all: f64 = mode.shape.iter().map(|z| z.norm_sqr()).sum();
+    let own: f64 = sensors.iter().map(|of| mode.shape[of.at].norm_sqr()).sum();
+    own >= SHARE_LEAST * all
+}
+
+/// An ordinate with its variance and its place.
+#[derive(Clone, Copy)]
+struct Point {
+    ordinate: Complex64,
+    variance: f64,
+    aside_m: f64,
+}
+
+/// `None` where no ordinate of the level has a standard deviation.
+fn points(mode: &Mode, level: &[Sensor], calibration: f64) -> Option<Vec<Point>> {
+    let turn = real_turn(&mode.shape);
+    let size = |at: &usize| mode.shape[*at].norm();
+    let scaled = (0..mode.shape.len()).max_by(|a, b| size(a).total_cmp(&size(b)));
+    let sd = |of: &Sensor| match mode.shape_sd.as_ref() {
+        Some(sd) if Some(of.at) != scaled && sd[of.at] > 0.0 => Some(sd[of.at]),
+        _ => None,
+    };
+    let least = level.iter().filter_map(sd).reduce(f64::min)?;
+    let each = level.iter().map(|of| {
+        let ordinate = of.sign * mode.shape[of.at] * turn;
+        // the largest component, 1, has the deviation of rounding: the shape is scaled by it
+        let own = sd(of).unwrap_or(least);
+        Point {
+            ordinate,
+            variance: own * own + (calibration * ordinate.norm()).powi(2),
+            aside_m: of.aside_m,
+        }
+    });
+    Some(each.collect())
+}
+
+/// Each beside the mean of the others.
+fn ordinates(level: &[Sensor], points: &[Point]) -> Vec<ColumnOrdinate> {
+    let each = level.iter().enumerate().map(|(own, sensor)| {
+        let others = without(points, own);
+        let weight: f64 = others.iter().map(|of| 1.0 / of.variance).sum();
+        let mean = mean(&others);
+        let of_others = points[own].ordinate / mean;
+        let variance = points[own].variance + of_others.norm_sqr() / weight;
+        ColumnOrdinate {
+            channel: sensor.name.clone(),
+            of_others,
+            of_others_sd: variance.sqrt() / mean.norm(),
+        }
+    });
+    each.collect()
+}
+
+fn without(points: &[Point], own: usize) -> Vec<Point> {
+    let others = points.iter().enumerate().filter(|(at, _)| *at != own);
+    others.map(|(_, of)| *of).collect()
+}
+
+fn mean(points: &[Point]) -> Complex64 {
+    let weight: f64 = points.iter().map(|of| 1.0 / of.variance).sum();
+    points
+        .iter()
+        .map(|of| of.ordinate / of.variance)
+        .sum::<Complex64>()
+        / weight
+}
+
+struct Test {
+    chance: f64,
+    below: f64,
+}
+
+impl Test {
+    fn moves(&self, points: &[Point]) -> ColumnsMove {
+        if self.as_one(points) {
+            return ColumnsMove::AsOne;
+        }
+        if points.len() == 2 {
+            return ColumnsMove::TwoDiffer;
+        }
+        if self.as_floor(points) {
+            return ColumnsMove::Turning;
+        }
+        let places = 0..points.len();
+        let alike = |test: &dyn Fn(&[Point]) -> bool| -> Vec<usize> {
+            places
+                .clone()
+                .filter(|own| test(&without(points, *own)))
+                .collect()
+        };
+        let mut any_of = alike(&|others| self.as_one(others));
+        if any_of.is_empty() {
+            any_of = alike(&|others| self.as_floor(others));
+        }
+        ColumnsMove::Apart { any_of }
+    }
+
+    fn as_one(&self, points: &[Point]) -> bool {
+        let mean = mean(points);
+        let square: f64 = points
+            .iter()
+            .map(|of| (of.ordinate - mean).norm_sqr() / of.variance)
+            .sum();
+        self.holds(square, points.len() - 1)
+    }
+
+    /// Whether a floor that turns explains them; `false` where so few points, or points on one line along the motion, would be explained anyhow.
+    fn as_floor(&self, points: &[Point]) -> bool {
+        let weight: f64 = points.iter().map(|of| 1.0 / of.variance).sum();
+        let middle_m = points.iter().map(|of| of.aside_m / of.variance).sum::<f64>() / weight;
+        let spread: f64 = points
+            .iter()
+            .map(|of| (of.aside_m - middle_m).powi(2) / of.variance)
+            .sum();
+        if points.len() < 3 || spread <= LEVEL_M * LEVEL_M * weight {
+            return false;
+        }
+        let mean = mean(points);
+        let turn = points
+            .iter()
+            .map(|of| (of.aside_m - middle_m) / of.variance * of.ordinate)
+            .sum::<Complex64>()
+            / spread;
+        let square: f64 = points
+            .iter()
+            .map(|of| (of.ordinate - mean - turn * (of.aside_m - middle_m)).norm_sqr() / of.variance)
+            .sum();
+        self.holds(square, points.len() - 2)
+    }
+
+    /// Whether a sum of squares of so many complex contrasts is within its error.
+    fn holds(&self, square: f64, contrasts: usize) -> bool {
+        let degrees = 2.0 * contrasts as f64;
+        // no quantile, no alarm
+        fisher_quantile(self.chance, degrees, self.below).map_or(true, |most| square <= most * degrees)
+    }
+}
