@@ -11,7 +11,7 @@ use dolmen_work::felt::felt;
 use dolmen_work::inventory::{InventoryLine, worst_first};
 use dolmen_work::kept::{Added, AddedEarthquake, Imported, ListedStructure, Unidentified};
 use dolmen_work::logs::Logs;
-use dolmen_work::watch::{Observed, watch_observed};
+use dolmen_work::watch::{Observed, watch_stored};
 use dolmen_work::watched::WatchedEarthquake;
 use dolmen_work::{Opened, Progress, WorkError, survey_modes, told_both};
 use rayon::prelude::*;
@@ -209,7 +209,7 @@ fn watched(structure: String, stored: &Stored) -> InventoryLine {
     let text = String::from_utf8_lossy(&stored.text).into_owned();
     let found = Opened::read(text, structure.clone(), &stored.files).and_then(|opened| {
         let logs = Logs::read(&opened.project, &stored.files)?;
-        watch_observed(&opened, &stored.observed, &logs)
+        watch_stored(&opened, &stored.observed, &logs)
     });
     match found {
         Ok(answer) => InventoryLine::watched(structure, &answer),

@@ -101,10 +101,10 @@ pub use schema::json_schema;
 pub use site::{HazardPart, HazardSource, MotionPart, MotionSize, MotionSource, Place, SitePart};
 pub use sought::{FromSurvey, FromSurveys, Sought, WhyNotIdentified};
 pub use stack::{
-    ArchPart, BedPart, BlockPart, ContactPart, JointDefaults, LostBedPart, MadePart, MeshPart, OpeningPart,
-    PagodaPart, PagodaSlendernessPart, PointsFrame, ShapePart, SideSupportPart, StackFault, StackPart,
-    StoneWallPart, SupportMovementPart, SurveyedLean, TiePart, TopPart, TowerPart, TowerPlanPart,
-    TrilithonPart,
+    ArchPart, BedPart, BlockPart, ContactPart, JointDefaults, LoosenedBedPart, LostBedPart, MadePart,
+    MeshPart, OpeningPart, PagodaPart, PagodaSlendernessPart, PointsFrame, ShapePart, SideSupportPart,
+    StackFault, StackPart, StoneWallPart, SupportMovementPart, SurveyedLean, TiePart, TopPart, TowerPart,
+    TowerPlanPart, TrilithonPart,
 };
 pub use study::{
     AfterPart, ArtificialPart, Axis, DRIFT_LIMITS, ExpectedTrend, HarmonicPart, LawPart, Override, Scan,

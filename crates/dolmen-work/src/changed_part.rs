@@ -1,21 +1,20 @@
-//! Which joint of a chain, or storey of a frame, explains how frequencies changed.
+//! Which joint of a chain or stack, or storey of a frame or building, explains how frequencies changed.
 
-use crate::chain::limits::link_names;
-use crate::frame::simulate::storey_names;
+use crate::loosened::{Loosening, TORSION, loosening};
 use crate::part_limit::Part;
 use crate::survey_direction::direction_of;
 use dolmen::assess::{FrequencyChange, SurveyChange, WhichPart, which_part};
-use dolmen_project::{ChainAxis, ChainPart, FramePart, Project, Quantity, Structure};
+use dolmen_project::Project;
 
 /// A measured frequency is that of the model's mode within this factor, either way. Chosen here.
 const SAME_MODE: f64 = 1.25;
-/// Parts that are tried one by one. Chosen here: each costs some hundred modal analyses.
-const PARTS_MOST: usize = 20;
+/// Deviations within which no frequency of a direction changed: no part is sought there.
+const CHANGED_FROM_SD: f64 = 1.96;
 
 /// Which part of the model explains a change, in one direction.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ChangedPart {
-    /// The direction; `None` for a chain that is alike all round.
+    /// The direction; `None` for a chain that is alike all round, and for a stack, whose directions are taken together.
     pub direction: Option<String>,
     /// The parts, lowest first.
     pub parts: Vec<Part>,
@@ -23,17 +22,6 @@ pub struct ChangedPart {
     pub modes_hz: Vec<[f64; 2]>,
     /// What explains the changes.
     pub found: WhichPart,
-}
-
-/// Natural frequencies, Hz, from the stiffness of each part.
-type FrequenciesOf<'a> = Box<dyn Fn(&[f64]) -> Option<Vec<f64>> + 'a>;
-
-/// Stiffness of each part, and what it makes of the frequencies.
-struct Model<'a> {
-    direction: Option<String>,
-    parts: Vec<Part>,
-    stiffness: Vec<f64>,
-    frequencies_hz: FrequenciesOf<'a>,
 }
 
 /// How one measured frequency changed.
@@ -67,109 +55,63 @@ pub(crate) fn changed_parts(project: &Project, change: &SurveyChange) -> Vec<Cha
     parts_that_explain(project, &each.collect::<Vec<_>>())
 }
 
-/// The direction of a mode that twists the plan.
-const TORSION: &str = "torsion";
-
 /// Which part explains changes of frequencies, by direction; empty where the model has no such parts.
 pub(crate) fn parts_that_explain(project: &Project, changes: &[MeasuredChange]) -> Vec<ChangedPart> {
-    let models = match &project.structure {
-        Structure::Chain(part) => chains(project, part),
-        Structure::Frame(part) => frames(part),
-        Structure::Stack(_) | Structure::Building(_) | Structure::Survey => Vec::new(),
-    };
-    models
-        .into_iter()
-        .filter_map(|model| explained(&model, changes))
-        .collect()
+    explained_by(&loosening(project), changes)
 }
 
-fn chains<'a>(project: &'a Project, part: &'a ChainPart) -> Vec<Model<'a>> {
-    let each = part.axes().iter().filter_map(|axis| {
-        let stiffness = part.stiffness_towards(*axis, &mut Quantity::nominal)?;
-        let chain = part
-            .build_loaded(*axis, &project.loads, &mut Quantity::nominal)
-            .ok()?;
-        Some(Model {
-            direction: part.has_two_axes().then(|| {
-                let name = match axis {
-                    ChainAxis::Along => "x",
-                    ChainAxis::Across => "y",
-                };
-                name.to_owned()
-            }),
-            parts: link_names(part).into_iter().map(Part::JointBelow).collect(),
-            stiffness,
-            frequencies_hz: Box::new(move |stiffness| {
-                let modes = chain.natural_modes(stiffness).ok()?;
-                Some(modes.iter().map(|mode| mode.frequency_hz).collect())
-            }),
-        })
-    });
+/// The same of models that are there.
+pub(crate) fn explained_by(models: &[Loosening<'_>], changes: &[MeasuredChange]) -> Vec<ChangedPart> {
+    let each = models.iter().filter_map(|model| explained(model, changes));
     each.collect()
 }
 
-fn frames(part: &FramePart) -> Vec<Model<'_>> {
-    let each = part.directions.iter().filter_map(|direction| {
-        let stiffness = part.stiffness_n_m(&direction.name, &mut Quantity::nominal)?;
-        let frame = part.build(&mut Quantity::nominal).ok()?;
-        Some(Model {
-            direction: Some(direction.name.clone()),
-            parts: storey_names(part).into_iter().map(Part::Storey).collect(),
-            stiffness,
-            frequencies_hz: Box::new(move |stiffness| {
-                let modes = frame.natural_modes(stiffness).ok()?;
-                Some(modes.iter().map(|mode| mode.frequency_hz).collect())
-            }),
-        })
-    });
-    each.collect()
+/// A measured change with the direction of the model, by its place, and the mode in it.
+struct Matched<'c> {
+    change: &'c MeasuredChange,
+    along: usize,
+    mode: usize,
 }
 
-fn explained(model: &Model<'_>, changes: &[MeasuredChange]) -> Option<ChangedPart> {
-    if model.parts.len() > PARTS_MOST {
-        return None;
+fn explained(model: &Loosening<'_>, changes: &[MeasuredChange]) -> Option<ChangedPart> {
+    let given = (model.frequencies_hz)(None, 1.0)?;
+    let mut all: Vec<Matched<'_>> = Vec::new();
+    for (along, (direction, given)) in model.along.iter().zip(&given).enumerate() {
+        let is_along = |mode: &&MeasuredChange| match direction {
+            None => mode.direction.as_deref() != Some(TORSION),
+            Some(own) => mode.direction.as_ref() == Some(own),
+        };
+        let own: Vec<&MeasuredChange> = changes.iter().filter(is_along).collect();
+        let own = matched(&own, given).into_iter();
+        all.extend(own.map(|(change, mode)| Matched { change, along, mode }));
     }
-    let given = (model.frequencies_hz)(&model.stiffness)?;
-    let is_along = |mode: &&MeasuredChange| match &model.direction {
-        None => mode.direction.as_deref() != Some(TORSION),
-        Some(own) => mode.direction.as_ref() == Some(own),
-    };
-    let own: Vec<&MeasuredChange> = changes.iter().filter(is_along).collect();
-    let matched = matched(&own, &given);
-    let changes: Vec<FrequencyChange> = matched
+    let measured: Vec<FrequencyChange> = all
         .iter()
-        .filter_map(|(mode, _)| {
+        .map(|of| {
             Some(FrequencyChange {
-                relative: mode.relative,
-                sd: mode.sd?,
+                relative: of.change.relative,
+                sd: of.change.sd?,
             })
         })
-        .collect();
-    if changes.len() != matched.len() {
+        .collect::<Option<_>>()?;
+    // another direction may be all that changed
+    let is_changed = |of: &FrequencyChange| of.relative.abs() > CHANGED_FROM_SD * of.sd;
+    if model.direction.is_some() && !measured.iter().any(is_changed) {
         return None;
     }
     let changes_of = |part: Option<usize>, factor: f64| -> Option<Vec<f64>> {
-        let each = model.stiffness.iter().enumerate();
-        let changed: Vec<f64> = each
-            .map(|(at, k)| {
-                if part.is_none_or(|of| of == at) {
-                    factor * k
-                } else {
-                    *k
-                }
-            })
-            .collect();
-        let after = (model.frequencies_hz)(&changed)?;
-        let relative = |at: &usize| Some(after.get(*at)? / given[*at] - 1.0);
-        matched.iter().map(|(_, at)| relative(at)).collect()
+        let after = (model.frequencies_hz)(part, factor)?;
+        let relative =
+            |of: &Matched<'_>| Some(after.get(of.along)?.get(of.mode)? / given[of.along][of.mode] - 1.0);
+        all.iter().map(relative).collect()
     };
     Some(ChangedPart {
-        found: which_part(&changes, model.parts.len(), changes_of)?,
+        found: which_part(&measured, model.parts.len(), changes_of)?,
         direction: model.direction.clone(),
         parts: model.parts.clone(),
-        modes_hz: matched
+        modes_hz: all
             .iter()
-            .map(|(mode, at)| [mode.frequency_hz, given[*at]])
+            .map(|of| [of.change.frequency_hz, given[of.along][of.mode]])
             .collect(),
     })
 }

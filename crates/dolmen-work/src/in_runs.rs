@@ -15,6 +15,8 @@ pub(crate) struct LeftOutOfRuns {
     pub(crate) forces: bool,
     /// Crushing of the edges of a stack.
     pub(crate) crushing: bool,
+    /// Stones of a stack whose beds have lost stiffness, which rigid contact does not see.
+    pub(crate) loosened: Vec<String>,
     /// A surveyed tilt.
     pub(crate) tilt: Option<TiltLeftOut>,
 }
@@ -26,6 +28,10 @@ impl LeftOutOfRuns {
             forces: matches!(project.structure, Structure::Chain(_) | Structure::Frame(_))
                 && project.loads.loads.iter().any(LoadPart::pushes),
             crushing: matches!(&project.structure, Structure::Stack(part) if part.crushes()),
+            loosened: match &project.structure {
+                Structure::Stack(part) => part.loosened_beds.iter().map(|bed| bed.block.clone()).collect(),
+                _ => Vec::new(),
+            },
             tilt: match &project.structure {
                 Structure::Building(_) => TiltLeftOut::of(&project.surveys),
                 Structure::Frame(part) if part.lean.is_none() => TiltLeftOut::of(&project.surveys),
@@ -38,8 +44,8 @@ impl LeftOutOfRuns {
         }
     }
 
-    /// Each in a sentence.
-    pub(crate) fn words(&self) -> Vec<Both> {
+    /// Each in a sentence, of runs by the rigid law or by springs.
+    pub(crate) fn words(&self, is_rigid: bool) -> Vec<Both> {
         let tilt = self.tilt.clone().map(|of| OfRuns::TiltLeftOut {
             survey: of.survey,
             tilt: of.written,
@@ -48,6 +54,9 @@ impl LeftOutOfRuns {
             self.wind.then_some(OfRuns::WindLeftOut),
             self.forces.then_some(OfRuns::ForcesLeftOut),
             self.crushing.then_some(OfRuns::CrushingLeftOut),
+            (is_rigid && !self.loosened.is_empty()).then(|| OfRuns::LoosenedLeftOut {
+                stones: self.loosened.clone(),
+            }),
             tilt,
         ];
         all.into_iter().flatten().map(Both::from).collect()

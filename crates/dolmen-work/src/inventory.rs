@@ -1,7 +1,9 @@
 //! Many structures over the years: what each history says in a line, the worst first.
 
 use crate::last_off::LastFarOff;
+use crate::part_limit::Part;
 use crate::watched::WatchAnswer;
+use dolmen::assess::PartFit;
 use dolmen::monitoring::TiltSlope;
 use dolmen_project::LogKind;
 use dolmen_words::message::Both;
@@ -21,6 +23,51 @@ pub struct StrongestChange {
     pub after: String,
     /// and that before which it came.
     pub before: String,
+    /// The parts of the model of which one alone explains it, the best first: of several it cannot be told which. None without a model, or where no
+    /// single part does.
+    pub explained_by: Vec<ExplainingPart>,
+}
+
+/// A part of the model that alone explains a change.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ExplainingPart {
+    /// The part, as JSON by its name.
+    #[serde(serialize_with = "by_name")]
+    pub part: Part,
+    /// The direction; `None` where all are taken together.
+    pub direction: Option<String>,
+    /// Stiffness after over before.
+    pub stiffness_left: f64,
+    /// Lower end of its interval at 95 %.
+    pub stiffness_left_lower: f64,
+    /// Upper end.
+    pub stiffness_left_upper: f64,
+}
+
+fn by_name<S: Serializer>(part: &Part, to: S) -> Result<S::Ok, S::Error> {
+    to.serialize_str(part.name())
+}
+
+/// The parts that explain a change which came after one survey and before another; empty where none does.
+fn explaining(answer: &WatchAnswer, [after, before]: [usize; 2]) -> Vec<ExplainingPart> {
+    let found = answer
+        .parts
+        .iter()
+        .find(|of| of.after <= before && after <= of.before);
+    let directions = found.into_iter().flat_map(|of| &of.parts);
+    let each = directions.flat_map(|of| {
+        let named = move |fit: &PartFit| {
+            Some(ExplainingPart {
+                part: of.parts.get(fit.part?)?.clone(),
+                direction: of.direction.clone(),
+                stiffness_left: fit.factor,
+                stiffness_left_lower: fit.factor_interval[0],
+                stiffness_left_upper: fit.factor_interval[1],
+            })
+        };
+        of.found.candidates().iter().filter_map(named)
+    });
+    each.collect()
 }
 
 /// The tilt that is nearest its limit, or the largest where there is none.
@@ -173,6 +220,7 @@ impl History {
                 sd: change.sd,
                 after: name(change.after),
                 before: name(change.before),
+                explained_by: explaining(answer, [change.after, change.before]),
             }),
             tilt: nearest.map(|(direction, slope, is_beyond_chance)| NearestTilt {
                 direction: direction.clone(),

@@ -16,6 +16,8 @@ pub mod building;
 pub mod chain;
 mod change_fault;
 pub mod changed_part;
+#[cfg(test)]
+mod changed_part_cases;
 mod check;
 pub mod compare;
 pub mod compared_readings;
@@ -43,6 +45,7 @@ pub mod last_off;
 mod left_out;
 pub mod loads;
 pub mod logs;
+mod loosened;
 mod lowest_of_records;
 pub mod model_modes;
 pub mod motion;

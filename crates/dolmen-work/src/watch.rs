@@ -17,7 +17,7 @@ use crate::survey_dates::{date, day_of};
 use crate::surveyed::{Earthquake, SurveyAnswer};
 use crate::told::told_both;
 use crate::watched::{WatchAnswer, WatchedEarthquake, WatchedSurvey};
-use crate::years_parts::years_parts;
+use crate::years_parts::{EXPLAINED_MOST, years_parts};
 use dolmen::assess::Surveyed;
 use dolmen::modal::{ObservedMode, Pairing};
 use dolmen::monitoring::{
@@ -112,7 +112,7 @@ pub fn watch_of(
         let felt = own.and_then(SurveyAnswer::earthquake).filter(|of| of.is_one());
         (of, felt.map(Earthquake::part))
     })?;
-    answer.parts = years_parts(&opened.project, &answer.watched.modes);
+    answer.parts = years_parts(&opened.project, &answer.watched.modes, EXPLAINED_MOST);
     Ok(answer)
 }
 
@@ -139,6 +139,16 @@ pub fn watch_observed(opened: &Opened, observed: &Observed, logs: &Logs) -> Resu
         }
         (of, observed.earthquakes.get(&survey.name).copied())
     })
+}
+
+/// The same with the part of the model that explains the strongest change.
+///
+/// # Errors
+/// [`ChangeFault`].
+pub fn watch_stored(opened: &Opened, observed: &Observed, logs: &Logs) -> Result<WatchAnswer, WorkError> {
+    let mut answer = watch_observed(opened, observed, logs)?;
+    answer.parts = years_parts(&opened.project, &answer.watched.modes, 1);
+    Ok(answer)
 }
 
 fn watch_surveys(

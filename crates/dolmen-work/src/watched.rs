@@ -39,7 +39,7 @@ pub struct WatchAnswer {
     pub logs: Vec<WatchedLog>,
     /// What inspections found, one after the other.
     pub inspected: Inspected,
-    /// Which parts of the model explain the lasting changes; empty of a structure of a store.
+    /// Which parts of the model explain the lasting changes; of a structure of a store the strongest of them, and none while a folder is followed.
     pub parts: Vec<YearsParts>,
     /// What the surveys say.
     pub watched: Watched,

@@ -1,11 +1,12 @@
-//! Which joint of a chain, or storey of a frame, explains what changed over the years.
+//! Which joint of a chain or stack, or storey of a frame or building, explains what changed over the years.
 
-use crate::changed_part::{ChangedPart, MeasuredChange, parts_that_explain};
+use crate::changed_part::{ChangedPart, MeasuredChange, explained_by};
+use crate::loosened::loosening;
 use dolmen::monitoring::{ChangeForm, WatchedChange, WatchedMode};
 use dolmen_project::Project;
 
-/// Changes that are explained, the strongest first. Chosen here: each costs some hundred modal analyses a part.
-const EXPLAINED_MOST: usize = 3;
+/// Changes of one structure that are explained. Chosen here: each costs some hundred modal analyses a part.
+pub(crate) const EXPLAINED_MOST: usize = 3;
 
 /// What explains a change that several modes show at one date.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,18 +21,22 @@ pub struct YearsParts {
     pub parts: Vec<ChangedPart>,
 }
 
-/// Which part explains each of the lasting changes of a history, the strongest first. Modes in which no change was found at that date take part with what
+/// Which part explains each of the lasting changes of a history, the strongest first, `most` of them. Modes in which no change was found at that date take part with what
 /// they show there: that they did not change tells parts apart.
-pub(crate) fn years_parts(project: &Project, modes: &[WatchedMode]) -> Vec<YearsParts> {
+pub(crate) fn years_parts(project: &Project, modes: &[WatchedMode], most: usize) -> Vec<YearsParts> {
     let strength = |of: &WatchedChange| (of.ratio / of.sd).abs();
     let mut all: Vec<WatchedChange> = modes.iter().flat_map(|mode| mode.changes.clone()).collect();
     all.sort_by(|a, b| strength(b).total_cmp(&strength(a)));
+    if all.is_empty() {
+        return Vec::new();
+    }
+    let models = loosening(project);
     let mut found: Vec<YearsParts> = Vec::new();
     for change in all {
         let is_told = |of: &YearsParts| {
             of.form == change.form && of.after <= change.before && change.after <= of.before
         };
-        if found.len() == EXPLAINED_MOST {
+        if found.len() == most {
             break;
         }
         if found.iter().any(is_told) {
@@ -50,7 +55,7 @@ pub(crate) fn years_parts(project: &Project, modes: &[WatchedMode]) -> Vec<Years
             form: change.form,
             after: change.after,
             before: change.before,
-            parts: parts_that_explain(project, &measured.collect::<Vec<_>>()),
+            parts: explained_by(&models, &measured.collect::<Vec<_>>()),
         });
     }
     found.retain(|of| !of.parts.is_empty());

@@ -109,3 +109,71 @@ fn agrees_what_no_part_or_every_part_explains_is_said() {
         "{answer}"
     );
 }
+
+/// Four stones, oblong in plan, of which one has springs with a factor.
+fn pillar(factor: f64, surveys: &str) -> String {
+    format!(
+        "schema = 1\nkind = \"stack\"\nname = \"pillar\"\nevidence = \"measured\"\ndensity = 2600\n\
+         joint = {{ normal_stiffness = \"1e9 Pa/m\", shear_stiffness = \"4e8 Pa/m\" }}\n\
+         blocks = [\n{{ name = \"base\", width = 1.2, depth = 1.0, height = 0.5 }},\n\
+         {{ name = \"drum\", width = 0.8, depth = 0.7, height = 1.0, joint = {{ normal_stiffness = \"{} Pa/m\", shear_stiffness = \"{} Pa/m\" }} }},\n\
+         {{ name = \"neck\", width = 0.7, depth = 0.6, height = 0.9 }},\n\
+         {{ name = \"cap\", width = 1.0, depth = 0.9, height = 0.3 }},\n]\n{surveys}",
+        1e9 * factor,
+        4e8 * factor
+    )
+}
+
+/// Of the modes that a check shows, those along x, along y and of torsion.
+fn modes_hz(scratch: &Scratch, factor: f64) -> [Vec<f64>; 3] {
+    fs::write(scratch.path().join("project.toml"), pillar(factor, "")).unwrap();
+    let check = json(scratch, "check .");
+    let modes = check
+        .pointer("/state/check/stack/frequencies/modes")
+        .and_then(Value::as_array);
+    let mut all: [Vec<f64>; 3] = Default::default();
+    for mode in modes.unwrap_or_else(|| panic!("{check}")) {
+        let top = |row: usize| mode["shape"][3][row].as_f64().unwrap().abs();
+        // rad a metre: what only turns about the vertical moves by rounding alone
+        let along = match (top(5) > 1e3, top(1) > top(0)) {
+            (true, _) => 2,
+            (false, across) => usize::from(across),
+        };
+        all[along].push(mode["frequency_hz"].as_f64().unwrap());
+    }
+    all
+}
+
+#[test]
+fn agrees_compare_names_the_joint_of_a_stack() {
+    let scratch = Scratch::new("changed-joint");
+    let survey = |date: &str, along: &[Vec<f64>; 3]| {
+        let mut text = format!("\n[survey.{date}]\ntemperature_c = 15\n");
+        for (direction, all) in ["x", "y", "torsion"].into_iter().zip(along) {
+            let each = all.iter().map(|hz| format!("{{ value = {hz:.6}, cov = 0.002 }}"));
+            if !all.is_empty() {
+                let each = each.collect::<Vec<_>>().join(", ");
+                writeln!(text, "frequencies.{direction} = [{each}]").unwrap();
+            }
+        }
+        text
+    };
+    let surveys =
+        survey("2024-05-01", &modes_hz(&scratch, 1.0)) + &survey("2026-05-01", &modes_hz(&scratch, 0.75));
+    fs::write(scratch.path().join("project.toml"), pillar(1.0, &surveys)).unwrap();
+    let found = json(&scratch, "compare .");
+    let part = found.pointer("/parts/0").unwrap_or_else(|| panic!("{found}"));
+    let best = &part["fits"][0];
+    assert_eq!(
+        (&best["part"], &part["direction"]),
+        (&"drum".into(), &Value::Null),
+        "{part}"
+    );
+    assert!(
+        (best["stiffness_left"].as_f64().unwrap() / 0.75 - 1.0).abs() < 2e-3,
+        "{best}"
+    );
+    assert_eq!(part["modes_hz"].as_array().unwrap().len(), 3, "{part}");
+    let said = scratch.briefly("compare .").words();
+    assert!(said.contains("the joint below ‘drum’"), "{said}");
+}

@@ -93,6 +93,59 @@ fn holds_a_run_rocks_about_what_is_left_of_the_bed_by_both_laws() {
     }
 }
 
+#[test]
+fn exact_a_block_on_a_loosened_bed_sways_by_the_root_of_what_is_left() {
+    let scratch = Scratch::new("damaged-stiffness");
+    // u and θ of the centroid, h above a bed of area A and second moment I: [K_s A, −K_s A h; −K_s A h, K_s A h² + K_n I], m and m (b² + H²)/12
+    let (shear, rocking, h) = (4e8 * 1.2, 1e9 * 1.2 / 12.0, 1.0_f64);
+    let (mass, inertia) = (2600.0 * 2.4, 2600.0 * 2.4 * (1.0 + 4.0) / 12.0);
+    let (a, b) = (shear / mass, (shear * h * h + rocking) / inertia);
+    let coupled = (shear * h).powi(2) / (mass * inertia);
+    let square = 0.5 * (a + b - ((a - b).powi(2) + 4.0 * coupled).sqrt());
+    let whole_hz = square.sqrt() / std::f64::consts::TAU;
+    let sways_hz = |scratch: &Scratch, text: &str| {
+        write(scratch, "pier.toml", text);
+        let found = json(scratch, "check pier.toml");
+        let first = found.pointer("/state/check/stack/frequencies/sway_x_hz").unwrap();
+        first.as_f64().unwrap()
+    };
+    let motion = "[motion.rest]\nfiles = { x = \"rest.csv\" }\nunit = \"g\"\nsample_step_s = 0.01\n";
+    write(&scratch, "rest.csv", &"0.01\n0\n".repeat(50));
+    let whole = format!("{BLOCK}{ONE}{motion}");
+    let loose = whole.clone() + &inspection("2026-05-12", "stone", "stiffness_left = 0.25");
+    assert!((sways_hz(&scratch, &whole) / whole_hz - 1.0).abs() < 1e-6);
+    assert!((sways_hz(&scratch, &loose) / (0.5 * whole_hz) - 1.0).abs() < 1e-6);
+    // springs see it; rigid joints have none, and say so
+    let run = |law: &str| scratch.briefly(&format!("simulate pier.toml --motion rest --law {law}"));
+    let unseen = "Rigid joints have no stiffness";
+    assert!(!run("springs").words().contains(unseen));
+    let rigid = run("rigid").words();
+    assert!(rigid.contains(unseen) && rigid.contains("below stone"), "{rigid}");
+    let korean = scratch.briefly("simulate pier.toml --motion rest --law rigid --language ko");
+    assert!(
+        korean
+            .words()
+            .contains("강성 저하는 이 해석 결과에 나타나지 않는다"),
+        "{}",
+        korean.stdout
+    );
+    // its stiffness was found after the inspection: the loss is in it
+    let identified =
+        "normal_stiffness = { value = \"8e8 Pa/m\", source = \"identified\", survey = \"2026-05-20\" }";
+    let found = BLOCK.replace("friction = 0.9", &format!("friction = 0.9, {identified}"))
+        + ONE
+        + &inspection("2026-05-12", "stone", "stiffness_left = 0.25")
+        + "[survey.2026-05-20]\nfrequencies.x = [3.0]\n";
+    write(&scratch, "pier.toml", &found);
+    let answer = scratch.briefly("check pier.toml");
+    assert_eq!(answer.status, 2, "{}{}", answer.stdout, answer.stderr);
+    assert!(
+        answer.stderr.contains("identified from survey 2026-05-20"),
+        "{}",
+        answer.stderr
+    );
+}
+
 const PIERS: &str = "blocks = [{ name = \"low\", width = 1.0, height = 0.6 }, { name = \"high\", width = 0.8, height = 0.6 }, { name = \"cap\", width = 0.9, height = 0.2 }]\n";
 const TIES: &str = "ties = [{ lower = \"low\", upper = \"high\", position = [0, 0, 0.6], shear_stiffness = \"20 kN/mm\", shear_strength = \"15 kN\" }]\n";
 
@@ -236,6 +289,21 @@ fn agrees_a_study_has_the_damage_and_says_so() {
         said.contains("“top” with 75 % of its stiffness (2026-05-12)"),
         "{said}"
     );
+    write(&scratch, "pole.toml", &(chain("0.5", "900") + study + &loose));
+    let found = json(&scratch, "study pole.toml");
+    assert_eq!(
+        found.pointer("/damage_in_model/0/stiffness_left").unwrap(),
+        0.75,
+        "{found}"
+    );
+    let page = scratch.briefly("report pole.toml -o page.html");
+    assert_eq!(page.status, 0, "{}{}", page.stdout, page.stderr);
+    let page = fs::read_to_string(scratch.path().join("page.html")).unwrap();
+    let page = page.replace('\u{202f}', " ");
+    let each = page.matches("“top” with 75 % of its stiffness (2026-05-12)");
+    // in the headline, and in the section of the study
+    assert!(each.count() >= 2, "{page}");
+    assert!(page.contains("The model has the damage of inspections"), "{page}");
 }
 
 #[test]

@@ -2,7 +2,7 @@
 // GOAL       A record that comes becomes a survey, once, as if it had been added by hand; what cannot be read is put aside and nothing is lost.
 // TOLERANCE  none: words, rows, files, exit statuses.
 
-use super::store_processes::acknowledged_of;
+use super::store_processes::{acknowledged_of, moments};
 use super::stores::{below, content, good, json, refused};
 use super::verbs::{Answer, Scratch};
 use serde_json::Value;
@@ -315,7 +315,7 @@ pub(super) fn kill_follow_at_random_moments(scratch: &Scratch, store: &str, mome
 #[cfg(unix)]
 #[test]
 fn holds_a_killed_follow_loses_nothing_that_was_acknowledged_and_stores_nothing_twice() {
-    kill_follow_at_random_moments(&Scratch::new("follow-kill"), STORE, 20);
+    kill_follow_at_random_moments(&Scratch::new("follow-kill"), STORE, moments(20));
 }
 
 #[test]

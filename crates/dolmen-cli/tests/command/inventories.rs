@@ -173,3 +173,36 @@ fn holds_an_alarm_runs_a_program_and_no_shell() {
         missing.stderr
     );
 }
+
+#[test]
+fn agrees_a_store_names_the_joint_that_the_project_names() {
+    let scratch = Scratch::with_examples("watch-all-part");
+    good(scratch.briefly(&format!("survey add examples/flagpole_over_the_years {STORE}")));
+    let all = json(&scratch, &format!("watch --all {STORE}"));
+    let alone = json(&scratch, "watch examples/flagpole_over_the_years");
+    let change = &all["structures"][0]["history"]["change"];
+    let [part] = change["explained_by"].as_array().unwrap().as_slice() else {
+        panic!("{change}")
+    };
+    let fit = alone.pointer("/changed_parts/0/parts/0/fits/0").unwrap();
+    for key in [
+        "part",
+        "stiffness_left",
+        "stiffness_left_lower",
+        "stiffness_left_upper",
+    ] {
+        assert_eq!(part[key], fit[key], "{part}");
+    }
+    assert_eq!(part["part"], "shaft 3");
+    let words = scratch.briefly(&format!("watch --all {STORE}")).words();
+    assert!(words.contains("it is the joint below ‘shaft 3’: 7"), "{words}");
+    let korean = scratch
+        .briefly(&format!("watch --all {STORE} --language ko"))
+        .words();
+    assert!(
+        korean.contains("‘shaft 3’ 하부 접합면이며") || korean.contains("하부 접합면이며"),
+        "{korean}"
+    );
+    let csv = scratch.briefly(&format!("watch --all --csv {STORE}")).stdout;
+    assert!(csv.lines().nth(1).unwrap().contains(",\"shaft 3\",0.7"), "{csv}");
+}

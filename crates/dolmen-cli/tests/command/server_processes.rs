@@ -4,7 +4,9 @@
 
 use super::followed::{gate_in, kill_follow_at_random_moments, made_record, names_in, put};
 use super::servers::Server;
-use super::store_processes::{acknowledged, acknowledged_of, adding, four_at_once, kill_at_random_moments};
+use super::store_processes::{
+    acknowledged, acknowledged_of, adding, four_at_once, kill_at_random_moments, moments,
+};
 use super::stores::{content, good, json, project};
 use super::verbs::Scratch;
 use std::process::{Child, Command, Stdio};
@@ -13,7 +15,11 @@ use std::time::{Duration, Instant};
 #[test]
 fn holds_a_killed_add_to_a_server_loses_nothing_and_stores_nothing_twice() {
     let Some(server) = Server::shared() else { return };
-    kill_at_random_moments(&Scratch::new("server-kill"), &server.database("kill"), 20);
+    kill_at_random_moments(
+        &Scratch::new("server-kill"),
+        &server.database("kill"),
+        moments(20),
+    );
 }
 
 #[test]
@@ -22,7 +28,7 @@ fn holds_a_killed_follow_into_a_server_loses_nothing_and_stores_nothing_twice() 
     kill_follow_at_random_moments(
         &Scratch::new("server-follow-kill"),
         &server.database("follow_kill"),
-        20,
+        moments(20),
     );
 }
 

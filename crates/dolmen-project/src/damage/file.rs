@@ -28,7 +28,7 @@ pub(crate) struct InModelRaw {
     pub(crate) bed_lost: Option<At<f64>>,
     /// The side from which it is lost, with bed_lost: "x+", "x-", "y+" or "y-".
     pub(crate) side: Option<At<SideRaw>>,
-    /// kind = "chain" or "frame": what is left of the stiffness of the joint below the link, or of the storey, 0.7 for seven tenths.
+    /// kind = "chain", "frame" or "stack": what is left of the stiffness of the joint below the link or stone, or of the storey, 0.7 for seven tenths.
     pub(crate) stiffness_left: Option<At<f64>>,
     /// kind = "stack": true where the dowels and clamps between the part and what it stands on are broken.
     pub(crate) ties_broken: Option<At<bool>>,

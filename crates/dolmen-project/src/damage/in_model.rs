@@ -50,7 +50,7 @@ pub enum InModel {
         /// The side from which it is lost; `None` of a chain that moves in one direction.
         side: Option<Side>,
     },
-    /// What is left of the stiffness of the joint below a link, or of a storey.
+    /// What is left of the stiffness of the joint below a link or stone, or of a storey.
     StiffnessLeft(f64),
     /// The dowels and clamps between a stone and what it stands on are broken.
     TiesBroken,

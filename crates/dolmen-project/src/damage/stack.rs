@@ -1,10 +1,11 @@
-//! Damage of a stack: a bed of which a part is lost, broken dowels and clamps, a stone that is gone.
+//! Damage of a stack: a bed of which a part is lost or that has lost stiffness, broken dowels and clamps, a stone that is gone.
 
+use super::chain::has_it;
 use super::in_model::InModel;
 use super::model_damage::ModelDamage;
 use super::refused::refused;
 use crate::reader::Reader;
-use crate::stack::{LostBedPart, ShapePart, StackPart};
+use crate::stack::{LoosenedBedPart, LostBedPart, ShapePart, StackPart};
 use crate::wrong::WrongDamage;
 use dolmen::structure::stack::Body;
 
@@ -31,10 +32,25 @@ pub(super) fn damage_stack(reader: &mut Reader, (of, part): (&ModelDamage, usize
         }
         InModel::TiesBroken => break_ties(reader, (of, part), stack),
         InModel::Lost => lose(reader, of, stack),
-        InModel::StiffnessLeft(_) | InModel::Mended => {
-            refused(reader, of, WrongDamage::OfStack, WrongDamage::WriteItYourself);
-        }
+        InModel::StiffnessLeft(factor) => loosen(reader, of, stack, factor),
+        InModel::Mended => {}
     }
+}
+
+/// Scales normal and shear stiffness of the bed below a stone.
+fn loosen(reader: &mut Reader, of: &ModelDamage, stack: &mut StackPart, factor: f64) {
+    let identified = stack.bed_identified_from(&of.part);
+    if let Some(survey) = identified.filter(|own| has_it(Some(own), &of.survey)) {
+        let why = WrongDamage::AlreadyIn {
+            survey: survey.to_owned(),
+        };
+        return refused(reader, of, why, WrongDamage::LeaveStiffnessOut);
+    }
+    stack.loosened_beds.push(LoosenedBedPart {
+        block: of.part.clone(),
+        factor,
+        path: of.path.clone(),
+    });
 }
 
 /// Takes out the dowels and clamps between a stone and what it stands on.

@@ -257,7 +257,7 @@ impl StackPart {
         let around = self.joint.over(JointMaterial::default(), pick);
         let stack = Stack::new(blocks, around, self.gravity_m_s2).map_err(|why| self.locate(why))?;
         self.check_beds(&stack)?;
-        let stack = self.with_materials(stack, around, pick)?;
+        let stack = self.with_loosened_beds(self.with_materials(stack, around, pick)?)?;
         self.with_pieces(stack, turn, pick)
     }
 

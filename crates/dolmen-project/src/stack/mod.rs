@@ -8,6 +8,7 @@ mod doubts;
 mod fault;
 mod file;
 mod lean;
+mod loosened;
 mod made;
 mod made_part;
 mod made_towers;
@@ -28,6 +29,7 @@ pub(crate) use file::{
     TieRaw, TowerRaw, TrilithonRaw,
 };
 pub(crate) use lean::lean;
+pub use loosened::LoosenedBedPart;
 pub use made_part::{ArchPart, MadePart, StoneWallPart, TowerPart, TowerPlanPart, TrilithonPart};
 pub use part::{
     BedPart, BlockPart, ContactPart, JointDefaults, LostBedPart, MeshPart, OpeningPart, PagodaPart,

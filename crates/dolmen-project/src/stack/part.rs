@@ -1,5 +1,6 @@
 //! The stack of a project file.
 
+use super::loosened::LoosenedBedPart;
 use super::made_part::MadePart;
 use super::surveyed_lean::SurveyedLean;
 use crate::loads::LoadPart;
@@ -304,6 +305,8 @@ pub struct StackPart {
     pub static_loads: Vec<LoadPart>,
     /// Beds of which a part is lost.
     pub lost_beds: Vec<LostBedPart>,
+    /// Beds that have lost stiffness.
+    pub loosened_beds: Vec<LoosenedBedPart>,
     /// How it leans as surveyed; `None` if upright, or if blocks carry their own tilt.
     pub lean: Option<SurveyedLean>,
     /// Acceleration of gravity, m/s².

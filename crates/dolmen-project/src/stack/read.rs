@@ -144,6 +144,7 @@ pub(crate) fn stack(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) -> Op
         support_movement: support_movement?,
         static_loads: Vec::new(),
         lost_beds: Vec::new(),
+        loosened_beds: Vec::new(),
         lean: None,
         gravity_m_s2,
     };

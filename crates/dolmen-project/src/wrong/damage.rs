@@ -35,10 +35,6 @@ messages! {
             ko: "chain에는 bed_lost와 stiffness_left만 반영한다. 연결재가 없고 부재를 뺄 수 없다",
         },
         OfFrame => { en: "a frame takes stiffness_left alone", ko: "frame에는 stiffness_left만 반영한다" },
-        OfStack => {
-            en: "a stack takes bed_lost, ties_broken and lost: its beds have stiffness per area, and what bears is what counts",
-            ko: "stack에는 bed_lost, ties_broken, lost만 반영한다. 접합면의 강성은 면적당 값이며 지지하는 면적이 문제이다",
-        },
         OfMesh => {
             en: "its stone is a mesh, whose foot is where the scan has it",
             ko: "석재가 메시이므로 밑면은 스캔된 그대로이다",

@@ -158,6 +158,9 @@ fn keys(plot: &mut Plot, answer: &WatchAnswer, language: Language) {
     if answer.logs.iter().any(|log| !log.trend.line.is_empty()) {
         plot.key(Key::Line(Line::new(BLACK, 1.4)), say(Panels::Trend, language));
     }
+    for (i, of) in shown_damages(answer).into_iter().enumerate() {
+        plot.key(Key::Dot(DAMAGE, colour(i)), damage_name(of).text(language));
+    }
     if !answer.watched.alarms.is_empty() {
         plot.key(Key::Dot(Shape::Diamond, VERMILLION), say(Panels::Alarm, language));
     }
@@ -454,20 +457,24 @@ fn tilts(answer: &WatchAnswer, when: &[f64], language: Language) -> Option<Panel
 
 /// Damages that the panel of inspections shows: the worst ones.
 const DAMAGES_MOST: usize = 5;
+/// Their mark: modes and tilts, of the same colours, are circles.
+const DAMAGE: Shape = Shape::Square;
+
+/// Damages that inspections read more than once.
+fn shown_damages(answer: &WatchAnswer) -> Vec<&WatchedDamage> {
+    let all = answer.inspected.damages.iter();
+    all.filter(|of| of.readings.len() > 1)
+        .take(DAMAGES_MOST)
+        .collect()
+}
 
 /// Sizes of damage as inspections read them, and their limits where they are near.
 fn damages(answer: &WatchAnswer, language: Language) -> Option<Panel> {
-    let all = answer.inspected.damages.iter();
-    let shown: Vec<&WatchedDamage> = all
-        .filter(|of| of.readings.len() > 1)
-        .take(DAMAGES_MOST)
-        .collect();
+    let shown = shown_damages(answer);
     if shown.is_empty() {
         return None;
     }
     let mut panel = Panel::new(Panels::Damages, language);
-    let names: Vec<String> = shown.iter().map(|of| damage_name(of).text(language)).collect();
-    panel.name = format!("{}: {}", panel.name, names.join(", "));
     panel.within = vec![0.0];
     let at = |day: f64| 1970.0 + day / YEAR_DAYS;
     for (i, of) in shown.iter().enumerate() {
@@ -478,7 +485,7 @@ fn damages(answer: &WatchAnswer, language: Language) -> Option<Panel> {
             .collect();
         let ends = [points[0][0], points[points.len() - 1][0]];
         let largest = points.iter().fold(0.0_f64, |most, point| most.max(point[1]));
-        let dots = points.iter().map(|point| (*point, Shape::Circle, 2.8, colour(i)));
+        let dots = points.iter().map(|point| (*point, DAMAGE, 2.8, colour(i)));
         panel.dots.extend(dots);
         panel.lines.push((points, Line::new(colour(i), 1.0)));
         let limit = of.limit_m.map(|limit| 1000.0 * limit);

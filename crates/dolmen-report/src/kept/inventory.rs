@@ -2,9 +2,10 @@
 
 use super::formats::{line, number, quoted, text as text_cell};
 use crate::document::{Block, Cell, Column, Document, Table, TextStyle, document_text};
+use crate::limits::part_words;
 use dolmen_words::message::Both;
-use dolmen_words::{Digits, Quantity, Unit, messages};
-use dolmen_work::inventory::{History, InventoryLine};
+use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
+use dolmen_work::inventory::{ExplainingPart, History, InventoryLine};
 use serde_json::{Value, json};
 
 /// Rows on a terminal without --full.
@@ -30,6 +31,17 @@ messages! {
             en: "{structure} was not watched: {why}",
             ko: "{structure}: 경년 변화를 검토하지 못하였다. {why}",
         },
+        OnePart { structure: String, part: Sentence, factor: Quantity, low: Quantity, high: Quantity } => {
+            en: "{structure}: if the model is right and one part alone changed, it is {part}: {factor} of its stiffness is left (95 %: {low} to {high}).",
+            ko: "{structure}: 모델이 옳고 한 부위만 변하였다면 {part}이며 강성은 이전의 {factor}이다(95 % 구간 {low}–{high}).",
+        },
+        SeveralParts { structure: String, parts: Vec<Sentence>, more: Sentence } => {
+            en: "{structure}: if the model is right and one part alone changed, it cannot be told which of these: {parts}{more}.",
+            ko: "{structure}: 모델이 옳고 한 부위만 변하였다면 다음 중 어느 부위인지 구별되지 않는다: {parts}{more}.",
+        },
+        AndMore { count: usize } => { en: ", and {count} more", ko: " 외 {count}곳" },
+        NoMore => { en: "", ko: "" },
+        Along { part: Sentence, direction: String } => { en: "{part} (direction {direction})", ko: "{part}({direction} 방향)" },
         MoreLeftOut { count: usize } => {
             en: "{count} more were not watched: --full, --csv and --json say why.",
             ko: "그 밖에 {count}기를 검토하지 못하였다. 이유는 --full, --csv, --json으로 본다.",
@@ -103,6 +115,44 @@ fn columns(is_full: bool) -> Vec<Column> {
     columns
 }
 
+/// Parts of a list beyond which the others are counted.
+const PARTS_LISTED: usize = 4;
+
+/// Which part explains the strongest change, in one direction.
+fn explained(structure: &str, parts: &[ExplainingPart]) -> Watched {
+    let structure = structure.to_owned();
+    let named = |of: &ExplainingPart| -> Sentence {
+        let part = part_words(&of.part);
+        match &of.direction {
+            None => part,
+            Some(direction) => Watched::Along {
+                part,
+                direction: direction.clone(),
+            }
+            .into(),
+        }
+    };
+    let share = |of: f64| Quantity::new(of, Unit::percent(), Digits::Fixed(0));
+    match parts {
+        [one] => Watched::OnePart {
+            structure,
+            part: named(one),
+            factor: share(one.stiffness_left),
+            low: share(one.stiffness_left_lower),
+            high: share(one.stiffness_left_upper),
+        },
+        several => Watched::SeveralParts {
+            structure,
+            parts: several.iter().take(PARTS_LISTED).map(named).collect(),
+            more: match several.len().saturating_sub(PARTS_LISTED) {
+                0 => Watched::NoMore,
+                count => Watched::AndMore { count },
+            }
+            .into(),
+        },
+    }
+}
+
 /// The structures for people, in the order given: those that were watched as a table, the others with the reason.
 pub fn inventory_text(lines: &[InventoryLine], style: TextStyle) -> String {
     let mut document = Document::default();
@@ -136,6 +186,15 @@ pub fn inventory_text(lines: &[InventoryLine], style: TextStyle) -> String {
     if left > 0 {
         document.note(Watched::More { count: left });
     }
+    for (line, history) in watched.iter().take(most) {
+        let parts = history
+            .change
+            .as_ref()
+            .map_or(&[][..], |change| change.explained_by.as_slice());
+        for along in parts.chunk_by(|a, b| a.direction == b.direction) {
+            document.note(explained(&line.structure, along));
+        }
+    }
     let not: Vec<(&str, &Both)> = lines
         .iter()
         .filter_map(|line| Some((line.structure.as_str(), line.not_watched.as_ref()?)))
@@ -165,11 +224,15 @@ pub fn inventory_json(lines: &[InventoryLine]) -> Value {
 /// The structures as a table (CSV), with the mark by which Excel knows UTF-8.
 pub fn inventory_csv(lines: &[InventoryLine]) -> String {
     let head = "\u{feff}structure,open_alarms,is_tilt_beyond,change_ratio,change_sd,frequency_hz,change_after,change_before,\
-                tilt_direction,tilt,tilt_limit,years_to_limit,surveys,last_survey,not_watched,open_sensor_alarms,cracks_beyond,is_change_open,last_off_ratio,last_off_score\r\n";
+                tilt_direction,tilt,tilt_limit,years_to_limit,surveys,last_survey,not_watched,open_sensor_alarms,cracks_beyond,is_change_open,last_off_ratio,last_off_score,\
+                changed_parts,stiffness_left,stiffness_left_lower,stiffness_left_upper\r\n";
     let each = lines.iter().map(|of| {
         let history = of.history.as_ref();
         let change = history.and_then(|history| history.change.as_ref());
         let tilt = history.and_then(|history| history.tilt.as_ref());
+        let parts = change.map_or(&[][..], |change| change.explained_by.as_slice());
+        let names: Vec<&str> = parts.iter().map(|of| of.part.name()).collect();
+        let best = parts.first();
         let whole = |value: Option<usize>| value.map_or_else(String::new, |value| value.to_string());
         line(&[
             quoted(&of.structure),
@@ -192,6 +255,10 @@ pub fn inventory_csv(lines: &[InventoryLine]) -> String {
             history.map_or_else(String::new, |history| history.is_change_open.to_string()),
             number(history.and_then(|history| Some(history.last_off?.ratio))),
             number(history.and_then(|history| Some(history.last_off?.score))),
+            text_cell((!names.is_empty()).then(|| names.join(" | ")).as_deref()),
+            number(best.map(|of| of.stiffness_left)),
+            number(best.map(|of| of.stiffness_left_lower)),
+            number(best.map(|of| of.stiffness_left_upper)),
         ])
     });
     head.to_owned() + &each.collect::<String>()

@@ -36,6 +36,10 @@ messages! {
             en: "Edges crush where stones rock, at a compressive strength of {strength}. The run turns stones about their edges and crushes nothing: not on the safe side.",
             ko: "로킹하는 석재의 모서리는 압축강도 {strength}에서 압괴한다. 이 해석은 압괴 없이 모서리를 중심으로 회전하는 것으로 보았다(불안전측).",
         },
+        Unseen { stones: Vec<String> } => {
+            en: "Rigid joints have no stiffness: with them the loss of stiffness in the beds below {stones}, which inspections found, changes nothing.",
+            ko: "강체 접촉 해석에는 접합면 강성이 없으므로 점검에서 확인된 {stones} 하부 접합면의 강성 저하는 이 해석 결과에 나타나지 않는다.",
+        },
         NoWind => {
             en: "The wind of the file does not blow during the motion.",
             ko: "지진동이 작용하는 동안 입력한 풍하중은 고려하지 않았다.",

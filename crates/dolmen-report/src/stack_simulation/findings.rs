@@ -50,6 +50,11 @@ pub(crate) fn findings(runs: &StackRuns) -> Vec<Finding> {
         all.push(Finding::key(Tone::Warn, Ending::SupportsAsDrawn));
     }
     all.extend(crushing(runs));
+    let is_rigid = |run: &StackSimulation| matches!(run.law, ContactLaw::Rigid(_));
+    if !simulation.loosened.is_empty() && runs.each().any(is_rigid) {
+        let stones = simulation.loosened.clone();
+        all.push(Finding::key(Tone::Warn, Ending::Unseen { stones }));
+    }
     if simulation.without_wind {
         all.push(Finding::key(Tone::Plain, Ending::NoWind));
     }

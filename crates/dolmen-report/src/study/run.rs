@@ -1,6 +1,7 @@
 //! What a study ran, how its runs ended, and what is lacking.
 
 use super::words::{Words, both, g, name, scans};
+use crate::damaged::damaged;
 use crate::document::{Block, Document};
 use dolmen_project::Scan;
 use dolmen_words::message::Both;
@@ -58,6 +59,14 @@ messages! {
         Unfinished { missing: usize, jobs: Sentence } => {
             en: "Not finished: {missing} of {jobs} are missing; the same command goes on from here. What follows is of the part that is done.",
             ko: "미완료: {jobs} 중 {missing}건이 끝나지 않았다. 같은 명령으로 이어서 해석할 수 있으며, 아래 결과는 완료된 부분만의 것이다.",
+        },
+        InModel { each: Vec<Sentence> } => {
+            en: "The model has the damage of inspections: {each}.",
+            ko: "모델에 점검에서 확인된 손상을 반영하였다: {each}.",
+        },
+        InModelAsItIs { each: Vec<Sentence> } => {
+            en: "The model of the structure as it is has the damage of inspections: {each}. A variant may have other damage.",
+            ko: "현 상태 모델에 점검에서 확인된 손상을 반영하였다: {each}. 대안의 손상은 다를 수 있다.",
         },
         NotInRuns { said: Both } => { en: "Left out: {said}.", ko: "미반영: {said}." },
         Copies { each: Vec<Sentence> } => {
@@ -117,6 +126,13 @@ pub(super) fn unscanned(document: &mut Document<'_>, answer: &StudyAnswer) {
 }
 
 fn notes(document: &mut Document<'_>, answer: &StudyAnswer) {
+    if !answer.model_damage.is_empty() {
+        let each = answer.model_damage.iter().map(damaged).collect();
+        document.put(Block::Warning(match answer.study.variants.is_empty() {
+            true => Done::InModel { each }.into(),
+            false => Done::InModelAsItIs { each }.into(),
+        }));
+    }
     for said in &answer.left_out_of_runs {
         let said = said.clone();
         document.put(Block::Warning(Done::NotInRuns { said }.into()));

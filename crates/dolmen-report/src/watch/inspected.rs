@@ -1,6 +1,6 @@
 //! What inspections say, one after the other, in plain words.
 
-use super::cause::cause;
+use super::dated_changes::changes_said;
 use super::logs::month;
 use super::numbers::{HALF_95, bare_logged, logged, plain};
 use crate::document::{Finding, Tone};
@@ -290,28 +290,27 @@ fn growth(of: &WatchedDamage, last: &InspectionOf, date: &dyn Fn(usize) -> Strin
 
 /// Steps, changes of slope and readings that stand alone.
 fn changed(answer: &WatchAnswer, of: &WatchedDamage, date: &dyn Fn(usize) -> String) -> Vec<Finding> {
-    let day = |reading: usize| of.readings.get(reading).map_or(f64::NAN, |read| read.day);
     let survey = |reading: usize| {
         let of = of.readings.get(reading);
         of.map_or_else(String::new, |of| date(of.inspection))
     };
     let damage = || damage_name(of);
-    let changes = of.trend.changes.iter().map(|change| match change.form {
+    let mut all = changes_said(answer, &of.trend, &survey, |change| match change.of.form {
         ChangeForm::Step => Inspections::Jumped {
             damage: damage(),
-            by: bare_logged(change.size, false, 2),
-            half: logged(HALF_95 * change.sd, false, 2),
-            after: survey(change.after),
-            before: survey(change.before),
-            cause: cause(answer, [day(change.after), day(change.before)]).into(),
+            by: bare_logged(change.of.size, false, 2),
+            half: logged(HALF_95 * change.of.sd, false, 2),
+            after: change.after,
+            before: change.before,
+            cause: change.cause.into(),
         },
         ChangeForm::Slope => Inspections::Bends {
             damage: damage(),
-            about: survey(change.from),
-            after: survey(change.after),
-            before: survey(change.before),
-            by: bare_logged(change.size, false, 3),
-            half: logged(HALF_95 * change.sd, false, 3),
+            about: change.about,
+            after: change.after,
+            before: change.before,
+            by: bare_logged(change.of.size, false, 3),
+            half: logged(HALF_95 * change.of.sd, false, 3),
         },
     });
     let alone = of.trend.outliers.iter().map(|outlier| Inspections::Alone {
@@ -323,6 +322,6 @@ fn changed(answer: &WatchAnswer, of: &WatchedDamage, date: &dyn Fn(usize) -> Str
             .map_or_else(|| plain(f64::NAN, 2), |read| size(read.size_m)),
         expected: size(outlier.expected),
     });
-    let all = changes.chain(alone);
-    all.map(|said| Finding::key(Tone::Warn, said)).collect()
+    all.extend(alone.map(|said| Finding::key(Tone::Warn, said)));
+    all
 }

@@ -1,6 +1,7 @@
 //! The structure over the years: findings, and the section on its surveys in time.
 
 mod cause;
+mod dated_changes;
 mod earthquakes;
 mod failing;
 mod findings;

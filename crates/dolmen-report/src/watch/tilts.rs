@@ -1,6 +1,6 @@
 //! What the tilts of a structure say: beyond their limit, jumped, growing.
 
-use super::cause::cause;
+use super::dated_changes::changes_said;
 use super::numbers::{HALF_95, name, plain, slope};
 use crate::document::{Finding, Tone};
 use dolmen::monitoring::{ChangeForm, TiltSeries, TiltTrend};
@@ -163,34 +163,35 @@ pub(super) fn changed(answer: &WatchAnswer, trend: &TiltTrend) -> Vec<Finding> {
         let bends = later.filter(|of| of.form == ChangeForm::Slope);
         now - bends.map(|of| of.size).sum::<f64>()
     };
-    let day = |reading: usize| trend.series.days.get(reading).copied().unwrap_or(f64::NAN);
-    let each = trend.changes.iter().enumerate().map(|(i, of)| match of.form {
-        ChangeForm::Step if trend.turns_sign(of) => Tilted::TiltTurned {
+    let named = |reading: usize| survey(answer, trend, reading);
+    let mut all = changes_said(answer, trend, &named, |change| match change.of.form {
+        ChangeForm::Step if trend.turns_sign(change.of) => Tilted::TiltTurned {
             direction: direction.clone(),
-            by: slope(of.size, 3),
-            half: slope(HALF_95 * of.sd, 3),
-            after: survey(answer, trend, of.after),
-            before: survey(answer, trend, of.before),
+            by: slope(change.of.size, 3),
+            half: slope(HALF_95 * change.of.sd, 3),
+            after: change.after,
+            before: change.before,
         },
         ChangeForm::Step => Tilted::TiltJumped {
             direction: direction.clone(),
-            by: slope(of.size, 3),
-            half: slope(HALF_95 * of.sd, 3),
-            after: survey(answer, trend, of.after),
-            before: survey(answer, trend, of.before),
-            cause: cause(answer, [day(of.after), day(of.before)]).into(),
+            by: slope(change.of.size, 3),
+            half: slope(HALF_95 * change.of.sd, 3),
+            after: change.after,
+            before: change.before,
+            cause: change.cause.into(),
         },
         ChangeForm::Slope => Tilted::TiltBends {
             direction: direction.clone(),
-            about: survey(answer, trend, of.from),
-            after: survey(answer, trend, of.after),
-            before: survey(answer, trend, of.before),
-            earlier: slope(since(i) - of.size, 3),
-            since: slope(since(i), 3),
+            about: change.about,
+            after: change.after,
+            before: change.before,
+            earlier: slope(since(change.at) - change.of.size, 3),
+            since: slope(since(change.at), 3),
         },
     });
-    let all = each.chain(either_sign(trend, &direction));
-    all.map(|said| Finding::key(Tone::Warn, said)).collect()
+    let either = either_sign(trend, &direction);
+    all.extend(either.map(|said| Finding::key(Tone::Warn, said)));
+    all
 }
 
 /// When a tilt whose sign is in question reaches its limit, if it goes away from the vertical.

@@ -162,6 +162,7 @@ impl Shakable<'_> {
             variant: version.variant.map(str::to_owned),
             stack: stack.clone(),
             lean: self.part.lean.clone(),
+            loosened: left_out.loosened,
             without_wind: left_out.wind,
             tilt_left_out: left_out.tilt,
             gaps: self.gaps.clone(),

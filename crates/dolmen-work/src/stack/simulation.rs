@@ -31,6 +31,8 @@ pub struct StackSimulation {
     pub stack: Stack,
     /// How it leans as surveyed.
     pub lean: Option<SurveyedLean>,
+    /// Stones whose beds have lost stiffness, as inspections found them.
+    pub loosened: Vec<String>,
     /// Whether the file gives a wind, which does not blow during a motion.
     pub without_wind: bool,
     /// A measured tilt that the runs do not start from.

@@ -10,7 +10,7 @@ use super::scans::{CapacityOf, LevelRow, capacity_of};
 use super::shaking_measure::ShakingScales;
 use super::state_before::StateBefore;
 use dolmen::assess::{AssessError, Direction, Reached, Trend, trend};
-use dolmen_project::{ExpectedTrend, HazardPart, Names, Scan, StudyPart};
+use dolmen_project::{ExpectedTrend, HazardPart, ModelDamage, Names, Scan, StudyPart};
 use dolmen_words::message::Both;
 use std::collections::BTreeMap;
 
@@ -61,6 +61,8 @@ pub struct StudyAnswer {
     pub version: String,
     /// What is to be known of the project file: values that it does not give, and others.
     pub notes: Vec<Both>,
+    /// Damage of inspections that the model of the structure as it is has; that of a variant may differ.
+    pub model_damage: Vec<ModelDamage>,
     /// What the runs leave out of what the file gives.
     pub left_out_of_runs: Vec<Both>,
     /// Motions that are others again.

@@ -25,7 +25,7 @@ use dolmen::signal::Component;
 use dolmen::stability::stack::{StackLimits, stack_limits};
 use dolmen_project::Problem;
 use dolmen_project::{
-    Axis, MotionSize, Override, Project, Quantity, Scan, Structure, StudyPart, canonical_text,
+    Axis, LawPart, MotionSize, Override, Project, Quantity, Scan, Structure, StudyPart, canonical_text,
     parse_combination,
 };
 use dolmen_records::Files;
@@ -134,7 +134,10 @@ impl<'o> Plan<'o> {
                     );
                     fingerprint(all.as_bytes())
                 });
-                let left_out = project.as_ref().map(|project| LeftOutOfRuns::of(project).words());
+                let is_rigid = self.study.law == LawPart::Rigid;
+                let left_out = project
+                    .as_ref()
+                    .map(|project| LeftOutOfRuns::of(project).words(is_rigid));
                 Ok(ReadCombination {
                     model,
                     left_out: left_out.unwrap_or_default(),
@@ -378,6 +381,7 @@ impl<'o> Plan<'o> {
             before: self.states_before(),
             version: env!("CARGO_PKG_VERSION").to_owned(),
             notes: self.notes(),
+            model_damage: self.opened.project.damage.clone(),
             left_out_of_runs: self.left_out.clone(),
             copies: copies(&self.motions),
             inputs: self.inputs.clone(),

@@ -30,8 +30,8 @@ pub use chain::{
     check_chain, check_chain_across,
 };
 pub use change::{
-    ChangeNote, Difference, Evidence, ExchangedDirections, FittedTemperature, FrequencyChange, ModeChange,
-    NotCompared, PartFit, SurveyChange, SurveyChangeOptions, Surveyed, SwappedChannels,
+    ChangeNote, Difference, Evidence, ExchangedDirections, FACTOR_SOUGHT, FittedTemperature, FrequencyChange,
+    ModeChange, NotCompared, PartFit, SurveyChange, SurveyChangeOptions, Surveyed, SwappedChannels,
     TEMPERATURE_SURVEYS_LEAST, TemperatureEffect, TemperatureKnowledge, TurnedChannel, WhichPart,
     survey_change, which_part,
 };

@@ -61,7 +61,8 @@ pub use ensemble::{StackRun, simulate_springs_many};
 pub use error::BlocksError;
 pub use factors::{
     CommonFactor, FactorRange, JointFactor, JointFactors, JointFactorsError, JointFactorsOptions,
-    MeasuredStackMode, PairedBy, PairedMode, StackMotion, StiffnessOf, UnusedMode, WhyUnused, joint_factors,
+    LooseningStack, MeasuredStackMode, PairedBy, PairedMode, StackMotion, StiffnessOf, UnusedMode, WhyUnused,
+    joint_factors,
 };
 pub use frequencies::{StackMode, first_sway, lowest_stack_modes, stack_modes, sway_amplification};
 pub use history::{Energy, JointHistory, Outcome, Pose, RigidEvidence, StackHistory};

@@ -17,4 +17,4 @@ pub use notes::ChangeNote;
 pub use surveys::{SurveyChangeOptions, Surveyed, survey_change};
 pub use swapped::{SwappedChannels, TurnedChannel};
 pub use temperature::{FittedTemperature, TEMPERATURE_SURVEYS_LEAST, TemperatureEffect};
-pub use which_part::{FrequencyChange, PartFit, WhichPart, which_part};
+pub use which_part::{FACTOR_SOUGHT, FrequencyChange, PartFit, WhichPart, which_part};

@@ -9,7 +9,7 @@
 use crate::numeric::{chi_squared_above, chi_squared_quantile, maximum_between};
 
 /// Stiffness of a part over what it was, within which it is sought. Chosen here.
-const FACTOR: [f64; 2] = [0.02, 5.0];
+pub const FACTOR_SOUGHT: [f64; 2] = [0.02, 5.0];
 /// Factors tried before the least is refined.
 const TRIED: usize = 33;
 /// Halvings of the way from the best factor to where an interval ends: to 1e-5 of it.
@@ -145,7 +145,7 @@ pub fn which_part(
 }
 
 fn fitted(part: Option<usize>, frequencies: usize, left: &impl Fn(f64) -> f64) -> Option<PartFit> {
-    let [low, high] = FACTOR;
+    let [low, high] = FACTOR_SOUGHT;
     let ratio = (high / low).powf(1.0 / (TRIED - 1) as f64);
     let tried: Vec<[f64; 2]> = (0..TRIED)
         .map(|at| low * ratio.powi(at as i32))

@@ -4,6 +4,7 @@ mod bounds;
 mod error;
 mod families;
 mod joint_factors;
+mod loosened;
 mod measured;
 mod model;
 mod motions;
@@ -16,6 +17,7 @@ mod unknowns;
 
 pub use error::JointFactorsError;
 pub use joint_factors::{JointFactorsOptions, joint_factors};
+pub use loosened::LooseningStack;
 pub use measured::MeasuredStackMode;
 pub use result::{
     CommonFactor, FactorRange, JointFactor, JointFactors, PairedBy, PairedMode, StiffnessOf, UnusedMode,

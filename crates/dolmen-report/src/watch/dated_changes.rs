@@ -1,0 +1,42 @@
+//! Steps and changes of slope of a trend, with the surveys between which they came.
+
+use super::cause::{Cause, cause};
+use crate::document::{Finding, Tone};
+use dolmen::monitoring::{TiltChange, TiltTrend};
+use dolmen_words::Sentence;
+use dolmen_work::watched::WatchAnswer;
+
+/// A change of a trend.
+pub(super) struct DatedChange<'a> {
+    /// Its place among those of the trend.
+    pub(super) at: usize,
+    /// The change.
+    pub(super) of: &'a TiltChange,
+    /// The survey at which it is.
+    pub(super) about: String,
+    /// It came after this survey,
+    pub(super) after: String,
+    /// and before this one.
+    pub(super) before: String,
+    /// The work between both.
+    pub(super) cause: Cause,
+}
+
+/// What is said of each change of a trend: `survey` names the survey of a reading.
+pub(super) fn changes_said<S: Into<Sentence>>(
+    answer: &WatchAnswer,
+    trend: &TiltTrend,
+    survey: &dyn Fn(usize) -> String,
+    said: impl Fn(DatedChange<'_>) -> S,
+) -> Vec<Finding> {
+    let day = |reading: usize| trend.series.days.get(reading).copied().unwrap_or(f64::NAN);
+    let each = trend.changes.iter().enumerate().map(|(at, of)| DatedChange {
+        at,
+        of,
+        about: survey(of.from),
+        after: survey(of.after),
+        before: survey(of.before),
+        cause: cause(answer, [day(of.after), day(of.before)]),
+    });
+    each.map(|of| Finding::key(Tone::Warn, said(of))).collect()
+}
