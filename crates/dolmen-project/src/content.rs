@@ -48,6 +48,8 @@ pub enum WarningKind {
     ColumnsNotInMotion,
     /// Values of the joints of a stack that are not given: Dolmen's own are taken.
     JointDefaults,
+    /// A key by the name that an earlier version had for it.
+    EarlierName,
     /// A surveyed tilt that the model does not lean by.
     SurveyTilt,
     /// A probable slip that `allow` lets pass.

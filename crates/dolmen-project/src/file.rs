@@ -3,7 +3,7 @@
 //! the schema finds it.
 
 use super::building::{DamperRaw, DampingRaw, FloorRaw, WatchedRaw};
-use super::chain::{CapRaw, HalfSpaceRaw, JointRaw, LinkRaw, StoneRaw};
+use super::chain::{CapRaw, JointRaw, LinkRaw, StoneRaw};
 use super::file_names::NamesRaw;
 use super::file_number::{At, EvidenceRaw, OrUnknown, QuantityRaw};
 use super::frame::{AxialRaw, ConventionRaw, DirectionRaw, StoreyRaw};
@@ -11,6 +11,7 @@ use super::limits::LimitsRaw;
 use super::loads::{CombinationRaw, LoadRaw, WindOrShelteredRaw};
 use super::report::ReportRaw;
 use super::site::{MotionRaw, SiteRaw};
+use super::soil::HalfSpaceRaw;
 use super::stack::{
     ArchRaw, BedRaw, BlockRaw, ContactRaw, PagodaRaw, SideSupportRaw, StoneWallRaw, SupportMovementRaw,
     TieRaw, TowerRaw, TrilithonRaw,
@@ -60,8 +61,9 @@ pub(super) struct FileRaw {
     /// kind = "chain": the stone of the links, { elastic_modulus = "40 GPa", poisson_ratio = 0.2, density = "2600 kg/m3" }: `dolmen check` then
     /// sets the pole beside one without joints.
     pub(super) stone: Option<At<StoneRaw>>,
-    /// kind = "chain": the soil below, { shear_modulus = "40 MPa", poisson_ratio = 0.35, along = 1.8, across = 2.4 }, or with a diameter; in
-    /// series with the lowest joint, which is then the bed alone. Without it the lowest joint holds both.
+    /// kind = "chain", "stack": the soil below, { shear_modulus = "40 MPa", poisson_ratio = 0.35, along = 1.8, across = 2.4 }, or with a diameter; in
+    /// series with the lowest joint, which is then the bed alone. Of a chain without it the lowest joint holds both. The footing of a stack is the bed
+    /// of its lowest block if not given.
     pub(super) soil: Option<At<HalfSpaceRaw>>,
     /// kind = "frame": the storeys, lowest first.
     pub(super) storeys: Option<At<Vec<At<StoreyRaw>>>>,

@@ -42,6 +42,7 @@ mod schema_tree;
 mod sensor_slips;
 mod site;
 mod slips;
+mod soil;
 mod sought;
 mod stack;
 mod study;
@@ -70,8 +71,8 @@ pub use building::{
     WatchedPart, strokes_of,
 };
 pub use chain::{
-    Cap, ChainAxis, ChainLean, ChainPart, ChainSupportPart, FootingPart, JointFrictionPart, JointPart,
-    LinkPart, SoilPart, StonePart, tilt_of_axes,
+    Cap, ChainAxis, ChainLean, ChainPart, ChainSupportPart, JointFrictionPart, JointPart, LinkPart,
+    StonePart, tilt_of_axes,
 };
 pub use combine::{canonical_text, parse_combination};
 pub use content::{Project, Structure, Variant, Warning, WarningKind};
@@ -99,12 +100,13 @@ pub use report::{
 pub use safe_text::texts;
 pub use schema::json_schema;
 pub use site::{HazardPart, HazardSource, MotionPart, MotionSize, MotionSource, Place, SitePart};
+pub use soil::{FootingPart, SoilBelowPart, SoilPart};
 pub use sought::{FromSurvey, FromSurveys, Sought, WhyNotIdentified};
 pub use stack::{
     ArchPart, BedPart, BlockPart, ContactPart, JointDefaults, LoosenedBedPart, LostBedPart, MadePart,
     MeshPart, OpeningPart, PagodaPart, PagodaSlendernessPart, PointsFrame, ShapePart, SideSupportPart,
     StackFault, StackPart, StoneWallPart, SupportMovementPart, SurveyedLean, TiePart, TopPart, TowerPart,
-    TowerPlanPart, TrilithonPart,
+    TowerPlanPart, TrilithonPart, WallOpeningPart,
 };
 pub use study::{
     AfterPart, ArtificialPart, Axis, DRIFT_LIMITS, ExpectedTrend, HarmonicPart, LawPart, Override, Scan,

@@ -131,6 +131,7 @@ pub(super) const KEYS_OF_KIND: &[(&str, &[&str])] = &[
             "contacts",
             "ties",
             "side_supports",
+            "soil",
             "support_movement",
             "as_surveyed",
         ],

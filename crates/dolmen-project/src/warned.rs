@@ -42,6 +42,10 @@ messages! {
             en: "joint does not say everything; Dolmen's own values are taken, and assumed: {taken} (friction acts in the limits; stiffness and damping in frequencies, in the demand on elastic joints and in motion)",
             ko: "접합면(joint) 물성 일부가 주어지지 않아 Dolmen의 기본값으로 가정하였다: {taken} (마찰은 한계에, 강성과 감쇠는 고유진동수·탄성 접합면의 요구 수준·지진응답에 작용한다)",
         },
+        RestitutionOfFalls { path: String } => {
+            en: "{path} is read as normal_restitution, of falls alone: a stone that rocks keeps what geometry leaves it, or rocking_restitution",
+            ko: "{path}은(는) normal_restitution(낙하 시 수직 반발계수)으로 읽었다. 로킹하는 부재의 반발계수는 기하 조건으로 정해지며, 실측값이 있으면 rocking_restitution을 준다",
+        },
         TiltOnParts { survey: String } => {
             en: "the tilt of survey {survey} is not added to the model: its blocks carry their own tilt, offset or place",
             ko: "조사 {survey}의 기울기는 모델에 더하지 않았다. 부재별 기울기, 이동량 또는 좌표가 이미 주어져 있다",

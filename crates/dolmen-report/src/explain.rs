@@ -53,8 +53,8 @@ with `leave_out = true` on it in the project file.",
         text: "\
 One stiffness for a storey takes it that all its columns move together. Sensors side by side on one level, in one direction,
 are compared in every mode, in amplitude and in phase, with the deviations of the shape and 2 % for the calibration of each
-sensor. A floor that sways and turns is no fault. One column that moves as no rigid floor does is named where at least three
-sensors stand on the level: its foot may be loose, its tenon open, or its sensor badly fixed. Exchange the sensor with that of
+sensor. A floor that sways and turns is no fault. With at least three sensors on the level Dolmen names the column that moves as no
+rigid floor does: its foot may be loose, its tenon open, or its sensor badly fixed. Exchange the sensor with that of
 another column and measure again; then look at the column. With two sensors a turn of the floor looks the same.",
     },
     Explanation {
@@ -136,10 +136,10 @@ width, and the other half gapes.",
 A motor or the mains makes a line in the spectrum that a subspace method takes for a mode of very low damping. Noise that
 drives a mode makes its strength come and go (kurtosis 3 in a narrow band); a machine runs steadily (1.5). A peak that is
 narrower than any structure's, or steadier than random forces make one by three deviations, in the whole record or in the
-blocks of time in which it is strong (then its share of the record is said), is named and decides nothing; a
-mode that is too steady is named, and left out with `harmonics = \"remove\"`. At least 36 independent strengths are needed to
+blocks of time in which it is strong (the answer gives their share of the record), is a machine and decides nothing. A
+mode that is too steady stays, unless `harmonics = \"remove\"`. At least 36 independent strengths are needed to
 tell: 96 minutes at 1 Hz, 14 minutes at 7 Hz. Random forces change the strength and the phase of a motion alike; what
-changes in one more than in the other by five deviations is a machine whose speed or strength wanders, and named. Switch the machine off and measure again if it stands on a mode.",
+changes in one more than in the other by five deviations is a machine whose speed or strength wanders. Switch the machine off and measure again if it stands on a mode.",
     },
     Explanation {
         code: "indistinguishable",
@@ -269,7 +269,7 @@ Few sensors are moved from place to place while some stay. Each setup is identif
 of the others by frequency and by their shapes at the sensors that stayed, scaled there by least squares and laid side by
 side. Frequencies and damping ratios are means by inverse variance. A χ² test tells whether the setups agree: weather, the
 strength of the motion and moved mass make them differ, and the deviation of the mean is then widened. A mode that not every
-setup shows is named and left out. The assurance (MAC) of the shapes at the sensors that stayed must be near 1; a sensor that
+setup shows is left out, with a note. The assurance (MAC) of the shapes at the sensors that stayed must be near 1; a sensor that
 stayed near a node scales badly.",
     },
     Explanation {

@@ -103,6 +103,7 @@ mod training;
 mod tunings;
 mod untrusted;
 mod verbs;
+mod walls;
 mod watched_seasons;
 mod watched_slips;
 mod what_counts;

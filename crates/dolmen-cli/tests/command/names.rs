@@ -92,17 +92,74 @@ fn refuses_what_a_motion_without_a_match_would_ignore() {
 }
 
 #[test]
-fn holds_a_restitution_that_springs_do_not_use_is_said() {
+fn holds_each_restitution_goes_where_it_is_used() {
     let scratch = Scratch::new("names-restitution");
-    let text = "schema = 1\nkind = \"stack\"\nname = \"Stone\"\ndensity = 2600\njoint = { friction = 0.6, restitution = 0.4 }\n\
-                blocks = [{ name = \"stone\", width = 0.5, height = 1 }]\n";
-    fs::write(scratch.path().join("p.toml"), text).unwrap();
+    let write = |joint: &str| {
+        let text = format!(
+            "schema = 1\nkind = \"stack\"\nname = \"Stone\"\ndensity = 2600\njoint = {{ friction = 0.6, {joint} }}\n\
+             blocks = [{{ name = \"stone\", width = 0.5, height = 1 }}]\n"
+        );
+        fs::write(scratch.path().join("p.toml"), text).unwrap();
+    };
     let run = |law: &str| {
         scratch.briefly(&format!(
             "simulate p.toml --motion el-centro-1940-ns --keep-first 1 --law {law}"
         ))
     };
-    let said = "restitution given for the joints is not used";
-    assert!(run("springs").words().contains(said), "{}", run("springs").stdout);
-    assert!(!run("rigid").words().contains(said));
+    let said = |law: &str, words: &str| {
+        let run = run(law);
+        assert_eq!(run.status, 0, "{}{}", run.stdout, run.stderr);
+        (run.words() + &run.stderr).contains(words)
+    };
+    write("rocking_restitution = 0.8");
+    assert!(said(
+        "springs",
+        "rocking_restitution is not used by contact springs"
+    ));
+    assert!(!said("rigid", "rocking_restitution is not used"));
+    // 1 - 1.5 sin2(alpha) of this stone is 0.7
+    assert!(said(
+        "rigid",
+        "rocking_restitution 0.800 below 'stone' is more than the 0.700"
+    ));
+    write("rocking_restitution = 0.65");
+    assert!(!said("rigid", "is more than"));
+    // the earlier name is that of falls
+    write("restitution = 0.4");
+    let full = scratch.briefly("check p.toml --full").words();
+    assert!(
+        full.contains("joint.restitution is read as normal_restitution"),
+        "{full}"
+    );
+    let json = |joint: &str| {
+        write(joint);
+        let run = scratch.briefly("check p.toml --json");
+        let value: serde_json::Value = serde_json::from_str(&run.stdout).unwrap();
+        value["state"]["check"]["stack"]["joints"][0].clone()
+    };
+    let (earlier, now) = (json("restitution = 0.4"), json("normal_restitution = 0.4"));
+    assert_eq!(earlier, now);
+    // exp(-z/sqrt(1-z^2) (pi - atan2(2 z sqrt(1-z^2), 1-2 z^2))) = 0.4
+    assert!(
+        (now["damping_ratio"].as_f64().unwrap() - 0.354_508).abs() < 1e-6,
+        "{now}"
+    );
+    assert_eq!(
+        json("normal_restitution = 0.4, damping_ratio = 0.1")["damping_ratio"],
+        0.1
+    );
+    for (joint, words) in [
+        ("rocking_restitution = 0", "must be above 0"),
+        ("rocking_restitution = 80", "80"),
+        ("normal_restitution = 1.2", "0 to 1"),
+        ("normal_restitution = 0.4, restitution = 0.4", "which are one"),
+    ] {
+        write(joint);
+        let run = run("rigid");
+        assert!(
+            run.status > 1 && run.stderr.contains(words),
+            "{joint}: {}",
+            run.stderr
+        );
+    }
 }

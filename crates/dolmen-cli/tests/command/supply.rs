@@ -41,7 +41,10 @@ const SEVERAL: [(&str, usize); 15] = [
 fn metadata() -> Value {
     let cargo = Command::new(env!("CARGO"))
         .args(["metadata", "--format-version", "1", "--locked"])
-        .args(["--features", "dolmen-cli/pdf,dolmen-cli/postgres"])
+        .args([
+            "--features",
+            "dolmen-cli/pdf,dolmen-cli/postgres,dolmen-cli/parquet",
+        ])
         .current_dir(root())
         .output()
         .unwrap();

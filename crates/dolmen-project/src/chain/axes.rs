@@ -2,9 +2,9 @@
 
 use super::axis::ChainAxis;
 use super::part::{ChainPart, JointPart, LinkPart};
-use super::soil_part::FootingPart;
 use crate::loads::LoadsPart;
 use crate::quantity::{Pick, Quantity};
+use crate::soil::FootingPart;
 use dolmen::assess::StiffnessTaken;
 use dolmen::stability::BedEdge;
 use dolmen::structure::{Chain, Inertia, Link, Soil, StructureError};

@@ -72,24 +72,6 @@ pub(crate) struct StoneRaw {
     pub(super) density: Option<At<QuantityRaw>>,
 }
 
-/// The soil below the lowest joint.
-#[derive(Debug, serde::Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub(crate) struct HalfSpaceRaw {
-    /// Shear modulus: density times the square of the shear wave velocity.
-    #[schemars(required)]
-    pub(super) shear_modulus: Option<At<QuantityRaw>>,
-    /// Poisson's ratio, 0 to 0.5.
-    #[schemars(required)]
-    pub(super) poisson_ratio: Option<At<QuantityRaw>>,
-    /// Diameter of a round footing.
-    pub(super) diameter: Option<At<QuantityRaw>>,
-    /// Side of a rectangular footing in the direction of motion.
-    pub(super) along: Option<At<QuantityRaw>>,
-    /// Side of a rectangular footing across the direction of motion.
-    pub(super) across: Option<At<QuantityRaw>>,
-}
-
 /// Whether a joint opens.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]

@@ -1,11 +1,11 @@
 //! The chain of a project file, and the chain of the science it builds.
 
 use super::axis::ChainAxis;
-use super::soil_part::SoilPart;
 use super::support_part::ChainSupportPart;
 use crate::heaviness::Heaviness;
 use crate::loads::LoadsPart;
 use crate::quantity::{Pick, Quantity};
+use crate::soil::SoilPart;
 use crate::sought::Sought;
 use dolmen::assess::JointOnSoil;
 use dolmen::dynamics::{ChainJoint, ChainModel, ChainRotations, DynamicsError, JointFriction, JointOpening};

@@ -4,7 +4,6 @@ use super::file::{CapRaw, JointRaw, LinkRaw, OpeningRaw};
 use super::friction::{chain_damping, joint_friction};
 use super::part::{Cap, ChainPart, JointPart, LinkPart};
 use super::side_supports::side_supports;
-use super::soil::soil;
 use super::stone::{shafts_are_shafts, stone};
 use super::strength::beds_bear;
 use crate::content::WarningKind;
@@ -15,6 +14,7 @@ use crate::measure::{Bound, Measure};
 use crate::needed::{countable, heaviness, missing, one_each};
 use crate::quantity::Quantity;
 use crate::reader::Reader;
+use crate::soil::soil_under_footing;
 use crate::warned::Warned;
 use crate::wrong::{Common, WrongChain};
 use dolmen::dynamics::JointOpening;
@@ -222,7 +222,7 @@ pub(crate) fn chain(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) -> Op
         cap,
         damping_ratio,
         stone: stone(reader, raw.stone.as_ref()).map(Box::new),
-        soil: soil(reader, raw.soil.as_ref()).map(Box::new),
+        soil: soil_under_footing(reader, raw.soil.as_ref()).map(Box::new),
         side_supports: side_supports?,
         gravity_m_s2,
         lean: None,

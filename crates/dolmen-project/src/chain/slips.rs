@@ -2,12 +2,12 @@
 
 use super::part::{ChainPart, JointPart, LinkPart};
 use super::side_supports::judge_side_supports;
-use super::soil::judge_soil;
 use super::stone::judge_stone;
 use crate::heaviness::Heaviness;
 use crate::measure::Measure;
 use crate::quantity::Quantity;
 use crate::reader::Reader;
+use crate::soil::judge_soil;
 use crate::usual::{
     beside_neighbour, beside_others, guess, mass_kg, median_of_others, odd_ones, rounded, rounded_length,
     unit_of, within,
@@ -74,7 +74,7 @@ pub(crate) fn judge_chain(reader: &mut Reader, chain: &ChainPart) {
     if let Some(soil) = &chain.soil {
         let lowest = chain.links.first();
         let bed = lowest.and_then(|link| link.bed_width.as_ref().or(link.breadth.as_ref()));
-        judge_soil(reader, soil, bed);
+        judge_soil(reader, &soil.shear_modulus, Some(&soil.footing), bed);
     }
 }
 

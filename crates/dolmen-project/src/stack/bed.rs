@@ -2,9 +2,13 @@
 
 use super::file::BedRaw;
 use super::part::BedPart;
+use crate::content::WarningKind;
+use crate::error::Fault;
 use crate::file_number::{At, QuantityRaw};
 use crate::measure::{Bound, Measure};
 use crate::reader::Reader;
+use crate::warned::Warned;
+use crate::wrong::WrongStack;
 
 pub(super) fn bed(reader: &mut Reader, raw: Option<&At<BedRaw>>, path: &str) -> Option<BedPart> {
     let Some(raw) = raw else {
@@ -12,6 +16,23 @@ pub(super) fn bed(reader: &mut Reader, raw: Option<&At<BedRaw>>, path: &str) -> 
     };
     reader.mark(path, &raw.span);
     let before = reader.faults.len();
+    if let (Some(_), Some(also)) = (&raw.value.normal_restitution, &raw.value.restitution) {
+        let message = WrongStack::RestitutionTwice {
+            path: path.to_owned(),
+        };
+        let fault = Fault::new(also.span.clone(), &format!("{path}.restitution"), message);
+        reader.fault(fault.help(WrongStack::KeepNormalRestitution));
+        return None;
+    }
+    if let Some(earlier) = &raw.value.restitution {
+        let key = format!("{path}.restitution");
+        reader.mark(&key, &earlier.span);
+        reader.warn(
+            WarningKind::EarlierName,
+            &key,
+            Warned::RestitutionOfFalls { path: key.clone() },
+        );
+    }
     let mut of = |raw: &Option<At<QuantityRaw>>, key: &str, measure, bound| {
         reader.quantity(raw.as_ref(), &format!("{path}.{key}"), measure, bound)
     };
@@ -36,7 +57,21 @@ pub(super) fn bed(reader: &mut Reader, raw: Option<&At<BedRaw>>, path: &str) -> 
             above,
         ),
         damping_ratio: of(&bed.damping_ratio, "damping_ratio", Measure::Ratio, zero),
-        restitution: of(&bed.restitution, "restitution", Measure::Ratio, zero),
+        normal_restitution: match &bed.restitution {
+            Some(_) => of(&bed.restitution, "restitution", Measure::Ratio, zero),
+            None => of(
+                &bed.normal_restitution,
+                "normal_restitution",
+                Measure::Ratio,
+                zero,
+            ),
+        },
+        rocking_restitution: of(
+            &bed.rocking_restitution,
+            "rocking_restitution",
+            Measure::Ratio,
+            above,
+        ),
     };
     (reader.faults.len() == before).then_some(read)
 }

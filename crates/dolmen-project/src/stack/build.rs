@@ -149,7 +149,13 @@ impl BedPart {
         set(&mut material.normal_stiffness_pa_m, &self.normal_stiffness);
         set(&mut material.shear_stiffness_pa_m, &self.shear_stiffness);
         set(&mut material.damping_ratio, &self.damping_ratio);
-        set(&mut material.restitution, &self.restitution);
+        set(&mut material.normal_restitution, &self.normal_restitution);
+        if self.normal_restitution.is_some() && self.damping_ratio.is_none() {
+            material.damping_ratio = JointMaterial::damping_ratio_of(material.normal_restitution);
+        }
+        if let Some(rocking) = &self.rocking_restitution {
+            material.rocking_restitution = Some(pick(rocking));
+        }
         if let Some(strength) = &self.strength {
             material.compressive_strength_pa = Some(pick(strength));
         }
@@ -257,7 +263,12 @@ impl StackPart {
         let around = self.joint.over(JointMaterial::default(), pick);
         let stack = Stack::new(blocks, around, self.gravity_m_s2).map_err(|why| self.locate(why))?;
         self.check_beds(&stack)?;
-        let stack = self.with_loosened_beds(self.with_materials(stack, around, pick)?)?;
+        let stack = self.with_materials(stack, around, pick)?;
+        let mut stack = self.with_loosened_beds(stack)?;
+        if let Some(soil) = &self.soil {
+            let below = soil.below(stack, pick);
+            stack = below.map_err(|why| StackFault::part("soil".to_owned(), why))?;
+        }
         self.with_pieces(stack, turn, pick)
     }
 

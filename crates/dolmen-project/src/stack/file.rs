@@ -79,7 +79,7 @@ pub(crate) struct ArchRaw {
     pub(super) abutment: Option<At<QuantityRaw>>,
 }
 
-/// A wall one stone thick, in running bond.
+/// A wall in running bond.
 #[derive(Debug, serde::Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct StoneWallRaw {
@@ -98,6 +98,33 @@ pub(crate) struct StoneWallRaw {
     /// Length of a whole stone.
     #[schemars(required)]
     pub(super) stone_length: Option<At<QuantityRaw>>,
+    /// Leaves side by side across the thickness, 1 to 3; 1 if not given. Only through stones and lintels hold them together.
+    pub(super) leaves: Option<At<i64>>,
+    /// Width of the core between two leaves, whose filling is left out; a tenth of the thickness if not given.
+    pub(super) core: Option<At<QuantityRaw>>,
+    /// Every so many courses one is of through stones, as thick as the wall; none if not given.
+    pub(super) through_every: Option<At<i64>>,
+    /// Doors and windows.
+    pub(super) openings: Option<Vec<At<WallOpeningRaw>>>,
+}
+
+/// A door or window of a wall.
+#[derive(Debug, serde::Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct WallOpeningRaw {
+    /// From the left end of the wall to its left side.
+    #[schemars(required)]
+    pub(super) from: Option<At<QuantityRaw>>,
+    /// Clear width.
+    #[schemars(required)]
+    pub(super) width: Option<At<QuantityRaw>>,
+    /// Its lowest course, from 1; 1 if not given.
+    pub(super) first_course: Option<At<i64>>,
+    /// How many courses it is high.
+    #[schemars(required)]
+    pub(super) courses: Option<At<i64>>,
+    /// How far its lintel, one course high, lies on either side; a quarter of the clear width if not given.
+    pub(super) bearing: Option<At<QuantityRaw>>,
 }
 
 /// Plan of a tower.
@@ -194,7 +221,12 @@ pub(crate) struct BedRaw {
     pub(super) shear_stiffness: Option<At<QuantityRaw>>,
     /// Dashpots as a fraction of critical damping, 0 to 1; 0.3 if not given.
     pub(super) damping_ratio: Option<At<QuantityRaw>>,
-    /// Velocity that stones keep in an impact, 0 to 1, of the rigid law; 0 if not given.
+    /// Part of the velocity that a stone keeps when it falls flat, 0 to 1; 0 if not given. Contact springs take it as their damping_ratio.
+    pub(super) normal_restitution: Option<At<QuantityRaw>>,
+    /// Part of its angular velocity that a stone keeps when it rocks from edge to edge, above 0 to 1, of the rigid law; Housner's
+    /// 1 - 1.5 sin2(alpha) if not given.
+    pub(super) rocking_restitution: Option<At<QuantityRaw>>,
+    /// Earlier name of normal_restitution.
     pub(super) restitution: Option<At<QuantityRaw>>,
 }
 

@@ -4,17 +4,6 @@ use super::fault::StackFault;
 use super::part::StackPart;
 use dolmen::structure::stack::{Body, Joint, Stack};
 
-/// The bed of a block whose springs have lost stiffness.
-#[derive(Clone, Debug, PartialEq)]
-pub struct LoosenedBedPart {
-    /// The name of the block above it.
-    pub block: String,
-    /// What is left of the normal and shear stiffness.
-    pub factor: f64,
-    /// Where it stands in the file.
-    pub path: String,
-}
-
 impl StackPart {
     /// The stack with what is left of the stiffness of loosened beds.
     pub(super) fn with_loosened_beds(&self, mut stack: Stack) -> Result<Stack, StackFault> {

@@ -1,18 +1,26 @@
 //! Arches and walls from their dimensions, as they are written and as the science makes them.
 
-use super::file::{ArchRaw, StoneWallRaw};
-use super::made_part::{ArchPart, StoneWallPart};
+use super::file::{ArchRaw, StoneWallRaw, WallOpeningRaw};
+use super::made_part::{ArchPart, StoneWallPart, WallOpeningPart};
 use crate::error::Fault;
-use crate::file_number::At;
+use crate::file_number::{At, QuantityRaw};
 use crate::measure::{Bound, Measure};
+use crate::needed::listed;
 use crate::quantity::{Pick, Quantity};
 use crate::reader::Reader;
-use dolmen::structure::stack::{ArchFactors, Block, StackError, WallFactors, arch, wall};
+use crate::wrong::{WrongStack, said};
+use dolmen::structure::stack::{ArchFactors, Block, StackError, WallFactors, WallOpening, arch, wall};
 
 /// Most voussoirs: as the science allows.
 const VOUSSOIRS_MOST: usize = 400;
 /// Most courses: as the science allows.
 const COURSES_MOST: usize = 100;
+/// Most leaves: as the science allows.
+const LEAVES_MOST: usize = 3;
+/// Core between leaves over the thickness of the wall, if it is not given. Chosen here.
+const CORE: f64 = 0.1;
+/// Bearing of a lintel over the clear width, if it is not given. Chosen here.
+const BEARING: f64 = 0.25;
 /// Density only to try the dimensions with, kg/m³: names and sizes do not depend on it.
 pub(super) const ANY_DENSITY_KG_M3: f64 = 2600.0;
 /// Width of an abutment over the thickness of the arch, if it is not given. Chosen here.
@@ -62,6 +70,17 @@ pub(super) fn wall_part(reader: &mut Reader, raw: &At<StoneWallRaw>) -> Option<(
     let thickness = of(given.thickness.as_ref(), "thickness");
     let course_height = of(given.course_height.as_ref(), "course_height");
     let stone_length = of(given.stone_length.as_ref(), "stone_length");
+    let core = of(given.core.as_ref(), "core");
+    let small = |count: Option<usize>| count.and_then(|count| u32::try_from(count).ok());
+    let leaves = small(reader.count(given.leaves.as_ref(), "wall.leaves", 1, LEAVES_MOST));
+    let through = given.through_every.as_ref();
+    let through_every = small(reader.count(through, "wall.through_every", 1, COURSES_MOST));
+    let openings = listed(
+        reader,
+        given.openings.as_deref(),
+        "wall.openings",
+        |reader, raw, path| opening_part(reader, &raw.value, path),
+    );
     (reader.faults.len() == before).then_some(())?;
     let part = StoneWallPart {
         length: length?,
@@ -69,10 +88,38 @@ pub(super) fn wall_part(reader: &mut Reader, raw: &At<StoneWallRaw>) -> Option<(
         courses: courses.and_then(|count| u32::try_from(count).ok())?,
         course_height: course_height?,
         stone_length: stone_length?,
+        leaves: leaves.unwrap_or(1),
+        core,
+        through_every,
+        openings: openings?,
     };
     let made = part.made(ANY_DENSITY_KG_M3, &mut Quantity::nominal);
     let names = tried(reader, raw.span.clone(), "wall", made)?;
     Some((part, names))
+}
+
+fn opening_part(reader: &mut Reader, raw: &WallOpeningRaw, path: &str) -> Option<WallOpeningPart> {
+    let before = reader.faults.len();
+    let mut of = |raw: &Option<At<QuantityRaw>>, key: &str, bound| {
+        reader.quantity(raw.as_ref(), &format!("{path}.{key}"), Measure::Length, bound)
+    };
+    let from = of(&raw.from, "from", Bound::NotNegative);
+    let width = of(&raw.width, "width", Bound::Positive);
+    let bearing = of(&raw.bearing, "bearing", Bound::Positive);
+    let mut count = |raw: &Option<At<i64>>, key: &str| {
+        let count = reader.count(raw.as_ref(), &format!("{path}.{key}"), 1, COURSES_MOST)?;
+        u32::try_from(count).ok()
+    };
+    let first_course = count(&raw.first_course, "first_course");
+    let courses = count(&raw.courses, "courses");
+    (reader.faults.len() == before).then_some(())?;
+    Some(WallOpeningPart {
+        from: from?,
+        width: width?,
+        first_course: first_course.unwrap_or(1),
+        courses: courses?,
+        bearing,
+    })
 }
 
 /// The names of what was made, or the fault at the key that the science names.
@@ -87,14 +134,21 @@ pub(super) fn tried(
         Err(why) => why,
     };
     let path = match &why {
-        StackError::Dimension { quantity, .. } => format!("{kind}.{}", quantity.trim_end_matches("_m")),
+        StackError::Dimension { quantity, .. } => {
+            let key = quantity.split('.').next().unwrap_or(quantity);
+            format!("{kind}.{}", key.trim_end_matches("_m"))
+        }
         _ => kind.to_owned(),
     };
     let place = match reader.place(&path) {
         none if none.is_empty() => span, // a default that does not go with the others
         place => place,
     };
-    reader.fault(Fault::new(place, &path, format!("{kind}: {why}")));
+    let message = WrongStack::CannotBeMade {
+        kind: kind.to_owned(),
+        why: said(&why),
+    };
+    reader.fault(Fault::new(place, &path, message));
     None
 }
 
@@ -132,12 +186,17 @@ impl StoneWallPart {
     /// # Errors
     /// [`StackError`] for dimensions that cannot be together.
     pub fn made(&self, density_kg_m3: f64, pick: Pick<'_>) -> Result<Vec<Block>, StackError> {
+        let thickness_m = pick(&self.thickness);
         wall(&WallFactors {
             length_m: pick(&self.length),
-            thickness_m: pick(&self.thickness),
+            thickness_m,
             courses: self.courses,
             course_height_m: pick(&self.course_height),
             stone_length_m: pick(&self.stone_length),
+            leaves: self.leaves,
+            core_m: self.core.as_ref().map_or(CORE * thickness_m, &mut *pick),
+            through_every: self.through_every,
+            openings: self.openings.iter().map(|of| of.made(pick)).collect(),
             density_kg_m3,
         })
     }
@@ -149,5 +208,23 @@ impl StoneWallPart {
             &self.course_height,
             &self.stone_length,
         ]);
+        all.extend(&self.core);
+        for opening in &self.openings {
+            all.extend([&opening.from, &opening.width]);
+            all.extend(&opening.bearing);
+        }
+    }
+}
+
+impl WallOpeningPart {
+    fn made(&self, pick: Pick<'_>) -> WallOpening {
+        let width_m = pick(&self.width);
+        WallOpening {
+            from_m: pick(&self.from),
+            width_m,
+            first_course: self.first_course,
+            courses: self.courses,
+            bearing_m: self.bearing.as_ref().map_or(BEARING * width_m, &mut *pick),
+        }
     }
 }

@@ -34,6 +34,29 @@ pub struct StoneWallPart {
     pub course_height: Quantity,
     /// Length of a whole stone, m.
     pub stone_length: Quantity,
+    /// Leaves side by side.
+    pub leaves: u32,
+    /// Width of the core between two leaves, m; `None`: a tenth of the thickness.
+    pub core: Option<Quantity>,
+    /// Every so many courses one is of through stones.
+    pub through_every: Option<u32>,
+    /// Doors and windows.
+    pub openings: Vec<WallOpeningPart>,
+}
+
+/// A door or window of a wall.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WallOpeningPart {
+    /// From the left end of the wall, m.
+    pub from: Quantity,
+    /// Clear width, m.
+    pub width: Quantity,
+    /// Its lowest course, from 1.
+    pub first_course: u32,
+    /// How many courses it is high.
+    pub courses: u32,
+    /// Bearing of its lintel, m; `None`: a quarter of the width.
+    pub bearing: Option<Quantity>,
 }
 
 /// Plan of a tower.

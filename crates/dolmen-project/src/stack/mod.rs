@@ -29,12 +29,13 @@ pub(crate) use file::{
     TieRaw, TowerRaw, TrilithonRaw,
 };
 pub(crate) use lean::lean;
-pub use loosened::LoosenedBedPart;
-pub use made_part::{ArchPart, MadePart, StoneWallPart, TowerPart, TowerPlanPart, TrilithonPart};
+pub use made_part::{
+    ArchPart, MadePart, StoneWallPart, TowerPart, TowerPlanPart, TrilithonPart, WallOpeningPart,
+};
 pub use part::{
-    BedPart, BlockPart, ContactPart, JointDefaults, LostBedPart, MeshPart, OpeningPart, PagodaPart,
-    PagodaSlendernessPart, PointsFrame, ShapePart, SideSupportPart, StackPart, SupportMovementPart, TiePart,
-    TopPart,
+    BedPart, BlockPart, ContactPart, JointDefaults, LoosenedBedPart, LostBedPart, MeshPart, OpeningPart,
+    PagodaPart, PagodaSlendernessPart, PointsFrame, ShapePart, SideSupportPart, StackPart,
+    SupportMovementPart, TiePart, TopPart,
 };
 pub(crate) use read::stack;
 pub(crate) use slips::judge_stack;

@@ -1,10 +1,10 @@
 //! The stack of a project file.
 
-use super::loosened::LoosenedBedPart;
 use super::made_part::MadePart;
 use super::surveyed_lean::SurveyedLean;
 use crate::loads::LoadPart;
 use crate::quantity::{Evidence, Quantity};
+use crate::soil::SoilBelowPart;
 use dolmen::structure::stack::{Body, JointMaterial, Solid};
 
 /// The shape of a block as the file gives it.
@@ -148,8 +148,10 @@ pub struct BedPart {
     pub shear_stiffness: Option<Quantity>,
     /// Dashpots as a fraction of critical damping.
     pub damping_ratio: Option<Quantity>,
-    /// Restitution of the rigid law.
-    pub restitution: Option<Quantity>,
+    /// Restitution of a stone that falls flat.
+    pub normal_restitution: Option<Quantity>,
+    /// Restitution of rocking from edge to edge, of the rigid law.
+    pub rocking_restitution: Option<Quantity>,
 }
 
 /// Dolmen's own values of joints, where a file gives none.
@@ -272,6 +274,17 @@ pub struct LostBedPart {
     pub path: String,
 }
 
+/// The bed of a block whose springs have lost stiffness.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LoosenedBedPart {
+    /// The name of the block above it.
+    pub block: String,
+    /// What is left of the normal and shear stiffness.
+    pub factor: f64,
+    /// Where it stands in the file.
+    pub path: String,
+}
+
 /// Whether the file says of a value that it was measured or tested.
 fn is_measured(value: &Quantity) -> bool {
     matches!(
@@ -307,6 +320,8 @@ pub struct StackPart {
     pub lost_beds: Vec<LostBedPart>,
     /// Beds that have lost stiffness.
     pub loosened_beds: Vec<LoosenedBedPart>,
+    /// The soil under it; `None` for ground that gives nothing.
+    pub soil: Option<SoilBelowPart>,
     /// How it leans as surveyed; `None` if upright, or if blocks carry their own tilt.
     pub lean: Option<SurveyedLean>,
     /// Acceleration of gravity, m/s².
@@ -439,7 +454,8 @@ impl BedPart {
             &self.normal_stiffness,
             &self.shear_stiffness,
             &self.damping_ratio,
-            &self.restitution,
+            &self.normal_restitution,
+            &self.rocking_restitution,
         ];
         all.extend(each.into_iter().flatten());
     }
@@ -449,6 +465,7 @@ impl StackPart {
     pub(crate) fn inputs<'a>(&'a self, all: &mut Vec<&'a Quantity>) {
         all.extend(&self.density);
         self.joint.inputs(all);
+        all.extend(self.soil.iter().flat_map(SoilBelowPart::inputs));
         if let Some(pagoda) = &self.pagoda {
             pagoda.inputs(all);
         }

@@ -18,6 +18,7 @@ use crate::file_number::{At, QuantityRaw};
 use crate::measure::{Bound, Measure};
 use crate::needed::{countable, lengths, listed, missing};
 use crate::reader::Reader;
+use crate::soil::soil_below;
 use crate::warned::Warned;
 use crate::way::way;
 use crate::wrong::WrongStack;
@@ -145,6 +146,7 @@ pub(crate) fn stack(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) -> Op
         static_loads: Vec::new(),
         lost_beds: Vec::new(),
         loosened_beds: Vec::new(),
+        soil: soil_below(reader, raw.soil.as_ref()),
         lean: None,
         gravity_m_s2,
     };

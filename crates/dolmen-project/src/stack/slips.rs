@@ -6,6 +6,7 @@ use super::slips_beside::judge_beside;
 use super::slips_held::judge_held;
 use crate::quantity::Quantity;
 use crate::reader::Reader;
+use crate::soil::judge_soil;
 use crate::usual::{beside_neighbour, beside_others, guess, median_of_others, odd_ones, unit_of, within};
 use crate::written::short;
 use crate::wrong::{Common, Slip, StackSlip};
@@ -82,6 +83,9 @@ pub(crate) fn judge_stack(reader: &mut Reader, stack: &StackPart) {
         .chain(stack.blocks.iter().filter_map(|block| block.density.as_ref()));
     for density in densities {
         judge_density(reader, density);
+    }
+    if let Some(soil) = &stack.soil {
+        judge_soil(reader, &soil.shear_modulus, soil.footing.as_ref(), None);
     }
     judge_bed(reader, &stack.joint);
     for block in &stack.blocks {
@@ -405,19 +409,17 @@ fn judge_bed(reader: &mut Reader, bed: &BedPart) {
         };
         reader.slip(&strength.path, message, StackSlip::IsStrengthInMpa);
     }
-    if let Some(damping) = &bed.damping_ratio
-        && damping.value > 1.0
-    {
+    let shares = [
+        &bed.damping_ratio,
+        &bed.normal_restitution,
+        &bed.rocking_restitution,
+    ];
+    for share in shares.into_iter().flatten().filter(|share| share.value > 1.0) {
         let message = StackSlip::ButItIsToOther {
-            path: damping.path.to_string(),
-            written: damping.written.to_string(),
+            path: share.path.to_string(),
+            written: share.written.to_string(),
         };
-        reader.slip(
-            &damping.path,
-            message,
-            Common::IsItPerCent {
-                percent: short(damping.value),
-            },
-        );
+        let percent = short(share.value);
+        reader.slip(&share.path, message, Common::IsItPerCent { percent });
     }
 }

@@ -10,6 +10,15 @@ messages! {
             en: "{path} is for a chain: a block meets its side support at a point",
             ko: "{path}은(는) chain에 쓴다. 블록의 측면 지지는 점으로 위치를 정한다",
         },
+        CannotBeMade { kind: String, why: Both } => {
+            en: "{kind} cannot be made: {why}",
+            ko: "{kind}을(를) 만들 수 없다: {why}",
+        },
+        RestitutionTwice { path: String } => {
+            en: "{path} has restitution and normal_restitution, which are one",
+            ko: "{path}에 같은 뜻인 restitution과 normal_restitution이 모두 있다",
+        },
+        KeepNormalRestitution => { en: "keep normal_restitution", ko: "normal_restitution만 남긴다" },
         SupportHasPosition => {
             en: "give block, position and direction",
             ko: "block, position, direction을 쓴다",

@@ -92,7 +92,7 @@ messages! {
             ko: "{survey} 조사의 실측 기울기는 모든 방향을 합하여 {tilt}(으)로, 파일에서 정한 한계(tilt_limit) {limit} 이내이다.",
         },
         Undated { surveys: Vec<String> } => {
-            en: "Surveys whose names say no date: {surveys}. Which survey is the last is told by the dates, so beside one with a date these lean no model, their frequencies and damage give way, and compare and watch leave them out; only their tilt is held against tilt_limit. Begin the name with the date, 2025-04-02.",
+            en: "Surveys whose names say no date: {surveys}. Dates decide which survey is the last: beside one with a date these lean no model, their frequencies and damage give way, and compare and watch leave them out. Only their tilt counts, against tilt_limit. Begin the name with the date, 2025-04-02.",
             ko: "이름에 날짜가 없는 조사: {surveys}. 최근 조사는 날짜로 정하므로, 날짜가 있는 조사가 있으면 이 조사의 기울기는 모델에 반영되지 않고 고유진동수와 손상은 뒤로 밀리며 compare와 watch에서 빠진다. 기울기를 tilt_limit와 비교하는 데만 쓴다. 이름을 2025-04-02처럼 날짜로 시작한다.",
         },
         BeyondDrift { survey: String, tilt: Sentence, limit: Sentence } => {

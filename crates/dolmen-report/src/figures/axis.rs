@@ -2,8 +2,6 @@
 
 use super::words::{Axes, say};
 use dolmen_words::{Language, number};
-use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter};
-use std::ops::Range;
 
 /// Powers of ten shown with all their multiples when the axis holds no more than this many of them.
 const DECADES_WITH_FIVES: f64 = 3.2;
@@ -148,33 +146,10 @@ impl Axis {
             share.clamp(0.0, 1.0)
         }
     }
-}
 
-impl Ranged for Axis {
-    type FormatOption = NoDefaultFormatting;
-    type ValueType = f64;
-
-    fn map(&self, value: &f64, limit: (i32, i32)) -> i32 {
-        let span = f64::from(limit.1 - limit.0);
-        limit.0 + (span * self.share(*value)).round() as i32
-    }
-
-    fn key_points<Hint: KeyPointHint>(&self, _: Hint) -> Vec<f64> {
-        self.ticks.iter().map(|t| t.at).collect()
-    }
-
-    fn range(&self) -> Range<f64> {
-        self.from..self.to
-    }
-}
-
-impl ValueFormatter<f64> for Axis {
-    fn format_ext(&self, value: &f64) -> String {
-        self.ticks
-            .iter()
-            .find(|t| t.at == *value)
-            .map(|t| t.text.clone())
-            .unwrap_or_default()
+    /// Where a value stands between two ends, px; one beyond the axis stands at its end.
+    pub(crate) fn px(&self, value: f64, [start, end]: [f64; 2]) -> f64 {
+        start + (end - start) * self.share(value)
     }
 }
 
@@ -241,8 +216,7 @@ mod tests {
             Axis::logarithmic("", &[f64::NAN], Language::English),
         ] {
             assert!(axis.to > axis.from, "{axis:?}");
-            let at = axis.map(&axis.to, (0, 100));
-            assert_eq!(at, 100);
+            assert_eq!(axis.px(axis.to, [0.0, 100.0]), 100.0);
         }
     }
 }

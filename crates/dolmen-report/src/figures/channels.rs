@@ -238,13 +238,13 @@ mod tests {
             at_s: 10.0,
             lost_s: 5.0,
         };
-        let polygons = |svg: &str| svg.matches("<polygon").count();
+        let blocks = |svg: &str| svg.matches("<rect").count();
         let all = channels_over_time(&seen(vec![gap(None)]), Language::Korean);
         let one = channels_over_time(&seen(vec![gap(Some("c2"))]), Language::Korean);
         assert!(all.contains("표본 누락"));
         // a block a panel, and one in the legend
-        assert_eq!(polygons(&all) - polygons(&plain), CHANNELS_DRAWN + 1);
-        assert_eq!(polygons(&one) - polygons(&plain), 2);
+        assert_eq!(blocks(&all) - blocks(&plain), CHANNELS_DRAWN + 1);
+        assert_eq!(blocks(&one) - blocks(&plain), 2);
         // a quarter of the time used is drawn on either side
         assert_eq!(drawn_s(&seen(Vec::new()).time), [7.5, 82.5]);
     }

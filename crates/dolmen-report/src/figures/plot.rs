@@ -1,21 +1,8 @@
-//! Plots with axes: marks are collected, then drawn through plotters.
-//!
-//! plotters' SVG backend rounds to whole units and has no dashes of its own, so it is given tenths of a px.
+//! Plots with axes: marks are collected, then drawn.
 
 use super::axis::Axis;
 use super::ink::{Anchor, GREY, LIGHT, Label, Line, Shape};
-use super::scene::{escaped, marker_strokes, wrapped};
-use plotters::coord::cartesian::Cartesian2d;
-use plotters::coord::{CoordTranslate, Shift};
-use plotters::element::DashedPathElement;
-use plotters::prelude::*;
-use plotters::style::text_anchor::{HPos, Pos, VPos};
-
-/// Units of plotters in one px.
-const FINE: f64 = 10.0;
-
-/// plotters divides the size of a text by this before writing it.
-const PLOTTERS_FONT: f64 = 1.24;
+use super::scene::Scene;
 
 /// Length of tick marks, px.
 const TICK_PX: f64 = 4.0;
@@ -26,8 +13,9 @@ const NOTE_PX: f64 = 16.0;
 /// Height of one line of the legend, px.
 const LEGEND_PX: f64 = 20.0;
 
-type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
-type Drawn = Result<(), DrawingAreaErrorKind<std::io::Error>>;
+/// Half the outline of a marker, px: plots draw it within its size.
+const OUTLINE_PX: f64 = 0.9;
+
 /// A point in px from the upper left corner.
 type Px = [f64; 2];
 
@@ -166,179 +154,120 @@ impl Plot {
 
     /// The SVG. `title` describes it to a reader who cannot see it.
     pub(crate) fn svg(&self, title: impl AsRef<str>) -> String {
-        let title = title.as_ref();
-        let view = [self.width * FINE, self.height * FINE];
-        let mut drawn = String::new();
-        let outcome = {
-            let backend = SVGBackend::with_string(&mut drawn, (view[0] as u32, view[1] as u32));
-            let area = backend.into_drawing_area();
-            self.draw(&area).and_then(|()| area.present())
-        };
-        if let Err(fault) = outcome {
-            // Writing into a String cannot fail; if it ever does, the reader sees it.
-            let text = format!(
-                "<text x=\"10\" y=\"200\" font-size=\"120\">{}</text>",
-                escaped(&fault.to_string())
-            );
-            return wrapped(self.width, self.height, view, title, &text);
-        }
-        let inner = drawn.split_once(">\n").map_or("", |(_, rest)| rest);
-        let inner = inner.trim_end().trim_end_matches("</svg>");
-        // What the frame already says, and what is so by default.
-        let inner = inner
-            .replace(" opacity=\"1\"", "")
-            .replace(" font-family=\"sans-serif\"", "");
-        let inner = inner.replace(" fill=\"#1F2328\"", "");
-        let inner = inner.replace(">\n<polyline", ">\n<polyline stroke-linejoin=\"round\"");
-        wrapped(self.width, self.height, view, title, &inner)
-    }
-
-    fn draw(&self, area: &Area) -> Drawn {
+        let mut scene = Scene::new(self.width, self.height);
         let rows = self.legend_rows();
-        let top = 10.0 + rows.len() as f64 * LEGEND_PX + self.head;
         let named = if self.x.name.is_empty() { 0.0 } else { 20.0 };
         let end = self.height - NOTE_PX * self.notes.len() as f64;
-        let bottom = end - 24.0 - named;
-        let (x0, x1) = (self.left, self.width - self.right);
-        let spec = Cartesian2d::<Axis, Axis>::new(
-            self.x.clone(),
-            self.y.clone(),
-            (fine(x0)..fine(x1), fine(bottom)..fine(top)),
-        );
-        let to_px = |at: [f64; 2]| {
-            let (x, y) = spec.translate(&(at[0], at[1]));
-            [f64::from(x) / FINE, f64::from(y) / FINE]
-        };
-
         let field = Field {
-            x: [x0, x1],
-            y: [top, bottom],
+            x: [self.left, self.width - self.right],
+            y: [
+                10.0 + rows.len() as f64 * LEGEND_PX + self.head,
+                end - 24.0 - named,
+            ],
             end,
         };
-        self.draw_ticks(area, &field, &to_px)?;
-        self.draw_marks(area, &to_px)?;
-        self.draw_names(area, &field)?;
-        self.draw_legend(area, &rows)
+        self.draw_ticks(&mut scene, &field);
+        self.draw_marks(&mut scene, &field);
+        self.draw_names(&mut scene, &field);
+        self.draw_legend(&mut scene, &rows);
+        scene.svg(title)
+    }
+
+    /// Where a point of the axes stands, to a tenth of a px.
+    fn px(&self, [x, y]: [f64; 2], field: &Field) -> Px {
+        let [top, bottom] = field.y;
+        [self.x.px(x, field.x), self.y.px(y, [bottom, top])].map(tenth)
     }
 
     /// Ticks of both axes, with their grid.
-    fn draw_ticks(&self, area: &Area, field: &Field, to_px: &dyn Fn([f64; 2]) -> Px) -> Drawn {
-        let ([x0, x1], [top, bottom]) = (field.x, field.y);
+    fn draw_ticks(&self, scene: &mut Scene, field: &Field) {
+        let ([x0, x1], [top, bottom]) = (field.x.map(tenth), field.y.map(tenth));
         for tick in &self.x.ticks {
-            let [x, _] = to_px([tick.at, self.y.from]);
+            let [x, _] = self.px([tick.at, self.y.from], field);
             if self.x.grid {
-                segment(area, [x, top], [x, bottom], Line::new(LIGHT, 1.0))?;
+                scene.line([x, top], [x, bottom], Line::new(LIGHT, 1.0));
             }
             if !tick.text.is_empty() {
-                segment(area, [x, bottom], [x, bottom + TICK_PX], Line::new(GREY, 1.0))?;
-                text(
-                    area,
+                scene.line([x, bottom], [x, bottom + TICK_PX], Line::new(GREY, 1.0));
+                scene.text(
                     [x, bottom + 14.0],
                     &Label::new(&tick.text, Anchor::Middle).small(),
-                    Turn::None,
-                )?;
+                );
             }
         }
         for tick in &self.y.ticks {
-            let [_, y] = to_px([self.x.from, tick.at]);
+            let [_, y] = self.px([self.x.from, tick.at], field);
             if self.y.grid {
-                segment(area, [x0, y], [x1, y], Line::new(LIGHT, 1.0))?;
+                scene.line([x0, y], [x1, y], Line::new(LIGHT, 1.0));
             }
             if !tick.text.is_empty() {
-                segment(area, [x0 - TICK_PX, y], [x0, y], Line::new(GREY, 1.0))?;
+                scene.line([x0 - TICK_PX, y], [x0, y], Line::new(GREY, 1.0));
                 let at = [x0 - TICK_PX - 4.0, y];
-                text(area, at, &Label::new(&tick.text, Anchor::End).small(), Turn::None)?;
+                scene.text(at, &Label::new(&tick.text, Anchor::End).small());
             }
         }
-        Ok(())
     }
 
-    fn draw_marks(&self, area: &Area, to_px: &dyn Fn([f64; 2]) -> Px) -> Drawn {
+    fn draw_marks(&self, scene: &mut Scene, field: &Field) {
         for mark in &self.marks {
             match mark {
                 Mark::Line { points, line } => {
-                    let points: Vec<Px> = points.iter().map(|&p| to_px(p)).collect();
-                    path(area, &points, *line)?;
+                    let points: Vec<Px> = points.iter().map(|&point| self.px(point, field)).collect();
+                    scene.path(&points, *line);
                 }
                 Mark::Block {
                     from,
                     to,
                     colour,
                     opacity,
-                } => {
-                    let (a, b) = (to_px(*from), to_px(*to));
-                    let corners = [a, [b[0], a[1]], b, [a[0], b[1]]].map(whole);
-                    area.draw(&Polygon::new(
-                        corners.to_vec(),
-                        rgb(colour).mix(*opacity).filled(),
-                    ))?;
-                }
+                } => scene.block(self.px(*from, field), self.px(*to, field), colour, *opacity),
                 Mark::Dot {
                     at,
                     shape,
                     size,
                     colour,
-                } => dot(area, to_px(*at), *shape, *size, colour)?,
+                } => dot(scene, self.px(*at, field), *shape, *size, colour),
                 Mark::Text { at, shift, label } => {
-                    let [x, y] = to_px(*at);
-                    text(area, [x + shift[0], y + shift[1]], label, Turn::None)?;
+                    let [x, y] = self.px(*at, field);
+                    scene.text([x + shift[0], y + shift[1]], label);
                 }
             }
         }
-        Ok(())
     }
 
     /// The axes, their names, and notes below them.
-    fn draw_names(&self, area: &Area, field: &Field) -> Drawn {
-        let ([x0, x1], [top, bottom], end) = (field.x, field.y, field.end);
-        path(
-            area,
-            &[[x0, top], [x0, bottom], [x1, bottom]],
-            Line::new(GREY, 1.0),
-        )?;
+    fn draw_names(&self, scene: &mut Scene, field: &Field) {
+        let ([x0, x1], [top, bottom], end) = (field.x.map(tenth), field.y.map(tenth), field.end);
+        scene.path(&[[x0, top], [x0, bottom], [x1, bottom]], Line::new(GREY, 1.0));
         if !self.x.name.is_empty() {
             let at = [0.5 * (x0 + x1), end - 9.0];
-            text(area, at, &Label::new(&self.x.name, Anchor::Middle), Turn::None)?;
+            scene.text(at, &Label::new(&self.x.name, Anchor::Middle));
         }
         for (line, words) in self.notes.iter().enumerate() {
             let at = [12.0, end + NOTE_PX * (line as f64 + 0.6)];
-            text(area, at, &Label::new(words, Anchor::Start).small(), Turn::None)?;
+            scene.text(at, &Label::new(words, Anchor::Start).small());
         }
         if !self.y.name.is_empty() {
             let at = [10.0, 0.5 * (top + bottom)];
-            text(area, at, &Label::new(&self.y.name, Anchor::Middle), Turn::Left)?;
+            scene.upwards(at, &Label::new(&self.y.name, Anchor::Middle));
         }
-        Ok(())
     }
 
-    fn draw_legend(&self, area: &Area, rows: &[Vec<(usize, f64)>]) -> Drawn {
+    fn draw_legend(&self, scene: &mut Scene, rows: &[Vec<(usize, f64)>]) {
         for (row, entries) in rows.iter().enumerate() {
             let y = 10.0 + row as f64 * LEGEND_PX;
             for &(entry, x) in entries {
                 let (key, words) = &self.legend[entry];
                 match key {
-                    Key::Dot(shape, colour) => dot(area, [x + 9.0, y], *shape, 4.5, colour)?,
-                    Key::Line(line) => segment(area, [x, y], [x + 20.0, y], *line)?,
+                    Key::Dot(shape, colour) => dot(scene, [x + 9.0, y], *shape, 4.5, colour),
+                    Key::Line(line) => scene.line([x, y], [x + 20.0, y], *line),
                     Key::Block(colour, opacity) => {
-                        let corners = [
-                            [x, y - 6.0],
-                            [x + 18.0, y - 6.0],
-                            [x + 18.0, y + 6.0],
-                            [x, y + 6.0],
-                        ];
-                        let style = rgb(colour).mix(*opacity).filled();
-                        area.draw(&Polygon::new(corners.map(whole).to_vec(), style))?;
+                        scene.block([x, y - 6.0], [x + 18.0, y + 6.0], colour, *opacity);
                     }
                 }
-                text(
-                    area,
-                    [x + 25.0, y],
-                    &Label::new(words, Anchor::Start).small(),
-                    Turn::None,
-                )?;
+                scene.text([x + 25.0, y], &Label::new(words, Anchor::Start).small());
             }
         }
-        Ok(())
     }
 
     /// Entries of the legend, row by row, each with where it begins, px.
@@ -360,96 +289,16 @@ impl Plot {
     }
 }
 
-enum Turn {
-    None,
-    /// Read from below.
-    Left,
+/// To a tenth of a px: finer than is seen, and long lines stay short files.
+fn tenth(px: f64) -> f64 {
+    (px * 10.0).round() / 10.0
 }
 
-fn fine(px: f64) -> i32 {
-    (px * FINE).round() as i32
-}
-
-fn whole(px: Px) -> (i32, i32) {
-    (fine(px[0]), fine(px[1]))
-}
-
-/// "#e69f00" as plotters wants it.
-fn rgb(colour: &str) -> RGBColor {
-    let part = |at: usize| {
-        colour
-            .get(at..at + 2)
-            .and_then(|h| u8::from_str_radix(h, 16).ok())
-            .unwrap_or(0)
+/// A marker whose outline lies within its size.
+fn dot(scene: &mut Scene, at: Px, shape: Shape, size: f64, colour: &'static str) {
+    let size = match shape {
+        Shape::Ring | Shape::Cross | Shape::Bar => size,
+        Shape::Circle | Shape::Square | Shape::Diamond | Shape::Triangle => size - OUTLINE_PX,
     };
-    RGBColor(part(1), part(3), part(5))
-}
-
-fn segment(area: &Area, from: Px, to: Px, line: Line) -> Drawn {
-    path(area, &[from, to], line)
-}
-
-fn path(area: &Area, points: &[Px], line: Line) -> Drawn {
-    let style = rgb(line.colour)
-        .mix(line.opacity)
-        .stroke_width((line.width * FINE).round() as u32);
-    let points: Vec<(i32, i32)> = points.iter().map(|&p| whole(p)).collect();
-    if line.dashed {
-        area.draw(&DashedPathElement::new(points, fine(5.0), fine(4.0), style))
-    } else {
-        area.draw(&PathElement::new(points, style))
-    }
-}
-
-fn dot(area: &Area, at: Px, shape: Shape, size: f64, colour: &str) -> Drawn {
-    let colour = rgb(colour);
-    match shape {
-        Shape::Circle => area.draw(&Circle::new(whole(at), fine(size), colour.filled())),
-        Shape::Ring => {
-            area.draw(&Circle::new(whole(at), fine(size), WHITE.filled()))?;
-            area.draw(&Circle::new(
-                whole(at),
-                fine(size),
-                colour.stroke_width(fine(1.8) as u32),
-            ))
-        }
-        _ => {
-            for outline in marker_strokes(shape, size) {
-                let points: Vec<(i32, i32)> = outline
-                    .iter()
-                    .map(|p| whole([at[0] + p[0], at[1] + p[1]]))
-                    .collect();
-                if points.len() == 2 {
-                    area.draw(&PathElement::new(points, colour.stroke_width(fine(2.4) as u32)))?;
-                } else {
-                    area.draw(&Polygon::new(points, colour.filled()))?;
-                }
-            }
-            Ok(())
-        }
-    }
-}
-
-fn text(area: &Area, at: Px, label: &Label, turn: Turn) -> Drawn {
-    let anchor = match label.anchor {
-        Anchor::Start => HPos::Left,
-        Anchor::Middle => HPos::Center,
-        Anchor::End => HPos::Right,
-    };
-    let style = if label.bold {
-        FontStyle::Bold
-    } else {
-        FontStyle::Normal
-    };
-    let font = FontDesc::new(FontFamily::SansSerif, label.size * FINE * PLOTTERS_FONT, style);
-    let font = match turn {
-        Turn::None => font,
-        Turn::Left => font.transform(FontTransform::Rotate270),
-    };
-    let colour = rgb(label.colour);
-    let style = TextStyle::from(font)
-        .color(&colour)
-        .pos(Pos::new(anchor, VPos::Center));
-    // Sizes and places of a title come from the font's own estimate; only its own point matters here.
-    area.draw(&Text::new(label.text.as_str(), whole(at), style))
+    scene.marker(at, shape, size, colour);
 }

@@ -1,4 +1,4 @@
-//! A small SVG drawing: what has no axes (elevations, sketches, shapes, plans). Coordinates in px, y down.
+//! A small SVG drawing: figures with and without axes are drawn on it. Coordinates in px, y down.
 
 use super::ink::{Anchor, FONTS, Label, Line, Shape, TEXT};
 use std::fmt::Write as _;
@@ -23,11 +23,31 @@ impl Scene {
     }
 
     pub(crate) fn path(&mut self, points: &[[f64; 2]], line: Line) {
+        let joins = match points.len() {
+            0..=2 => "",
+            _ => " stroke-linejoin=\"round\"",
+        };
         let points = joined(points);
         let style = stroke(line);
         put(
             &mut self.body,
-            format_args!("<polyline points=\"{points}\" fill=\"none\" {style}/>"),
+            format_args!("<polyline points=\"{points}\" fill=\"none\"{joins} {style}/>"),
+        );
+    }
+
+    /// A rectangle between two corners, without outline.
+    pub(crate) fn block(&mut self, from: [f64; 2], to: [f64; 2], fill: &str, opacity: f64) {
+        let [x, y] = [0, 1].map(|axis| short(from[axis].min(to[axis])));
+        let [width, height] = [0, 1].map(|axis| short((to[axis] - from[axis]).abs()));
+        let opacity = match opacity < 1.0 {
+            true => format!(" opacity=\"{}\"", short(opacity)),
+            false => String::new(),
+        };
+        put(
+            &mut self.body,
+            format_args!(
+                "<rect x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\" fill=\"{fill}\"{opacity}/>"
+            ),
         );
     }
 
@@ -190,33 +210,26 @@ impl Scene {
 
     /// The whole drawing. `title` describes it to a reader who cannot see it.
     pub(crate) fn svg(&self, title: impl AsRef<str>) -> String {
-        let title = title.as_ref();
-        wrapped(
-            self.width,
-            self.height,
-            [self.width, self.height],
-            title,
-            &self.body,
-        )
+        wrapped(self.width, self.height, title.as_ref(), &self.body)
     }
 }
 
-/// The frame that every figure has, drawn by us or by plotters, whose units may be finer than px.
-pub(super) fn wrapped(width: f64, height: f64, view: [f64; 2], title: &str, body: &str) -> String {
+/// The frame that every figure has.
+fn wrapped(width: f64, height: f64, title: &str, body: &str) -> String {
     format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}\" height=\"{}\" viewBox=\"0 0 {} {}\" \
          font-family=\"{FONTS}\" fill=\"{TEXT}\" role=\"img\"><title>{}</title>\n{}</svg>\n",
         short(width),
         short(height),
-        short(view[0]),
-        short(view[1]),
+        short(width),
+        short(height),
         escaped(title),
         with_subscripts(body)
     )
 }
 
 /// Outline of a marker around its point: two points are a line, more a filled polygon.
-pub(super) fn marker_strokes(shape: Shape, size: f64) -> Vec<Vec<[f64; 2]>> {
+fn marker_strokes(shape: Shape, size: f64) -> Vec<Vec<[f64; 2]>> {
     let s = size;
     match shape {
         Shape::Circle | Shape::Ring => vec![],
@@ -241,7 +254,7 @@ pub(super) fn marker_strokes(shape: Shape, size: f64) -> Vec<Vec<[f64; 2]>> {
 fn with_subscripts(body: &str) -> String {
     let set = |below: &str| {
         format!(
-            "<tspan dy=\"0.28em\" font-size=\"75%\">{below}</tspan><tspan dy=\"-0.21em\">\u{200b}</tspan>"
+            "<tspan dy=\"0.28em\" font-size=\"0.75em\">{below}</tspan><tspan dy=\"-0.21em\">\u{200b}</tspan>"
         )
     };
     let body = body

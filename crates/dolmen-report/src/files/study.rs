@@ -4,6 +4,7 @@ use super::named::NamedFile;
 use super::nrml::nrml_files;
 use crate::figures::study_figures;
 use crate::json::study_json;
+#[cfg(feature = "parquet")]
 use crate::tables::{TableError, parquet};
 use dolmen::assess::AssessError;
 use dolmen_words::Language;
@@ -16,6 +17,7 @@ use dolmen_work::study::{
 #[derive(Debug, thiserror::Error)]
 pub enum StudyFilesError {
     /// A table cannot be made.
+    #[cfg(feature = "parquet")]
     #[error(transparent)]
     Table(#[from] TableError),
     /// A trend cannot be computed.
@@ -23,14 +25,15 @@ pub enum StudyFilesError {
     Assess(#[from] AssessError),
 }
 
-/// Tables (CSV and Parquet), figures and JSON of a study.
+/// Tables (CSV, and Parquet where it is built in), figures and JSON of a study.
 ///
 /// # Errors
 /// [`StudyFilesError`].
 pub fn study_files(answer: &StudyAnswer, language: Language) -> Result<Vec<NamedFile>, StudyFilesError> {
     let mut files = Vec::new();
-    let mut table = |name: &str, columns: Vec<Column>| -> Result<(), TableError> {
+    let mut table = |name: &str, columns: Vec<Column>| -> Result<(), StudyFilesError> {
         files.push(NamedFile::new(&format!("{name}.csv"), table_csv(&columns)));
+        #[cfg(feature = "parquet")]
         files.push(NamedFile::new(&format!("{name}.parquet"), parquet(&columns)?));
         Ok(())
     };

@@ -352,8 +352,13 @@ fn measured_words(answer: &StiffnessAnswer) -> Sentence {
     }
 }
 
-/// The notes, one after the other.
+/// The notes, one after the other: that no stiffness explains the modes tells to look for one left out, which another note need not say again.
 fn all_notes(notes: &[StiffnessNote]) -> Option<Sentence> {
-    let each = notes.iter().map(stiffness_note);
+    let none_explains = notes
+        .iter()
+        .any(|note| matches!(note, StiffnessNote::NoneExplains { .. }));
+    let says_more =
+        |note: &&StiffnessNote| !(none_explains && matches!(note, StiffnessNote::TakenAsLowest { .. }));
+    let each = notes.iter().filter(says_more).map(stiffness_note);
     each.reduce(|first, then| Found::Then { first, then }.into())
 }

@@ -147,7 +147,8 @@ fn joints(stack: &Stack) -> Vec<Value> {
             "normal_stiffness_pa_m": material.normal_stiffness_pa_m,
             "shear_stiffness_pa_m": material.shear_stiffness_pa_m,
             "damping_ratio": material.damping_ratio,
-            "restitution": material.restitution,
+            "normal_restitution": material.normal_restitution,
+            "rocking_restitution": material.rocking_restitution,
         })
     };
     stack.joints().iter().map(of).collect()

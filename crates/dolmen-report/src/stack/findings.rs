@@ -4,9 +4,9 @@ use super::crushing;
 use super::lean::lean;
 use super::mechanism::moving;
 use super::notes::{is_less, note};
-use super::supports;
 use super::verdict::banner;
 use super::words::{at, direction, first_with_ties, joint_moves, moves_together};
+use super::{soil, supports};
 use crate::document::{Finding, Tone};
 use dolmen::assess::StackNote;
 use dolmen::structure::stack::Stack;
@@ -69,6 +69,7 @@ pub(crate) fn findings(answer: &StackAnswer) -> Vec<Finding> {
         let (moves, at) = (joint_moves(&check.limits, with), at(&with.threshold));
         all.push(Finding::new(Tone::Plain, Found::WithTies { moves, at }));
     }
+    all.extend(soil::finding(answer));
     all.extend(answer.lean.as_ref().map(lean));
     all.extend(check.notes.iter().map(|of| noted(of, &answer.stack)));
     all

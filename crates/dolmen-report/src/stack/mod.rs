@@ -10,6 +10,7 @@ mod limits;
 mod local_mechanisms;
 mod mechanism;
 mod notes;
+mod soil;
 mod standing;
 mod supports;
 mod variants;
@@ -68,7 +69,7 @@ messages! {
 }
 
 /// The sentences on stacks as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 16] = [
+pub(crate) const TEMPLATES: [&[Template]; 17] = [
     verdict::Judged::TEMPLATES,
     findings::Found::TEMPLATES,
     lean::Leaning::TEMPLATES,
@@ -80,6 +81,7 @@ pub(crate) const TEMPLATES: [&[Template]; 16] = [
     limits::Limits::TEMPLATES,
     mechanism::Moving::TEMPLATES,
     local_mechanisms::Local::TEMPLATES,
+    soil::OnSoil::TEMPLATES,
     supports::Supports::TEMPLATES,
     beside::Beside::TEMPLATES,
     frequencies::Frequencies::TEMPLATES,

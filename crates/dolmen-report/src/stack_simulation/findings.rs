@@ -13,6 +13,9 @@ use dolmen_words::{Digits, Quantity, Unit};
 use dolmen_work::judgement::Earthquake;
 use dolmen_work::stack::{StackRuns, StackSimulation};
 
+/// Restitution above that of an impact at the edge, from which the answer says so: less is rounding of what was measured. Chosen here.
+const ABOVE_EDGE_LEAST: f64 = 0.005;
+
 /// How it ended and what may be concluded from it, the most important first.
 pub(crate) fn findings(runs: &StackRuns) -> Vec<Finding> {
     let simulation = &runs.deciding;
@@ -62,6 +65,11 @@ pub(crate) fn findings(runs: &StackRuns) -> Vec<Finding> {
     all.extend(made.map(|said| Finding::key(Tone::Warn, said)));
     if runs.other.is_none() && leaves_restitution_out(simulation) {
         all.push(Finding::key(Tone::Warn, Run::RestitutionUnused));
+    }
+    all.extend(rocks_on_more(simulation));
+    let is_rigid = |run: &StackSimulation| matches!(run.law, ContactLaw::Rigid(_));
+    if simulation.stack.soil().is_some() && runs.each().any(is_rigid) {
+        all.push(Finding::key(Tone::Warn, Run::SoilLeftOut));
     }
     if runs.repeats.is_none() && runs.each().any(|run| is_sensitive(&run.history.outcome)) {
         let may_be_worse = matches!(simulation.damage.state, DamageState::Begun | DamageState::Offset);
@@ -114,9 +122,33 @@ fn crushing(runs: &StackRuns) -> Option<Finding> {
 fn leaves_restitution_out(simulation: &StackSimulation) -> bool {
     let joints = simulation.stack.joints();
     match simulation.law {
-        ContactLaw::Springs(_) => joints.iter().any(|joint| joint.material.restitution > 0.0),
+        ContactLaw::Springs(_) => joints
+            .iter()
+            .any(|joint| joint.material.rocking_restitution.is_some()),
         ContactLaw::Rigid(_) => false,
     }
+}
+
+/// The joint whose `rocking_restitution` is farthest above Housner's 1 − 1.5 sin²α, where tan α is the acceleration at which it opens.
+fn rocks_on_more(simulation: &StackSimulation) -> Option<Finding> {
+    let stack = &simulation.stack;
+    let cuts = simulation.limits.cuts.iter();
+    let each = cuts.filter_map(|limits| {
+        let joints = limits.cut.joints.iter().map(|&joint| &stack.joints()[joint]);
+        let (of, given) = joints
+            .filter_map(|of| Some((of, of.material.rocking_restitution?)))
+            .max_by(|a, b| a.1.total_cmp(&b.1))?;
+        let edge = 1.0 - 1.5 * limits.uplift?.acceleration_g.atan().sin().powi(2);
+        (given > edge + ABOVE_EDGE_LEAST).then_some((of, given, edge))
+    });
+    let (of, given, edge) = each.max_by(|a, b| (a.1 - a.2).total_cmp(&(b.1 - b.2)))?;
+    let share = |value: f64| Quantity::ratio(value, 3);
+    let said = Run::RocksOnMore {
+        upper: stack.name(Body::Block(of.upper)).to_owned(),
+        given: share(given),
+        edge: share(edge),
+    };
+    Some(Finding::key(Tone::Plain, said))
 }
 
 /// Whether stones moved against each other so far that small differences of the input count.

@@ -131,7 +131,6 @@ impl Parts {
         }
         if alone {
             self.call("contents", language.code());
-            self.line("#pagebreak(weak: true)");
         }
         self.document(&whole_document(answer));
         self.document(&behind_document(answer, imprint));

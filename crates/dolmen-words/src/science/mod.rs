@@ -9,6 +9,7 @@ mod modal;
 mod motion;
 mod numbers;
 mod phrase;
+mod phrases_of_stacks;
 mod signal;
 mod stack;
 mod structure;

@@ -34,6 +34,7 @@ korean_of! {
         StackError::Overlap { first, second, depth_m, allowed_m } => "'{first}'와(과) '{second}'이(가) {depth_m:.4} m 겹치는데 석재는 닿기만 할 수 있다({allowed_m} m 이내). 크기와 위치를 확인한다";
         StackError::Floating { block, nearest, gap_m, allowed_m } => "'{block}'이(가) 떠 있다. 가장 가까운 아래 면({nearest})과 {gap_m:.4} m 떨어져 있는데 {allowed_m} m 이내이어야 한다";
         StackError::NotOnGround { block, on_ground } => "'{block}' 아래의 지반이 움직인다고 했는데 이 부재는 지반 위에 있지 않다. 지반 위에 있는 부재의 이름을 쓴다({on_ground})", on_ground = on_ground.join(", ");
+        StackError::SoilUnderSeveral { count } => "지반(soil)은 기초 하나에 대한 값인데 지반 위의 접합면이 {count}개이다. 모두를 받치는 부재 하나를 두거나 soil을 뺀다";
         StackError::NoBlock { given, last } => "블록 {given}이(가) 없다. 0~{last}번이 있다";
         StackError::NoJoint { given, count } => "접합면 {given}이(가) 없다. 접합면은 {count}개이다";
         StackError::Direction { quantity, given } => "{quantity}이(가) {given:?}인데 유한한 수의 벡터이고 모두 0이 아니어야 한다", quantity = phrase(quantity);

@@ -2,6 +2,8 @@
 
 use dolmen::structure::stack::{Solid, Stack};
 
+/// Distance that counts as none, m: rounding of coordinates.
+const ROUNDING_M: f64 = 1e-9;
 /// Nearer to another stone than this a place is taken, m.
 const FREE_M: f64 = 0.03;
 /// A stone's side is where a line from its centroid leaves it.
@@ -177,11 +179,14 @@ fn leaves_after(solid: &Solid, way: [f64; 3]) -> Option<f64> {
     lengths.min_by(f64::total_cmp).filter(|length| length.is_finite())
 }
 
-/// Whether a point is inside.
+/// Whether a point is inside, or on the surface but for rounding: it may lie where two stones meet.
 fn holds(solid: &Solid, at: [f64; 3]) -> bool {
     let [least, most] = solid.bounds_m();
-    let in_bounds = (0..3).all(|i| at[i] >= least[i] && at[i] <= most[i]);
+    let in_bounds = (0..3).all(|i| at[i] >= least[i] - ROUNDING_M && at[i] <= most[i] + ROUNDING_M);
     in_bounds
-        && planes(solid)
-            .all(|(point, normal)| (0..3).map(|i| normal[i] * (at[i] - point[i])).sum::<f64>() <= 0.0)
+        && planes(solid).all(|(point, normal)| {
+            let beyond: f64 = (0..3).map(|i| normal[i] * (at[i] - point[i])).sum();
+            let length = normal.iter().map(|part| part * part).sum::<f64>().sqrt();
+            beyond <= ROUNDING_M * length
+        })
 }

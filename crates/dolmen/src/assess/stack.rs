@@ -496,7 +496,7 @@ fn loads_on_soil(options: &StackCheckOptions, check: &StackCheck) -> StackLoads 
 mod tests {
     use super::*;
     use crate::stability::stack::{DemandVerdict, SpectralDemand};
-    use crate::structure::stack::{Block, JointMaterial, Placement, Solid};
+    use crate::structure::stack::{Block, JointMaterial, Placement, SoilBelow, Solid};
 
     /// Boxes [width, depth, height] with the middle of their base.
     fn boxes(sizes: &[([f64; 3], [f64; 3])], friction: f64) -> Stack {
@@ -536,9 +536,15 @@ mod tests {
 
     #[test]
     fn exact_soil_agrees_between_both_ways() {
-        let stack = boxes(&[([0.4, 0.4, 2.0], [0.0; 3])], 0.6);
+        let soil = SoilBelow {
+            rocking_stiffness_n_m_rad: 10.0 * 0.32 * 2600.0 * 9.81,
+            normal_stiffness_pa_m: 1e8,
+            shear_stiffness_pa_m: 1e8,
+        };
+        let stack = boxes(&[([0.4, 0.4, 2.0], [0.0; 3])], 0.6)
+            .with_soil(soil)
+            .unwrap();
         let mut options = StackCheckOptions::default();
-        options.limits.soil_rocking_stiffness_n_m_rad = Some(10.0 * 0.32 * 2600.0 * 9.81);
         options.limits.loads.lateral_m_s2 = [0.05 * 9.81, 0.0];
         let check = check_stack(&stack, &options).unwrap();
         let LimitAnalysisStatus::Limited(analysis) = check.analysis.unwrap().status else {

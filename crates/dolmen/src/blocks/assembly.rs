@@ -279,10 +279,7 @@ impl Assembly {
     /// Whether nothing but dry patches acts between the bodies.
     pub(super) fn only_dry_patches(&self) -> bool {
         let bonds = |pair: &Pair| pair.contact.as_ref().is_some_and(|(patch, _)| patch.law.bonds());
-        self.links.is_empty()
-            && self.props.is_empty()
-            && self.dead_loads.is_empty()
-            && !self.pairs.iter().any(bonds)
+        !self.holds() && !self.pairs.iter().any(bonds)
     }
 
     /// Least way that two bodies may go together before they can touch, m.
@@ -372,8 +369,14 @@ impl Assembly {
             forces.force[p] -= force;
             forces.torque[p] -= torque + (motion.origin - self.bodies[p].position).cross(force);
         }
+        forces.friction_loss = friction_loss;
+        self.push_held(h, forces);
+    }
+
+    /// Adds the forces of dowels, clamps, side supports and static loads at the bodies' present places.
+    pub(super) fn push_held(&mut self, h: f64, forces: &mut Forces) {
         for link in &mut self.links {
-            friction_loss += link.pull(&self.bodies, forces);
+            forces.friction_loss += link.pull(&self.bodies, forces);
         }
         for prop in &self.props {
             prop.push(&self.bodies, forces, h);
@@ -381,7 +384,11 @@ impl Assembly {
         for load in &self.dead_loads {
             load.push(&self.bodies, forces);
         }
-        forces.friction_loss = friction_loss;
+    }
+
+    /// Whether anything but gravity, contacts and the ground acts on a body.
+    pub(super) fn holds(&self) -> bool {
+        !(self.links.is_empty() && self.props.is_empty() && self.dead_loads.is_empty())
     }
 
     /// Energy in all springs, with the potential energy of static loads, J.

@@ -33,15 +33,6 @@ impl DeadLoad {
         forces.torque[self.body] += self.torque(&bodies[self.body]);
     }
 
-    /// Adds what it gives in a time to the momenta, three of force and three of torque a body.
-    pub(super) fn kick(&self, bodies: &[RigidBody], momentum: &mut [[f64; 6]], kick_s: f64) {
-        let both = [self.force, self.torque(&bodies[self.body])];
-        let given = both.iter().flat_map(|part| part.to_array());
-        for (momentum, part) in momentum[self.body].iter_mut().zip(given) {
-            *momentum += part * kick_s;
-        }
-    }
-
     /// Its potential energy, J: 0 as drawn.
     pub(super) fn stored(&self, bodies: &[RigidBody]) -> f64 {
         -self.force.dot(bodies[self.body].now(self.drawn) - self.drawn)

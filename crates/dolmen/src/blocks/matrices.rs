@@ -353,6 +353,18 @@ pub(super) fn longest_step(assembly: &Assembly) -> f64 {
     ((damping * damping + 4.0 * square).sqrt() - damping) / square
 }
 
+/// The longest step at which the leapfrog is stable on dowels, clamps and side supports alone, s; infinite without any.
+pub(super) fn longest_step_of_held(assembly: &Assembly) -> f64 {
+    let size = 6 * (assembly.bodies.len() - 1);
+    let mut springs = Matrix::zeros(size, size);
+    for link in assembly.links() {
+        let between = across_link(assembly, link);
+        between.bond.add_to(&mut springs, between.ends);
+    }
+    add_props(assembly, &mut springs);
+    2.0 / largest(assembly, &springs).sqrt()
+}
+
 /// Largest eigenvalue of M⁻¹A, by power iteration, raised by a per cent for what it may lack.
 fn largest(assembly: &Assembly, matrix: &Matrix) -> f64 {
     let size = matrix.rows();

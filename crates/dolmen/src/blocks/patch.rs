@@ -50,7 +50,16 @@ pub(super) struct Law {
     pub(super) friction_kinetic: f64,
     pub(super) cohesion: f64,
     pub(super) tension: f64,
-    pub(super) restitution: f64,
+    pub(super) restitution: Restitution,
+}
+
+/// What a joint keeps of the velocities before an impact.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Restitution {
+    /// Of faces that were apart.
+    pub(super) falls: f64,
+    /// Of a stone that passes from edge to edge; `None` for what an impact at the edge leaves.
+    pub(super) rocks: Option<f64>,
 }
 
 impl Law {
@@ -71,7 +80,10 @@ impl Law {
             friction_kinetic: material.friction_kinetic,
             cohesion: material.cohesion_pa,
             tension: material.tension_pa,
-            restitution: material.restitution,
+            restitution: Restitution {
+                falls: material.normal_restitution,
+                rocks: material.rocking_restitution,
+            },
         }
     }
 

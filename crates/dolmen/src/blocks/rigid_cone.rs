@@ -235,6 +235,7 @@ fn add_stiffness(k: &mut Stiffness, [x, y]: [f64; 2], [a, b, c]: [f64; 3], [d, e
 
 #[cfg(test)]
 mod tests {
+    use super::super::patch::Restitution;
     use super::super::rigid_point::Point;
     use super::*;
     use glam::{DMat3, DVec3};
@@ -257,7 +258,7 @@ mod tests {
                 ..Point::at([0.3, -0.2], 1.0)
             }],
             ahead: [0.0; 6],
-            restitution: 0.0,
+            restitution: Restitution::default(),
             warm: false,
             swung: false,
             softness: 1.0,

@@ -11,7 +11,7 @@
 //! | κ | `kick_s` | time over which the impulses act; 0 in an impact | s |
 
 use super::bodies::RigidBody;
-use super::patch::{LANES, Motion, Patch};
+use super::patch::{LANES, Motion, Patch, Restitution};
 use super::rigid_bed::{fit_bed, on_bed};
 use super::rigid_point::{Part, Point, Six};
 use glam::{DMat3, DVec3};
@@ -65,7 +65,7 @@ pub(super) struct Face {
     pub(super) points: Vec<Point>,
     /// Twist with which the offsets were found.
     pub(super) ahead: Six,
-    pub(super) restitution: f64,
+    pub(super) restitution: Restitution,
     /// Whether the impulses held are those of the step before.
     pub(super) warm: bool,
     /// Whether the last sum was presumed in part instead of the law's.

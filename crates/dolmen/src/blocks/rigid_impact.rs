@@ -13,9 +13,21 @@ const SAME_TIME: f64 = 0.01;
 const REBOUNDS_MOST: usize = 6;
 /// Energy that counts as none, in parts. Chosen here.
 const ROUNDING: f64 = 1e-9;
+/// Part of the closing velocity to which a rocking joint keeps its restitution, and solutions tried for it. Chosen here.
+const KEPT_TO: f64 = 1e-6;
+const BRAKES_MOST: usize = 6;
+/// Largest couple that is tried, over the first: that of the stone alone, which the mass on its edge makes up to some ten times as large. Chosen here.
+const COUPLE_MOST: f64 = 100.0;
 
 /// False positions tried to find the time of an impact.
 const FIND_MOST: usize = 30;
+
+/// A joint in which a stone passes from edge to edge, and the velocity that the middle of what touches keeps, m/s.
+struct Rocking {
+    face: usize,
+    at: [f64; 2],
+    keeps_m_s: f64,
+}
 
 impl Run {
     /// Time of the first impact in the rest of the step, by false position (Illinois).
@@ -93,7 +105,8 @@ impl Run {
         (self.momentum[0], self.velocity[0]) = ([0.0; 6], [0.0; 6]);
         self.hold_ground();
         let slow = IMPACT_FROM * self.assembly.gravity * self.h;
-        for (face, parts) in self.faces.iter_mut().zip(&parts_before) {
+        let mut rocking = Vec::new();
+        for (index, (face, parts)) in self.faces.iter_mut().zip(&parts_before).enumerate() {
             let before = face.ahead;
             for point in &mut face.points {
                 point.offset = [0.0; 3];
@@ -106,8 +119,17 @@ impl Run {
             {
                 self.memory[face.pair].known = false;
             }
-            if face.restitution > 0.0 {
-                face.rebound(&before, slow);
+            let passes_on = parts.contains(&Part::Near);
+            let of = match passes_on {
+                true => face.restitution.rocks,
+                false => Some(face.restitution.falls).filter(|of| *of > 0.0),
+            };
+            let rebound = of.and_then(|of| face.rebound(&before, slow, of));
+            // where the middle opens, no stone passes on
+            let passes_on = |(_, keeps_m_s): &([f64; 2], f64)| passes_on && *keeps_m_s > 0.0;
+            if let Some((at, keeps_m_s)) = rebound.filter(passes_on) {
+                let face = index;
+                rocking.push(Rocking { face, at, keeps_m_s });
             }
         }
         let before = self.kinetic(&self.velocity);
@@ -123,8 +145,51 @@ impl Run {
                 face.rebound_less();
             }
         }
+        for of in &rocking {
+            self.brake(of)?;
+        }
         self.acceleration.fill(DVec3::ZERO);
         self.commit();
+        Ok(())
+    }
+
+    /// Takes from a joint what it keeps beyond its restitution after an impact at the edge: a couple against its turning, as large as leaves the
+    /// middle of what touches `keeps_m_s`. Velocities are linear in it while the same points press: a secant finds it.
+    fn brake(&mut self, of: &Rocking) -> Result<(), Unsolved> {
+        let opening = |run: &Run| {
+            let twist = run.faces[of.face].twist_of(&run.velocity);
+            (velocity(&twist, of.at[0], of.at[1])[2], twist)
+        };
+        let (mut now, twist) = opening(self);
+        if now <= of.keeps_m_s * (1.0 + KEPT_TO) {
+            return Ok(());
+        }
+        let face = &self.faces[of.face];
+        let (plane_body, point_body) = (face.plane_body, face.point_body);
+        let spin = face.to_ground * DVec3::new(twist[3], twist[4], 0.0);
+        let turns = [plane_body, point_body].map(|body| {
+            let inertia = self.inertia.get(body).filter(|_| body > 0);
+            inertia.map_or(f64::INFINITY, |of| of.turning.mul_vec3(spin).length())
+        });
+        let mut couple = spin.normalize_or_zero() * turns[0].min(turns[1]) * (1.0 - of.keeps_m_s / now);
+        let most = COUPLE_MOST * couple.length();
+        for _ in 0..BRAKES_MOST {
+            let is_done = (now - of.keeps_m_s).abs() <= KEPT_TO * of.keeps_m_s;
+            // no couple reaches it: other points hold the stone
+            if is_done || couple.is_nan() || couple.length() > most {
+                break;
+            }
+            for (body, sign) in [(plane_body, 1.0), (point_body, -1.0)] {
+                if body > 0 {
+                    let (linear, turning) = halves(&self.momentum[body]);
+                    self.momentum[body] = six(linear, turning + sign * couple);
+                }
+            }
+            self.solve()?;
+            let (next, _) = opening(self);
+            couple *= (next - of.keeps_m_s) / (now - next);
+            now = next;
+        }
         Ok(())
     }
 
@@ -141,8 +206,8 @@ impl Run {
 
 impl Face {
     /// Adds the rebound of an impact: the mean normal velocity of the points that touch is at least −e times that before, and the
-    /// impulse that makes it so acts evenly on them, that is at their middle.
-    fn rebound(&mut self, before: &Six, slow: f64) {
+    /// impulse that makes it so acts evenly on them, that is at their middle. `None` where nothing nears fast enough to be an impact.
+    fn rebound(&mut self, before: &Six, slow: f64, restitution: f64) -> Option<([f64; 2], f64)> {
         let (mut area, mut at) = (0.0, [0.0; 2]);
         let (mut fastest, mut friction) = (0.0_f64, f64::INFINITY);
         for point in self.points.iter().filter(|point| point.part == Part::Near) {
@@ -153,29 +218,29 @@ impl Face {
             friction = friction.min(point.friction);
         }
         if area <= 0.0 || fastest <= slow {
-            return;
+            return None;
         }
-        let [x, y] = at.map(|moment| moment / area);
-        let closing = -velocity(before, x, y)[2];
+        let at = at.map(|moment| moment / area);
+        let keeps_m_s = -restitution * velocity(before, at[0], at[1])[2];
         self.points.push(Point {
             friction,
-            gap_ahead: closing, // kept to know when little is left of it
-            offset: [0.0, 0.0, -self.restitution * closing],
+            gap_ahead: keeps_m_s, // to know when little is left of it
+            offset: [0.0, 0.0, -keeps_m_s],
             part: Part::Near,
             index: usize::MAX,
-            ..Point::at([x, y], area)
+            ..Point::at(at, area)
         });
+        Some((at, keeps_m_s))
     }
 
     /// Halves the rebound, and gives it up when it is next to nothing.
     fn rebound_less(&mut self) {
         const LEAST: f64 = 0.1;
-        let restitution = self.restitution;
         for point in &mut self.points {
             point.held = [0.0; 3];
             if point.index == usize::MAX {
                 let left = point.offset[2] * 0.5;
-                let gone = left.abs() < LEAST * restitution * point.gap_ahead;
+                let gone = left.abs() < LEAST * point.gap_ahead;
                 point.offset[2] = if gone { 0.0 } else { left };
             }
         }

@@ -90,6 +90,8 @@ pub(super) struct Run {
     /// Solution under way, and the momentum without contacts.
     pub(super) velocity: Vec<Six>,
     pub(super) momentum: Vec<Six>,
+    /// What dowels, clamps, side supports and static loads do in a kick.
+    held: Forces,
     pub(super) at_rest: Option<AtRest>,
     pub(super) lag_s: f64,
     /// Length of the drift that the velocities were solved for.
@@ -120,6 +122,7 @@ impl Run {
             inertia: Vec::new(),
             velocity: vec![[0.0; 6]; bodies],
             momentum: vec![[0.0; 6]; bodies],
+            held: Forces::default(),
             at_rest: None,
             lag_s: 0.0,
             drift_s: h,
@@ -217,7 +220,7 @@ impl Run {
     /// Whether all stones go on moving with the ground.
     fn rests(&mut self, shaking: DVec3) -> bool {
         let still = |body: &RigidBody| body.velocity == DVec3::ZERO && body.spin == DVec3::ZERO;
-        if !self.assembly.bodies.iter().all(still) || !self.assembly.dead_loads().is_empty() {
+        if !self.assembly.bodies.iter().all(still) || self.assembly.holds() {
             self.at_rest = None;
             return false;
         }
@@ -321,8 +324,17 @@ impl Run {
             self.velocity[index] = six(guess, body.spin);
         }
         self.hold_ground();
-        for load in self.assembly.dead_loads() {
-            load.kick(&self.assembly.bodies, &mut self.momentum, kick_s);
+        if self.assembly.holds() {
+            self.held.clear(self.assembly.bodies.len());
+            self.assembly.push_held(self.h, &mut self.held);
+            let pushes = self.held.force.iter().zip(&self.held.torque);
+            for (momentum, (force, torque)) in self.momentum.iter_mut().zip(pushes) {
+                let given = six(*force * kick_s, *torque * kick_s);
+                momentum
+                    .iter_mut()
+                    .zip(given)
+                    .for_each(|(has, given)| *has += given);
+            }
         }
         self.momentum[0] = [0.0; 6];
         self.velocity[0] = [0.0; 6];

@@ -4,8 +4,8 @@ use super::{
     Case, ValidationError, aftershocks, arches, building_motion, choi_2021, chopra_2017, columns, crushing,
     dampers, driven_modes, dry_friction, earthquakes, fragility, free_columns, free_decay, gusts,
     hwang_min_hong, joined, kim_koo_hong_2018, local_mechanisms, owen_prieur_2017, park_min_2010,
-    pushed_frames, pyoma2, rigid_blocks, second_methods, setups, sliced_scans, survey_change, tenons, watch,
-    wind,
+    pushed_frames, pyoma2, restitution, rigid_blocks, second_methods, setups, sliced_scans, survey_change,
+    tenons, watch, wind,
 };
 
 /// All cases, source by source.
@@ -33,6 +33,7 @@ pub fn cases() -> Result<Vec<Case>, ValidationError> {
         arches::cases()?,
         local_mechanisms::cases()?,
         crushing::cases()?,
+        restitution::cases()?,
         sliced_scans::cases()?,
         dry_friction::cases()?,
         tenons::cases()?,

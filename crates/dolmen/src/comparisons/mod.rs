@@ -28,6 +28,7 @@ mod owen_prieur_2017;
 mod park_min_2010;
 mod pushed_frames;
 mod pyoma2;
+mod restitution;
 mod rigid_blocks;
 mod second_methods;
 mod setups;

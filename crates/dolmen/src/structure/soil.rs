@@ -17,6 +17,16 @@ pub enum Footing {
     },
 }
 
+impl Footing {
+    /// Area of its plan, m².
+    pub fn area_m2(&self) -> f64 {
+        match self {
+            Footing::Circle { diameter_m } => 0.25 * std::f64::consts::PI * diameter_m * diameter_m,
+            Footing::Rectangle { along_m, across_m } => along_m * across_m,
+        }
+    }
+}
+
 /// A rigid footing that rests on the surface of an elastic half-space and stays in contact with it.
 ///
 /// ```text

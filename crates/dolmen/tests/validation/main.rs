@@ -77,5 +77,6 @@ mod sufficiency;
 mod survey_change;
 mod swelling_earthquakes;
 mod tuned_mass;
+mod walls;
 mod watch;
 mod watched_seasons;

@@ -6,6 +6,8 @@
 //   another method: squares of constant pressure under the footing, each settling by the closed form of Boussinesq's solution;
 //   the pressures that tilt it rigidly give moment over angle.
 
+use dolmen::blocks::{ContactRule, stack_modes};
+use dolmen::structure::stack::{Block, JointMaterial, Solid, Stack};
 use dolmen::structure::{Footing, Soil};
 
 const SHEAR_MODULUS_PA: f64 = 40e6;
@@ -113,4 +115,40 @@ fn holds_a_joint_and_the_soil_in_series_give_the_joint_back() {
         assert!((1.0 / together - 1.0 / joint - 1.0 / soil.rocking_n_m_rad()).abs() * together < 1e-12);
     }
     assert_eq!(soil.joint_n_m_rad(soil.rocking_n_m_rad()), None);
+}
+
+/// A rigid body that sways and rocks on two springs, by its two frequencies in closed form.
+#[test]
+fn agrees_frequencies_of_one_stone_that_sways_and_rocks() {
+    let (side, height, modulus, nu) = (1.2, 3.0, 20e6, 0.3);
+    let material = JointMaterial {
+        normal_stiffness_pa_m: 1e16,
+        shear_stiffness_pa_m: 1e16,
+        ..JointMaterial::default()
+    };
+    let stone = Block {
+        name: "stone".into(),
+        solid: Solid::cuboid(side, side, height).unwrap(),
+        density_kg_m3: 2600.0,
+    };
+    let stack = Stack::new(vec![stone], material, 9.81)
+        .and_then(|stack| stack.on_half_space([modulus, nu], None))
+        .unwrap();
+    // the square of half side b: K = 4 G b^3/(1 - v), from the formula of the rectangle at L = B
+    let rocking = 4.0 * modulus * (0.5_f64 * side).powi(3) / (1.0 - nu);
+    let sway = 8.0 * modulus * (side * side / std::f64::consts::PI).sqrt() / (2.0 - nu);
+    let mass = 2600.0 * side * side * height;
+    let about = mass * (side * side + height * height) / 12.0;
+    let lever = 0.5 * height;
+    // (sway - m w^2)(rocking + sway c^2 - I w^2) = (sway c)^2 about the centroid, c its height
+    let (a, b) = (mass, about);
+    let (k, kc, kr) = (sway, sway * lever, rocking + sway * lever * lever);
+    let (p, q) = (k / a + kr / b, (k * kr - kc * kc) / (a * b));
+    let exact = (0.5 * (p - (p * p - 4.0 * q).sqrt())).sqrt() / std::f64::consts::TAU;
+    let modes = stack_modes(&stack, ContactRule::Four).unwrap();
+    let found = modes
+        .iter()
+        .map(|mode| mode.frequency_hz)
+        .fold(f64::INFINITY, f64::min);
+    assert!((found / exact - 1.0).abs() < 1e-4, "{found} Hz for {exact}");
 }

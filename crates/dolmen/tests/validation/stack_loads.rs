@@ -110,6 +110,10 @@ fn exact_a_free_wall_under_pressure_out_of_plane() {
             courses,
             course_height_m: 0.3,
             stone_length_m: 0.6,
+            leaves: 1,
+            core_m: 0.0,
+            through_every: None,
+            openings: vec![],
             density_kg_m3: DENSITY_KG_M3,
         };
         let stack = Stack::new(

@@ -156,3 +156,76 @@ fn agrees_overturning_by_pulses() {
         }
     }
 }
+
+/// Spring and dashpot that part where their force is 0, in steps of time: velocity after over that before.
+fn rebound_by_steps(damping_ratio: f64) -> f64 {
+    let (h, mut x, mut v) = (1e-5, 0.0, 1.0);
+    let force = |x: f64, v: f64| x + 2.0 * damping_ratio * v;
+    while force(x, v) > 0.0 || x <= 0.0 {
+        // midpoint rule
+        let (x_half, v_half) = (x + 0.5 * h * v, v - 0.5 * h * force(x, v));
+        (x, v) = (x + h * v_half, v - h * force(x_half, v_half));
+    }
+    -v
+}
+
+#[test]
+fn exact_rebound_of_springs_and_dashpots() {
+    for damping_ratio in [0.05, 0.3, 0.6, 0.95, 1.0, 1.5, 4.0] {
+        let closed = JointMaterial::restitution_of(damping_ratio);
+        let stepped = rebound_by_steps(damping_ratio);
+        assert!(
+            (closed - stepped).abs() < 2e-5,
+            "ζ {damping_ratio}: {closed} against {stepped}"
+        );
+    }
+    for restitution in [0.002, 0.1, 0.5, 0.9, 0.999] {
+        let damping_ratio = JointMaterial::damping_ratio_of(restitution);
+        assert!((JointMaterial::restitution_of(damping_ratio) - restitution).abs() < 1e-9);
+    }
+    assert_eq!(
+        JointMaterial::damping_ratio_of(0.0),
+        JointMaterial::DAMPING_RATIO_MOST
+    );
+}
+
+/// Velocity after over that before of a stone that falls flat.
+fn rebound_on_springs(restitution: f64, fall_m: f64) -> f64 {
+    let material = JointMaterial {
+        normal_restitution: restitution,
+        damping_ratio: JointMaterial::damping_ratio_of(restitution),
+        ..JointMaterial::default()
+    };
+    let stone = Block {
+        name: "stone".into(),
+        solid: Solid::cuboid(0.3, 0.2, 0.1).unwrap(),
+        density_kg_m3: 2600.0,
+    };
+    let stack = Stack::new(vec![stone], material, GRAVITY_M_S2).unwrap();
+    let options = Springs {
+        duration_s: Some(0.5),
+        output_step_s: 1e-3,
+        starts: vec![Start {
+            shift_m: [0.0, 0.0, fall_m],
+            ..Start::of(0)
+        }],
+        ..Springs::default()
+    };
+    let history = simulate_springs(&stack, None, &options, &mut |_| true).unwrap();
+    let landed_s = (2.0 * fall_m / GRAVITY_M_S2).sqrt();
+    let after = (0..history.time_s.len()).filter(|&sample| history.time_s[sample] > landed_s);
+    let heights = after.map(|sample| history.pose(sample, 0).centroid_m[2] - 0.05);
+    (heights.fold(0.0, f64::max) / fall_m).sqrt()
+}
+
+/// A stone keeps up to 2 % less than stated, never more: weight and steps take it.
+#[test]
+fn agrees_rebound_of_a_stone_that_falls_flat_on_springs() {
+    for restitution in [0.9, 0.6, 0.45] {
+        for fall_m in [0.07, 0.1, 0.131] {
+            let found = rebound_on_springs(restitution, fall_m);
+            let off = found / restitution - 1.0;
+            assert!((-0.02..1e-3).contains(&off), "{found} for {restitution}");
+        }
+    }
+}

@@ -56,17 +56,24 @@ mod tests {
     use super::super::towers::shifted;
     use super::super::{LimitKind, StackLoads, stack_limits};
     use super::*;
+    use crate::structure::stack::SoilBelow;
     use glam::DVec3;
 
     #[test]
     fn agrees_with_the_limits_where_all_masses_feel_alike() {
-        let stack = shifted(&[(1.0, 0.5), (0.8, 0.6), (0.6, 1.0)], &[0.0, 0.07, 0.02], 0.5);
+        let soil = SoilBelow {
+            rocking_stiffness_n_m_rad: 1e6,
+            normal_stiffness_pa_m: 1e8,
+            shear_stiffness_pa_m: 1e8,
+        };
+        let stack = shifted(&[(1.0, 0.5), (0.8, 0.6), (0.6, 1.0)], &[0.0, 0.07, 0.02], 0.5)
+            .with_soil(soil)
+            .unwrap();
         let options = StackLimits {
             loads: StackLoads {
                 vertical_acceleration_m_s2: -2.0,
                 ..StackLoads::default()
             },
-            soil_rocking_stiffness_n_m_rad: Some(1e6),
         };
         let limits = stack_limits(&stack, &options).unwrap();
         let found = cut_resistances(&stack, &options).unwrap();

@@ -9,7 +9,7 @@
 //! | x | – | horizontal acceleration of the inertia forces m x | m/s² |
 //! | μ, C | `mu`, `cohesion` | least friction of the joints, cohesion × area | –, N |
 //! | f | `compressive_strength_pa` | strength of the stone in the toe, of a joint | Pa |
-//! | K | `soil_rocking_stiffness_n_m_rad` | moment over rotation of the base on its soil | N m/rad |
+//! | K | `rocking_stiffness_n_m_rad` | moment over rotation of the base on its soil, of the [stack](Stack::soil) | N m/rad |
 
 use super::cuts::cuts;
 use super::loads::{Load, together};
@@ -84,15 +84,6 @@ pub fn stack_limits(stack: &Stack, options: &StackLimits) -> Result<StackLimitSt
 
 /// What acts on each block, and how the soil turns under it.
 pub(super) fn acting(stack: &Stack, options: &StackLimits) -> Result<(Vec<Load>, Soil), StabilityError> {
-    if let Some(given) = options.soil_rocking_stiffness_n_m_rad
-        && !(given > 0.0 && given.is_finite())
-    {
-        return Err(StabilityError::Option {
-            option: "soil_rocking_stiffness_n_m_rad",
-            given,
-            allowed: "a positive number, or left out",
-        });
-    }
     let loads = options.loads.on_blocks(stack)?;
     let all: Vec<usize> = (0..stack.blocks().len()).collect();
     let soil = soil(stack, &together(&loads, &all), options);
@@ -105,9 +96,10 @@ fn soil(stack: &Stack, whole: &Load, options: &StackLimits) -> Soil {
         offset: [0.0; 2],
         standing: Standing::Stands,
     };
-    let Some(stiffness) = options.soil_rocking_stiffness_n_m_rad else {
+    let Some(below) = stack.soil() else {
         return soil;
     };
+    let stiffness = below.rocking_stiffness_n_m_rad;
     let effective = stack.gravity_m_s2() + options.loads.vertical_acceleration_m_s2;
     let falling = whole.mass * effective * whole.centroid().z;
     soil.factor = 1.0 - falling / stiffness;
@@ -192,7 +184,7 @@ mod tests {
     use super::super::{PointForce, StackLoads, Wind};
     use super::*;
     use crate::structure::stack::Body;
-    use crate::structure::stack::{JointMaterial, Tie};
+    use crate::structure::stack::{JointMaterial, SoilBelow, Tie};
 
     fn limits(stack: &Stack) -> StackLimitStates {
         stack_limits(stack, &StackLimits::default()).unwrap()
@@ -277,10 +269,7 @@ mod tests {
     #[test]
     fn exact_loads_lower_the_threshold() {
         let block = tower(&[(0.4, 2.0)], 0.6);
-        let loads = |loads: StackLoads| StackLimits {
-            loads,
-            ..StackLimits::default()
-        };
+        let loads = |loads: StackLoads| StackLimits { loads };
         let vertical = loads(StackLoads {
             vertical_acceleration_m_s2: -0.25 * 9.81,
             ..StackLoads::default()
@@ -366,17 +355,22 @@ mod tests {
     fn exact_soil_lowers_every_threshold() {
         let block = tower(&[(0.4, 2.0)], 0.6);
         let fall = 0.32 * 2600.0 * 9.81; // W h, h = 1
-        let on = |stiffness: f64| StackLimits {
-            soil_rocking_stiffness_n_m_rad: Some(stiffness),
-            ..StackLimits::default()
+        let on = |stiffness: f64| {
+            let soil = SoilBelow {
+                rocking_stiffness_n_m_rad: stiffness,
+                normal_stiffness_pa_m: 1e8,
+                shear_stiffness_pa_m: 1e8,
+            };
+            block.clone().with_soil(soil).unwrap()
         };
-        assert!((uplift(&block, &on(10.0 * fall)) - 0.18).abs() < 1e-12);
-        let states = stack_limits(&block, &on(0.9 * fall)).unwrap();
+        let usual = StackLimits::default();
+        assert!((uplift(&on(10.0 * fall), &usual) - 0.18).abs() < 1e-12);
+        let states = stack_limits(&on(0.9 * fall), &usual).unwrap();
         assert_eq!((states.governing, states.verdict), (None, Verdict::Unstable));
         // a static lateral load of .05 g turns the base by .05 / 9, which costs .05 / 9 and the tenth
-        let mut both = on(10.0 * fall);
+        let mut both = usual;
         both.loads.lateral_m_s2 = [0.05 * 9.81, 0.0];
-        assert!((uplift(&block, &both) - 0.9 * (0.15 - 0.05 / 9.0)).abs() < 1e-12);
+        assert!((uplift(&on(10.0 * fall), &both) - 0.9 * (0.15 - 0.05 / 9.0)).abs() < 1e-12);
     }
 
     #[test]
@@ -455,11 +449,6 @@ mod tests {
         options.loads.vertical_acceleration_m_s2 = -9.81;
         let fault = stack_limits(&block, &options).unwrap_err();
         assert!(fault.to_string().contains("must be above −9.81"));
-        let options = StackLimits {
-            soil_rocking_stiffness_n_m_rad: Some(f64::NAN),
-            ..StackLimits::default()
-        };
-        assert!(stack_limits(&block, &options).is_err());
         for given in [0.0, -1e6, f64::NAN, f64::INFINITY] {
             let material = JointMaterial {
                 compressive_strength_pa: Some(given),

@@ -7,6 +7,4 @@ use super::StackLoads;
 pub struct StackLimits {
     /// What acts before any horizontal shaking. Default nothing.
     pub loads: StackLoads,
-    /// Moment over rotation of the whole base on its soil, N m/rad, the same in all directions. Default `None`: rigid.
-    pub soil_rocking_stiffness_n_m_rad: Option<f64>,
 }

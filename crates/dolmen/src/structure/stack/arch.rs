@@ -8,6 +8,7 @@
 //! | x_c, z_c | `centre` | centre of the left half's circle, from the middle of the springing line | m |
 //! | θ | `angle` | of a joint about that centre, from the horizontal on the left | rad |
 
+use super::dimension::{all_positive, refused};
 use super::{Block, Solid, StackError};
 use std::f64::consts::FRAC_PI_2;
 
@@ -109,44 +110,33 @@ pub fn arch(factors: &ArchFactors) -> Result<Vec<Block>, StackError> {
 }
 
 fn check(factors: &ArchFactors) -> Result<(), StackError> {
-    let refuse = |quantity, given, allowed| {
-        Err(StackError::Dimension {
-            quantity,
-            given,
-            allowed,
-        })
-    };
-    for (quantity, given) in [
+    all_positive(&[
         ("span_m", factors.span_m),
         ("rise_m", factors.rise_m),
         ("thickness_m", factors.thickness_m),
         ("depth_m", factors.depth_m),
         ("abutment_m", factors.abutment_m),
         ("density_kg_m3", factors.density_kg_m3),
-    ] {
-        if !(given > 0.0 && given.is_finite()) {
-            return refuse(quantity, given, "a positive number");
-        }
-    }
+    ])?;
     if !(2..=VOUSSOIRS_MOST).contains(&factors.voussoirs) {
-        return refuse("voussoirs", f64::from(factors.voussoirs), "2 to 400");
+        return Err(refused("voussoirs", f64::from(factors.voussoirs), "2 to 400"));
     }
     let lift = factors.springing_height_m;
     if !(lift >= 0.0 && lift.is_finite()) {
-        return refuse("springing_height_m", lift, "0 or a positive number");
+        return Err(refused("springing_height_m", lift, "0 or a positive number"));
     }
     let segmental = factors.rise_m < (0.5 - 1e-9) * factors.span_m;
     if segmental && lift == 0.0 {
         let allowed =
             "positive for a rise below half the span: such an arch pushes outwards and needs abutments";
-        return refuse("springing_height_m", lift, allowed);
+        return Err(refused("springing_height_m", lift, allowed));
     }
     if lift > 0.0 && factors.abutment_m < factors.thickness_m {
-        return refuse(
+        return Err(refused(
             "abutment_m",
             factors.abutment_m,
             "the thickness of the arch or more",
-        );
+        ));
     }
     Ok(())
 }

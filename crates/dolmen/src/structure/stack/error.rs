@@ -314,6 +314,14 @@ pub enum StackError {
         /// The blocks that stand on the ground.
         on_ground: Vec<String>,
     },
+    /// The soil is that under one footing.
+    #[error(
+        "the soil is that under one footing, but {count} joints lie on the ground: put one block under them all, or leave the soil out"
+    )]
+    SoilUnderSeveral {
+        /// Joints on the ground.
+        count: usize,
+    },
     /// A block rests on nothing.
     #[error(
         "'{block}' floats: the nearest bed below it, of {nearest}, is {gap_m:.4} m away, and a bed must lie within {allowed_m} m"

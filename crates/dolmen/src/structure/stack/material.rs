@@ -22,10 +22,12 @@ pub struct JointMaterial {
     /// Dashpots of the springs, as a fraction of the critical damping of the two stones on the springs of the
     /// whole joint; 0 to 20. Default 0.3, chosen here. It does not alone set what is lost when a stone rocks: see `docs/stack-engine.md`.
     pub damping_ratio: f64,
-    /// Restitution of the rigid law: mean normal velocity, after an impact, of the points that touch, over that before; 0 to 1. A stone that
-    /// falls flat bounces with it, a stone that rocks keeps this part of its angular velocity, but never less than Housner's.
-    /// Default 0, plastic: what stones lose at least is theirs by geometry, what more they keep must be measured.
-    pub restitution: f64,
+    /// Restitution of falls under the rigid law: mean normal velocity of the points that touch after an impact of faces that were apart, over
+    /// that before; 0 to 1. Default 0, plastic. Contact springs bounce by `damping_ratio`: see [`damping_ratio_of`](Self::damping_ratio_of).
+    pub normal_restitution: f64,
+    /// Restitution of rocking under the rigid law: the part of its angular velocity that a rocking stone keeps when its weight passes from
+    /// edge to edge; above 0, to 1. Default `None`: what an impact at the far edge leaves, Housner's 1 − 1.5 sin²α of one block.
+    pub rocking_restitution: Option<f64>,
 }
 
 impl Default for JointMaterial {
@@ -39,7 +41,8 @@ impl Default for JointMaterial {
             normal_stiffness_pa_m: 1e9,
             shear_stiffness_pa_m: 4e8,
             damping_ratio: 0.3,
-            restitution: 0.0,
+            normal_restitution: 0.0,
+            rocking_restitution: None,
         }
     }
 }
@@ -53,6 +56,48 @@ impl JointMaterial {
             ..JointMaterial::default()
         }
     }
+
+    /// Restitution of a stone that falls flat on contact springs with a damping ratio, its weight left out beside the force of the impact.
+    ///
+    /// ```text
+    /// e = exp(−ζ/√(1−ζ²) [π − atan2(2ζ√(1−ζ²), 1−2ζ²)])      ζ < 1;    e = exp(−2) at ζ = 1
+    /// e = exp(−ζ/√(ζ²−1) atanh(2ζ√(ζ²−1)/(2ζ²−1)))           ζ > 1
+    /// ```
+    ///
+    /// SOURCE   Schwager, T. and Pöschel, T. (2007) Granular Matter 9(6), 465-469: spring and dashpot that part where the force is 0.
+    /// CHECKED  `exact_rebound_of_springs_and_dashpots`, by steps in time and of a stone that falls in `simulate`.
+    pub fn restitution_of(damping_ratio: f64) -> f64 {
+        let z = damping_ratio;
+        if (z - 1.0).abs() < 1e-6 {
+            return (-2.0_f64).exp();
+        }
+        let root = (1.0 - z * z).abs().sqrt();
+        let turn = match z < 1.0 {
+            true => std::f64::consts::PI - (2.0 * z * root).atan2(1.0 - 2.0 * z * z),
+            false => (2.0 * z * root / (2.0 * z * z - 1.0)).atanh(),
+        };
+        (-z / root * turn).exp()
+    }
+
+    /// Damping ratio of the contact springs that gives a stone which falls flat this restitution, by bisection; at most
+    /// [`DAMPING_RATIO_MOST`](Self::DAMPING_RATIO_MOST), which leaves 0.0006.
+    pub fn damping_ratio_of(normal_restitution: f64) -> f64 {
+        let (mut low, mut high) = (0.0, Self::DAMPING_RATIO_MOST);
+        if normal_restitution <= Self::restitution_of(high) {
+            return high;
+        }
+        for _ in 0..60 {
+            let middle = 0.5 * (low + high);
+            match Self::restitution_of(middle) > normal_restitution {
+                true => low = middle,
+                false => high = middle,
+            }
+        }
+        0.5 * (low + high)
+    }
+
+    /// Largest damping ratio of the springs.
+    pub const DAMPING_RATIO_MOST: f64 = 20.0;
 
     /// # Errors
     /// [`StackError::Material`] for the first value out of its range.
@@ -94,11 +139,16 @@ impl JointMaterial {
                 "at most friction_static",
             );
         }
-        if !(0.0..=20.0).contains(&self.damping_ratio) {
+        if !(0.0..=Self::DAMPING_RATIO_MOST).contains(&self.damping_ratio) {
             return refuse("damping_ratio", self.damping_ratio, "between 0 and 20");
         }
-        if !(0.0..=1.0).contains(&self.restitution) {
-            return refuse("restitution", self.restitution, "between 0 and 1");
+        if !(0.0..=1.0).contains(&self.normal_restitution) {
+            return refuse("normal_restitution", self.normal_restitution, "between 0 and 1");
+        }
+        if let Some(given) = self.rocking_restitution
+            && !(given > 0.0 && given <= 1.0)
+        {
+            return refuse("rocking_restitution", given, "above 0 and at most 1");
         }
         Ok(self)
     }

@@ -101,6 +101,7 @@ impl Stack {
                 other = other.with_material(index, own.material)?;
             }
         }
+        other.soil = self.soil;
         for tie in self.ties() {
             other = other.with_tie(*tie)?;
         }

@@ -3,7 +3,7 @@
 use super::bearing::{AREA_LEAST, OUTLINE_LEAST};
 use super::beds::{BED_GAP_M, Bed, FACET_LEAST, USED_LEAST, bed, gap_allowed_m};
 use super::overlap::overlap_depth;
-use super::{Body, Joint, JointMaterial, Solid, StackError, StaticLoad, SupportMovement};
+use super::{Body, Joint, JointMaterial, SoilBelow, Solid, StackError, StaticLoad, SupportMovement};
 use glam::DVec3;
 
 /// Ties and side supports lie no farther than this from the bounds of the blocks that they hold, m. Our choice: clamps lie on the outside of stones.
@@ -76,6 +76,7 @@ pub struct Stack {
     side_supports: Vec<SideSupport>,
     pub(super) support_movements: Vec<SupportMovement>,
     pub(super) static_loads: Vec<StaticLoad>,
+    pub(super) soil: Option<SoilBelow>,
     gravity_m_s2: f64,
 }
 
@@ -144,6 +145,7 @@ impl Stack {
             side_supports: Vec::new(),
             support_movements: Vec::new(),
             static_loads: Vec::new(),
+            soil: None,
             gravity_m_s2,
         };
         let stack = stack.without_joints_through_blocks();

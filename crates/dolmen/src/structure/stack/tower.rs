@@ -6,6 +6,7 @@
 //! | t | `thickness_m` | of the wall of a hollow tower | m |
 //! | m | `stones` | stones in a ring of a round hollow tower | – |
 
+use super::dimension::{all_positive, refused};
 use super::{Block, Placement, Solid, StackError};
 use std::f64::consts::TAU;
 
@@ -169,58 +170,47 @@ impl TowerFactors {
 }
 
 fn check(factors: &TowerFactors) -> Result<(), StackError> {
-    let refuse = |quantity, given, allowed| {
-        Err(StackError::Dimension {
-            quantity,
-            given,
-            allowed,
-        })
-    };
     let thickness = factors.thickness_m.map(|given| ("thickness_m", given));
-    let sizes = [
+    all_positive(&[
         ("width_m", factors.width_m),
         ("top_width_m", factors.top_width_m),
         ("course_height_m", factors.course_height_m),
         ("density_kg_m3", factors.density_kg_m3),
-    ];
-    for (quantity, given) in sizes.into_iter().chain(thickness) {
-        if !(given > 0.0 && given.is_finite()) {
-            return refuse(quantity, given, "a positive number");
-        }
-    }
+    ])?;
+    all_positive(thickness.as_slice())?;
     if factors.top_width_m > factors.width_m {
-        return refuse("top_width_m", factors.top_width_m, "at most width");
+        return Err(refused("top_width_m", factors.top_width_m, "at most width"));
     }
     if !(1..=COURSES_MOST).contains(&factors.courses) {
-        return refuse("courses", f64::from(factors.courses), "1 to 200");
+        return Err(refused("courses", f64::from(factors.courses), "1 to 200"));
     }
     if let TowerPlan::Round { stones } = factors.plan
         && !(6..=48).contains(&stones)
     {
-        return refuse("stones", f64::from(stones), "6 to 48");
+        return Err(refused("stones", f64::from(stones), "6 to 48"));
     }
     if factors.stones() > STONES_MOST {
-        return refuse(
+        return Err(refused(
             "courses",
             f64::from(factors.courses),
             "so few that the tower has at most 600 stones",
-        );
+        ));
     }
     if let Some(given) = factors.thickness_m {
         if given > 0.4 * factors.top_width_m {
-            return refuse(
+            return Err(refused(
                 "thickness_m",
                 given,
                 "at most 0.4 of the width at the top: leave it out for a solid tower",
-            );
+            ));
         }
         let set_back = 0.5 * (factors.width(0) - factors.width(1));
         if set_back > 0.5 * given {
-            return refuse(
+            return Err(refused(
                 "top_width_m",
                 factors.top_width_m,
                 "so wide that each course is set back by at most half the thickness of the wall",
-            );
+            ));
         }
     }
     Ok(())

@@ -1,5 +1,6 @@
 //! Two posts and a lintel.
 
+use super::dimension::{all_positive, refused};
 use super::{Block, Placement, Solid, StackError};
 
 /// What makes a trilithon.
@@ -64,29 +65,18 @@ pub fn trilithon(factors: &TrilithonFactors) -> Result<Vec<Block>, StackError> {
 }
 
 fn check(factors: &TrilithonFactors) -> Result<(), StackError> {
-    let refuse = |quantity, given, allowed| {
-        Err(StackError::Dimension {
-            quantity,
-            given,
-            allowed,
-        })
-    };
-    for (quantity, given) in [
+    all_positive(&[
         ("span_m", factors.span_m),
         ("post_width_m", factors.post_width_m),
         ("post_height_m", factors.post_height_m),
         ("depth_m", factors.depth_m),
         ("lintel_height_m", factors.lintel_height_m),
         ("density_kg_m3", factors.density_kg_m3),
-    ] {
-        if !(given > 0.0 && given.is_finite()) {
-            return refuse(quantity, given, "a positive number");
-        }
-    }
+    ])?;
     let overhang = factors.overhang_m;
     if !(overhang > -0.9 * factors.post_width_m && overhang < factors.span_m + factors.post_width_m) {
         let allowed = "more than -0.9 post_width, so that the lintel reaches the posts, and less than span + post_width";
-        return refuse("overhang_m", overhang, allowed);
+        return Err(refused("overhang_m", overhang, allowed));
     }
     Ok(())
 }

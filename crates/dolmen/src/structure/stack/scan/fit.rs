@@ -426,7 +426,7 @@ mod tests {
                 let rows = if radius_m <= 0.05 {
                     0.02 + 10.0 * noise_m
                 } else {
-                    noise_m
+                    0.0
                 };
                 if off > 0.02 * half || off < -0.02 * half - rows {
                     wrong.push((radius_m, noise_m, off));

@@ -24,7 +24,7 @@ const VERTICES_LEAST: [usize; 2] = [4, 12];
 const BETTER_LEAST: f64 = 25.0;
 /// Ends of the flat part that explain the depths as well as the best one does: by so much more of its mean square. The innermost counts, so that a
 /// rounding which few vertices show does not seem smaller than it may be.
-const AS_GOOD: f64 = 4.0;
+const AS_GOOD: f64 = 1.0;
 /// An edge of a face.
 pub(super) struct Edge {
     pub(super) face: Plane,

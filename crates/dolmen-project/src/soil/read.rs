@@ -1,7 +1,7 @@
-//! The soil below a chain.
+//! The soil below a chain or a stack.
 
 use super::file::HalfSpaceRaw;
-use super::soil_part::{FootingPart, SoilPart};
+use super::part::{FootingPart, SoilBelowPart, SoilPart};
 use crate::error::Fault;
 use crate::file_number::{At, QuantityRaw};
 use crate::measure::{Bound, Measure};
@@ -20,7 +20,29 @@ const FOOTING_MOST_M: f64 = 40.0;
 /// Shear modulus, Pa: peat to sound rock, with room.
 const SHEAR_MODULUS_PA: (f64, f64) = (0.3e6, 40e9);
 
-pub(super) fn soil(reader: &mut Reader, raw: Option<&At<HalfSpaceRaw>>) -> Option<SoilPart> {
+/// The soil under a footing that the file must give.
+pub(crate) fn soil_under_footing(reader: &mut Reader, raw: Option<&At<HalfSpaceRaw>>) -> Option<SoilPart> {
+    let keys = &raw?.value;
+    let is_given = keys.diameter.is_some() || keys.along.is_some() || keys.across.is_some();
+    let soil = soil_below(reader, raw);
+    if !is_given {
+        without_footing(reader);
+    }
+    let soil = soil?;
+    Some(SoilPart {
+        shear_modulus: soil.shear_modulus,
+        poisson_ratio: soil.poisson_ratio,
+        footing: soil.footing?,
+    })
+}
+
+fn without_footing(reader: &mut Reader) {
+    let fault = Fault::new(reader.place("soil"), "soil", WrongChain::SoilNeedsFooting);
+    reader.fault(fault.help(WrongChain::SoilKeys));
+}
+
+/// The soil under a stack, and the footing if it is not the bed of the lowest block.
+pub(crate) fn soil_below(reader: &mut Reader, raw: Option<&At<HalfSpaceRaw>>) -> Option<SoilBelowPart> {
     let raw = raw?;
     reader.mark("soil", &raw.span);
     let keys = &raw.value;
@@ -38,15 +60,15 @@ pub(super) fn soil(reader: &mut Reader, raw: Option<&At<HalfSpaceRaw>>) -> Optio
     let across = of(reader, &keys.across, "across", Measure::Length);
     let are_given = [&keys.diameter, &keys.along, &keys.across].map(Option::is_some);
     let footing = match are_given {
-        [true, false, false] => FootingPart::Circle(diameter?),
-        [false, true, true] => FootingPart::Rectangle([along?, across?]),
+        [false, false, false] => None,
+        [true, false, false] => Some(FootingPart::Circle(diameter?)),
+        [false, true, true] => Some(FootingPart::Rectangle([along?, across?])),
         _ => {
-            let fault = Fault::new(reader.place("soil"), "soil", WrongChain::SoilNeedsFooting);
-            reader.fault(fault.help(WrongChain::SoilKeys));
+            without_footing(reader);
             return None;
         }
     };
-    Some(SoilPart {
+    Some(SoilBelowPart {
         shear_modulus: shear_modulus?,
         poisson_ratio: poisson_ratio?,
         footing,
@@ -76,15 +98,15 @@ fn judge_side(reader: &mut Reader, side: &Quantity, bed: Option<&Quantity>) {
 }
 
 /// Probable slips of its numbers.
-pub(super) fn judge_soil(reader: &mut Reader, soil: &SoilPart, bed: Option<&Quantity>) {
-    let sides: Vec<&Quantity> = match &soil.footing {
-        FootingPart::Circle(diameter) => vec![diameter],
-        FootingPart::Rectangle(sides) => sides.iter().collect(),
-    };
-    for side in sides {
+pub(crate) fn judge_soil(
+    reader: &mut Reader,
+    modulus: &Quantity,
+    footing: Option<&FootingPart>,
+    bed: Option<&Quantity>,
+) {
+    for side in footing.into_iter().flat_map(FootingPart::sides) {
         judge_side(reader, side, bed);
     }
-    let modulus = &soil.shear_modulus;
     if !within(modulus.value, SHEAR_MODULUS_PA) {
         let message = WrongChain::ModulusOfNoSoil {
             path: modulus.path.clone(),

@@ -1,0 +1,118 @@
+//! Phrases that errors of stacks of blocks hold, and those that they share with others.
+
+pub(super) const PHRASES_OF_STACKS: &[(&str, &str)] = &[
+    ("a positive number", "양수"),
+    ("0 or a positive number", "0 또는 양수"),
+    (
+        "rocking_stiffness_n_m_rad of the soil",
+        "지반의 회전강성(N·m/rad)",
+    ),
+    (
+        "normal_stiffness_pa_m of the soil",
+        "지반의 면적당 수직강성(Pa/m)",
+    ),
+    ("shear_stiffness_pa_m of the soil", "지반의 면적당 전단강성(Pa/m)"),
+    (
+        "apart, with their lintels, in every course",
+        "켜마다 인방을 포함하여 서로 겹치지 않는 위치",
+    ),
+    ("within the courses of the wall", "벽체의 켜 수 이내"),
+    (
+        "so far from both ends of the wall that its lintel has its bearing",
+        "인방이 양쪽에 걸침 길이를 확보할 만큼 벽체 양 끝에서 떨어진 위치",
+    ),
+    (
+        "so short that it follows the dowels, clamps and side supports: as Rigid::usual_step_s gives it, or less",
+        "촉·꺾쇠와 측면 지지의 진동을 따라갈 만큼 짧은 값(--step을 주지 않으면 자동으로 정한다)",
+    ),
+    ("1 to 3", "1~3"),
+    (
+        "0.01 m, so that the leaves do not bear on each other, to half the thickness of the wall",
+        "겹이 서로 닿지 않도록 0.01 m 이상, 벽 두께의 절반 이하",
+    ),
+    ("a finite number", "유한한 수"),
+    ("1 or more", "1 이상"),
+    ("2 or more", "2 이상"),
+    ("at least 1", "1 이상"),
+    ("above 0 and below 1", "0보다 크고 1보다 작은 수"),
+    ("above 0 and at most 1", "0보다 크고 1 이하인 수"),
+    ("1 to 13", "1~13"),
+    ("1 to 100", "1~100"),
+    ("2 to 400", "2~400"),
+    ("between 0 and 1", "0과 1 사이의 수"),
+    ("between 0 and 20", "0과 20 사이의 수"),
+    ("0 or more, below 0.7 (40°)", "0 이상 0.7(40°) 미만인 수"),
+    ("at most friction_static", "friction_static 이하"),
+    (
+        "at most one finite start for each block",
+        "블록마다 유한한 초깃값 하나 이하",
+    ),
+    (
+        "one movement or more, with a length",
+        "길이가 있는 변위 하나 이상",
+    ),
+    (
+        "one of the stack's modes, six a block, 0 the lowest",
+        "블록마다 6개인 모드 중 하나(0이 최저)",
+    ),
+    (
+        "5e-3 or less: longer steps pass over the motion of the ground and what stones do in it",
+        "5e-3 이하(더 길면 지반운동과 석재의 움직임을 놓친다)",
+    ),
+    ("no longer than the run, or 1 s", "해석 시간 또는 1 s 이하"),
+    (
+        "positive for a rise below half the span: such an arch pushes outwards and needs abutments",
+        "솟음이 경간의 절반보다 작으면 양수(그런 홍예는 밖으로 밀므로 교대가 필요하다)",
+    ),
+    ("the thickness of the arch or more", "홍예의 두께 이상"),
+    (
+        "long enough for at most 600 stones in the wall",
+        "벽의 석재가 600개를 넘지 않을 만큼 긴 값",
+    ),
+    ("it is held by a tie", "타이에 묶여 있다"),
+    ("it has a side support", "옆 지지가 있다"),
+    ("it carries a static load", "정하중이 작용한다"),
+    (
+        "it is not one of a single pile, each block on the one below",
+        "블록이 하나씩 쌓인 한 줄이 아니다",
+    ),
+    ("it lies on several blocks", "여러 블록 위에 놓여 있다"),
+    ("its bed is bonded", "접합면에 부착이 있다"),
+    (
+        "its bed is not its level lowest face on the level top below",
+        "접합면이 수평인 밑면과 윗면이 아니다",
+    ),
+    ("the mesh has a hole", "메시에 구멍이 있다"),
+    (
+        "fill it, or join vertices that lie in one place",
+        "메우거나 같은 자리의 꼭짓점을 합친다",
+    ),
+    (
+        "sheets of the mesh meet in an edge",
+        "메시의 면들이 한 모서리에서 만난다",
+    ),
+    (
+        "take out what lies inside or is doubled",
+        "안쪽에 있거나 겹친 것을 삭제한다",
+    ),
+    ("a tie", "타이"),
+    ("a side support", "옆 지지"),
+    ("a static load", "정하중"),
+    ("stone", "석재"),
+    ("springs", "스프링"),
+    ("storeys", "층"),
+    ("mode", "모드"),
+    ("samples of the history", "이력의 자료"),
+    ("number of measured frequencies", "계측 진동수의 수"),
+    ("axis of a tie", "타이의 축"),
+    ("position_m of a tie", "타이의 position_m"),
+    ("direction of a side support", "옆 지지의 방향"),
+    ("position_m of a static load", "정하중의 position_m"),
+    ("force_n of a static load", "정하중의 force_n"),
+    ("position_m of a side support", "옆 지지의 position_m"),
+    ("movement_m of a support", "지점 변위의 movement_m"),
+    (
+        "a positive number: the length of the movement",
+        "양수(변위의 길이)",
+    ),
+];

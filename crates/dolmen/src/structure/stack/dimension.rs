@@ -1,0 +1,25 @@
+//! Dimensions of what is made from a few numbers.
+
+use super::StackError;
+
+/// That each is a positive number.
+///
+/// # Errors
+/// [`StackError::Dimension`] for the first that is none.
+pub(super) fn all_positive(dimensions: &[(&'static str, f64)]) -> Result<(), StackError> {
+    for &(quantity, given) in dimensions {
+        if !(given > 0.0 && given.is_finite()) {
+            return Err(refused(quantity, given, "a positive number"));
+        }
+    }
+    Ok(())
+}
+
+/// A dimension that cannot be.
+pub(super) fn refused(quantity: &'static str, given: f64, allowed: &'static str) -> StackError {
+    StackError::Dimension {
+        quantity,
+        given,
+        allowed,
+    }
+}
