@@ -77,7 +77,7 @@ impl Format {
     }
 }
 
-/// Everything that can be said of one project.
+/// All answers for one project.
 fn whole(
     found: &Found,
     sampling: Option<Sampling>,

@@ -320,7 +320,7 @@ fn meant(near: Option<&str>) -> Both {
     )
 }
 
-/// An error of the command or of folders as what can be said in both languages; `None` for any other.
+/// An error of the command or of folders as a text in both languages; `None` for any other.
 pub(crate) fn of_command<'e>(error: &'e (dyn Error + 'static)) -> Option<&'e dyn Argument> {
     sayable!(error, CommandError).or_else(|| dolmen_follow::of_following(error))
 }

@@ -243,7 +243,7 @@ fn pairs(beside: &[[String; 2]]) -> Both {
 /// All sentences of the errors of this crate.
 pub const ERRORS: [&[Template]; 2] = [PathError::TEMPLATES, Lying::TEMPLATES];
 
-/// An error of this crate as what can be said in both languages; `None` for any other.
+/// An error of this crate as a text in both languages; `None` for any other.
 pub fn of_folders<'e>(error: &'e (dyn Error + 'static)) -> Option<&'e dyn Argument> {
     sayable!(error, PathError)
 }

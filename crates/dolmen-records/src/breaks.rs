@@ -1,6 +1,6 @@
-//! Where the samples of a channel break off and go on.
+//! Gaps in the samples of a channel.
 
-/// Where a channel goes on after a gap.
+/// The end of a gap in a channel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Break {
     /// Index of the first sample after it.

@@ -1,4 +1,4 @@
-//! The files that a project names: where their bytes come from, a folder, an archive, a store or memory.
+//! The files that a project names: their bytes come from a folder, an archive, a store or memory.
 
 use dolmen_words::message::Both;
 use std::collections::BTreeMap;
@@ -8,21 +8,21 @@ pub trait Files: Send + Sync {
     /// All bytes of the file `name`.
     ///
     /// # Errors
-    /// [`FileError`] where there is no such file, it cannot be read, or it holds more than `most_bytes`.
+    /// [`FileError`] if there is no such file, it cannot be read, or it is larger than `most_bytes`.
     fn read(&self, name: &str, most_bytes: u64) -> Result<Vec<u8>, FileError>;
 
-    /// Year, month and day that it is at most, wherever on Earth; `None` where no clock is asked.
+    /// Today's date, the latest anywhere on Earth; `None` without a clock.
     fn today(&self) -> Option<[u32; 3]> {
         None
     }
 
-    /// The file `name` as a user would look for it.
+    /// The file `name` in errors for the user.
     fn shown(&self, name: &str) -> String {
         name.to_owned()
     }
 }
 
-/// A file that could not be had.
+/// A file that is not available.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum FileError {
     /// Reading failed.
@@ -32,7 +32,7 @@ pub enum FileError {
         /// What the system says.
         why: Both,
     },
-    /// It is larger than an input of its kind may be.
+    /// It is larger than its kind allows.
     TooLarge {
         /// The file, as a user would look for it.
         shown: String,
@@ -41,7 +41,7 @@ pub enum FileError {
         /// The limit.
         most: u64,
     },
-    /// It lies outside the folder of the project, or may.
+    /// It lies outside the folder of the project, or may do so.
     Outside {
         /// The file, as a user would look for it.
         shown: String,
@@ -53,26 +53,26 @@ pub enum FileError {
         /// What it is: "a pipe".
         what: Both,
     },
-    /// There is none of this name.
+    /// There is no file of this name.
     Absent {
         /// The file, as a user would look for it.
         shown: String,
     },
-    /// There is none of this name, which has the backslashes of Windows.
+    /// There is no file of this name, which has the backslashes of Windows.
     Backslash {
         /// The file, as a user would look for it.
         shown: String,
         /// The same with slashes.
         slashes: String,
     },
-    /// There is none of this name, but one of a name like it beside it.
+    /// There is no file of this name, but one of a similar name.
     Misspelt {
         /// The file, as a user would look for it.
         shown: String,
-        /// The name of that beside it.
+        /// The similar name.
         near: String,
     },
-    /// There are no files here, only text.
+    /// Only text was given, without files.
     TextAlone,
 }
 
@@ -100,8 +100,8 @@ impl Files for MemoryFiles {
     }
 }
 
-/// Whether a name, as a project file writes it, stays within the folder of the project: it does not begin at a root or a drive, and no part of
-/// it is `..`. Links are not followed: that is for who opens the file.
+/// Whether a name in a project file stays within the folder of the project: it does not begin at a root or a drive, and no part of it is `..`.
+/// Links are not followed here; the code that opens the file checks them.
 ///
 /// # Example
 /// ```

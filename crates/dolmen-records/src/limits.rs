@@ -1,28 +1,28 @@
-//! How much a file may ask of its reader: a few bytes must not become much memory or time.
+//! Limits for readers, so that a small file cannot use much memory or time.
 
 use crate::wrong::Unread;
 use dolmen_words::message::Both;
 
-/// Most columns of a text and channels of any file. Chosen here: more than any recorder has.
+/// Largest number of columns of a text, and of channels of any file. Chosen here: more than any recorder has.
 pub(crate) const CHANNELS_MOST: usize = 4096;
-/// Most bytes of one line of a text. Chosen here: 4096 columns of 20 digits are 90 kB.
+/// Longest line of a text, bytes. Chosen here: 4096 columns of 20 digits are 90 kB.
 pub(crate) const LINE_BYTES_MOST: usize = 1 << 20;
-/// Most variables, groups and channels that a binary file describes. Chosen here: files of recorders describe some hundred.
+/// Largest number of variables, groups and channels in a binary file. Chosen here: files of recorders have some hundred.
 pub(crate) const PARTS_MOST: usize = 65_536;
-/// Most bytes of numbers that come out of one byte of a packed file. Chosen here: vibrations of 16 bits pack to a fiftieth at most,
-/// and are held in four times as many bytes.
+/// Largest number of bytes of numbers for each byte of a packed file. Chosen here: vibrations of 16 bits pack to a fiftieth at most, and take
+/// four times as many bytes in memory.
 const EXPANSION_MOST: u64 = 200;
-/// Bytes of numbers that come out of any file, however small. Chosen here: a constant channel packs to a thousandth, and does no harm.
+/// Bytes of numbers allowed for any file, however small. Chosen here: a constant channel packs to a thousandth, and does no harm.
 const EXPANDED_FREE: u64 = 64 << 20;
-/// From so many bytes of numbers on, a file must hold a part of them. Chosen here: an hour of 30 channels at 1 kHz.
+/// Size of the numbers from which the stricter factor applies, bytes. Chosen here: an hour of 30 channels at 1 kHz.
 const LARGE: u64 = 1 << 30;
-/// Most bytes of numbers that come out of one byte of a packed file above that. Chosen here: a quiet record of 16 bits, of which three
-/// move, packs as doubles to a twentieth.
+/// Largest number of bytes of numbers for each byte of a packed file above that size. Chosen here: a quiet record of 16 bits, of which three
+/// change, packs as doubles to a twentieth.
 const EXPANSION_OF_LARGE_MOST: u64 = 20;
-/// So many of its first bytes tell a format. Chosen here: the longest header that is looked through, 200 lines, has 15 kB.
+/// Number of first bytes that identify a format. Chosen here: the longest header examined, 200 lines, has 15 kB.
 const HEAD_BYTES: usize = 1 << 16;
 
-/// More than a file may ask of its reader.
+/// A limit of a reader was exceeded.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum LimitError {
     /// A line is too long.
@@ -43,7 +43,7 @@ pub enum LimitError {
         /// The limit.
         most: usize,
     },
-    /// A binary file describes too much.
+    /// A binary file has too many parts.
     Parts {
         /// Its format.
         format: &'static str,
@@ -52,7 +52,7 @@ pub enum LimitError {
         /// The limit.
         most: usize,
     },
-    /// A small file becomes much memory.
+    /// A small file would need much memory.
     Expands {
         /// Its format.
         format: &'static str,
@@ -67,7 +67,7 @@ pub enum LimitError {
     },
 }
 
-/// Most bytes of numbers that may come out of a file of so many bytes.
+/// Largest number of bytes of numbers for a file of this size.
 pub(crate) fn expanded_most(packed: usize) -> u64 {
     let times = |most: u64| most.saturating_mul(packed as u64);
     times(EXPANSION_MOST)
@@ -81,7 +81,7 @@ pub(crate) fn refuse_channels(format: &'static str, channels: usize) -> Result<(
     refuse_parts(format, Unread::Channels, channels, CHANNELS_MOST)
 }
 
-/// Refuses a file that describes more of something than `most`.
+/// Refuses a file with more parts than `most`.
 pub(crate) fn refuse_parts(
     format: &'static str,
     what: impl Into<Both>,
@@ -98,12 +98,12 @@ pub(crate) fn refuse_parts(
     }
 }
 
-/// As much of a file as tells its format.
+/// The beginning of a file, enough to identify its format.
 pub(crate) fn head(bytes: &[u8]) -> &[u8] {
     &bytes[..bytes.len().min(HEAD_BYTES)]
 }
 
-/// Where the line that `rest` begins with ends, from its begin; its length where it is the last.
+/// Index of the line end of the first line of `rest`; `None` for a last line without one.
 ///
 /// # Errors
 /// [`LimitError::Line`].

@@ -9,25 +9,25 @@ use dolmen_words::sentences;
 
 /// Lines of a TOA5 file before its readings: the station, names, units, how each was made.
 const TOA5_LINES: usize = 4;
-/// What begins such a file.
+/// First word of such a file.
 const TOA5: &str = "TOA5";
-/// Columns that are shown of a file in an error.
+/// Number of columns of a file listed in an error.
 const SHOWN_MOST: usize = 12;
 
 /// Readings of one column.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Log {
-    /// When each was taken, s from 1 January 1970 in the clock of the logger; ascending, none twice.
+    /// Time of each, s from 1 January 1970 in the clock of the logger; ascending, without duplicates.
     pub times_s: Vec<f64>,
-    /// What was read.
+    /// The values.
     pub values: Vec<f64>,
-    /// Rows without a reading: "NAN", nothing.
+    /// Rows without a reading: "NAN", or nothing.
     pub gaps: usize,
-    /// Rows whose time was there already: the last one counts.
+    /// Rows with a repeated time: the last one counts.
     pub repeated: usize,
-    /// Rows whose time lies before that of the row above: the clock was set back, or the logger started anew.
+    /// Rows with an earlier time than the row above: the clock was set back, or the logger restarted.
     pub set_back: usize,
-    /// Rows more than a day out of the order of the file, left out: the clock was wrong.
+    /// Rows more than a day out of order, left out: the clock was wrong.
     pub misdated: usize,
     /// The unit of the column as the file states it: TOA5 does in a line of its own, tables in brackets at the end of a head, "X (mm/m)".
     pub unit: Option<String>,
@@ -40,12 +40,12 @@ pub enum LogError {
     NotText,
     /// The workbook is refused.
     Workbook(SheetError),
-    /// Dates whose day may be their month.
+    /// Ambiguous dates, whose day may be the month.
     WhichDay {
         /// The first of them.
         found: String,
     },
-    /// No line has a time and values behind it.
+    /// No line has a time followed by values.
     NoRows,
     /// There is no such column.
     NoColumn {
@@ -54,7 +54,7 @@ pub enum LogError {
         /// The columns there are.
         known: String,
     },
-    /// Several columns could be meant.
+    /// Several columns are possible.
     WhichColumn {
         /// They.
         known: String,
@@ -112,7 +112,7 @@ sentences! {
     }
 }
 
-/// The readings of one column of a log. `column` may be left out where there is one.
+/// The readings of one column of a log. `column` is optional if there is only one.
 ///
 /// # Errors
 /// [`LogError`].
@@ -197,7 +197,7 @@ pub fn read_log(bytes: &[u8], column: Option<&str>) -> Result<Log, LogError> {
     let read = rows.len();
     let mut rows = in_order(rows);
     log.misdated = read - rows.len();
-    rows.sort_by(|a, b| a.0.total_cmp(&b.0)); // in the order of the file where times are one
+    rows.sort_by(|a, b| a.0.total_cmp(&b.0)); // stable sort: equal times keep the order of the file
     for (at_s, value) in rows {
         match log.times_s.last() == Some(&at_s) {
             true => {
@@ -214,7 +214,7 @@ pub fn read_log(bytes: &[u8], column: Option<&str>) -> Result<Log, LogError> {
     }
 }
 
-/// Rows without those of a wrong clock: the most rows whose times ascend stay, and those that are within a day of the one that stays before them.
+/// Removes rows with a wrong clock: it keeps the largest set of rows with ascending times, and those within a day of the kept row before them.
 fn in_order(rows: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     const DAY_S: f64 = 86_400.0;
     let mut latest_s = f64::NEG_INFINITY;
@@ -225,7 +225,7 @@ fn in_order(rows: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     if rows.iter().all(is_in_order) {
         return rows;
     }
-    // the longest run that does not descend (Schensted 1961): the row in which a run of each length may end earliest, and the row before each
+    // the longest non-descending subsequence (Schensted 1961): for each length the row with the earliest end, and the predecessor of each row
     let (mut ends, mut before): (Vec<usize>, Vec<Option<usize>>) = (Vec::new(), Vec::new());
     for (row, (at_s, _)) in rows.iter().enumerate() {
         let length = ends.partition_point(|end| rows[*end].0 <= *at_s);
@@ -251,7 +251,7 @@ fn in_order(rows: Vec<(f64, f64)>) -> Vec<(f64, f64)> {
     kept.map(|(row, _)| row).collect()
 }
 
-/// What separates columns, their names, and the first line of readings.
+/// The separator of columns, their names, and the first line of readings.
 fn headed(lines: &[&str]) -> Option<(char, Vec<String>, usize)> {
     let first = lines.iter().position(|line| {
         [',', ';', '\t'].iter().any(|sign| {
@@ -277,7 +277,7 @@ fn place(
     column: Option<&str>,
     (times, is_toa5): (TimeCells, bool),
 ) -> Result<usize, LogError> {
-    // the number of the record of a Campbell logger is no reading
+    // the record number of a Campbell logger is not a reading
     let is_reading = |(at, name): &(usize, &String)| *at >= times.cells() && !(is_toa5 && *name == "RECORD");
     let all: Vec<(usize, &String)> = names.iter().enumerate().filter(is_reading).collect();
     let known = || {
@@ -298,7 +298,7 @@ fn place(
     }
 }
 
-/// The unit in brackets at the end of a head: "경사 X (mm/m)". A side of the sky, (S), and a number, (2), are none.
+/// The unit in brackets at the end of a heading: "경사 X (mm/m)". A compass direction, (S), and a number, (2), are not units.
 fn unit_in_head(head: &str) -> Option<String> {
     let inside = head.trim_end().strip_suffix([')', ']', '）'])?;
     let (_, unit) = inside.rsplit_once(['(', '[', '（'])?;
@@ -310,7 +310,7 @@ fn unit_in_head(head: &str) -> Option<String> {
     (is_unit && !is_side).then(|| unit.to_owned())
 }
 
-/// Cells of a row; quotes around a cell are taken off, and a separator within them is part of it.
+/// Cells of a row; quotes around a cell are removed, and a separator within them belongs to the cell.
 fn cells(row: &str, sign: char) -> Vec<String> {
     let (mut all, mut cell, mut is_quoted) = (Vec::new(), String::new(), false);
     for letter in row.chars() {
@@ -330,7 +330,7 @@ fn first_cell(row: &str, sign: char) -> &str {
     cell.trim().trim_matches('"').trim()
 }
 
-/// A number; `Some(None)` where there is no reading, `None` where there is something else.
+/// A number; `Some(None)` without a reading, `None` for other text.
 fn reading(cell: &str, sign: char) -> Option<Option<f64>> {
     let missing = [
         "", "NAN", "NA", "N/A", "NULL", "INF", "-INF", "+INF", "7999", "-7999",
@@ -356,7 +356,7 @@ fn shown(text: &str) -> String {
 }
 
 impl Log {
-    /// The mean of what was read from one moment to another; where nothing was, the reading nearest to their middle that is at most `within_s` away.
+    /// The mean of the readings between two times; without any, the reading nearest to their middle within `within_s`.
     pub fn around(&self, from_s: f64, to_s: f64, within_s: f64) -> Option<f64> {
         let begin = self.times_s.partition_point(|at| *at < from_s);
         let end = self.times_s.partition_point(|at| *at <= to_s);
@@ -399,7 +399,7 @@ mod tests {
         let row = |day: usize, value: usize| format!("2026-11-{day:02} 10:00,{value}\n");
         let mut text = "Time,Tilt\n".to_owned();
         text += &(1..=4).map(|day| row(day, day)).collect::<String>();
-        text += "2096-11-05 10:00,99\n"; // a bit of its clock fell over
+        text += "2096-11-05 10:00,99\n"; // a bit of its clock was flipped
         text += &(5..=6).map(|day| row(day, day)).collect::<String>();
         text += "1990-01-01 00:00,99\n1990-01-01 00:10,99\n1990-01-03 00:10,99\n"; // its battery was dead
         text += &(9..=12).map(|day| row(day, day)).collect::<String>();
@@ -414,7 +414,7 @@ mod tests {
         let log = read_log(text.as_bytes(), None).unwrap();
         assert_eq!(log.values, [1.0, 4.0, 5.0, 6.0]);
         assert_eq!((log.misdated, log.set_back, log.repeated), (0, 1, 2));
-        // beside a clock that was wrong it stays
+        // beside a wrong clock it stays
         let log = read_log(format!("{text}1990-01-01 00:00,99\n").as_bytes(), None).unwrap();
         assert_eq!(log.values, [1.0, 4.0, 5.0, 6.0]);
         assert_eq!((log.misdated, log.repeated), (1, 2));

@@ -1,23 +1,23 @@
-//! When the rows of a log were read, in any of the forms that loggers and spreadsheets write.
+//! The times of the rows of a log, in all forms of loggers and spreadsheets.
 
 use crate::records::{calendar_day, date_time};
 use crate::start::start_of_text;
 
-/// How the rows of a log say when they were read. All rows of a file do so alike.
+/// The form of times in a log. All rows of a file have the same.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct TimeCells {
-    /// The time of the day stands in a cell of its own behind the date.
+    /// The time of day is in a separate cell after the date.
     has_clock_apart: bool,
     /// The month stands first in dates such as "11/25/2026".
     is_month_first: bool,
 }
 
-/// Dates such as "05/11/2026" of which no row says whether the day or the month stands first.
+/// Dates such as "05/11/2026" in which no row shows whether the day or the month comes first.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct UnclearDay(pub(super) String);
 
 impl TimeCells {
-    /// How the rows of a file do; `first` is the first of them, `dates` the first cell of each.
+    /// Detects the form of a file; `first` is its first row, `dates` the first cell of each row.
     pub(super) fn of<'a>(first: &[String], dates: impl Iterator<Item = &'a str>) -> Result<Self, UnclearDay> {
         let [date, clock] = [0, 1].map(|at| first.get(at).map_or("", String::as_str));
         let has_clock_apart = !date.contains(':') && clock.contains(':') && date_time(clock).is_some();
@@ -42,12 +42,12 @@ impl TimeCells {
         }
     }
 
-    /// Cells at the head of a row that hold no reading.
+    /// Number of cells before the readings in a row.
     pub(super) fn cells(self) -> usize {
         1 + usize::from(self.has_clock_apart)
     }
 
-    /// When a row was read, s from 1970 in the clock of the logger.
+    /// The time of a row, s from 1970 in the clock of the logger.
     pub(super) fn at(self, row: &[String]) -> Option<f64> {
         let first = row.first()?;
         if !self.has_clock_apart {
@@ -60,7 +60,7 @@ impl TimeCells {
         plain_time(cell).or_else(|| self.other_time(cell))
     }
 
-    /// A day with or without a time of it, its year first or last; a zone is that of all rows.
+    /// A day with or without a time, its year first or last; a time zone applies to all rows.
     fn other_time(self, cell: &str) -> Option<f64> {
         let cell = match Turned::of(cell) {
             Some(turned) => turned.year_first(self.is_month_first),
@@ -76,7 +76,7 @@ impl TimeCells {
     }
 }
 
-/// Whether a cell says when in some form.
+/// Whether a cell is a time in any form.
 pub(super) fn says_when(cell: &str) -> bool {
     let with = |is_month_first| TimeCells {
         has_clock_apart: false,
@@ -96,7 +96,7 @@ struct Turned<'a> {
     second: u32,
     year: &'a str,
     rest: &'a str,
-    /// Whether the day or the month may stand first: between dots it is the day.
+    /// Whether the day or the month may come first: between dots it is the day.
     is_unclear: bool,
 }
 

@@ -12,9 +12,9 @@ const POWERS: [f64; POWER_MOST as usize + 1] = [
 ];
 /// Every integer up to this is an exact double.
 const MANTISSA_MOST: u64 = 1 << 53;
-/// So many digits always fit 64 bits.
+/// Number of digits that always fit 64 bits.
 const DIGITS_MOST: usize = 19;
-/// Longer cells than this are no number anyone prints; they are copied when the decimal sign is a comma.
+/// Longer cells are not printed numbers; they are copied when the decimal sign is a comma.
 const CELL_MOST: usize = 64;
 
 /// A number at the beginning of a text.
@@ -24,11 +24,11 @@ pub(crate) struct Number {
     pub(crate) value: f64,
     /// Index of the first byte after it.
     pub(crate) end: usize,
-    /// Place of the last of them after the decimal sign; negative where an exponent moved it left of it.
+    /// Decimal place of its last digit; negative where an exponent moved it left of the decimal sign.
     pub(crate) decimals: i32,
 }
 
-/// The number that a text is, as `str::parse::<f64>` reads it, or `None`.
+/// The number in a text, as `str::parse::<f64>` reads it, or `None`.
 ///
 /// # Example
 /// ```
@@ -43,7 +43,7 @@ pub fn parse_number(text: &[u8]) -> Option<f64> {
     }
 }
 
-/// The finite number that begins at `at`, if it is plainly written. What follows it is not looked at.
+/// The finite number at `at`, if it is in plain form. Text after it is ignored.
 #[inline]
 pub(crate) fn scan(text: &[u8], at: usize, decimal_sign: u8) -> Option<Number> {
     let sign = *text.get(at)?;
@@ -94,8 +94,7 @@ pub(crate) fn scan(text: &[u8], at: usize, decimal_sign: u8) -> Option<Number> {
     Some(Number { value, end, decimals })
 }
 
-/// The number that a whole cell is: no blanks, the decimal sign as given. Reads everything that `str::parse` reads, such as
-/// NaN.
+/// The number in a whole cell, without blanks, with the given decimal sign. Reads everything that `str::parse` reads, such as NaN.
 pub(crate) fn parse_cell(cell: &[u8], decimal_sign: u8) -> Option<Number> {
     if let Some(number) = scan(cell, 0, decimal_sign)
         && number.end == cell.len()

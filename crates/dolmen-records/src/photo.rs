@@ -1,10 +1,10 @@
-//! Photographs and drawings as they are: what their heads say, without decoding them.
+//! Photographs and drawings: reads their headers, without decoding them.
 
 use imagesize::{ImageType, blob_size, image_type};
 
-/// Most bytes of a photograph. Chosen here: a JPEG of a camera with 60 megapixels has 30 MB.
+/// Largest size of a photograph, bytes. Chosen here: a JPEG of a camera with 60 megapixels has 30 MB.
 pub const PHOTO_BYTES_MOST: u64 = 32 << 20;
-/// Most pixels of a photograph. Chosen here: decoded they take 640 MB; a camera of 2026 has 60 to 151 million.
+/// Largest number of pixels. Chosen here: decoded they take 640 MB; a camera of 2026 has 60 to 151 million.
 pub const PHOTO_PIXELS_MOST: u64 = 160_000_000;
 
 /// The formats that pages, documents and browsers all show.
@@ -34,24 +34,24 @@ impl PhotoFormat {
     }
 }
 
-/// An image whose head was read.
+/// An image with its header.
 #[derive(Clone, PartialEq, Eq)]
 pub struct Photo {
     /// Its format.
     pub format: PhotoFormat,
-    /// Pixels across, before any turn that the camera noted.
+    /// Pixels across, before the rotation in the EXIF data.
     pub width: u32,
     /// Pixels down.
     pub height: u32,
-    /// The file as it is.
+    /// The bytes of the file.
     pub bytes: Vec<u8>,
 }
 
 impl Photo {
-    /// Quarters of a turn, clockwise, that the camera noted (EXIF, the tag Orientation), 0 to 3; pages and PDF make it by themselves.
+    /// Quarters of a turn, clockwise, in the EXIF data (tag Orientation), 0 to 3; pages and PDF apply them.
     ///
     /// # Limits
-    /// What is mirrored too is taken as it is; no camera notes that.
+    /// Mirrored images are not corrected; no camera writes them.
     pub fn quarter_turns(&self) -> u8 {
         match (self.format, orientation(&self.bytes)) {
             (PhotoFormat::Jpeg, Some(3)) => 2,
@@ -110,15 +110,15 @@ impl std::fmt::Debug for Photo {
     }
 }
 
-/// A file that is no photograph that can be used.
+/// A file that is not a usable photograph.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum PhotoError {
-    /// Another format, or no image.
+    /// Another format, or not an image.
     NotAnImage {
         /// The first bytes.
         start: String,
     },
-    /// The head does not say how large it is.
+    /// The header does not give the size.
     Damaged,
     /// The end is missing.
     CutShort,
@@ -138,13 +138,13 @@ pub enum PhotoError {
     },
 }
 
-/// Reads the head of a JPEG or PNG.
+/// Reads the header of a JPEG or PNG.
 ///
 /// # Errors
 /// [`PhotoError`]: no such image, no end, no pixels, or more than [`PHOTO_PIXELS_MOST`].
 ///
 /// # Limits
-/// What stands between head and end is not looked at: a damaged middle shows when it is drawn.
+/// The data between header and end are not checked: damage there appears when the image is drawn.
 pub fn read_photo(bytes: Vec<u8>) -> Result<Photo, PhotoError> {
     const NAMED: usize = 8;
     let format = match image_type(&bytes) {
@@ -183,7 +183,7 @@ pub fn read_photo(bytes: Vec<u8>) -> Result<Photo, PhotoError> {
     })
 }
 
-/// Whether the mark of its end stands in the last bytes: cameras add some behind it.
+/// Whether the end marker is in the last bytes: cameras add data after it.
 fn has_end(bytes: &[u8], format: PhotoFormat) -> bool {
     let mark: &[u8] = match format {
         PhotoFormat::Jpeg => &[0xff, 0xd9],

@@ -1,14 +1,14 @@
-//! Text of a file as errors quote it: short, and without signs that a terminal obeys.
+//! Text of a file in errors: short, and without control characters.
 
 use crate::wrong::and_more;
 use dolmen_words::message::Both;
 
-/// Most characters of one quotation. Chosen here: two lines of a terminal.
+/// Longest quotation, in characters. Chosen here: two lines of a terminal.
 const CHARACTERS_MOST: usize = 200;
-/// Most names of one list. Chosen here: nobody reads more to find the one meant.
+/// Longest list of names. Chosen here: nobody reads more to find the right one.
 const NAMES_MOST: usize = 20;
 
-/// A text with its control characters escaped, cut with "…" where it is longer than an error may quote. Shown twice it is the same.
+/// A text with its control characters escaped, cut with "…" if it is too long for an error. Applying it twice changes nothing more.
 pub(crate) fn shown(text: &str) -> String {
     let mut out = String::new();
     let (mut written, mut room) = (0, 0);
@@ -36,7 +36,7 @@ pub(crate) fn shown(text: &str) -> String {
     out
 }
 
-/// The first names of a list, each as an error quotes it, and how many follow.
+/// The first names of a list as quotations, and the number of others.
 pub(crate) fn listed<T: AsRef<str>>(names: &[T]) -> Both {
     let first: Vec<String> = names
         .iter()
@@ -49,7 +49,7 @@ pub(crate) fn listed<T: AsRef<str>>(names: &[T]) -> Both {
     }
 }
 
-/// Control characters, and marks that turn the direction of a line or end it.
+/// Control characters, and marks that change the direction of a line or end it.
 fn is_obeyed(c: char) -> bool {
     let turns = matches!(c, '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
     c.is_control() || turns

@@ -1,13 +1,13 @@
-//! The form of the six-factor score, filled: a sheet with keys in its first column and values beside them.
+//! The filled form of the six-factor score: a sheet with keys in its first column and values beside them.
 
 use crate::sheet_error::SheetError;
 use crate::sheet_limits::{refuse_bomb, refuse_far};
 use calamine::{Data, Reader as _, Xlsx};
 use std::io::Cursor;
 
-/// Keys of the factors that must be there.
+/// Required keys of factors.
 const NEEDED: [&str; 4] = ["storeys", "body_height", "taper", "body_base_height_ratio"];
-/// Of these one is enough.
+/// One of these is enough.
 const EITHER: [&str; 2] = ["body_slenderness", "slenderness_angle"];
 /// The column of the values, from 0.
 const VALUES: usize = 3;
@@ -19,7 +19,7 @@ const ROWS_MOST: usize = 1000;
 pub enum ScoreFormError {
     /// It is no workbook.
     NoWorkbook(String),
-    /// It is more than a form.
+    /// It is larger than a form.
     Sheet(SheetError),
     /// No sheet has the rows of the form.
     NoForm,
@@ -28,16 +28,16 @@ pub enum ScoreFormError {
         /// The key of the row.
         key: &'static str,
     },
-    /// Both of two that follow from each other.
+    /// Two values of which each follows from the other.
     Both,
-    /// What stands there is no number.
+    /// A value that is not a number.
     NoNumber {
         /// The key of the row.
         key: &'static str,
         /// What stands there.
         given: String,
     },
-    /// Storeys are counted.
+    /// A number of storeys that is not whole.
     NotWhole {
         /// What stands there.
         given: String,
@@ -120,7 +120,7 @@ fn filled(rows: &[(String, &Data)]) -> Result<ScoreForm, ScoreFormError> {
 }
 
 impl ScoreForm {
-    /// The text of a project file that says the same, with the friction, the joints and the density of the designs of the score.
+    /// The text of a project file with these values, and with the friction, the joints and the density of the score's designs.
     pub fn project_text(&self) -> String {
         let name = self.name.as_deref().unwrap_or("Pagoda of the form");
         let safe: String = name

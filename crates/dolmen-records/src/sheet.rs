@@ -1,4 +1,4 @@
-//! Tables of stones and storeys as people keep them: XLSX, ODS and CSV to rows of cells that know their place.
+//! Tables of stones and storeys: XLSX, ODS and CSV to rows of cells with their places.
 
 use crate::sheet_error::{COLUMNS_MOST, ROWS_MOST, SheetError, unreadable};
 use crate::sheet_limits::{refuse_bomb, refuse_far, refuse_repeats, too_many};
@@ -8,7 +8,7 @@ use std::io::Cursor;
 
 /// Most bytes of a table.
 pub const SHEET_BYTES_MOST: u64 = 32 << 20;
-/// What stands in a cell.
+/// Contents of a cell.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SheetValue {
     /// Nothing.
@@ -24,14 +24,14 @@ pub enum SheetValue {
 pub struct SheetCell {
     /// Its place: "C4".
     pub place: String,
-    /// What stands in it.
+    /// Its contents.
     pub value: SheetValue,
 }
 
 /// The rows of a table, the header first; empty rows at the end are left out.
 ///
 /// # Errors
-/// [`SheetError`]: no table, a formula, merged cells, more than it may hold; each names its cell.
+/// [`SheetError`]: no table, a formula, merged cells, or too much; each names the cell.
 pub fn read_sheet(bytes: &[u8], file: &str, sheet: Option<&str>) -> Result<Vec<Vec<SheetCell>>, SheetError> {
     let ending = file.rsplit('.').next().map(str::to_lowercase);
     let mut rows = match ending.as_deref() {
@@ -54,7 +54,7 @@ pub fn read_sheet(bytes: &[u8], file: &str, sheet: Option<&str>) -> Result<Vec<V
 /// Rows of a workbook of samples: as many as a sheet of Excel has.
 const SAMPLES_MOST: usize = 1 << 20;
 
-/// What a sheet is read for.
+/// Use of a sheet.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum SheetUse {
     /// Parts of a structure: dates are mistakes.
@@ -106,7 +106,7 @@ fn place(row: usize, column: usize) -> String {
     format!("{letters}{}", row + 1)
 }
 
-/// The name of the sheet that is meant.
+/// The name of the requested sheet.
 fn chosen(names: &[String], sheet: Option<&str>) -> Result<String, SheetError> {
     let known = || names.join(", ");
     match (sheet, names) {

@@ -1,19 +1,19 @@
-//! Why a table cannot be used, and how large it may be.
+//! Errors of tables, and limits of their size.
 
 /// Most bytes that a workbook may unpack to. Chosen here: 10,000 stones in twenty columns are 20 MB of XML.
 pub(crate) const UNPACKED_BYTES_MOST: u64 = 128 << 20;
-/// Most bytes that come out of one byte of a workbook. Chosen here: sheets of numbers pack to a tenth, of empty cells with a format to a thirtieth.
+/// Largest number of bytes for each byte of a workbook. Chosen here: sheets of numbers pack to a tenth, formatted empty cells to a thirtieth.
 pub(crate) const UNPACKED_A_BYTE_MOST: u64 = 100;
-/// Bytes that may come out of any workbook, however small.
+/// Bytes allowed for any workbook, however small.
 pub(crate) const UNPACKED_BYTES_FREE: u64 = 16 << 20;
-/// Most rows and columns that are looked at. Chosen here: no monument was ever measured stone by stone in more.
+/// Largest number of rows and columns. Chosen here: no monument was ever measured stone by stone in more.
 pub(crate) const ROWS_MOST: usize = 10_000;
 pub(crate) const COLUMNS_MOST: usize = 256;
 
-/// A table that cannot be used.
+/// A table that is not usable.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum SheetError {
-    /// No table by its name.
+    /// The file name is not that of a table.
     NotATable,
     /// It cannot be read.
     Unreadable {
@@ -25,7 +25,7 @@ pub enum SheetError {
         /// The limit, MiB.
         most_mib: u64,
     },
-    /// More rows or columns than are read.
+    /// More rows or columns than allowed.
     TooMany {
         /// Rows.
         rows: usize,
@@ -34,7 +34,7 @@ pub enum SheetError {
         /// Rows that are read.
         rows_most: usize,
     },
-    /// Few cells far from one another.
+    /// Few cells, far from one another.
     Sparse {
         /// Rows up to the last.
         rows: usize,
@@ -43,7 +43,7 @@ pub enum SheetError {
         /// Cells that hold something.
         cells: usize,
     },
-    /// A cell stands where no sheet has one.
+    /// A cell in an impossible place.
     NoPlace {
         /// How its place begins.
         place: String,
@@ -55,17 +55,17 @@ pub enum SheetError {
         /// Those there are.
         known: String,
     },
-    /// Which sheet is meant is not said.
+    /// Several sheets, of which one must be named.
     SeveralSheets {
         /// Those there are.
         known: String,
     },
-    /// Several sheets of a workbook of samples hold something.
+    /// Several sheets of a workbook of samples have values.
     SeveralTables {
         /// They.
         known: String,
     },
-    /// A table of text has sheets.
+    /// A sheet is named for a table of text.
     NoSheets,
     /// Nothing stands in it.
     NoRows,

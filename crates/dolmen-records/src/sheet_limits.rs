@@ -1,4 +1,4 @@
-//! How much a workbook may ask of its reader, told before it is read: a few bytes must not become much memory or time.
+//! Limits of workbooks, checked before reading, so that a small file cannot use much memory or time.
 
 use crate::sheet_error::{
     COLUMNS_MOST, ROWS_MOST, SheetError, UNPACKED_A_BYTE_MOST, UNPACKED_BYTES_FREE, UNPACKED_BYTES_MOST,
@@ -9,12 +9,13 @@ use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
 use std::io::{BufReader, Cursor, Read as _};
 
-/// Cells between the corners of any sheet, however few of them hold something. Chosen here: they take 80 MB.
+/// Number of cells between the corners allowed for any sheet. Chosen here: they take 80 MB.
 const AREA_FREE: usize = ROWS_MOST * COLUMNS_MOST;
-/// Most cells between the corners of a larger sheet for one that holds something. Chosen here: of a log that gives one of its channels in ten a line.
+/// Largest number of cells between the corners of a larger sheet for each cell with contents. Chosen here: a log that gives one of its ten
+/// channels in each line.
 const AREA_A_CELL: usize = 10;
 
-/// Unpacks every part once and keeps nothing: what a workbook says of its size need not be true, nor need its cells lie where a sheet has any.
+/// Unpacks every part once without keeping it: the stated size of a workbook may be wrong, and its cells may have impossible places.
 pub(crate) fn refuse_bomb(bytes: &[u8]) -> Result<(), SheetError> {
     let mut archive = zip::ZipArchive::new(Cursor::new(bytes)).map_err(unreadable)?;
     let most = (UNPACKED_A_BYTE_MOST * bytes.len() as u64).clamp(UNPACKED_BYTES_FREE, UNPACKED_BYTES_MOST);
@@ -37,22 +38,22 @@ pub(crate) fn refuse_bomb(bytes: &[u8]) -> Result<(), SheetError> {
 const LETTERS_MOST: usize = 3;
 const DIGITS_MOST: usize = 7;
 
-/// Looks at the places of cells (attributes `r` and `ref`) as the bytes of a part go by: calamine counts with what stands there, however long it is.
+/// Reads the places of cells (attributes `r` and `ref`) while the bytes of a part go by: calamine uses these texts, however long they are.
 #[derive(Default)]
 struct Places {
     within: Within,
-    /// Name of the attribute that is read, and whether it has ended.
+    /// Name of the current attribute, and whether it is complete.
     name: Vec<u8>,
     name_ended: bool,
     /// The place that is read, and its letters and digits.
     place: Vec<u8>,
     letters: usize,
     digits: usize,
-    /// The first that no sheet has.
+    /// The first impossible place.
     beyond: Option<String>,
 }
 
-/// Where in XML a byte stands.
+/// State of the XML scanner.
 #[derive(Clone, Copy, Default)]
 enum Within {
     #[default]
@@ -123,7 +124,7 @@ impl std::io::Write for Places {
     }
 }
 
-/// Refuses a sheet with a cell far from the others before room is made for all between: one at XFD1048576 would take half a terabyte.
+/// Refuses a sheet with a cell far from the others before memory is allocated for all between: one at XFD1048576 would take half a terabyte.
 pub(crate) fn refuse_far(
     book: &mut Xlsx<Cursor<&[u8]>>,
     name: &str,
@@ -159,7 +160,7 @@ pub(crate) fn refuse_far(
     }
 }
 
-/// Of a table of parts.
+/// For a table of parts.
 pub(crate) fn too_many(rows: usize, columns: usize) -> SheetError {
     SheetError::TooMany {
         rows,
@@ -168,13 +169,13 @@ pub(crate) fn too_many(rows: usize, columns: usize) -> SheetError {
     }
 }
 
-/// Refuses sheets of a workbook (ODS) that repeat what they hold, or leave so much empty, that they become larger than any table: a row that says it stands
-/// there a million times takes a hundred bytes, and gigabytes once read. Rows and cells that hold nothing at the end of a sheet count for nothing: LibreOffice
-/// writes them up to its last.
+/// Refuses sheets of a workbook (ODS) that become larger than any table through repeated contents or gaps: a row repeated a million times takes
+/// a hundred bytes in the file, and gigabytes in memory. Empty rows and cells at the end of a sheet do not count: LibreOffice writes them up to
+/// the last row.
 pub(crate) fn refuse_repeats(bytes: &[u8]) -> Result<(), SheetError> {
     let mut archive = zip::ZipArchive::new(Cursor::new(bytes)).map_err(unreadable)?;
     let Ok(part) = archive.by_name("content.xml") else {
-        return Ok(()); // what reads the workbook says so
+        return Ok(()); // the reader of the workbook reports this error
     };
     let mut reader = Reader::from_reader(BufReader::new(part));
     // as calamine reads it, so that both see the same
@@ -217,7 +218,7 @@ pub(crate) fn refuse_repeats(bytes: &[u8]) -> Result<(), SheetError> {
     }
 }
 
-/// How far a sheet reaches.
+/// Extent of a sheet.
 #[derive(Default)]
 struct Extent {
     /// Rows before the one that is read, and how often that one stands there.

@@ -1,4 +1,4 @@
-//! When the first sample of a channel was taken.
+//! The time of the first sample of a channel.
 
 /// Seconds in a day.
 const DAY_S: f64 = 86_400.0;
@@ -57,7 +57,7 @@ pub fn start_of_text(text: &str) -> Option<f64> {
     (hour < 24 && minute < 60 && second <= 60).then(|| seconds(day, hour, minute, second as f64 + fraction))
 }
 
-/// Later and earlier times than this are no dates, s: the year 9999.
+/// Times beyond these are not dates, s: the year 9999.
 const DATES_WITHIN_S: f64 = 253_402_300_800.0;
 
 /// "2018-01-24 19:51:37.250" of seconds from 1 January 1970; "1e300 s from 1970" of what is no date.

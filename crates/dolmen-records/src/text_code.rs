@@ -1,20 +1,20 @@
-//! Text of a file as UTF-8, whichever of the two codes of Korean programs it was saved in.
+//! Converts the text of a file to UTF-8 from either of the two encodings of Korean programs.
 
 use encoding_rs::EUC_KR;
 use std::borrow::Cow;
 
-/// The bytes of a text file, and the code that they were turned from.
+/// The bytes of a text file, and their original encoding.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Decoded<'a> {
-    /// UTF-8 where the code was found out, else the bytes as they are.
+    /// UTF-8 if the encoding was detected, otherwise the original bytes.
     pub(crate) bytes: Cow<'a, [u8]>,
     /// Whether the file was in CP949, of which EUC-KR is a part.
     pub(crate) is_cp949: bool,
 }
 
-/// Bytes that are not UTF-8, turned into it where they are Korean text in CP949 (EUC-KR) throughout. Nothing else is guessed: every byte must
-/// belong to a character of that code, and most characters beyond ASCII must be the 2,350 syllables that Korean text is written with. Single
-/// letters of a Western code page ("m/s²", "Höhe") do not pass.
+/// Bytes that are not UTF-8, converted if they are Korean text in CP949 (EUC-KR) throughout. No other encoding is guessed: every byte must
+/// belong to a character of that encoding, and most characters beyond ASCII must be among the 2,350 common Korean syllables. Single letters of a
+/// Western code page ("m/s²", "Höhe") do not pass.
 ///
 /// # Source
 /// WHATWG Encoding Standard, euc-kr (the Windows code page 949); KS X 1001:2004, rows 16 to 40.

@@ -6,7 +6,7 @@ use dolmen::signal::Quantity;
 /// Unit of the numbers in a file. Samples of a record are in SI.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Unit {
-    /// Not given: numbers are kept as they are.
+    /// Not given: numbers stay as they are.
     #[default]
     Unknown,
     /// m/s².
@@ -59,7 +59,7 @@ impl Unit {
         found.map(|(unit, _)| *unit)
     }
 
-    /// How it is printed; "" if not known.
+    /// Its printed form; "" if unknown.
     pub fn symbol(self) -> &'static str {
         SPELLINGS
             .iter()
@@ -67,7 +67,7 @@ impl Unit {
             .map_or("", |(_, spellings)| spellings[0])
     }
 
-    /// One of it in SI; 1 if not known.
+    /// Its value in SI; 1 if unknown.
     pub fn si(self) -> f64 {
         match self {
             Unit::Unknown | Unit::MetrePerSecondSquared | Unit::MetrePerSecond | Unit::Metre => 1.0,
@@ -79,7 +79,7 @@ impl Unit {
         }
     }
 
-    /// What it measures.
+    /// The quantity that it measures.
     pub fn quantity(self) -> Quantity {
         match self {
             Unit::Unknown => Quantity::Unknown,

@@ -1,9 +1,9 @@
-//! Workbooks of samples and readings as people keep them: the one sheet that holds something, as the same table in CSV.
+//! Workbooks of samples and readings: the only sheet with contents, as the same table in CSV.
 
 use crate::sheet::{SheetCell, SheetUse, SheetValue, filled_sheets, of_xlsx};
 use crate::sheet_error::SheetError;
 
-/// Whether a file begins as a workbook does.
+/// Whether a file begins like a workbook.
 pub(crate) fn is_workbook(bytes: &[u8]) -> bool {
     bytes.starts_with(b"PK\x03\x04")
 }

@@ -1,4 +1,4 @@
-//! Records that come by themselves: each is kept as a survey of its own, once, by one transaction.
+//! Records from a watched folder: each is stored once, as a survey of its own, in one transaction.
 
 use crate::database::{Database, Value, all, transaction};
 use crate::error::StoreError;
@@ -10,34 +10,34 @@ use dolmen_work::kept::StoreFault;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// The verb of the log by which a call of the alarm is known.
+/// The verb that marks a call of the alarm in the log.
 const ALARM: &str = "alarm";
 
-/// A record that is to be kept as a survey of its own.
+/// A record to be stored as a survey of its own.
 #[derive(Clone, Debug)]
 pub struct Arriving<'a> {
-    /// The project with the survey in it, its file under the path that it names, and its modes, if it gave any.
+    /// The project including the survey, the record file under the path that the project names, and the modes, if any were found.
     pub incoming: Incoming<'a>,
     /// The survey.
     pub survey: &'a str,
-    /// Its table as a project file writes it.
+    /// The survey's table, as text of a project file.
     pub own_text: &'a str,
-    /// What the file was called.
+    /// Original name of the file.
     pub came_as: &'a str,
 }
 
-/// What became of a record.
+/// Outcome for a record.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Arrived {
     /// It is on disk.
     Stored,
-    /// A survey of the structure has this record already.
+    /// A survey of the structure already has this record.
     There,
     /// Another survey of the structure has this name.
     NameTaken,
 }
 
-/// Keeps the bytes of files, from any thread.
+/// Stores the bytes of files, from any thread.
 #[derive(Clone, Debug)]
 pub struct Keeper(Arc<dyn RawFiles>);
 
@@ -45,17 +45,17 @@ impl Keeper {
     /// As [`Store::keep`].
     ///
     /// # Errors
-    /// Nothing can be written.
+    /// If nothing can be written.
     pub fn keep(&self, bytes: &[u8]) -> Result<Kept, StoreError> {
         self.0.keep(bytes)
     }
 }
 
 impl Store {
-    /// What keeps files of this store, for several threads.
+    /// A handle that stores files from several threads.
     ///
     /// # Errors
-    /// The store was opened to be read.
+    /// If the store was opened for reading.
     pub fn keeper(&self) -> Result<Keeper, StoreError> {
         match self.can_write() {
             true => Ok(Keeper(self.raw.clone())),
@@ -66,7 +66,7 @@ impl Store {
     /// The latest state of the project of a structure.
     ///
     /// # Errors
-    /// There is no such structure.
+    /// If there is no such structure.
     pub fn state(&mut self, structure: &str) -> Result<String, StoreError> {
         let database = self.database.as_mut();
         refuse_unknown(database, structure)?;
@@ -79,10 +79,10 @@ impl Store {
         })
     }
 
-    /// How many records of a structure came by themselves.
+    /// Number of records of a structure from watched folders.
     ///
     /// # Errors
-    /// The database cannot be read.
+    /// If the database cannot be read.
     pub fn arrivals(&mut self, structure: &str) -> Result<u64, StoreError> {
         let sql = "select count(*) from arrival where structure = $1";
         let rows = all(self.database.as_mut(), sql, &[Value::Text(structure.to_owned())])?;
@@ -92,10 +92,10 @@ impl Store {
         })
     }
 
-    /// Hashes of the records that surveys of a structure have or had, each with the name that its file came under.
+    /// Hashes of the records that surveys of a structure have or had, each with the original name of its file.
     ///
     /// # Errors
-    /// The database cannot be read.
+    /// If the database cannot be read.
     pub fn records(&mut self, structure: &str) -> Result<BTreeMap<String, String>, StoreError> {
         let sql = "select distinct r.hash, coalesce(a.came_as, r.path) from survey v join record r on r.survey = v.hash \
             left join arrival a on a.survey = v.hash where v.structure = $1";
@@ -110,10 +110,10 @@ impl Store {
         Ok(pairs.collect())
     }
 
-    /// Keeps a record as a survey in one transaction: when this returns [`Arrived::Stored`], it is on disk.
+    /// Stores a record as a survey in one transaction: when this returns [`Arrived::Stored`], it is on disk.
     ///
     /// # Errors
-    /// A name that cannot be kept, a structure that is not there, a database that cannot be written.
+    /// If a name is not allowed, the structure does not exist, or the database cannot be written.
     pub fn arrive(&mut self, arriving: &Arriving<'_>, act: &Act<'_>) -> Result<Arrived, StoreError> {
         refuse_name("who", act.who)?;
         refuse_name("survey", arriving.survey)?;
@@ -123,17 +123,17 @@ impl Store {
     /// Whether the alarm of a structure was called.
     ///
     /// # Errors
-    /// The database cannot be read.
+    /// If the database cannot be read.
     pub fn is_called(&mut self, structure: &str, alarm: &str) -> Result<bool, StoreError> {
         let of = [ALARM, structure, alarm].map(|text| Value::Text(text.to_owned()));
         let condition = "where verb = $1 and subject = $2 and detail = $3";
         Ok(!select::<LogRow>(self.database.as_mut(), condition, &of)?.is_empty())
     }
 
-    /// Writes down that the alarm of a structure was called.
+    /// Records that the alarm of a structure was called.
     ///
     /// # Errors
-    /// The database cannot be written.
+    /// If the database cannot be written.
     pub fn set_called(&mut self, structure: &str, alarm: &str, act: &Act<'_>) -> Result<(), StoreError> {
         transaction(self.database.as_mut(), |database| {
             let row = LogRow {

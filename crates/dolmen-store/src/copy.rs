@@ -1,4 +1,4 @@
-//! Takes over all that another store holds; what is there already is passed over.
+//! Copies everything from another store that is not in this one.
 
 use crate::database::{Database, Value, transaction};
 use crate::error::StoreError;
@@ -8,7 +8,7 @@ use crate::store::{Act, Store};
 use dolmen_work::kept::{Imported, StoreFault};
 use std::collections::BTreeSet;
 
-/// Tables whose rows are the first of a group, and those that belong to them by the column that names it.
+/// Tables whose rows begin a group, and the tables whose rows belong to them, with the column that refers to the first.
 const HEADS: [(&str, &str, &[&str]); 3] = [
     (
         "survey",
@@ -25,7 +25,7 @@ const HEADS: [(&str, &str, &[&str]); 3] = [
     ("project", "project", &["project_file", "project_survey"]),
     ("analysis", "analysis", &["mode", "mode_point", "earthquake"]),
 ];
-/// Every table in an order in which each comes after those that it refers to; the log stays where it was written.
+/// All tables, each after those that it refers to. The log is not copied.
 const ORDER: [&str; 14] = [
     "raw",
     "structure",
@@ -44,15 +44,15 @@ const ORDER: [&str; 14] = [
 ];
 
 impl Store {
-    /// Takes over all of another store in one transaction, raw files first: those are on disk before a row names them.
+    /// Copies everything from another store in one transaction. Raw files go first, so they are on disk before a row names them.
     ///
     /// # Errors
-    /// A raw file of the other store is missing or changed, or nothing can be written.
+    /// If a raw file of the other store is missing or changed, or nothing can be written.
     pub fn import(&mut self, from: &mut Store, act: &Act<'_>) -> Result<Imported, StoreError> {
         refuse_name("who", act.who)?;
         from.database.begin_reading()?;
         let done = self.take_over(from, act);
-        let _ = from.database.rollback(); // nothing was written there
+        let _ = from.database.rollback(); // a reading transaction: nothing to undo
         done
     }
 
@@ -127,7 +127,7 @@ impl Store {
     }
 }
 
-/// Rows of a table that belong to one of the new heads.
+/// Rows of a table that belong to one of the new first rows.
 fn copy_parts(
     other: &mut dyn Database,
     own: &mut dyn Database,

@@ -1,4 +1,4 @@
-//! What a store asks of a database: statements with parameters, in words that are common to SQL databases.
+//! The interface of a database for a store: statements with parameters, in SQL that all databases share.
 
 use crate::error::StoreError;
 use std::borrow::Cow;
@@ -27,21 +27,21 @@ pub(crate) enum Kind {
     Text,
 }
 
-/// How a database is opened.
+/// Mode in which a database is opened.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Access {
-    /// To be read; it must be there.
+    /// For reading; it must exist.
     Read,
-    /// To be written; it is made if it is not there.
+    /// For writing; it is created if it does not exist.
     Write,
 }
 
-/// A database. Parameters of a statement are `$1`, `$2`…, first named in this order.
+/// A database. Parameters of a statement are `$1`, `$2`…, in the order of their first use.
 pub(crate) trait Database: Send {
-    /// Runs one statement; how many rows it changed.
+    /// Runs one statement and returns the number of changed rows.
     fn execute(&mut self, sql: &str, values: &[Value]) -> Result<u64, StoreError>;
 
-    /// Gives the rows of a query one by one; none is kept.
+    /// Passes the rows of a query to a closure one by one, without collecting them.
     fn query(
         &mut self,
         sql: &str,
@@ -52,38 +52,38 @@ pub(crate) trait Database: Send {
     /// Runs a file of statements without parameters.
     fn batch(&mut self, sql: &str) -> Result<(), StoreError>;
 
-    /// Begins to write: one process at a time, others wait.
+    /// Begins a writing transaction: one process at a time, others wait.
     fn begin(&mut self) -> Result<(), StoreError>;
 
-    /// Ends a transaction: all of it is on disk when this returns.
+    /// Commits a transaction: all of it is on disk when this returns.
     fn commit(&mut self) -> Result<(), StoreError> {
         self.batch("commit")
     }
 
-    /// Ends a transaction: nothing of it was done.
+    /// Rolls a transaction back.
     fn rollback(&mut self) -> Result<(), StoreError> {
         self.batch("rollback")
     }
 
-    /// Begins to read: until [`Database::rollback`] all that is read is of one moment, whatever others write.
+    /// Begins a reading transaction: until [`Database::rollback`] everything read is from one moment, whatever others write.
     fn begin_reading(&mut self) -> Result<(), StoreError>;
 
-    /// The number of the last schema file that was run; 0 of an empty database.
+    /// The number of the last schema file that was run; 0 for an empty database.
     fn schema(&mut self) -> Result<i64, StoreError>;
 
-    /// Says that the schema file `number` was run, as part of the transaction.
+    /// Records that schema file `number` was run, within the transaction.
     fn set_schema(&mut self, number: i64) -> Result<(), StoreError>;
 
-    /// What the database itself finds wrong with its pages, indices and references.
+    /// The faults that the database itself finds in its pages, indices and references.
     fn faults(&mut self) -> Result<Vec<String>, StoreError>;
 
     /// The columns of a table with their kinds, in order.
     fn columns(&mut self, table: &str) -> Result<Vec<(String, Kind)>, StoreError>;
 
-    /// The schema files of this database, the first has number 1.
+    /// The schema files of this database; the first has number 1.
     fn schema_files(&self) -> Vec<Cow<'static, str>>;
 
-    /// Everything on disk, nothing beside it, as far as that can be had.
+    /// Writes everything to disk and clears the write-ahead log, as far as possible.
     fn settle(&mut self) -> Result<(), StoreError>;
 }
 
@@ -101,7 +101,7 @@ pub(crate) fn all(
     Ok(rows)
 }
 
-/// Runs `work` as one transaction: all of it is there afterwards, or nothing.
+/// Runs `work` as one transaction: all of it takes effect, or nothing.
 pub(crate) fn transaction<T>(
     database: &mut dyn Database,
     work: impl FnOnce(&mut dyn Database) -> Result<T, StoreError>,
@@ -110,13 +110,13 @@ pub(crate) fn transaction<T>(
     match done.and_then(|done| database.commit().map(|()| done)) {
         Ok(done) => Ok(done),
         Err(fault) => {
-            let _ = database.rollback(); // the fault that came first is the one to tell
+            let _ = database.rollback(); // the first fault is the one to report
             Err(fault)
         }
     }
 }
 
-/// From and to values of a column.
+/// Conversion from and to column values.
 pub(crate) trait Field: Sized {
     const KIND: Kind;
     fn value(&self) -> Value;

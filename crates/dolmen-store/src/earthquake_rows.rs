@@ -7,7 +7,7 @@ fn finite(value: Option<f64>) -> Option<f64> {
     value.filter(|value| value.is_finite())
 }
 
-/// One that an analysis found.
+/// An earthquake that an analysis found.
 pub(crate) fn found(analysis: String, of: &EarthquakePart) -> EarthquakeRow {
     EarthquakeRow {
         analysis,
@@ -17,7 +17,7 @@ pub(crate) fn found(analysis: String, of: &EarthquakePart) -> EarthquakeRow {
     }
 }
 
-/// One that a survey states.
+/// An earthquake that a survey states.
 pub(crate) fn stated(survey: &str, of: &EarthquakePart) -> StatedEarthquakeRow {
     StatedEarthquakeRow {
         survey: survey.to_owned(),

@@ -1,14 +1,14 @@
-//! Why a store cannot answer.
+//! Errors of a store.
 
 use dolmen_work::kept::StoreFault;
 
-/// Why a store cannot answer.
+/// Why a store fails.
 #[derive(Debug, thiserror::Error)]
 pub enum StoreError {
-    /// What a user can be told.
+    /// A fault with a message for the user.
     #[error(transparent)]
     Fault(#[from] StoreFault),
-    /// A value is not of the kind of its column: another program wrote it.
+    /// A value has another type than its column: another program wrote it.
     #[error("{table}.{column} holds a value of another kind")]
     WrongValue {
         /// The table.
@@ -16,13 +16,13 @@ pub enum StoreError {
         /// The column.
         column: &'static str,
     },
-    /// What was given row by row could not be used.
+    /// The closure that received the rows failed.
     #[error("{0}")]
     Reader(String),
 }
 
 impl StoreError {
-    /// The fault as users read it.
+    /// The fault as the user reads it.
     pub fn fault(self) -> StoreFault {
         match self {
             StoreError::Fault(fault) => fault,

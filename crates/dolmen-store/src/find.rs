@@ -1,4 +1,4 @@
-//! What is there: lists that are given row by row, and a structure with its history.
+//! Reads a store: lists, passed on row by row, and a structure with its history.
 
 use crate::database::{Database, Value, all};
 use crate::error::StoreError;
@@ -14,38 +14,38 @@ use dolmen_work::kept::{
     KeptTilt, ListedStructure, ListedSurvey, StoreFault,
 };
 
-/// Lines of the log that a structure shows.
+/// Number of log lines that a structure shows.
 const LOG_MOST: usize = 20;
 
-/// Which structures are listed.
+/// Filter for the list of structures.
 #[derive(Clone, Debug, Default)]
 pub struct Search {
-    /// Part of a name, in any case; empty: all.
+    /// Part of a name, ignoring case; empty means all.
     pub words: String,
-    /// Those out of use as well.
+    /// Whether to include structures out of use.
     pub with_removed: bool,
 }
 
 /// A project as it was stored.
 #[derive(Clone, Debug)]
 pub struct Exported {
-    /// The text of the project file, with the surveys that came by themselves behind it.
+    /// The text of the project file, followed by the surveys from watched folders.
     pub text: Vec<u8>,
-    /// How many of its bytes are the project file as it was added.
+    /// Number of bytes of the project file as it was added.
     pub own_bytes: usize,
     /// Its files: path, hash and size.
     pub files: Vec<(String, String, u64)>,
 }
 
-/// The latest state of each structure: `a` its adoption, `p` its project.
+/// SQL for the latest state of each structure: `a` is its adoption, `p` its project.
 const LATEST: &str = "from structure s \
     join adoption a on a.structure = s.name and a.at_us = (select max(at_us) from adoption where structure = s.name) \
     join project p on p.hash = a.project";
-/// Whether it is out of use.
+/// SQL for whether it is out of use.
 const REMOVED: &str =
     "coalesce((select m.is_removed from mark m where m.structure = s.name order by m.at_us desc limit 1), 0)";
 
-/// The latest analysis of the records of a survey `v`.
+/// SQL for the latest analysis of the records of a survey `v`.
 pub(crate) const LAST_ANALYSIS: &str = "(select n.hash from survey_analysis sa join analysis n on n.hash = sa.analysis \
      where sa.survey = v.hash order by n.at_us desc, n.hash limit 1)";
 
@@ -66,7 +66,7 @@ fn condition(search: &Search) -> (String, Vec<Value>) {
     (sql, vec![Value::Text(format!("%{escaped}%"))])
 }
 
-/// Values of a row in turn, each of its kind.
+/// Reads the values of a row in turn, each with its type.
 pub(crate) struct Taker {
     values: std::vec::IntoIter<Value>,
     of: &'static str,
@@ -87,7 +87,7 @@ impl Taker {
     }
 }
 
-/// Seconds of microseconds.
+/// Seconds from microseconds.
 fn seconds(us: i64) -> f64 {
     us as f64 / 1e6
 }
@@ -132,7 +132,7 @@ fn structures(
     database.query(&sql, values, &mut |row| each(listed(row)?))
 }
 
-/// Whether an arrival `r` is none of the surveys of this state of the project: one that was exported and added again is.
+/// SQL for whether an arrival `r` is not among the surveys of this state of the project; one that was exported and added again is.
 pub(crate) fn not_in(project: &str) -> String {
     format!(
         "not exists (select 1 from survey own join project_survey own_ps on own_ps.survey = own.hash \
@@ -141,10 +141,10 @@ pub(crate) fn not_in(project: &str) -> String {
 }
 
 impl Store {
-    /// Gives the structures one by one, by name; none is kept.
+    /// Passes the structures to a closure one by one, by name.
     ///
     /// # Errors
-    /// The database cannot be read, or `each` fails.
+    /// If the database cannot be read, or `each` fails.
     pub fn structures(
         &mut self,
         search: &Search,
@@ -154,7 +154,7 @@ impl Store {
         structures(self.database.as_mut(), &condition, &values, each)
     }
 
-    /// Gives the surveys of the latest states one by one, by structure and in the order of the file; none is kept.
+    /// Passes the surveys of the latest states to a closure one by one, by structure and in the order of the file.
     ///
     /// # Errors
     /// As [`Store::structures`].
@@ -209,10 +209,10 @@ impl Store {
         Ok(())
     }
 
-    /// A structure with its surveys, states and log; only the named survey if `survey` gives one.
+    /// A structure with its surveys, states and log; with `survey`, only that survey.
     ///
     /// # Errors
-    /// There is no such structure or survey.
+    /// If there is no such structure or survey.
     pub fn structure(&mut self, name: &str, survey: Option<&str>) -> Result<KeptStructure, StoreError> {
         let database = self.database.as_mut();
         refuse_unknown(database, name)?;
@@ -258,10 +258,10 @@ impl Store {
         })
     }
 
-    /// The latest state of a project, to be written into a folder; its files are read one by one by [`Store::raw`].
+    /// The latest state of a project, ready to be written into a folder; [`Store::raw`] reads its files one by one.
     ///
     /// # Errors
-    /// There is no such structure, or a file is missing or has a path that leads out of a folder.
+    /// If there is no such structure, or a file is missing or has a path that leads out of the folder.
     pub fn export(&mut self, name: &str) -> Result<Exported, StoreError> {
         let database = self.database.as_mut();
         refuse_unknown(database, name)?;
@@ -310,10 +310,10 @@ impl Store {
         })
     }
 
-    /// The bytes of a raw file, which are known to be so many, compared with their hash.
+    /// The bytes of a raw file of known size, checked against their hash.
     ///
     /// # Errors
-    /// It is missing, or its bytes are others.
+    /// If it is missing, or its bytes differ.
     pub fn raw(&self, hash: &str, bytes: u64) -> Result<Vec<u8>, StoreError> {
         self.raw.read(hash, bytes)
     }

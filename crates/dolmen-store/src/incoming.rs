@@ -1,4 +1,4 @@
-//! From a project to the rows that are kept of it.
+//! Turns a project into rows.
 
 use crate::database::Value;
 use crate::earthquake_rows;
@@ -18,13 +18,13 @@ use dolmen_work::sensor_alarms::SensorFaults;
 use serde_json::{Value as Json, json};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Most bytes of a name of a structure, a path or a person. Chosen here.
+/// Largest number of bytes in the name of a structure, a path or a person. Chosen here.
 const NAME_BYTES_MOST: usize = 200;
 const PATH_BYTES_MOST: usize = 400;
-/// The project file in an exported folder.
+/// Name of the project file in an exported folder.
 pub const PROJECT_FILE: &str = "project.toml";
 
-/// A project that is to be kept; its text and files are on disk already.
+/// A project to be stored; its text and files are on disk already.
 #[derive(Clone, Debug)]
 pub struct Incoming<'a> {
     /// The name of the structure in the store.
@@ -33,19 +33,19 @@ pub struct Incoming<'a> {
     pub project: &'a Project,
     /// Its text.
     pub text: &'a str,
-    /// The text as it is kept.
+    /// The stored raw file of the text.
     pub text_kept: Kept,
     /// The files that it names, by their paths as it writes them.
     pub files: BTreeMap<String, Kept>,
     /// Modes of the records of surveys, by the name of the survey.
     pub modes: BTreeMap<String, Modes>,
-    /// What is wrong with channels of the records of surveys, by the name of the survey.
+    /// Faults in channels of the records of surveys, by the name of the survey.
     pub faults: SensorFaults,
-    /// Earthquakes that the records of surveys hold, by the name of the survey.
+    /// Earthquakes in the records of surveys, by the name of the survey.
     pub earthquakes: BTreeMap<String, EarthquakePart>,
 }
 
-/// Which records, with which settings, by which version: what tells analyses apart.
+/// Key of an analysis: records, settings and version.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct AnalysisKey {
     pub(crate) records: String,
@@ -60,7 +60,7 @@ impl AnalysisKey {
     }
 }
 
-/// A row, and the rows that belong to it: they are kept together, or not at all where the first is there already.
+/// A first row and the rows that belong to it: they are added together, or not at all if the first exists already.
 #[derive(Debug)]
 pub(crate) struct Group(pub(crate) Vec<(Table, Vec<Value>)>);
 
@@ -82,7 +82,7 @@ impl Rows {
     }
 }
 
-/// BLAKE3 over pieces, each with its length before it: no two lists of pieces are one text.
+/// BLAKE3 over pieces, each preceded by its length, so that no two lists of pieces give the same text.
 pub(crate) fn hash_of(pieces: &[&str]) -> String {
     let mut hasher = blake3::Hasher::new();
     for piece in pieces {
@@ -112,14 +112,14 @@ pub(crate) fn settings_hash(text: &str) -> String {
     hash_of(&["settings", text])
 }
 
-/// The tables of a project file that surveys stand in.
+/// The tables of a project file that contain surveys.
 pub(crate) struct SurveyTables {
     units: Json,
     surveys: Json,
 }
 
 impl SurveyTables {
-    /// Of a text that was read as a project before.
+    /// Reads a text that was accepted as a project before.
     pub(crate) fn of(text: &str) -> Result<Self, StoreError> {
         let unreadable = |why: String| StoreError::Reader(why);
         let root = text
@@ -133,7 +133,7 @@ impl SurveyTables {
         })
     }
 
-    /// Of an arrival: its own table, and the units of the project as they were written down.
+    /// Reads an arrival: its own table, and the units of the project at that time.
     pub(crate) fn of_arrival(text: &str, units: &str) -> Result<Self, StoreError> {
         let units = serde_json::from_str(units).map_err(|why| StoreError::Reader(why.to_string()))?;
         Ok(SurveyTables {
@@ -142,7 +142,7 @@ impl SurveyTables {
         })
     }
 
-    /// The units, as [`SurveyTables::of_arrival`] reads them.
+    /// The units, in the form that [`SurveyTables::of_arrival`] reads.
     pub(crate) fn units(&self) -> String {
         self.units.to_string()
     }
@@ -157,7 +157,7 @@ impl SurveyTables {
         surveys.flat_map(|all| all.keys().cloned()).collect()
     }
 
-    /// What the file says of the survey, and the bytes of the files that it names.
+    /// The survey's entry in the file, and the bytes of the files that it names.
     pub(crate) fn survey_hash(
         &self,
         structure: &str,
@@ -178,7 +178,7 @@ impl SurveyTables {
         ])
     }
 
-    /// What decides how the records are read and their modes sought.
+    /// The settings that determine how the records are read and the modes identified.
     fn settings(&self, name: &str) -> String {
         let table = self.survey(name);
         let of = |key: &str| table.get(key).cloned().unwrap_or(Json::Null);
@@ -204,7 +204,7 @@ pub(crate) fn shown(name: &str) -> String {
     plain.take(NAME_BYTES_MOST).collect()
 }
 
-/// Refuses a name that is empty, long, or steers a terminal.
+/// Refuses a name that is empty, too long, or contains control characters for a terminal.
 pub(crate) fn refuse_name(what: &'static str, name: &str) -> Result<(), StoreError> {
     let steers = |sign: char| {
         sign.is_control()
@@ -220,7 +220,7 @@ pub(crate) fn refuse_name(what: &'static str, name: &str) -> Result<(), StoreErr
     }
 }
 
-/// Refuses a path that does not stay within a folder, on any system.
+/// Refuses a path that leads out of its folder on any system.
 pub(crate) fn refuse_path(path: &str) -> Result<(), StoreError> {
     let is_good = stays_within(path)
         && path.len() <= PATH_BYTES_MOST
@@ -238,7 +238,7 @@ pub(crate) fn refuse_path(path: &str) -> Result<(), StoreError> {
     }
 }
 
-/// The date that a survey's name begins with: "2019", "2019-04" or "2019-04-02".
+/// The date at the beginning of a survey's name: "2019", "2019-04" or "2019-04-02".
 fn date(name: &str) -> Option<String> {
     dolmen_work::survey_date(name).map(|[year, month, day]| match (month, day) {
         (0, _) => format!("{year:04}"),
@@ -247,13 +247,13 @@ fn date(name: &str) -> Option<String> {
     })
 }
 
-/// A number that says something: a deviation that is infinite does not.
+/// A finite number; an infinite deviation tells nothing.
 fn finite(value: f64) -> Option<f64> {
     value.is_finite().then_some(value)
 }
 
 impl Incoming<'_> {
-    /// Refuses what cannot be kept.
+    /// Refuses a project that cannot be stored.
     pub(crate) fn refuse(&self) -> Result<(), StoreError> {
         refuse_name("structure", self.structure)?;
         self.files.keys().try_for_each(|path| refuse_path(path))
@@ -265,7 +265,7 @@ impl Incoming<'_> {
         project_hash(self.structure, &self.text_kept.hash, files)
     }
 
-    /// What an analysis of a survey's records is known by; `None` if it has none.
+    /// Key of the analysis of a survey's records; `None` if it has none.
     pub(crate) fn key(&self, survey: &Survey, tables: &SurveyTables) -> Option<AnalysisKey> {
         let mut hashes = vec!["records"];
         for (_, _, source) in sources(survey) {
@@ -288,7 +288,7 @@ impl Incoming<'_> {
         dolmen_work::Kind::of(&self.project.structure).word()
     }
 
-    /// Rows of the project, its files and surveys; `known` are analyses that are there already.
+    /// Rows of the project, its files and surveys; `known` lists the analyses in the store.
     pub(crate) fn rows(&self, known: &BTreeSet<String>, who: &str, at_us: i64) -> Result<Rows, StoreError> {
         let tables = SurveyTables::of(self.text)?;
         let mut rows = Rows::default();
@@ -349,7 +349,7 @@ impl Incoming<'_> {
         Ok(rows)
     }
 
-    /// What is wrong with channels of a survey's records.
+    /// Rows of the channel faults of a survey's records.
     pub(crate) fn faults_of(&self, rows: &mut Rows, survey: &str, hash: &str) {
         for (channel, fault) in self.faults.get(survey).into_iter().flatten() {
             rows.put(&ChannelFaultRow {
@@ -360,7 +360,7 @@ impl Incoming<'_> {
         }
     }
 
-    /// The earthquake of a survey's records, behind the analysis that found it.
+    /// Rows of the earthquake of a survey's records, after the analysis that found it.
     fn earthquake_of(&self, rows: &mut Rows, survey: &str, key: &AnalysisKey) {
         if let Some(of) = self.earthquakes.get(survey) {
             rows.part(&earthquake_rows::found(key.hash(), of));
@@ -402,7 +402,7 @@ impl Incoming<'_> {
             };
             record(rows, source, &kept.hash, (hash, setup, station));
         }
-        // each by itself: an earlier version kept the survey without it
+        // separately: an earlier version stored the survey without it
         let entries = inspection_rows::entries(survey, hash);
         entries.iter().for_each(|row| rows.put(row));
         let made_up = inspection_rows::made_up(survey, hash);
@@ -414,7 +414,7 @@ impl Incoming<'_> {
     }
 }
 
-/// The quantity of [`EnvironmentRow`] that a survey's `temperature_c` is.
+/// The quantity of [`EnvironmentRow`] for a survey's `temperature_c`.
 pub(crate) const AIR_TEMPERATURE: &str = "air_temperature";
 
 /// The record files of a survey with the numbers of their setup and station, from 1.

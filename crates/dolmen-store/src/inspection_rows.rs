@@ -1,4 +1,4 @@
-//! What inspections found as rows, and surveys that nobody measured.
+//! Rows of inspection entries, and of surveys that nobody measured.
 
 use crate::database::{Database, Value, all};
 use crate::error::StoreError;
@@ -10,7 +10,7 @@ use dolmen_work::Opened;
 use dolmen_work::kept::KeptInspection;
 use std::sync::Arc;
 
-/// The key of a survey in a project file that an entry of an inspection stands below.
+/// The key of a survey in a project file that holds the entries of an inspection.
 const KEY: &str = "inspections";
 
 /// The entries of a survey.
@@ -51,7 +51,7 @@ fn entry(of: &Inspection, survey: &str, position: i64) -> InspectionRow {
     }
 }
 
-/// The entries of a survey as they are shown.
+/// The entries of a survey, for display.
 pub(crate) fn kept(database: &mut dyn Database, survey: &[Value]) -> Result<Vec<KeptInspection>, StoreError> {
     let rows: Vec<InspectionRow> = select(database, "where survey = $1 order by position", survey)?;
     let each = rows.into_iter().map(|row| KeptInspection {
@@ -73,8 +73,8 @@ pub(crate) fn is_made_up(database: &mut dyn Database, survey: &[Value]) -> Resul
     Ok(!select::<MadeUpRow>(database, "where survey = $1", survey)?.is_empty())
 }
 
-/// Brings what inspections found into a store whose projects came before it had a place for that: their texts have it. A text that this version
-/// cannot read stays as it is, and so do its rows.
+/// Fills the table of inspections in a store of an earlier version from the texts of its projects. A text that this version cannot read is left
+/// as it is, and so are its rows.
 pub(crate) fn fill(database: &mut dyn Database, raw: &Arc<dyn RawFiles>) -> Result<(), StoreError> {
     for row in all(database, "select hash from project order by hash", &[])? {
         for project in select::<ProjectRow>(database, "where hash = $1", &row)? {
@@ -98,7 +98,7 @@ pub(crate) fn fill(database: &mut dyn Database, raw: &Arc<dyn RawFiles>) -> Resu
     Ok(())
 }
 
-/// The text of a project that speaks of inspections; `None` of another, and where it cannot be had.
+/// The text of a project with inspections; `None` for another one, or if the text cannot be read.
 fn text_of(
     database: &mut dyn Database,
     raw: &Arc<dyn RawFiles>,

@@ -1,13 +1,12 @@
-//! Surveys over years in one place: structures with their projects, records, modes and what was done, in a file of SQLite with the raw
-//! files beside it.
+//! Surveys over years in one place: structures with their projects, records, modes and log, in an SQLite file with the raw files beside it.
 //!
 //! ```text
 //! Place ─→ Store ─→ keep (a file) · add (a project) · structures, surveys, structure · export · import · verify · mark
 //! ```
 //!
-//! The key of every row is its content or a name that people gave, and no row ever changes: what is new is another row, what is taken
-//! out of use is marked. Names and files of strangers are values of parameters and never part of a statement; a file in the folder
-//! takes its name from the hash of its bytes alone.
+//! The key of every row is its content or a name that people gave. Rows never change: new data are new rows, and a mark takes a structure out of
+//! use. Names and files from strangers are parameters, never part of a statement; the name of a file in the folder is only the hash of its
+//! bytes.
 
 mod arrival;
 mod copy;

@@ -1,4 +1,4 @@
-//! Modes that were found in the records of a structure, as a history of its surveys needs them, and its files.
+//! Modes found in the records of a structure, as the history of its surveys needs them, and its files.
 
 use crate::database::{Value, all};
 use crate::error::StoreError;
@@ -16,17 +16,17 @@ use std::collections::BTreeMap;
 const LATEST: &str = "(select project from adoption where structure = $1 order by at_us desc limit 1)";
 
 impl Store {
-    /// The files of a stored project, read when they are asked for.
+    /// The files of a stored project, read on demand.
     pub fn files(&self, project: &Exported) -> StoredFiles {
         let files = project.files.iter();
         let files = files.map(|(path, hash, bytes)| (path.clone(), (hash.clone(), *bytes)));
         StoredFiles::new(self.raw.clone(), files.collect())
     }
 
-    /// What was wrong with channels of the records of a structure's surveys.
+    /// Faults in channels of the records of a structure's surveys.
     ///
     /// # Errors
-    /// There is no such structure, or the database cannot be read.
+    /// If there is no such structure, or the database cannot be read.
     pub fn faults(&mut self, name: &str) -> Result<SensorFaults, StoreError> {
         let database = self.database.as_mut();
         refuse_unknown(database, name)?;
@@ -42,7 +42,7 @@ impl Store {
             let mut row = Taker::of(row, "channel_fault");
             let (survey, channel): (String, String) = (row.take("survey")?, row.take("channel")?);
             let word: String = row.take("fault")?;
-            // a later version may know others
+            // a later version may have other kinds of fault
             if let Some(fault) = SensorFault::of_word(&word) {
                 found.entry(survey).or_default().push((channel, fault));
             }
@@ -50,10 +50,10 @@ impl Store {
         Ok(found)
     }
 
-    /// The earthquakes that the records of a structure's surveys hold, as the latest analysis found them.
+    /// The earthquakes in the records of a structure's surveys, from the latest analysis.
     ///
     /// # Errors
-    /// There is no such structure, or the database cannot be read.
+    /// If there is no such structure, or the database cannot be read.
     pub fn earthquakes(&mut self, name: &str) -> Result<BTreeMap<String, EarthquakePart>, StoreError> {
         let database = self.database.as_mut();
         refuse_unknown(database, name)?;
@@ -75,7 +75,7 @@ impl Store {
             let survey: String = row.take("survey")?;
             let part = EarthquakePart {
                 peak_m_s2: row.take("peak_m_s2")?,
-                is_at_least: false, // rows have no place for it; the table of a survey has
+                is_at_least: false, // rows do not hold it; the table of a survey does
                 changed: row.take("changed")?,
                 changed_sd: row.take("changed_sd")?,
             };
@@ -87,7 +87,7 @@ impl Store {
     /// The modes of each survey of the latest state that has records, by the latest analysis of them.
     ///
     /// # Errors
-    /// There is no such structure, or the database cannot be read.
+    /// If there is no such structure, or the database cannot be read.
     pub fn observed(&mut self, name: &str) -> Result<BTreeMap<String, Vec<ObservedMode>>, StoreError> {
         let database = self.database.as_mut();
         refuse_unknown(database, name)?;

@@ -1,4 +1,4 @@
-//! Where a store is: what a user names.
+//! The place of a store, as a user names it.
 
 use crate::error::StoreError;
 #[cfg(feature = "postgres")]
@@ -6,10 +6,10 @@ use crate::server::Address;
 use dolmen_work::kept::StoreFault;
 use std::path::{Path, PathBuf};
 
-/// How an address of a server begins.
+/// Beginnings of a server's address.
 const SCHEMES: [&str; 2] = ["postgresql://", "postgres://"];
 
-/// A file of SQLite, whose raw files lie in the folder of the same name with ".files" behind it; or a database of PostgreSQL.
+/// An SQLite file, whose raw files lie in the folder of the same name with ".files" at its end; or a PostgreSQL database.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Place(Where);
 
@@ -35,10 +35,11 @@ fn server(_after_scheme: &str) -> Result<Where, StoreFault> {
 }
 
 impl Place {
-    /// The place that a user means: a file, or an address that begins with "postgresql://" or "postgres://". Nothing is opened.
+    /// Parses a user's place: a file, or an address that begins with "postgresql://" or "postgres://". Opens nothing.
     ///
     /// # Errors
-    /// [`StoreFault::Unnamed`]; an address that cannot be read, that asks for encryption or should, or where the feature `postgres` is off.
+    /// [`StoreFault::Unnamed`]; an address that cannot be read, asks for encryption or would need it; or an address without the feature
+    /// `postgres`.
     pub fn of(named: &str) -> Result<Self, StoreError> {
         match (named, after_scheme(named)) {
             ("", _) => Err(StoreFault::Unnamed.into()),
@@ -52,8 +53,8 @@ impl Place {
         after_scheme(named).is_some()
     }
 
-    /// With a password where the address of a server has none: the one that is given, else that of a file like ~/.pgpass, which only its
-    /// owner may read.
+    /// Adds a password if the address of a server has none: the given one, otherwise that of a file such as ~/.pgpass, which only its owner may
+    /// be able to read.
     #[must_use]
     pub fn with_password(self, given: Option<String>, file: Option<&Path>) -> Self {
         match self.0 {
@@ -70,13 +71,13 @@ impl Place {
                 Place(Where::Server(address))
             }
             Where::File(path) => {
-                let _ = (given, file); // a file has none
+                let _ = (given, file); // a file has no password
                 Place(Where::File(path))
             }
         }
     }
 
-    /// The files of the store itself, which may lie among others; none of a server.
+    /// The files of the store itself, which may lie among others; a server has none.
     pub fn own_files(&self) -> Vec<PathBuf> {
         match &self.0 {
             Where::File(path) => ["", "-wal", "-shm", "-journal"]
@@ -92,7 +93,7 @@ impl Place {
     }
 }
 
-/// The folder of the raw files of a file.
+/// The folder of the raw files of a store in a file.
 pub(crate) fn files_of(file: &Path) -> PathBuf {
     with_ending(file, ".files")
 }

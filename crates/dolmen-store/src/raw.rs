@@ -1,4 +1,4 @@
-//! Files as they came: compressed, under the hash of their bytes, written once and never again.
+//! Raw files: compressed, under the hash of their bytes, written once and never changed.
 
 use crate::error::StoreError;
 use dolmen_work::kept::StoreFault;
@@ -8,7 +8,7 @@ use std::fmt::Debug;
 
 /// Level of compression, 0 to 10. Chosen here: higher ones gain 2 % on records and take twice as long.
 const LEVEL: u8 = 6;
-/// Digits of a hash.
+/// Number of digits of a hash.
 const HASH_DIGITS: usize = 64;
 
 /// A raw file that is on disk.
@@ -18,11 +18,11 @@ pub struct Kept {
     pub hash: String,
     /// Its size.
     pub bytes: u64,
-    /// Whether it was not there before.
+    /// Whether it is new.
     pub is_new: bool,
 }
 
-/// What stands in the place of a raw file.
+/// What is found under the name of a raw file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Standing {
     Sound,
@@ -30,24 +30,24 @@ pub(crate) enum Standing {
     Changed,
 }
 
-/// Where raw files are, for several threads.
+/// Storage of raw files, for several threads.
 pub(crate) trait RawFiles: Debug + Send + Sync {
-    /// Keeps bytes; they are on disk when this returns.
+    /// Stores bytes; they are on disk when this returns.
     fn keep(&self, bytes: &[u8]) -> Result<Kept, StoreError>;
 
-    /// The bytes of a file, which are known to be so many.
+    /// The bytes of a file of known size.
     fn read(&self, hash: &str, bytes: u64) -> Result<Vec<u8>, StoreError>;
 
-    /// Whether there is a file of this hash, whatever its bytes are.
+    /// Whether a file of this hash exists, without a check of its bytes.
     fn is_there(&self, hash: &str) -> Result<bool, StoreError>;
 
-    /// How many files are there, files in the making left out.
+    /// Number of files, without unfinished ones.
     fn count(&self) -> Result<u64, StoreError>;
 
-    /// Makes room for files, and takes out what processes that were killed have left in the making.
+    /// Prepares the storage, and removes unfinished files of processes that were killed.
     fn prepare(&self) -> Result<(), StoreError>;
 
-    /// Whether a file is there and has the bytes of its hash.
+    /// Whether a file exists and its bytes have this hash.
     fn standing(&self, hash: &str, bytes: u64) -> Result<Standing, StoreError> {
         if !is_hash(hash) || !self.is_there(hash)? {
             return Ok(Standing::Missing);
@@ -60,13 +60,13 @@ pub(crate) trait RawFiles: Debug + Send + Sync {
     }
 }
 
-/// Whether it is a hash as we write it: nothing else ever becomes part of a path.
+/// Whether a text has the form of our hashes: nothing else ever becomes part of a path.
 pub(crate) fn is_hash(text: &str) -> bool {
     let is_digit = |sign: u8| sign.is_ascii_digit() || (b'a'..=b'f').contains(&sign);
     text.len() == HASH_DIGITS && text.bytes().all(is_digit)
 }
 
-/// Refuses what is no hash.
+/// Refuses a text that is not a hash.
 pub(crate) fn refuse_no_hash(text: &str) -> Result<(), StoreError> {
     match is_hash(text) {
         true => Ok(()),
@@ -90,12 +90,12 @@ pub(crate) fn lost(hash: &str) -> StoreError {
     .into()
 }
 
-/// Bytes as they are kept.
+/// Compresses bytes for storage.
 pub(crate) fn packed(bytes: &[u8]) -> Vec<u8> {
     compress_to_vec_zlib(bytes, LEVEL)
 }
 
-/// The bytes of a file, which are known to be so many: no more are ever unpacked.
+/// Unpacks the bytes of a file of known size, and never more.
 pub(crate) fn unpacked(packed: &[u8], hash: &str, bytes: u64) -> Result<Vec<u8>, StoreError> {
     let limit = usize::try_from(bytes).map_err(|_| lost(hash))?;
     let whole = decompress_to_vec_zlib_with_limit(packed, limit).map_err(|_| lost(hash))?;

@@ -8,19 +8,19 @@ use std::io::{ErrorKind, Write as _};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Ending of a file in the making.
+/// Ending of an unfinished file.
 const PART: &str = ".part";
-/// Ending of a file that is there.
+/// Ending of a finished file.
 const ENDING: &str = ".z";
 
 /// The folder of the raw files.
 #[derive(Clone, Debug)]
 pub(crate) struct RawFolder(PathBuf);
 
-/// How often a file is begun anew that another process cleared away.
+/// Number of new attempts if another process removes an unfinished file.
 const TRIES: usize = 20;
 
-/// Files made by this process.
+/// Number of files written by this process.
 static PARTS: AtomicUsize = AtomicUsize::new(0);
 
 fn folder_fault(path: &Path, why: &std::io::Error) -> StoreError {
@@ -56,13 +56,13 @@ impl RawFolder {
         let number = PARTS.fetch_add(1, Ordering::Relaxed);
         let part = self.0.join(format!("{}-{number}{PART}", std::process::id()));
         let written = fs::File::create(&part).and_then(|mut file| {
-            let _ = file.try_lock(); // who clears the folder sees that it is being written; some file systems have no locks
+            let _ = file.try_lock(); // the lock tells processes that clear the folder that this file is being written; some file systems have no locks
             file.write_all(packed)?;
             file.sync_all()?;
             fs::rename(&part, path)
         });
         if written.is_err() {
-            let _ = fs::remove_file(&part); // what is left of it, if anything
+            let _ = fs::remove_file(&part); // the unfinished file, if it exists
         }
         written
     }
@@ -86,7 +86,7 @@ impl RawFiles for RawFolder {
         let is_new_folder = !folder.exists();
         fs::create_dir_all(folder).map_err(|why| folder_fault(folder, &why))?;
         let packed = packed(bytes);
-        // again: before it is locked, each process that begins may take the part for one that was left behind
+        // again: until it is locked, another process may take the unfinished file for one left behind and remove it
         let mut written = self.part_then_rename(&packed, &path);
         for _ in 0..TRIES {
             match &written {
@@ -134,7 +134,7 @@ impl RawFiles for RawFolder {
         for path in entries(&self.0)? {
             let is_part = path.to_string_lossy().ends_with(PART);
             if is_part && fs::File::open(&path).is_ok_and(|file| file.try_lock().is_ok()) {
-                let _ = fs::remove_file(&path); // it stays where it may not be removed, and does no harm
+                let _ = fs::remove_file(&path); // if it cannot be removed it stays, and does no harm
             }
         }
         Ok(())
@@ -152,7 +152,7 @@ fn entries(folder: &Path) -> Result<Vec<PathBuf>, StoreError> {
         .map_err(|why| folder_fault(folder, &why))
 }
 
-/// A name is on disk once its folder is.
+/// Syncs the folder, which puts a name on disk.
 #[cfg(unix)]
 fn sync(folder: &Path) -> std::io::Result<()> {
     fs::File::open(folder)?.sync_all()

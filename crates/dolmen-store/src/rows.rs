@@ -1,14 +1,14 @@
-//! What is kept: a row type a table. The files in `sql` say what each is for.
+//! The stored rows, one type for each table. The files in `sql` explain the tables.
 
 use crate::database::{Database, Field as _, Kind, Value};
 use crate::error::StoreError;
 
-/// A table, as its row type says.
+/// A table, as its row type defines it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Table {
     pub(crate) name: &'static str,
     pub(crate) columns: &'static [(&'static str, Kind)],
-    /// The columns that tell its rows apart.
+    /// The columns of its key.
     pub(crate) key: &'static str,
 }
 
@@ -17,7 +17,7 @@ pub(crate) trait Row: Sized {
     const TABLE: Table;
     /// Its values, in the order of the columns.
     fn values(&self) -> Vec<Value>;
-    /// The row of these values.
+    /// The row with these values.
     fn of(values: Vec<Value>) -> Result<Self, StoreError>;
 }
 
@@ -127,13 +127,13 @@ rows! {
 }
 
 impl Table {
-    /// Its columns, as a query names them.
+    /// Its columns, for a query.
     pub(crate) fn names(&self) -> String {
         let names: Vec<&str> = self.columns.iter().map(|(name, _)| *name).collect();
         names.join(", ")
     }
 
-    /// Adds a row, unless there is one of its name; whether it was added.
+    /// Adds a row unless one with its key exists; returns whether it was added.
     pub(crate) fn insert(&self, database: &mut dyn Database, values: &[Value]) -> Result<bool, StoreError> {
         let places: Vec<String> = (1..=self.columns.len()).map(|at| format!("${at}")).collect();
         let sql = format!(
@@ -146,7 +146,7 @@ impl Table {
     }
 }
 
-/// Adds a row, unless there is one of its name; whether it was added.
+/// Adds a row unless one with its key exists; returns whether it was added.
 pub(crate) fn insert<R: Row>(database: &mut dyn Database, row: &R) -> Result<bool, StoreError> {
     R::TABLE.insert(database, &row.values())
 }

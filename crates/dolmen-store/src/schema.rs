@@ -8,7 +8,7 @@ use crate::schema_files::OF_INSPECTIONS;
 use dolmen_work::kept::StoreFault;
 use std::sync::Arc;
 
-/// Whether the schema is the one that this version knows; an error where it is a later one.
+/// Whether the schema is that of this version; a later one is an error.
 pub(crate) fn is_current(database: &mut dyn Database) -> Result<bool, StoreError> {
     let (found, known) = (database.schema()?, database.schema_files().len());
     let found = usize::try_from(found).unwrap_or(usize::MAX);
@@ -18,7 +18,7 @@ pub(crate) fn is_current(database: &mut dyn Database) -> Result<bool, StoreError
     Ok(found == known)
 }
 
-/// Runs the files that were not run yet, and fills their tables from the texts that are there, in one transaction.
+/// Runs the missing schema files, and fills their tables from the stored texts, in one transaction.
 pub(crate) fn migrate(
     database: &mut dyn Database,
     now_us: i64,
@@ -28,7 +28,7 @@ pub(crate) fn migrate(
         return Ok(());
     }
     transaction(database, |database| {
-        // another process may have done it while this one waited
+        // another process may have done it while this one waited for the lock
         let done = usize::try_from(database.schema()?).unwrap_or(0);
         for (number, file) in database.schema_files().into_iter().enumerate().skip(done) {
             database.batch(&file)?;

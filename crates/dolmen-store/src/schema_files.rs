@@ -1,4 +1,4 @@
-//! The files that make the schema, in the words of SQLite; the first has number 1.
+//! The files of the schema, in SQLite's dialect; the first has number 1.
 
 /// One schema for every database.
 pub(crate) const FILES: [&str; 5] = [
@@ -9,5 +9,5 @@ pub(crate) const FILES: [&str; 5] = [
     include_str!("sql/0005_inspections.sql"),
 ];
 
-/// The file whose tables hold what inspections found: stores of earlier ones have it in the texts of their projects alone.
+/// The file that adds the tables of inspections. Stores of earlier versions have inspections only in the texts of their projects.
 pub(crate) const OF_INSPECTIONS: usize = 5;

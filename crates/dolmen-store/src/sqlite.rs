@@ -11,13 +11,13 @@ use std::borrow::Cow;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-/// "dolm": files that carry another number belong to other programs.
+/// "dolm": files with another number belong to other programs.
 const APPLICATION: i64 = 0x646F_6C6D;
 
 pub(crate) struct Sqlite(Connection);
 
 impl Sqlite {
-    /// Opens the file, waiting at most so long for other processes.
+    /// Opens the file, with a limit to the wait for other processes.
     pub(crate) fn open(path: &Path, access: Access, wait: Duration) -> Result<Self, StoreError> {
         let shown = path.display().to_string();
         let is_there = path.exists();
@@ -42,14 +42,14 @@ impl Sqlite {
         }
         let known = opened.whole("pragma application_id");
         let known = match (known, access) {
-            // a store on a medium that cannot be written has no log beside it, and nobody changes it
+            // a store on a read-only medium has no log beside it, and nobody changes it
             (Err(StoreError::Fault(StoreFault::Unopenable | StoreFault::ReadOnly)), Access::Read) => {
                 opened = Sqlite::still(path, flags)?;
                 opened.whole("pragma application_id")?
             }
             (known, _) => known?,
         };
-        // looked at once: another process may fill the file from one look to the next
+        // the number is read again: another process may have filled the file since the first look
         let is_filled = known == 0 && (opened.schema()? != 0 || opened.has_tables()?);
         let known = match is_filled {
             true => opened.whole("pragma application_id")?,
@@ -69,13 +69,13 @@ impl Sqlite {
             }
         }
         opened.pragma("pragma foreign_keys = on")?;
-        // a hostile file runs nothing: neither functions in its schema nor what its cells claim to hold
+        // a hostile file runs nothing: neither functions in its schema nor code in its cells
         opened.pragma("pragma trusted_schema = off")?;
         opened.pragma("pragma cell_size_check = on")?;
         Ok(opened)
     }
 
-    /// A file that nobody can change while it is read.
+    /// Opens a file that nobody can change during reading.
     fn still(path: &Path, flags: OpenFlags) -> Result<Self, StoreError> {
         let escaped: String = path
             .display()
@@ -100,7 +100,7 @@ impl Sqlite {
         Ok(self.whole("select count(*) from sqlite_schema")? > 0)
     }
 
-    /// Writes through a log. While another process makes the same file SQLite refuses that at once, without its own waiting.
+    /// Switches to the write-ahead log. While another process creates the same file, SQLite refuses this at once, without waiting.
     fn keep_log(&mut self, wait: Duration) -> Result<(), StoreError> {
         const AGAIN: Duration = Duration::from_millis(10);
         let until = Instant::now() + wait;
@@ -114,7 +114,7 @@ impl Sqlite {
         }
     }
 
-    /// A pragma that may give rows.
+    /// Runs a pragma that may return rows.
     fn pragma(&mut self, sql: &str) -> Result<(), StoreError> {
         let mut statement = self.0.prepare(sql).map_err(sqlite_fault)?;
         let mut rows = statement.query([]).map_err(sqlite_fault)?;
@@ -232,7 +232,7 @@ impl Database for Sqlite {
     }
 }
 
-/// What SQLite says, as a user can be told.
+/// Turns an error of SQLite into a fault for the user.
 fn sqlite_fault(fault: rusqlite::Error) -> StoreError {
     let why = fault.to_string();
     let code = match &fault {

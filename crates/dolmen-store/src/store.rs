@@ -24,25 +24,25 @@ pub struct Store {
     can_write: bool,
 }
 
-/// Who does something, and when.
+/// Who acts, and when.
 #[derive(Clone, Debug)]
 pub struct Act<'a> {
-    /// A name.
+    /// Name of the person.
     pub who: &'a str,
     /// Microseconds since 1970 (UTC).
     pub now_us: i64,
 }
 
 impl Store {
-    /// Opens a store to read it; nothing is changed.
+    /// Opens a store for reading; it changes nothing.
     ///
     /// # Errors
-    /// There is none, or it is of another program or a later version.
+    /// If there is none, or it belongs to another program or a later version.
     pub fn open(place: &Place, wait: Duration) -> Result<Self, StoreError> {
         let mut database = connect(place, Access::Read, wait)?;
         let raw = raw_files(place, Access::Read, wait);
         if !is_current(database.as_mut())? {
-            // made by an earlier version, or in the making
+            // created by an earlier version, or not finished
             let mut writing = connect(place, Access::Write, wait)?;
             migrate(writing.as_mut(), 0, &raw)?;
             database = connect(place, Access::Read, wait)?;
@@ -54,10 +54,10 @@ impl Store {
         })
     }
 
-    /// Opens a store to write to it; it is made if it is not there.
+    /// Opens a store for writing; creates it if it does not exist.
     ///
     /// # Errors
-    /// As [`Store::open`], and where nothing can be written.
+    /// As [`Store::open`], and if nothing can be written.
     pub fn open_to_write(place: &Place, wait: Duration, now_us: i64) -> Result<Self, StoreError> {
         let mut database = connect(place, Access::Write, wait)?;
         let raw = raw_files(place, Access::Write, wait);
@@ -70,15 +70,15 @@ impl Store {
         })
     }
 
-    /// Whether it was opened to be written.
+    /// Whether it was opened for writing.
     pub(crate) fn can_write(&self) -> bool {
         self.can_write
     }
 
-    /// Keeps the bytes of a file; they are on disk when this returns, and belong to nothing yet.
+    /// Stores the bytes of a file. They are on disk when this returns, but no row refers to them yet.
     ///
     /// # Errors
-    /// Nothing can be written.
+    /// If nothing can be written.
     pub fn keep(&self, bytes: &[u8]) -> Result<Kept, StoreError> {
         match self.can_write {
             true => self.raw.keep(bytes),
@@ -86,10 +86,10 @@ impl Store {
         }
     }
 
-    /// Surveys with records whose modes are not there yet for these records, settings and version.
+    /// Surveys with records that have no modes yet for these records, settings and version.
     ///
     /// # Errors
-    /// The database cannot be read.
+    /// If the database cannot be read.
     pub fn due(&mut self, incoming: &Incoming<'_>) -> Result<Vec<String>, StoreError> {
         let known = known(self.database.as_mut(), incoming)?;
         let tables = SurveyTables::of(incoming.text)?;
@@ -104,17 +104,17 @@ impl Store {
     /// Adds a project in one transaction: when this returns, it is on disk.
     ///
     /// # Errors
-    /// A name that cannot be kept, another kind under the same name, a database that cannot be written.
+    /// If a name is not allowed, the name belongs to another kind, or the database cannot be written.
     pub fn add(&mut self, incoming: &Incoming<'_>, act: &Act<'_>) -> Result<Added, StoreError> {
         incoming.refuse()?;
         refuse_name("who", act.who)?;
         transaction(self.database.as_mut(), |database| add(database, incoming, act))
     }
 
-    /// Takes a structure out of use, or back into it: a mark, nothing is deleted.
+    /// Marks a structure as out of use, or as in use again; nothing is deleted.
     ///
     /// # Errors
-    /// There is no such structure.
+    /// If there is no such structure.
     pub fn mark(
         &mut self,
         structure: &str,
@@ -157,7 +157,7 @@ fn raw_files(place: &Place, access: Access, wait: Duration) -> Arc<dyn RawFiles>
     }
 }
 
-/// Refuses a structure that is not there, with the one whose name is nearest.
+/// Refuses a structure that does not exist, and gives the most similar name.
 pub(crate) fn refuse_unknown(database: &mut dyn Database, name: &str) -> Result<(), StoreError> {
     let named = [Value::Text(name.to_owned())];
     if !select::<StructureRow>(database, "where name = $1", &named)?.is_empty() {
@@ -177,7 +177,7 @@ pub(crate) fn refuse_unknown(database: &mut dyn Database, name: &str) -> Result<
     .into())
 }
 
-/// A moment after all that is there, whatever the clocks say: what comes later is later.
+/// A time after that of every row, whatever the clocks say, so that the order of events is kept.
 pub(crate) fn next(database: &mut dyn Database, now_us: i64) -> Result<i64, StoreError> {
     let sql = "select max(at_us) from (select max(at_us) as at_us from adoption union all select max(at_us) from mark \
                union all select max(at_us) from log) as moments";
@@ -222,7 +222,7 @@ fn is_removed(database: &mut dyn Database, structure: &str) -> Result<bool, Stor
     Ok(marks.first().is_some_and(|mark| mark.is_removed))
 }
 
-/// Analyses of the records of a project that are there.
+/// Stored analyses of the records of a project.
 fn known(database: &mut dyn Database, incoming: &Incoming<'_>) -> Result<BTreeSet<String>, StoreError> {
     let tables = SurveyTables::of(incoming.text)?;
     let mut known = BTreeSet::new();
@@ -239,7 +239,7 @@ fn known(database: &mut dyn Database, incoming: &Incoming<'_>) -> Result<BTreeSe
     Ok(known)
 }
 
-/// Adds the rows of a group that are not there; whether its first was added.
+/// Adds the missing rows of a group; returns whether its first row was added.
 pub(crate) fn put(database: &mut dyn Database, Group(rows): &Group) -> Result<bool, StoreError> {
     let Some(((table, head), parts)) = rows.split_first() else {
         return Ok(false);

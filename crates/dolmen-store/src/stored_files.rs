@@ -10,25 +10,25 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 messages! {
-    /// Why a file cannot be had from a store.
+    /// Why a file cannot be read from a store.
     pub(crate) enum NotKept in "store.not-kept" {
         NotKept => { en: "it is not in the store", ko: "저장소에 없다" },
     }
 }
 
-/// Files of a project in a store, by the names that it writes.
+/// Files of a project in a store, by the names in the project.
 pub struct StoredFiles {
     raw: Arc<dyn RawFiles>,
     files: BTreeMap<String, (String, u64)>,
 }
 
 impl StoredFiles {
-    /// Each by its path, with its hash and size.
+    /// Hash and size of each file, by its path.
     pub(crate) fn new(raw: Arc<dyn RawFiles>, files: BTreeMap<String, (String, u64)>) -> Self {
         StoredFiles { raw, files }
     }
 
-    /// Those of a state of a project.
+    /// The files of one state of a project.
     pub(crate) fn of(
         database: &mut dyn Database,
         raw: &Arc<dyn RawFiles>,

@@ -11,18 +11,18 @@ use crate::store::Store;
 use dolmen_work::kept::{Fault, StoreFault, Verified};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The log says who did what here, and is no part of what is kept.
+/// The table of the log, which is not part of the hash of the contents.
 const LOG: &str = "log";
 
 impl Store {
-    /// Reads everything and compares it with what it should be.
+    /// Reads everything, and checks it against hashes, names and references.
     ///
     /// # Errors
-    /// The database or the folder cannot be read at all; what is wrong with them is no error, but a fault in the answer.
+    /// If the database or the folder cannot be read at all. Faults in their contents are not errors, but part of the answer.
     pub fn verify(&mut self) -> Result<Verified, StoreError> {
         self.database.begin_reading()?;
         let found = self.compared();
-        let _ = self.database.rollback(); // nothing was written
+        let _ = self.database.rollback(); // a reading transaction: nothing to undo
         found
     }
 
@@ -81,7 +81,7 @@ impl Store {
         })
     }
 
-    /// Rows whose name is not what they say; surveys are compared with the texts of the projects where those can be read.
+    /// Rows whose key does not fit their contents. Surveys are compared with the texts of the projects where those can be read.
     fn rows_against_their_names(&mut self, with_texts: bool) -> Result<Vec<Fault>, StoreError> {
         let database = self.database.as_mut();
         let mut faults = Vec::new();
@@ -109,7 +109,7 @@ impl Store {
                 wrong("arrival", &row.survey);
             }
         }
-        // one project at a time: there may be many, with many surveys
+        // one project at a time: there may be many, with many surveys each
         for [hash] in texts::<1>(database, "select hash from project order by hash")? {
             let named = [Value::Text(hash)];
             for project in select::<ProjectRow>(database, "where hash = $1", &named)? {
@@ -133,7 +133,7 @@ impl Store {
                 )?;
                 let bytes = match bytes.first().map(Vec::as_slice) {
                     Some([Value::Whole(bytes)]) => u64::try_from(*bytes).unwrap_or(0),
-                    _ => continue, // a reference to nothing, named above
+                    _ => continue, // a dangling reference, reported above
                 };
                 let text = String::from_utf8(self.raw.read(&project.text_hash, bytes)?).unwrap_or_default();
                 let Ok(tables) = SurveyTables::of(&text) else {
@@ -166,7 +166,7 @@ fn count(database: &mut dyn Database, table: &str) -> Result<i64, StoreError> {
     }
 }
 
-/// Rows of texts.
+/// Rows that store texts.
 fn texts<const N: usize>(database: &mut dyn Database, sql: &str) -> Result<Vec<[String; N]>, StoreError> {
     let mut found = Vec::new();
     database.query(sql, &[], &mut |row| {
@@ -181,7 +181,7 @@ fn texts<const N: usize>(database: &mut dyn Database, sql: &str) -> Result<Vec<[
     Ok(found)
 }
 
-/// BLAKE3 over all rows in the order of their names: the same for every database that holds the same.
+/// BLAKE3 over all rows in the order of their keys: the same for every database with the same contents.
 fn content(database: &mut dyn Database) -> Result<String, StoreError> {
     let mut hasher = blake3::Hasher::new();
     for table in TABLES.iter().filter(|table| table.name != LOG) {

@@ -20,7 +20,7 @@ pub fn text_of(error: &dyn Argument, language: Language) -> String {
     error.said(language).iter().map(Run::text).collect()
 }
 
-/// The first of the errors of these types that `$error` is, as what can be said in both languages.
+/// The first of the errors of these types that `$error` is, as a text in both languages.
 #[macro_export]
 macro_rules! sayable {
     ($error:expr, $($kind:ty),+ $(,)?) => {{

@@ -1,4 +1,4 @@
-//! What the verbs answer, and everything that was computed for one project.
+//! Answers of the verbs, and everything computed for one project.
 
 use crate::building::{BuildingSimulation, TogetherAnswer, TuneAnswer};
 use crate::chain::ChainSimulation;
@@ -20,18 +20,18 @@ use dolmen_project::Project;
 use dolmen_words::message::Both;
 use std::sync::Arc;
 
-/// What a verb answers.
+/// The answer of a verb.
 #[derive(Clone, Debug)]
 pub enum Answer {
-    /// Does it stand.
+    /// The check.
     Check(Box<CheckAnswer>),
-    /// Modes and stiffness of the surveys.
+    /// Modes and stiffness from the surveys.
     Identify(Box<IdentifyAnswer>),
-    /// What changed from one survey to another.
+    /// The change from one survey to another.
     Compare(Box<CompareAnswer>),
-    /// The record of the structure over the years.
+    /// The history of the structure over the years.
     Watch(Box<WatchAnswer>),
-    /// The structure under a ground motion.
+    /// The simulation under a ground motion.
     Simulate(Box<SimulateAnswer>),
     /// A study.
     Study(Box<StudyAnswer>),
@@ -39,28 +39,28 @@ pub enum Answer {
     Tune(TuneAnswers),
     /// The score of a pagoda.
     Score(Box<ScoreAnswer>),
-    /// Many structures in order.
+    /// The ranking of many structures.
     Rank(Box<PortfolioAnswer>),
     /// Ground motions.
     Motion(Box<MotionReport>),
 }
 
-/// Whether a structure and its variants stand.
+/// The check of a structure and its variants.
 #[derive(Clone, Debug)]
 pub struct CheckAnswer {
     /// Path of the project file as the user named it.
     pub file: String,
-    /// What the file says.
+    /// The project.
     pub project: Arc<Project>,
-    /// Does it stand, as it is; `None` for `kind = "survey"`.
+    /// The check of the structure as it is; `None` for `kind = "survey"`.
     pub state: Option<State>,
-    /// The same with each `[variant.NAME]`, in the order of the file.
+    /// The check of each `[variant.NAME]`, in the order of the file.
     pub variants: Vec<VariantAnswer>,
-    /// What one per cent of each input does to `sensitivity_of`, strongest first.
+    /// Effect of one per cent of each input on `sensitivity_of`, strongest first.
     pub sensitivities: Vec<Sensitivity>,
     /// The result that the sensitivities are of.
     pub sensitivity_of: SensitivityOf,
-    /// Motions of the file that cannot be read, where they were looked at.
+    /// Motions of the file that cannot be read, where the check needed them.
     pub unreadable_motions: Vec<UnreadableMotion>,
 }
 
@@ -69,65 +69,65 @@ pub struct CheckAnswer {
 pub struct UnreadableMotion {
     /// Its name in the file.
     pub motion: String,
-    /// Why.
+    /// The reason.
     pub why: Both,
 }
 
-/// What the surveys of a project give.
+/// Results of the surveys of a project.
 #[derive(Clone, Debug)]
 pub struct IdentifyAnswer {
     /// Path of the project file as the user named it.
     pub file: String,
-    /// What the file says.
+    /// The project.
     pub project: Arc<Project>,
-    /// What was identified from each survey, in the order of the file.
+    /// Results of each survey, in the order of the file.
     pub surveys: Vec<SurveyAnswer>,
 }
 
-/// What changed from one survey to another.
+/// The change from one survey to another.
 #[derive(Clone, Debug)]
 pub struct CompareAnswer {
     /// Path of the project file as the user named it.
     pub file: String,
-    /// What the file says.
+    /// The project.
     pub project: Arc<Project>,
-    /// The survey before.
+    /// The earlier survey.
     pub from: String,
-    /// The survey after.
+    /// The later survey.
     pub to: String,
-    /// The change of what vibrates; `None` where one of the two has no modes.
+    /// The change of the modes; `None` where one of the two has no modes.
     pub change: Option<SurveyChange>,
-    /// Which part of the model explains the change, by direction; empty where nothing changed beyond chance.
+    /// The part of the model that explains the change, by direction; empty where no change is significant.
     pub parts: Vec<ChangedPart>,
-    /// Tilts and inspections side by side.
+    /// Tilts and inspections of both.
     pub readings: ComparedReadings,
-    /// Which of both surveys have records that hold an earthquake, and of which part of them their modes are.
+    /// Which of both surveys have records with an earthquake, and from which part of the records their modes are.
     pub shaken: Vec<(String, ModesOf)>,
 }
 
-/// Dampers of a building beside the rule and the best.
+/// The dampers of a building, compared with the rule and the optimum.
 #[derive(Clone, Debug)]
 pub struct TuneAnswers {
-    /// Each by itself.
+    /// Each damper alone.
     pub tunings: Vec<TuneAnswer>,
-    /// All dampers of a version at once, where there are several.
+    /// All dampers of a version together, where there are several.
     pub together: Vec<TogetherAnswer>,
 }
 
-/// Everything that was computed for one project.
+/// Everything computed for one project.
 #[derive(Clone, Debug)]
 pub struct ProjectReport {
     /// Path of the project file as the user named it.
     pub file: String,
-    /// What the file says.
+    /// The project.
     pub project: Arc<Project>,
     /// The answers.
     pub answers: Vec<Answer>,
-    /// Studies whose results could not be used.
+    /// Studies with unusable results.
     pub left_out: Vec<LeftOutStudy>,
     /// Its photographs and drawings, by file.
     pub photos: Photos,
-    /// What the text of the project file is known by.
+    /// Hash of the text of the project file.
     pub fingerprint: String,
 }
 
@@ -140,17 +140,17 @@ impl ProjectReport {
         })
     }
 
-    /// Does it stand, as it is; `None` for a survey alone.
+    /// The check of the structure as it is; `None` for a survey alone.
     pub fn state(&self) -> Option<&State> {
         self.check()?.state.as_ref()
     }
 
-    /// The variants and whether they stand.
+    /// The variants and their checks.
     pub fn variants(&self) -> &[VariantAnswer] {
         self.check().map_or(&[], |check| &check.variants)
     }
 
-    /// What was identified from each survey.
+    /// Results of each survey.
     pub fn surveys(&self) -> &[SurveyAnswer] {
         let found = self.answers.iter().find_map(|answer| match answer {
             Answer::Identify(identified) => Some(identified.surveys.as_slice()),
@@ -159,7 +159,7 @@ impl ProjectReport {
         found.unwrap_or_default()
     }
 
-    /// What changed from one survey to another; `None` where fewer than two can be compared.
+    /// The change from one survey to another; `None` where no two can be compared.
     pub fn change(&self) -> Option<&CompareAnswer> {
         self.answers.iter().find_map(|answer| match answer {
             Answer::Compare(compared) => Some(&**compared),
@@ -167,7 +167,7 @@ impl ProjectReport {
         })
     }
 
-    /// The record over the years; `None` with fewer than three surveys.
+    /// The history over the years; `None` with fewer than three surveys.
     pub fn watch(&self) -> Option<&WatchAnswer> {
         self.answers.iter().find_map(|answer| match answer {
             Answer::Watch(watched) => Some(&**watched),
@@ -184,7 +184,7 @@ impl ProjectReport {
         each.flatten()
     }
 
-    /// Those of stacks.
+    /// The simulations of stacks.
     pub fn stack_runs(&self) -> impl Iterator<Item = &StackRuns> {
         self.simulations().filter_map(|run| match run {
             Simulation::Stack(runs) => Some(&**runs),
@@ -192,22 +192,22 @@ impl ProjectReport {
         })
     }
 
-    /// Of each stack the run that decides.
+    /// For each stack the run that decides.
     pub fn stack_simulations(&self) -> impl Iterator<Item = &StackSimulation> {
         self.stack_runs().map(|runs| &runs.deciding)
     }
 
-    /// The stack as it is under the motion; `None` if none was asked for, or it does not stand.
+    /// The stack as it is under the motion; `None` without a motion, or if it does not stand.
     pub fn own_stack_runs(&self) -> Option<&StackRuns> {
         self.stack_runs().find(|runs| runs.deciding.variant.is_none())
     }
 
-    /// The stack as it is under the motion; `None` if none was asked for, or it does not stand.
+    /// The stack as it is under the motion; `None` without a motion, or if it does not stand.
     pub fn stack_simulation(&self) -> Option<&StackSimulation> {
         self.stack_simulations().find(|run| run.variant.is_none())
     }
 
-    /// Those of stacks whose supports move.
+    /// The runs of stacks with moving supports.
     pub fn moved_supports(&self) -> impl Iterator<Item = &SupportsSimulation> {
         self.simulations().filter_map(|run| match run {
             Simulation::Supports(run) => Some(&**run),
@@ -215,7 +215,7 @@ impl ProjectReport {
         })
     }
 
-    /// Those of frames, one a direction.
+    /// The simulations of frames, one for each direction.
     pub fn frame_simulations(&self) -> Vec<&FrameSimulation> {
         let each = self.simulations().filter_map(|run| match run {
             Simulation::Frame(run) => Some(&**run),
@@ -224,7 +224,7 @@ impl ProjectReport {
         each.collect()
     }
 
-    /// Those of chains.
+    /// The simulations of chains.
     pub fn chain_simulations(&self) -> Vec<&ChainSimulation> {
         let each = self.simulations().filter_map(|run| match run {
             Simulation::Chain(run) => Some(&**run),
@@ -233,7 +233,7 @@ impl ProjectReport {
         each.collect()
     }
 
-    /// Those of buildings.
+    /// The simulations of buildings.
     pub fn building_simulations(&self) -> Vec<&BuildingSimulation> {
         let each = self.simulations().filter_map(|run| match run {
             Simulation::Building(run) => Some(&**run),
@@ -249,19 +249,19 @@ impl ProjectReport {
         })
     }
 
-    /// Dampers, each by itself.
+    /// Dampers, each alone.
     pub fn tunings(&self) -> Vec<&TuneAnswer> {
         self.tuned()
             .map_or(Vec::new(), |tuned| tuned.tunings.iter().collect())
     }
 
-    /// All dampers of a version at once.
+    /// All dampers of a version together.
     pub fn together(&self) -> Vec<&TogetherAnswer> {
         self.tuned()
             .map_or(Vec::new(), |tuned| tuned.together.iter().collect())
     }
 
-    /// Studies that were run before.
+    /// Results of earlier studies.
     pub fn studies(&self) -> Vec<&StudyAnswer> {
         let each = self.answers.iter().filter_map(|answer| match answer {
             Answer::Study(study) => Some(&**study),

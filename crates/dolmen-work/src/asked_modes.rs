@@ -1,11 +1,11 @@
-//! What a project file asks of the modes of a record.
+//! Identification options from a project file.
 
 use crate::error::{Within as _, WorkError};
 use dolmen::modal::{Criteria, Identify};
 use dolmen::signal::Channel;
 use dolmen_project::RecordSource;
 
-/// How modes are sought, as the file says.
+/// The identification options of the file.
 pub(crate) fn options(source: &RecordSource, channels: &[Channel]) -> Result<Identify, WorkError> {
     let defaults = Identify::default();
     Ok(Identify {
@@ -40,7 +40,7 @@ fn references(names: &[String], channels: &[Channel]) -> Result<Vec<usize>, Work
     })
 }
 
-/// Indices of the channels that drive the others.
+/// Indices of the input channels.
 fn inputs(names: &[String], channels: &[Channel]) -> Result<Vec<usize>, WorkError> {
     places(names, channels, |name, known| WorkError::NoSuchInput {
         name,
@@ -48,7 +48,7 @@ fn inputs(names: &[String], channels: &[Channel]) -> Result<Vec<usize>, WorkErro
     })
 }
 
-/// Index of the channel whose spectrogram is wanted.
+/// Index of the channel of the spectrogram.
 pub(crate) fn drawn(name: Option<&String>, channels: &[Channel]) -> Result<Option<usize>, WorkError> {
     let names = name.map_or(&[][..], std::slice::from_ref);
     let found = places(names, channels, |name, known| WorkError::NoSuchSpectrogram {
@@ -58,7 +58,7 @@ pub(crate) fn drawn(name: Option<&String>, channels: &[Channel]) -> Result<Optio
     Ok(found.first().copied())
 }
 
-/// Indices of the channels of these names; `missing` is what to say of a name and of those there are.
+/// Indices of the channels with these names; `missing` makes the error for an unknown name and the list of names.
 fn places(
     names: &[String],
     channels: &[Channel],

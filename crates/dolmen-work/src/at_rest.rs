@@ -1,27 +1,27 @@
-//! Whether a structure has come to rest after a motion, before the next one acts.
+//! Checks that a structure has come to rest after a motion, before the next one.
 
 use dolmen::blocks::StackHistory;
 use dolmen::dynamics::{ChainHistory, ChainModel, FrameHistory};
 
-/// Speed up to which a structure counts as at rest between two motions, m/s. Chosen here: one in a hundred of the peak velocity of weak shaking.
+/// Largest speed of a structure at rest between two motions, m/s. Chosen here: a hundredth of the peak velocity of weak shaking.
 pub const SPEED_AT_REST_M_S: f64 = 1e-3;
-/// Longest time that a structure is given to come to rest, s. Chosen here: at 1 Hz and a damping ratio of 0.5 % a swing of 1 m/s comes below the bound.
+/// Longest time for a structure to come to rest, s. Chosen here: at 1 Hz and a damping ratio of 0.5 % a motion of 1 m/s falls below that speed.
 pub(crate) const WAIT_MOST_S: f64 = 320.0;
-/// Time before the end of a run in which speeds are looked at, s: of stacks that in which joints must be still, of what swings a swing of 0.2 Hz.
+/// Time before the end of a run in which speeds are examined, s: for stacks that in which joints must be still, otherwise a period of 0.2 Hz.
 const STILL_S: f64 = 0.5;
 const SWING_S: f64 = 5.0;
 
-/// How a run ended.
+/// State at the end of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct AtRest {
-    /// When, s.
+    /// Time of the end, s.
     pub(crate) end_s: f64,
     /// Largest speed of any part relative to the ground shortly before, m/s.
     pub(crate) speed_m_s: f64,
 }
 
 impl AtRest {
-    /// Of both, the later end and the larger speed.
+    /// Combines two ends: the later time and the larger speed.
     pub(crate) fn worse(self, other: AtRest) -> AtRest {
         AtRest {
             end_s: self.end_s.max(other.end_s),
@@ -29,7 +29,7 @@ impl AtRest {
         }
     }
 
-    /// Of a stack, by the centroids of its stones.
+    /// The end of a stack, from the centroids of its stones.
     pub(crate) fn of_stack(history: &StackHistory) -> AtRest {
         let times = &history.time_s;
         let end_s = times.last().copied().unwrap_or(0.0);
@@ -48,7 +48,7 @@ impl AtRest {
         AtRest { end_s, speed_m_s }
     }
 
-    /// Of a frame, by its levels.
+    /// The end of a frame, from its levels.
     pub(crate) fn of_frame(history: &FrameHistory) -> AtRest {
         let end_s = history.duration_s;
         let from = history.time_s.partition_point(|time| *time < end_s - SWING_S);
@@ -60,7 +60,7 @@ impl AtRest {
         }
     }
 
-    /// Of a chain in one plane, by the tops of its links.
+    /// The end of a chain in one plane, from the tops of its links.
     pub(crate) fn of_chain(model: &ChainModel, history: &ChainHistory) -> AtRest {
         let end_s = history.times_s.last().copied().unwrap_or(0.0);
         let from = history.times_s.partition_point(|time| *time < end_s - SWING_S);

@@ -1,19 +1,19 @@
-//! The stiffness that a survey leads to beside that of the project file.
+//! Compares the stiffness from a survey with that of the project file.
 
 use serde::Serialize;
 
-/// Standard deviations of the difference within which both are one. As for measured frequencies.
+/// Number of standard deviations within which both count as equal. As for measured frequencies.
 const DEVIATIONS_MOST: f64 = 3.0;
-/// Part that a difference must have to be worth a word, and where no deviation is known. Chosen here.
+/// Smallest relative difference that is reported, also where no deviation is known. Chosen here.
 const RATIO_LEAST: f64 = 1.05;
 const RATIO_ALONE: f64 = 1.2;
 
-/// Stiffness that was found over that of the file.
+/// The stiffness found over that of the file.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct BesideFile {
-    /// Of each spring, lowest first, or of k_x, k_y, k_θ.
+    /// Ratio of each spring, lowest first, or of k_x, k_y, k_θ.
     pub ratios: Vec<f64>,
-    /// Their differences in standard deviations of both together; `None` where none is known.
+    /// Their differences in joint standard deviations; `None` where none is known.
     pub deviations: Option<Vec<f64>>,
     /// Whether they differ beyond scatter.
     pub differs: bool,
@@ -21,14 +21,14 @@ pub struct BesideFile {
     pub is_assumed: bool,
 }
 
-/// A stiffness with its standard deviation, 0 if not known.
+/// A stiffness and its standard deviation, 0 if unknown.
 #[derive(Clone, Copy)]
 pub(crate) struct Known {
     pub(crate) value: f64,
     pub(crate) sd: f64,
 }
 
-/// What was found beside what the file has.
+/// Compares the stiffness found with that of the file.
 pub(crate) fn beside(found: &[Known], file: &[Known], is_assumed: bool) -> Option<BesideFile> {
     if found.len() != file.len() || found.is_empty() {
         return None;

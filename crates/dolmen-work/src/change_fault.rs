@@ -13,12 +13,12 @@ pub enum ChangeFault {
         /// Those that can be compared.
         known: String,
     },
-    /// It is not clear which two.
+    /// Which two surveys to compare is unclear.
     Unclear {
         /// Surveys that can be compared.
         known: String,
     },
-    /// Twice the same.
+    /// Both surveys are the same.
     Same {
         /// Its name.
         given: String,

@@ -6,28 +6,28 @@ use crate::survey_direction::direction_of;
 use dolmen::assess::{FrequencyChange, SurveyChange, WhichPart, which_part};
 use dolmen_project::Project;
 
-/// A measured frequency is that of the model's mode within this factor, either way. Chosen here.
+/// A measured frequency belongs to the model's mode within this factor, either way. Chosen here.
 const SAME_MODE: f64 = 1.25;
-/// Deviations within which no frequency of a direction changed: no part is sought there.
+/// Number of deviations within which a frequency counts as unchanged; if all of a direction are, no part is sought there.
 const CHANGED_FROM_SD: f64 = 1.96;
 
-/// Which part of the model explains a change, in one direction.
+/// The part of the model that explains a change, in one direction.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ChangedPart {
-    /// The direction; `None` for a chain that is alike all round, and for a stack, whose directions are taken together.
+    /// The direction; `None` for a chain that is alike all round, and for a stack, which has all directions in one model.
     pub direction: Option<String>,
     /// The parts, lowest first.
     pub parts: Vec<Part>,
-    /// Frequencies before as measured, and of the model, Hz.
+    /// Measured frequencies before, and those of the model, Hz.
     pub modes_hz: Vec<[f64; 2]>,
-    /// What explains the changes.
+    /// The explanation of the changes.
     pub found: WhichPart,
 }
 
-/// How one measured frequency changed.
+/// Change of one measured frequency.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct MeasuredChange {
-    /// The direction in which the mode moves, where it is known.
+    /// The direction of the mode's motion, where it is known.
     pub(crate) direction: Option<String>,
     /// Before, Hz.
     pub(crate) frequency_hz: f64,
@@ -37,8 +37,8 @@ pub(crate) struct MeasuredChange {
     pub(crate) sd: Option<f64>,
 }
 
-/// Which part explains what changed beyond chance from one survey to another, by direction; empty where nothing did, and where the model has no such
-/// parts.
+/// The part that explains the significant changes from one survey to another, by direction; empty where none is significant, and where the model
+/// has no such parts.
 pub(crate) fn changed_parts(project: &Project, change: &SurveyChange) -> Vec<ChangedPart> {
     if change.changed().count() == 0 {
         return Vec::new();
@@ -55,18 +55,18 @@ pub(crate) fn changed_parts(project: &Project, change: &SurveyChange) -> Vec<Cha
     parts_that_explain(project, &each.collect::<Vec<_>>())
 }
 
-/// Which part explains changes of frequencies, by direction; empty where the model has no such parts.
+/// The part that explains changes of frequencies, by direction; empty where the model has no such parts.
 pub(crate) fn parts_that_explain(project: &Project, changes: &[MeasuredChange]) -> Vec<ChangedPart> {
     explained_by(&loosening(project), changes)
 }
 
-/// The same of models that are there.
+/// The same for given models.
 pub(crate) fn explained_by(models: &[Loosening<'_>], changes: &[MeasuredChange]) -> Vec<ChangedPart> {
     let each = models.iter().filter_map(|model| explained(model, changes));
     each.collect()
 }
 
-/// A measured change with the direction of the model, by its place, and the mode in it.
+/// A measured change with the index of the direction in the model, and the mode in it.
 struct Matched<'c> {
     change: &'c MeasuredChange,
     along: usize,
@@ -94,7 +94,7 @@ fn explained(model: &Loosening<'_>, changes: &[MeasuredChange]) -> Option<Change
             })
         })
         .collect::<Option<_>>()?;
-    // another direction may be all that changed
+    // perhaps only another direction changed
     let is_changed = |of: &FrequencyChange| of.relative.abs() > CHANGED_FROM_SD * of.sd;
     if model.direction.is_some() && !measured.iter().any(is_changed) {
         return None;
@@ -116,7 +116,7 @@ fn explained(model: &Loosening<'_>, changes: &[MeasuredChange]) -> Option<Change
     })
 }
 
-/// Each measured mode with the place of the nearest of the model, where each is the nearest of the other.
+/// Pairs of measured and model modes, where each is the nearest of the other.
 fn matched<'c>(measured: &[&'c MeasuredChange], model_hz: &[f64]) -> Vec<(&'c MeasuredChange, usize)> {
     let off = |mode: &MeasuredChange, hz: f64| (mode.frequency_hz / hz).ln().abs();
     let nearest_of_model = |mode: &MeasuredChange| {

@@ -1,4 +1,4 @@
-//! Which part changed, on drawn structures of which one part is made softer: how often the set that is stated holds it.
+//! Random structures in which one part is softened: how often the stated set of parts contains it.
 
 use crate::changed_part::{ChangedPart, MeasuredChange, explained_by};
 use crate::loosened::loosening;
@@ -14,7 +14,7 @@ const STRUCTURES: usize = 10;
 const DAMAGES: usize = 20;
 /// Stated standard deviation of a frequency, relative.
 const SD: f64 = 0.002;
-/// Of 200 sets that hold the truth with 95 %.
+/// Of 200 sets that contain the truth with 95 %.
 const HELD_LEAST: f64 = 0.95;
 
 fn project(text: String) -> Arc<Project> {
@@ -24,7 +24,7 @@ fn project(text: String) -> Arc<Project> {
 /// Frequencies along x, along y and of torsion.
 type Frequencies = [Vec<f64>; 3];
 
-/// What surveys before and after would show: the lowest `known` of each direction.
+/// Frequencies of surveys before and after: the lowest `known` of each direction.
 fn measured(
     before: &Frequencies,
     after: &Frequencies,
@@ -45,7 +45,7 @@ fn measured(
     all
 }
 
-/// How many sets were stated, how many held the damaged part, and how many held it alone.
+/// Number of stated sets, of those with the damaged part, and of those with it alone.
 #[derive(Debug, Default)]
 struct Tally {
     stated: usize,
@@ -69,7 +69,7 @@ impl Tally {
     }
 }
 
-/// Stones on each other, oblong in plan, of which one has joints with a factor on their springs.
+/// Stones on each other, oblong in plan; the springs of one joint have a factor.
 fn stones(sizes: &[[f64; 3]], damaged: Option<(usize, f64)>) -> String {
     let mut text =
         "schema = 1\nkind = \"stack\"\nname = \"s\"\nevidence = \"measured\"\ndensity = 2600\nblocks = [\n"
@@ -90,7 +90,7 @@ fn stones(sizes: &[[f64; 3]], damaged: Option<(usize, f64)>) -> String {
     text + "]\njoint = { friction = 0.6, damping_ratio = 0.3 }\n"
 }
 
-/// By the full matrix of the stack of the file: of a stack that is the same left and right no motion has a part in another.
+/// By the full matrix of the stack: in a stack symmetric about its axes the motions do not couple.
 fn of_stones(project: &Project) -> Frequencies {
     let Structure::Stack(part) = &project.structure else {
         panic!("a stack")
@@ -139,7 +139,7 @@ fn holds_the_set_of_joints_of_a_stack_holds_the_loosened_one() {
     assert!(tally.share() >= HELD_LEAST && tally.alone > 100, "{tally:?}");
 }
 
-/// Floors of 12 by 9 m on storeys of which one has a factor on its stiffness.
+/// Floors of 12 by 9 m on storeys; the stiffness of one has a factor.
 fn floors(stiffness: &[[f64; 2]], centre_m: [f64; 2], damaged: Option<(usize, f64)>) -> String {
     let mut text = "schema = 1\nkind = \"building\"\nname = \"b\"\nevidence = \"measured\"\n\
          units = { length = \"m\", mass = \"t\", stiffness = \"kN/mm\" }\nfloors = [\n"
@@ -162,7 +162,7 @@ fn floors(stiffness: &[[f64; 2]], centre_m: [f64; 2], damaged: Option<(usize, f6
     text + "]\n"
 }
 
-/// Of the building of the file: the motion with the most energy names a mode.
+/// Modes of the building; the motion with the most energy names a mode.
 fn of_floors(project: &Project) -> Frequencies {
     let Structure::Building(part) = &project.structure else {
         panic!("a building")

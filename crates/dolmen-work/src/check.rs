@@ -1,4 +1,4 @@
-//! `dolmen check`: does it stand, at what does it begin to move, and how sure is that.
+//! `dolmen check`: whether the structure stands, where it begins to move, and how sure that is.
 
 use crate::answer::CheckAnswer;
 use crate::chain::check::UpliftTilt;
@@ -18,31 +18,32 @@ use dolmen::stability::Verdict;
 use dolmen_project::{Pick, Project, Quantity, Structure};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// What is asked beyond the check itself.
+/// Options of a check.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct CheckOptions {
-    /// Draw the inputs that carry a scatter.
+    /// Samples of the uncertain inputs.
     pub sampling: Option<Sampling>,
-    /// What one per cent of each input does.
+    /// Whether to compute sensitivities to each input.
     pub sensitivity: bool,
-    /// What stands beside the verdict of a stack and decides nothing: local mechanisms as codes want them, and the springs that measured frequencies ask for. Where
+    /// Whether to compute results for a stack that do not affect its verdict: local mechanisms as codes require, and the springs that measured
+    /// frequencies imply. With a site in the file local mechanisms are always found, because a finding compares them with it.
     /// the file has a site the local mechanisms are found always, since a finding holds them against it.
     pub beside_the_verdict: bool,
 }
 
-/// How many samples are drawn, and from which seed.
+/// Number and seed of samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sampling {
-    /// How many.
+    /// Number of samples.
     pub samples: usize,
     /// The same seed gives the same bits.
     pub seed: u64,
 }
 
-/// Whether a structure and its variants stand; its surveys are left for [`identify`](crate::identify()).
+/// Checks a structure and its variants; [`identify`](crate::identify()) handles its surveys.
 ///
 /// # Errors
-/// [`WorkError`], where the structure cannot be built or computed, and where samples are asked of a stack.
+/// [`WorkError`] if the structure cannot be built or computed, or if samples are requested for a stack.
 pub fn check(opened: &Opened, options: &CheckOptions) -> Result<CheckAnswer, WorkError> {
     let project = &opened.project;
     if options.sampling.is_some() && matches!(project.structure, Structure::Stack(_)) {
@@ -88,7 +89,7 @@ pub fn check(opened: &Opened, options: &CheckOptions) -> Result<CheckAnswer, Wor
     })
 }
 
-/// What a variant gives that the project does not, or gives otherwise.
+/// The values that a variant adds or changes.
 fn own_inputs(project: &Project, variant: &Project) -> Vec<Quantity> {
     let given = project.structure_inputs();
     let is_own = |input: &&Quantity| {
@@ -129,10 +130,10 @@ pub(crate) fn state_of(project: &Project, options: &CheckOptions) -> Result<Opti
     }))
 }
 
-/// The tilts of the survey that the model leans by, or of the last that states any, against the uplift limit of the joints of a chain or stack, or the fall
-/// of a frame; of others it is not known.
+/// Compares the tilts of the survey that the model leans by, or of the latest one with tilts, with the uplift limit of the joints of a chain or
+/// stack, or with the fall of a frame; unknown for other kinds.
 fn tilts(project: &Project, check: &Check) -> Vec<TiltCheck> {
-    // what leans in the model is in its limits already
+    // the limits already include a lean of the model
     if let Structure::Stack(part) = &project.structure
         && (part.lean.is_some() || part.carries_own_lean())
     {
@@ -149,7 +150,7 @@ fn tilts(project: &Project, check: &Check) -> Vec<TiltCheck> {
         _ => None,
     };
     let chosen = leans_as.and_then(|lean| tilted().find(|survey| survey.name == lean.survey));
-    // which of several without a date is the last is not known: the worst of them
+    // among surveys without dates the latest is unknown: the worst counts
     let are_undated = tilted().all(|survey| date(&survey.name).is_none());
     let last = match are_undated {
         true => tilted().max_by(|a, b| a.tilt_together().total_cmp(&b.tilt_together())),
@@ -174,13 +175,13 @@ fn tilts(project: &Project, check: &Check) -> Vec<TiltCheck> {
         let limit = match direction.as_str() {
             "x" => towards([1.0, 0.0]),
             "y" => towards([0.0, 1.0]),
-            // to which side is not known: the worst
+            // the side is unknown: the worst counts
             _ => towards_worst(&towards),
         };
         held_against(direction.clone(), tilt.ratio, limit)
     });
     let mut all: Vec<TiltCheck> = each.collect();
-    // a joint opens to the side to which the whole leans, not along x and along y by themselves
+    // a joint opens to the side of the resultant lean, not along x and along y separately
     if let [first, second] = all.as_slice()
         && known.is_some()
     {
@@ -194,9 +195,9 @@ fn tilts(project: &Project, check: &Check) -> Vec<TiltCheck> {
     all
 }
 
-/// The least uplift tilt all round, by degrees.
+/// The smallest uplift tilt over all directions, by degrees.
 fn towards_worst(uplift_tilt: &dyn Fn([f64; 2]) -> Option<UpliftTilt>) -> Option<UpliftTilt> {
-    const DEGREES: u32 = 90; // a bed is alike on both sides of its axes
+    const DEGREES: u32 = 90; // a bed is symmetric about its axes
     let each = (0..=DEGREES).filter_map(|degrees| {
         let angle = f64::from(degrees).to_radians();
         uplift_tilt([angle.cos(), angle.sin()])
@@ -207,7 +208,7 @@ fn towards_worst(uplift_tilt: &dyn Fn([f64; 2]) -> Option<UpliftTilt>) -> Option
     })
 }
 
-/// Where the lowest measured frequency of a direction and that of the model differ too much to be of one structure.
+/// Where the lowest measured frequency of a direction and that of the model differ too much for the same structure.
 fn contradictions(project: &Project, state: &State) -> Vec<FrequencyContradiction> {
     let all = measured_frequencies(&project.surveys, &state.check);
     let differing = all.iter().filter(|of| of.differs());
@@ -222,7 +223,7 @@ fn contradictions(project: &Project, state: &State) -> Vec<FrequencyContradictio
     contradictions.collect()
 }
 
-/// As [`falls_by_itself`], of the inputs as the file gives them; `None` of a building: its study says it of each sample.
+/// As [`falls_by_itself`], with the inputs of the file; `None` for a building, whose study computes it for each sample.
 pub(crate) fn falls_by_itself_as_given(project: &Project) -> Result<Option<f64>, WorkError> {
     match &project.structure {
         Structure::Building(_) => Ok(None),
@@ -230,8 +231,8 @@ pub(crate) fn falls_by_itself_as_given(project: &Project) -> Result<Option<f64>,
     }
 }
 
-/// The load factor of a chain without friction, a frame or a building that falls under its own weight with the inputs that `pick` chooses; `None` if it
-/// stands, or that is not known. A stack says it by its limits.
+/// The load factor of a chain without friction, a frame or a building that falls under its own weight with the inputs that `pick` chooses;
+/// `None` if it stands, or that is unknown. For a stack the limits contain it.
 pub(crate) fn falls_by_itself(project: &Project, pick: Pick<'_>) -> Result<Option<f64>, WorkError> {
     let is_held = match &project.structure {
         Structure::Chain(part) => part.joints.iter().flatten().any(|joint| joint.friction.is_some()),
@@ -244,7 +245,7 @@ pub(crate) fn falls_by_itself(project: &Project, pick: Pick<'_>) -> Result<Optio
     Ok(kinds::load_factor(project, pick)?.filter(|factor| *factor <= 1.0))
 }
 
-/// Whether a chain or frame that leans as surveyed leans to its fall with the inputs that `pick` chooses; a stack says it by its limits.
+/// Whether a chain or frame that leans as surveyed falls with the inputs that `pick` chooses; for a stack the limits contain it.
 pub(crate) fn leans_to_its_fall(project: &Project, pick: Pick<'_>) -> Result<bool, WorkError> {
     let leans = match &project.structure {
         Structure::Frame(part) => part.lean.is_some(),
@@ -261,14 +262,14 @@ pub(crate) fn leans_to_its_fall(project: &Project, pick: Pick<'_>) -> Result<boo
     Ok(tilts.any(|tilt| tilt.verdict() == Verdict::Unstable))
 }
 
-/// The load factor under inputs drawn from their distributions; `None` if no stiffness or no scatter is known.
+/// The load factor for random samples of the inputs; `None` if no stiffness or no scatter is known.
 fn sampled(project: &Project, sampling: Sampling) -> Result<Option<Sampled>, WorkError> {
     let inputs = project.structure_inputs();
     let scatters: Vec<(&Quantity, f64)> = inputs
         .iter()
         .filter_map(|q| Some((*q, q.cov.filter(|cov| *cov > 0.0)?)))
         .collect();
-    // without P-delta there is nothing to draw
+    // without P-delta there is no load factor
     let factor = kinds::load_factor(project, &mut Quantity::nominal)?;
     if scatters.is_empty() || factor.is_none_or(f64::is_infinite) {
         return Ok(None);
@@ -287,7 +288,7 @@ fn sampled(project: &Project, sampling: Sampling) -> Result<Option<Sampled>, Wor
         sampling.samples,
         sampling.seed,
         |random: &mut Random| -> Result<bool, WorkError> {
-            // drawn in the order of the file, so that a sample does not depend on who asks first, or twice
+            // drawn in the order of the file, so that a sample does not depend on the order of use
             let mut drawn = BTreeMap::new();
             for (q, cov) in &scatters {
                 drawn.insert(q.path.as_str(), random.lognormal(q.value, *cov)?);
@@ -333,7 +334,7 @@ fn sensitivities(project: &Project, of: SensitivityOf) -> Result<Vec<Sensitivity
         return Ok(Vec::new());
     }
     let mut all = Vec::new();
-    // a corner moved by itself leaves the bed that it shares with the next stone
+    // a corner moved alone leaves the bed that it shares with the next stone
     let is_corner = |input: &&Quantity| input.path.contains(".points[");
     // and a stone higher than its neighbours leaves theirs
     let shared = match &project.structure {
@@ -347,7 +348,7 @@ fn sensitivities(project: &Project, of: SensitivityOf) -> Result<Vec<Sensitivity
     {
         let elasticity = elasticity(input.value, |changed| -> Result<f64, WorkError> {
             let mut pick = |q: &Quantity| if q.path == input.path { changed } else { q.value };
-            // a structure that cannot be built with this one number changed says nothing of it
+            // if the structure with this one changed number cannot be built, there is no sensitivity
             Ok(kinds::sensitive(project, of, &mut pick)
                 .ok()
                 .flatten()
@@ -360,7 +361,7 @@ fn sensitivities(project: &Project, of: SensitivityOf) -> Result<Vec<Sensitivity
             cov: input.cov,
         });
     }
-    // an input of 0 has no elasticity: it stands last
+    // an input of 0 has no elasticity: it comes last
     let strength = |of: &Sensitivity| match of.elasticity.is_finite() {
         true => of.elasticity.abs(),
         false => -1.0,

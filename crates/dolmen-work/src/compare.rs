@@ -1,4 +1,4 @@
-//! Which two surveys of a project are compared, and their modes as the comparison takes them.
+//! Chooses the two surveys of a project to compare, and prepares their modes.
 
 use crate::answer::CompareAnswer;
 use crate::change_fault::ChangeFault;
@@ -17,16 +17,16 @@ use dolmen::signal::Channel;
 use dolmen_project::{ModeKind, Project, Survey, SurveyMode, TemperaturePart};
 use dolmen_records::Files;
 
-/// Which surveys are compared.
+/// Names of the surveys to compare.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct CompareOptions {
-    /// The survey before; the first whose name begins with a date without it.
+    /// The earlier survey; by default the first whose name begins with a date.
     pub from: Option<String>,
-    /// The survey after; the last whose name begins with a date without it.
+    /// The later survey; by default the last whose name begins with a date.
     pub to: Option<String>,
 }
 
-/// What changed from one survey to another.
+/// Compares two surveys.
 ///
 /// # Errors
 /// Surveys that cannot be compared, or whose records cannot be read.
@@ -47,7 +47,7 @@ pub fn compare(
     Ok(compared_of(opened, &compared, &answers)?)
 }
 
-/// What changed between two surveys of a project; `answers` hold what their records gave.
+/// Compares two surveys of a project; `answers` hold the results of their records.
 ///
 /// # Errors
 /// [`ChangeFault::Assess`].
@@ -76,7 +76,7 @@ pub(crate) fn compared_of(
     })
 }
 
-/// Which of both surveys hold an earthquake, and of which part of their records their modes are.
+/// Which of both surveys hold an earthquake, and from which part of their records their modes are.
 pub(crate) fn shaken(
     project: &Project,
     compared: &ComparedSurveys,
@@ -93,23 +93,23 @@ pub(crate) fn shaken(
     each.collect()
 }
 
-/// Two surveys, by index, and those before the later one that a coefficient of temperature is fitted to.
+/// Two surveys, by index, and the earlier ones for the fit of a temperature coefficient.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ComparedSurveys {
     /// The survey before.
     pub from: usize,
     /// The survey after.
     pub to: usize,
-    /// Other surveys before `to` with a temperature, in their order; empty unless a coefficient is fitted.
+    /// Other surveys before `to` with a temperature, in their order; empty without a fit.
     pub earlier: Vec<usize>,
 }
 
-/// Whether a survey has anything that can be compared.
+/// Whether a survey has data for a comparison.
 fn is_usable(survey: &Survey) -> bool {
     has_modes(survey) || !survey.tilt.is_empty() || !survey.inspections.is_empty()
 }
 
-/// Which surveys are compared: those named, else the first and the last whose names begin with a date; of those with modes if there are two of them.
+/// The surveys to compare: those named, otherwise the first and the last whose names begin with a date, among those with modes if there are two.
 ///
 /// # Errors
 /// [`ChangeFault::NoSurvey`], [`ChangeFault::Unclear`], [`ChangeFault::Same`].
@@ -177,7 +177,7 @@ pub fn surveys_to_compare(
     Ok(ComparedSurveys { from, to, earlier })
 }
 
-/// The modes of a survey: of its records, if it has any, else those that the file states.
+/// The modes of a survey: from its records if it has any, otherwise those stated in the file.
 pub fn surveyed(survey: &Survey, found: Option<&SurveyAnswer>) -> Surveyed {
     let mut modes = match found.and_then(SurveyAnswer::modes) {
         Some((modes, time_blocks)) => {
@@ -235,7 +235,7 @@ fn stated(direction: &str, mode: &SurveyMode) -> ObservedMode {
     }
 }
 
-/// How the modes of two surveys of a project differ.
+/// The change of modes between two surveys of a project.
 fn change_of(
     project: &Project,
     compared: &ComparedSurveys,

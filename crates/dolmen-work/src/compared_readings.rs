@@ -1,17 +1,17 @@
-//! What two surveys read beside vibration: tilts, and what inspections found.
+//! Compares readings of two surveys other than vibration: tilts and inspections.
 
 use dolmen_project::{DamageKind, Inspection, Project, Quantity, Survey, Tilt};
 
 /// Readings of two surveys, side by side.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ComparedReadings {
-    /// Tilts along directions that both surveys read.
+    /// Tilts along directions in both surveys.
     pub tilts: Vec<ComparedTilt>,
-    /// Directions of tilt that one of the two alone read.
+    /// Directions of tilt in only one of them.
     pub tilts_of_one: Vec<String>,
     /// Whether the two surveys name different marks as their datum, so that tilts do not compare.
     pub other_datum: bool,
-    /// What inspections found; empty unless both surveys hold one.
+    /// Damage in inspections; empty unless both surveys have an inspection.
     pub items: Vec<ComparedItem>,
     /// Which of the two has no modes and no records to find them in.
     pub without_modes: Vec<String>,
@@ -34,7 +34,7 @@ impl ComparedTilt {
         self.to.ratio - self.from.ratio
     }
 
-    /// Whether it leans further than before, or over to the other side.
+    /// Whether it leans further than before, or to the opposite side.
     pub fn has_grown(&self) -> bool {
         self.to.ratio.abs() > self.from.ratio.abs() || self.to.ratio * self.from.ratio < 0.0
     }
@@ -45,23 +45,23 @@ impl ComparedTilt {
 pub struct ComparedItem {
     /// The part.
     pub part: String,
-    /// What it is.
+    /// Its kind.
     pub what: DamageKind,
-    /// Its name, where the inspections give one.
+    /// Its name, if the inspections give one.
     pub name: Option<String>,
-    /// What became of it.
+    /// Its course.
     pub course: ItemCourse,
 }
 
-/// What became of a damage from one inspection to another.
+/// Course of a damage from one inspection to another.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ItemCourse {
-    /// The later inspection has it, the earlier one not.
+    /// New: only the later inspection has it.
     New {
         /// Its size, if given.
         size: Option<Quantity>,
     },
-    /// The earlier inspection has it, the later one not: mended, or not looked for.
+    /// Only the earlier inspection has it: repaired, or not looked for.
     NotFoundAgain,
     /// Both have it with a size.
     Sized {
@@ -72,7 +72,7 @@ pub enum ItemCourse {
     },
     /// Both have it, one without a size.
     NoSize,
-    /// A part has several of the kind in one of the inspections, and which is which is not known.
+    /// One of the inspections has several of the kind at the part, so they cannot be paired.
     Several {
         /// In the inspection before.
         before: usize,
@@ -117,7 +117,7 @@ pub(crate) fn compared_readings(project: &Project, from: usize, to: usize) -> Co
     }
 }
 
-/// What tells a damage from others.
+/// Key of a damage.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct DamageKey<'a> {
     pub(crate) part: &'a str,
@@ -142,7 +142,7 @@ pub(crate) fn has_modes(survey: &Survey) -> bool {
         || survey.modes.values().any(|modes| !modes.is_empty())
 }
 
-/// Damage by part, kind and name, in the order of the later inspection, then what was not found again.
+/// Damage by part, kind and name, in the order of the later inspection, then damage not found again.
 fn items(before: &[Inspection], after: &[Inspection]) -> Vec<ComparedItem> {
     if before.is_empty() || after.is_empty() {
         return Vec::new();

@@ -1,4 +1,4 @@
-//! One survey a day: what a history of a structure is made of.
+//! Reduces surveys to one a day, for a history of a structure.
 
 use crate::survey_dates::day_of_a_record;
 use dolmen::monitoring::{HistorySurvey, MonitoringError, Tracking, pooled};
@@ -6,17 +6,17 @@ use dolmen::monitoring::{HistorySurvey, MonitoringError, Tracking, pooled};
 /// Surveys by time, one a day.
 pub(crate) struct Days {
     pub(crate) surveys: Vec<HistorySurvey>,
-    /// Days of several, and how many each.
+    /// Days with several surveys, and their numbers.
     pub(crate) several: Vec<(String, usize)>,
-    /// Names of those that are left out, since another one is of their day.
+    /// Names of surveys left out because another one is of the same day.
     pub(crate) left_out: Vec<String>,
 }
 
-/// Brings surveys to one a day. Those whose names say only when, as records of a logger do, are [pooled]; of the others the first counts, and only
-/// where there is none of those.
+/// Reduces surveys to one a day. Surveys named only by time, such as records of a logger, are [pooled]. Of the others the first counts, and only
+/// on days without those.
 ///
-/// Several a day are no history of their own: what sun and traffic do within a day has no place in the disturbance of days and seasons, and
-/// would make false alarms of the afternoon.
+/// Several surveys in a day are not a history of their own: effects of sun and traffic within a day are no part of the scatter of days and
+/// seasons, and would cause false alarms in the afternoon.
 pub(crate) fn days(mut surveys: Vec<HistorySurvey>, tracking: &Tracking) -> Result<Days, MonitoringError> {
     surveys.sort_by(|a, b| a.day.total_cmp(&b.day));
     let mut found = Days {

@@ -1,4 +1,4 @@
-//! What an earthquake asks for at the site of a project.
+//! The seismic demand at the site of a project.
 
 use crate::chain::loads::AtRest;
 use crate::error::WorkError;
@@ -41,7 +41,7 @@ pub(crate) fn of(
     for (direction, period_s) in periods(project, check, &at_rest)? {
         let own = own_damping_ratio(project, check, &direction);
         let damping_ratio = match check {
-            // its response is read at the damping of its modes
+            // the spectrum is read at the damping of the modes
             Check::Building(_) => own.unwrap_or(answer.site.damping_ratio),
             _ => answer.site.damping_ratio_of(own),
         };
@@ -68,7 +68,7 @@ pub(crate) fn of(
             answer.stack = stack_against_site(&stack.stack, &options, &answer.site, modes.as_deref())?;
             answer.local_mechanisms = local_mechanisms(stack, &answer.site);
             let rocks = stack.check.rocking;
-            // a table at another damping ratio, or that ends too early, leaves it out
+            // left out for a table at another damping ratio, or one that ends too early
             answer.by_velocity =
                 rocks.and_then(|block| velocity_demand(block, stack.stack.gravity_m_s2(), &answer.site).ok());
             if answer.stack.is_none() {
@@ -79,7 +79,7 @@ pub(crate) fn of(
     Ok(Some(answer))
 }
 
-/// The local mechanisms of a stack that the site can be held against.
+/// The local mechanisms of a stack that can be compared with the site.
 fn local_mechanisms(stack: &StackAnswer, site: &SiteDemand) -> Vec<LocalMechanismAgainstSite> {
     let rows = stack.local_mechanisms.iter().flatten();
     let known = rows.filter_map(|row| row.capacity.clone());
@@ -91,7 +91,7 @@ fn local_mechanisms(stack: &StackAnswer, site: &SiteDemand) -> Vec<LocalMechanis
         .collect()
 }
 
-/// A chain as it leans, before it is shaken.
+/// A chain in its leaning shape, before a motion.
 fn at_rest(project: &Project, tilts: &[TiltCheck]) -> Result<Vec<AtRest>, WorkError> {
     let Structure::Chain(part) = &project.structure else {
         return Ok(Vec::new());
@@ -99,7 +99,7 @@ fn at_rest(project: &Project, tilts: &[TiltCheck]) -> Result<Vec<AtRest>, WorkEr
     chain::loads::at_rest(part, &project.loads, Leaning::of(tilts), &mut Quantity::nominal)
 }
 
-/// The damping ratio that the file gives a structure in a direction, or a building's mode has.
+/// The damping ratio in the file for a direction, or of a building's mode.
 fn own_damping_ratio(project: &Project, check: &Check, direction: &str) -> Option<f64> {
     let given = match (&project.structure, check) {
         (Structure::Chain(part), _) => part.damping_ratio.as_ref(),
@@ -115,7 +115,7 @@ fn own_damping_ratio(project: &Project, check: &Check, direction: &str) -> Optio
     given.map(|given| given.value)
 }
 
-/// Storeys, joints and dampers against what limits them under the spectrum of the site.
+/// Storeys, joints and dampers compared with their limits under the spectrum of the site.
 fn compared(
     project: &Project,
     check: &Check,

@@ -1,4 +1,4 @@
-//! Stiffness from a record whose shapes contradict the model, or whose sensors contradict each other: it is not chosen.
+//! Withholds stiffness from a record whose shapes contradict the model, or whose sensors contradict each other.
 
 use crate::kinds;
 use crate::surveyed::{StiffnessDoubt, SurveyAnswer, SurveyColumns};
@@ -6,10 +6,10 @@ use dolmen::modal::Modes;
 use dolmen::structure::{ColumnsTogether, columns_together};
 use dolmen_project::{Project, Structure, Survey};
 
-/// Directions that records give stiffness in, in the order of the axes.
+/// Directions for which records give stiffness, in the order of the axes.
 const AXES: [&str; 2] = ["x", "y"];
 
-/// Doubts the stiffness of directions that the survey states no modes of: it is from its records.
+/// Marks as doubtful the stiffness from records, in directions for which the survey states no modes.
 pub(crate) fn doubt(project: &Project, survey: &Survey, answer: &mut SurveyAnswer) {
     let found = answer.modes().map(|(modes, _)| modes.clone());
     let Some(modes) = found else { return };
@@ -38,7 +38,7 @@ pub(crate) fn doubt(project: &Project, survey: &Survey, answer: &mut SurveyAnswe
     answer.shape_doubt = doubt;
 }
 
-/// Whether the columns of a frame move as one in the modes of a record; empty of other kinds, and without two sensors on a level.
+/// Whether the columns of a frame move as one in the modes of a record; empty for other kinds, and without two sensors on a level.
 pub(crate) fn columns(project: &Project, modes: &Modes) -> Vec<SurveyColumns> {
     if !matches!(project.structure, Structure::Frame(_)) {
         return Vec::new();

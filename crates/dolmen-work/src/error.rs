@@ -1,4 +1,4 @@
-//! Why a verb cannot answer.
+//! Errors of the verbs.
 
 use crate::change_fault::ChangeFault;
 use crate::motion::MotionRequestError;
@@ -26,7 +26,7 @@ use dolmen_records::{FileError, LogError, PhotoError};
 use dolmen_words::message::Both;
 use std::error::Error;
 
-/// Why a verb cannot answer: what the science, the readers or the project file refuse, each with its place, or what was asked for.
+/// Why a verb fails: an error of the science, the readers or the project file, with its place, or a refused request.
 #[derive(Debug)]
 pub enum WorkError {
     /// Where the cause lies: a file, a survey, an option.
@@ -36,7 +36,7 @@ pub enum WorkError {
         /// What is wrong there.
         cause: Box<WorkError>,
     },
-    /// A file cannot be had.
+    /// A file cannot be read.
     File(Box<FileError>),
     /// The project file is refused.
     Project(Box<ProjectError>),
@@ -114,11 +114,11 @@ pub enum WorkError {
     Structure(Box<StructureError>),
     /// From the science.
     Validation(Box<ValidationError>),
-    /// A motion that is asked for cannot be had.
+    /// A requested motion is not available.
     MotionRequest(Box<MotionRequestError>),
     /// A study cannot be run, or its runs cannot be used.
     Study(Box<StudyError>),
-    /// The caller could not open, read or keep what was asked of it.
+    /// The caller could not open, read or store something.
     Outside {
         /// Why.
         why: Both,
@@ -149,9 +149,9 @@ pub enum WorkError {
         /// The channels.
         known: String,
     },
-    /// A record is wanted of a project without any.
+    /// A record was requested of a project without any.
     NoRecord,
-    /// One record is wanted, and there is none or more than one of that description.
+    /// One record was requested, and none or several match.
     WhichRecord {
         /// How many there are.
         meant: usize,
@@ -173,49 +173,49 @@ pub enum WorkError {
         known: String,
     },
 
-    /// No survey of a project has its record in one file, as those that come by themselves have theirs.
+    /// No survey of a project has its record in one file, which records of a watched folder need.
     NoneToFollow,
 
     /// A run that needs a motion was prepared without one.
     NoMotionPrepared,
-    /// A motion shakes along x and y what moves in a plane.
+    /// A motion along x and y for a structure that moves in a plane.
     TwoHorizontal {
-        /// What moves: "a chain".
+        /// The kind of structure: "a chain".
         what: Both,
     },
-    /// A motion shakes along x and y a frame that has one direction.
+    /// A motion along x and y for a frame with one direction.
     FrameOfOneDirection {
         /// The direction.
         direction: String,
     },
-    /// A motion shakes along x and y a frame of which the file does not say which direction lies along which.
+    /// A motion along x and y for a frame whose file does not say which direction is which.
     DirectionsNotAlong {
         /// Its directions.
         directions: String,
     },
-    /// One direction of a frame is wanted under a motion along x and y.
+    /// One direction of a frame was requested under a motion along x and y.
     DirectionOfBoth {
         /// The direction.
         direction: String,
     },
-    /// A motion shakes a chain along x and y, and friction acts against the turn of both together.
+    /// A motion along x and y for a chain with friction, which couples both directions.
     OnePlaneFriction {
         /// The joint, from 1 at the bottom.
         joint: usize,
     },
-    /// A motion shakes a chain along x and y, and a bed that crushes bears less towards its corners.
+    /// A motion along x and y for a chain with a bed that crushes, whose limit falls towards its corners.
     OnePlaneStrength {
         /// The joint, from 1 at the bottom.
         joint: usize,
     },
-    /// A motion shakes a chain along x and y, and the depth of a bed that opens is not known.
+    /// A motion along x and y for a chain with an opening bed of unknown depth.
     OnePlaneNoDepth {
         /// The joint, from 1 at the bottom.
         joint: usize,
     },
-    /// A motion shakes only upwards what moves in a plane.
+    /// A purely vertical motion for a structure that moves in a plane.
     NoHorizontal {
-        /// What moves: "a chain".
+        /// The kind of structure: "a chain".
         what: Both,
     },
     /// A motion of a study has no horizontal component.
@@ -226,12 +226,12 @@ pub enum WorkError {
 
     /// A survey cannot be simulated.
     SurveySimulated,
-    /// A motion was given to report on a survey.
+    /// A motion was given for the report of a survey.
     SurveyReported {
         /// The project file.
         file: String,
     },
-    /// What is no chain is pushed.
+    /// A push on a structure that is not a chain.
     PushOfOther,
     /// The sliding model has no supports that move.
     SlidingOfSupports,
@@ -263,31 +263,31 @@ pub enum WorkError {
         /// The directions of the file.
         directions: String,
     },
-    /// A building falls, so that nothing can be simulated.
+    /// The building falls, so it cannot be simulated.
     BuildingFalls,
-    /// The wind shall blow, and the file gives none.
+    /// Wind was requested, and the file gives none.
     NoWindGiven,
-    /// Both wind and a motion of the ground are asked for.
+    /// Both wind and a motion of the ground were requested.
     WindAndMotion,
-    /// A second motion is to act, and there is no first.
+    /// A second motion without a first.
     ThenWithoutMotion,
-    /// A length is given to a run of two motions.
+    /// A duration for a run of two motions.
     ThenAndDuration,
-    /// Two motions of what moves in planes have other horizontal components.
+    /// Two motions with different horizontal components, for a structure that moves in planes.
     ThenComponents {
         /// The first motion.
         first: String,
         /// The second.
         second: String,
     },
-    /// A seed or repeats of a building are given without the wind.
+    /// A seed or repeats for a building without wind.
     NoWindAsked {
         /// The flag.
         flag: &'static str,
     },
     /// Histories of the wind are written at their own steps.
     OutputStepOfWind,
-    /// The step of histories of the wind cuts the resonance off.
+    /// The step of wind histories is too long for the resonance.
     WindStepTooLong {
         /// Given, s.
         step_s: f64,
@@ -296,7 +296,7 @@ pub enum WorkError {
         /// The frequency of a mode that it would leave out, Hz.
         mode_hz: f64,
     },
-    /// A point of a building was lost.
+    /// A point of a building is missing.
     PointNotWatched,
 
     /// The inputs of a case are refused.
@@ -317,11 +317,11 @@ pub enum WorkError {
         /// The project file.
         file: String,
     },
-    /// Dampers of what is no building.
+    /// Dampers were requested for a structure that is not a building.
     TuneOfOther,
-    /// The wind of the file is to act, and it gives none.
+    /// Wind was requested as the load, and the file gives none.
     TuneWithoutWind,
-    /// The building falls by itself.
+    /// The building falls under its own weight.
     BuildingFallsItself,
     /// A damper is tuned to no mode.
     TunedToNoMode,
@@ -331,12 +331,12 @@ pub enum WorkError {
         floor: usize,
     },
 
-    /// The score does not know such a pagoda.
+    /// The score does not apply to such a pagoda.
     PagodaUnlike {
         /// How it differs.
         how: Both,
     },
-    /// A project has no pagoda of six factors.
+    /// A project without a pagoda for the six-factor score.
     NoPagoda {
         /// The project file.
         file: String,
@@ -355,7 +355,7 @@ pub enum WorkError {
         /// Why, a line a structure.
         reasons: Both,
     },
-    /// A project has nothing to be ranked by.
+    /// A project without anything to rank it by.
     NothingToRankBy {
         /// The project file.
         file: String,
@@ -364,7 +364,7 @@ pub enum WorkError {
     PalisadenWithoutRecord,
 }
 
-/// Lets an error of another crate be handed on as it is.
+/// Passes on an error of another crate.
 macro_rules! handed_on {
     ($($variant:ident: $error:ty),+ $(,)?) => {
         $(impl From<$error> for WorkError {
@@ -408,7 +408,7 @@ handed_on! {
 }
 
 impl WorkError {
-    /// The error that is handed on as it is; `None` of one of its own.
+    /// The error that was passed on; `None` for one of this crate.
     pub(crate) fn handed_on(&self) -> Option<&(dyn Error + 'static)> {
         Some(match self {
             WorkError::MotionRequest(why) => why.as_ref(),

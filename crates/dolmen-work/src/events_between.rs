@@ -1,10 +1,10 @@
-//! What befell a structure between two surveys, as its file says.
+//! Events between two surveys, from the project file.
 
 use crate::answer::CompareAnswer;
 use crate::survey_dates::{date, days_of};
 use dolmen_project::{WorkKind, WorkPart};
 
-/// Something that may have changed what is compared.
+/// An event that may have changed the structure.
 #[derive(Clone, Debug, PartialEq)]
 pub enum EventBetween {
     /// A work or an event of `[watch]`.
@@ -14,7 +14,7 @@ pub enum EventBetween {
 }
 
 impl CompareAnswer {
-    /// Works and earthquakes between the two surveys, the days of both included, by time. Inspections change nothing, and are left out.
+    /// Works and earthquakes between the two surveys, including both days, by time. Inspections change nothing and are left out.
     pub fn between(&self) -> Vec<EventBetween> {
         let days = |name: &str| date(name).map(days_of);
         let (Some([from, _]), Some([_, to])) = (days(&self.from), days(&self.to)) else {

@@ -1,4 +1,4 @@
-//! Earthquakes that the structure felt, and whether anybody looked at it since.
+//! Earthquakes at the structure, and whether an inspection followed.
 
 use crate::compared_readings::has_modes;
 use crate::survey_dates::{date, day_of};
@@ -6,7 +6,7 @@ use crate::watched::WatchedEarthquake;
 use dolmen::monitoring::ANSWERED_DAYS;
 use dolmen_project::{EarthquakePart, Project, Survey, WorkKind, WorkPart};
 
-/// Earthquakes by time: those that surveys state, and those that `found` has of their records.
+/// Earthquakes by time: those stated in surveys, and those in `found`, from their records.
 pub fn felt(project: &Project, found: impl Fn(&Survey) -> Option<EarthquakePart>) -> Vec<WatchedEarthquake> {
     let mut earthquakes = Vec::new();
     let mut last_day = f64::NEG_INFINITY;
@@ -29,7 +29,7 @@ pub fn felt(project: &Project, found: impl Fn(&Survey) -> Option<EarthquakePart>
     earthquakes
 }
 
-/// Whether a survey says something of the structure.
+/// Whether a survey examines the structure.
 pub(crate) fn is_usable(survey: &Survey) -> bool {
     has_modes(survey) || !survey.tilt.is_empty() || survey.earthquake.is_some()
 }
@@ -43,12 +43,13 @@ pub(crate) fn works_by_day(project: &Project) -> Vec<(f64, WorkPart)> {
     works
 }
 
-/// Whether a work is one that looks at the structure.
+/// Whether a work examines the structure.
 pub(crate) fn answers(work: &WorkPart) -> bool {
     matches!(work.kind, WorkKind::Repair | WorkKind::Inspection)
 }
 
-/// Puts earthquakes in order and says which of them a repair or an inspection followed; `last_day` is that of the last survey: a work far behind it is
+/// Sorts earthquakes, and marks those followed by a repair or an inspection; `last_day` is that of the last survey: a work far after it is
+/// planned, or a mistake.
 /// planned, or a slip.
 pub(crate) fn set_answered(earthquakes: &mut [WatchedEarthquake], works: &[(f64, WorkPart)], last_day: f64) {
     for own in &mut *earthquakes {

@@ -1,4 +1,4 @@
-//! Fingerprints: what a text that decides results is known by.
+//! Fingerprints of texts that determine results.
 
 /// FNV-1a over 128 bits, as 32 hexadecimal digits: tells inputs apart, keeps no secret.
 ///

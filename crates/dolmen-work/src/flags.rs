@@ -103,7 +103,7 @@ struct Flag {
     verb: FlagVerb,
     /// Without the dashes.
     name: &'static str,
-    /// The kinds for which it has an effect.
+    /// The kinds of structure for which it has an effect.
     kinds: &'static [Kind],
     /// What it is for; `None`: "is for" and its kinds.
     is_for: Option<fn() -> FlagWords>,
@@ -144,7 +144,7 @@ const MOTION: [&str; 17] = [
     "peak",
 ];
 
-/// What drawing samples is for; a stack's verdict has no load factor to scatter.
+/// Purpose of samples; the verdict of a stack has no load factor to scatter.
 const SAMPLES: Option<fn() -> FlagWords> = Some(|| FlagWords::DrawsLoadFactor);
 const NO_SAMPLES: &[Instead] = &[(Stack, || FlagWords::NotForStackCheck)];
 const NO_SAMPLES_REPORT: &[Instead] = &[(Stack, || FlagWords::NotForStackReport)];
@@ -282,8 +282,8 @@ pub fn is_known(verb: FlagVerb, name: &str) -> bool {
     find(verb, name).is_some()
 }
 
-/// Refuses the first flag typed that none of the kinds of the files uses. A kind that the verb does not take uses none, but is
-/// left for the verb to refuse: without another kind there is nothing to say.
+/// Refuses the first given flag that none of the kinds of the files uses. For a kind that the verb does not support no flag counts; the verb
+/// itself refuses it.
 ///
 /// # Errors
 /// [`ForeignFlag`].

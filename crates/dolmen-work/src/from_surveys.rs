@@ -1,4 +1,4 @@
-//! Stiffness that the file leaves to its surveys: sought once, then part of the project as if it were written there.
+//! Stiffness that the file leaves to its surveys: identified once, then part of the project as if it were written there.
 
 use crate::answer::CheckAnswer;
 use crate::check::{CheckOptions, check};
@@ -19,14 +19,15 @@ use dolmen_records::Files;
 use std::cmp::{Ordering, Reverse};
 use std::sync::Arc;
 
-/// Solutions that are judged one by one; of more the stiffness is not known. Chosen here: the orders of four joints.
+/// Largest number of solutions that are judged one by one; with more the stiffness stays unknown. Chosen here: the orders of four joints.
 const SOLUTIONS_MOST: usize = 24;
 
-/// The project with the stiffness that it leaves to its surveys, as one that has it written: `joints = "identified"`. Of several solutions the one that a check
-/// judges worst, the others beside it as variants "solution_2"; where none is accepted the stiffness stays unknown, and the project says why.
+/// Resolves `joints = "identified"`: the project with the stiffness from its surveys, as if it were written in the file. Of several solutions it
+/// holds the one with the worst check, and the others as variants "solution_2" and so on. Where none is accepted the stiffness stays unknown,
+/// and the project says why.
 ///
 /// # Errors
-/// [`WorkError`] of the identification, of a project with such a stiffness, and of its check.
+/// [`WorkError`] of the identification, of the resulting project, and of its check.
 pub fn with_stiffness_of_surveys(
     opened: Opened,
     files: &dyn Files,
@@ -90,18 +91,18 @@ pub fn with_stiffness_of_surveys(
     Ok(worst)
 }
 
-/// The name of the variant that is another solution.
+/// The name of the variant for another solution.
 fn solution_name(number: usize) -> String {
     format!("solution_{number}")
 }
 
-/// Whether a variant is another solution of the stiffness that the file leaves to its surveys, and none of the file.
+/// Whether a variant is another solution of an identified stiffness, and not one of the file.
 fn is_solution(variant: &Variant) -> bool {
     let told = variant.project.from_surveys.as_ref();
     told.is_some_and(|told| variant.name == solution_name(told.number))
 }
 
-/// The variants that are other solutions, by their numbers.
+/// The variants for other solutions, by their numbers.
 pub fn other_solutions(project: &Project) -> Vec<(usize, &str)> {
     let each = project.variants.iter().filter(|variant| is_solution(variant));
     let numbered = each.filter_map(|variant| {
@@ -111,10 +112,10 @@ pub fn other_solutions(project: &Project) -> Vec<(usize, &str)> {
     numbered.collect()
 }
 
-/// A stiffness that is sought.
+/// A stiffness to be identified.
 struct Part {
     told: FromSurvey,
-    /// Of each accepted solution what is put in its place.
+    /// The values of each accepted solution.
     values: Vec<NewValue>,
 }
 
@@ -122,7 +123,7 @@ impl Part {
     fn of(project: &Project, path: String, survey: Option<&SurveyAnswer>) -> Self {
         let found = match survey {
             None => Err(WhyNotIdentified::NoSurvey),
-            // the modes of an earthquake are no ambient ones
+            // modes of an earthquake are not ambient ones
             Some(survey) if survey.is_shaken() && !states_modes(project, survey) => {
                 Err(WhyNotIdentified::Doubted)
             }
@@ -153,7 +154,7 @@ fn states_modes(project: &Project, answer: &SurveyAnswer) -> bool {
     own.any(|survey| !survey.modes.is_empty())
 }
 
-/// The survey that a stiffness is sought in: the one named, else the latest with modes in its direction or with records.
+/// The survey from which a stiffness is identified: the one named, otherwise the latest with modes in its direction or with records.
 fn survey_of<'a>(project: &'a Project, path: &str, sought: &'a Sought) -> Option<&'a str> {
     if let Some(name) = &sought.survey {
         return Some(name);
@@ -168,15 +169,15 @@ fn survey_of<'a>(project: &'a Project, path: &str, sought: &'a Sought) -> Option
     let can_tell =
         |survey: &&Survey| has_modes(survey) || survey.records.is_some() || !survey.setups.is_empty();
     let surveys = project.surveys.iter().filter(can_tell);
-    let latest = surveys.max_by_key(|survey| date(&survey.name)); // of equals the last of the file
+    let latest = surveys.max_by_key(|survey| date(&survey.name)); // among equals the last in the file
     latest.map(|survey| survey.name.as_str())
 }
 
-/// Of each accepted solution what is put in the place of a stiffness.
+/// The values of each accepted solution of a stiffness.
 fn values(project: &Project, path: &str, survey: &SurveyAnswer) -> Result<Vec<NewValue>, WhyNotIdentified> {
     match &project.structure {
         Structure::Chain(chain) => {
-            // a chain of one direction has one stiffness for all: what any direction says is a solution
+            // a chain of one direction has one stiffness for all: the result of any direction is a solution
             let own = survey.stiffness.iter();
             let own = own.filter(|answer| chain.axis_of(&answer.direction) == ChainAxis::Along);
             let numbers = accepted(own)?.into_iter().map(|solution| {
@@ -201,7 +202,7 @@ fn values(project: &Project, path: &str, survey: &SurveyAnswer) -> Result<Vec<Ne
     }
 }
 
-/// The solutions that explain the modes of every direction; none where one direction leaves it open.
+/// The solutions that explain the modes of every direction; none where one direction does not determine it.
 fn accepted<'a>(
     answers: impl Iterator<Item = &'a StiffnessAnswer>,
 ) -> Result<Vec<&'a StiffnessSolution>, WhyNotIdentified> {
@@ -230,7 +231,7 @@ fn accepted<'a>(
     }
 }
 
-/// Every choice of one solution of each stiffness that is known.
+/// Every combination of one solution for each identified stiffness.
 fn each_together(parts: &[Part]) -> Vec<Vec<(String, NewValue)>> {
     let mut all = vec![Vec::new()];
     for part in parts.iter().filter(|part| !part.values.is_empty()) {
@@ -247,7 +248,7 @@ fn each_together(parts: &[Part]) -> Vec<Vec<(String, NewValue)>> {
     all
 }
 
-/// Writes into a project and its variants what became of what was sought.
+/// Writes the results of the identification into a project and its variants.
 fn tell(project: &mut Project, told: &FromSurveys) {
     project.from_surveys = Some(Box::new(told.clone()));
     for variant in &mut project.variants {
@@ -255,7 +256,7 @@ fn tell(project: &mut Project, told: &FromSurveys) {
     }
 }
 
-/// By colour, then by the words for weight and earthquake, the load factor, and what is left of what the site asks.
+/// Order: by colour, then by the words for weight and earthquake, the load factor, and the margin against the demand of the site.
 fn worse_first(a: &CheckAnswer, b: &CheckAnswer) -> Ordering {
     let words = |of: &CheckAnswer| {
         let judgement = judge_check(of);
@@ -285,7 +286,7 @@ fn worse_first(a: &CheckAnswer, b: &CheckAnswer) -> Ordering {
         .then(left(a).total_cmp(&left(b)))
 }
 
-/// Adds another solution, and the variants of the file that are otherwise with it.
+/// Adds another solution, and the variants of the file that keep its stiffness.
 fn add_solution(project: &mut Project, number: usize, other: &Project) {
     let variant_of = |name: String, title: Names, of: &Project| Variant {
         name,

@@ -1,11 +1,11 @@
-//! Every stiffness that a survey leads to, held against that of the project file.
+//! Compares every stiffness from a survey with that of the project file.
 
 use crate::beside_file::{BesideFile, Known, beside};
 use crate::building::PlanAnswer;
 use crate::surveyed::{StiffnessAnswer, SurveyAnswer};
 use dolmen_project::{BuildingPart, Project, Quantity, StoreyStiffnessPart, Structure};
 
-/// Holds what a survey leads to against the file; values that were identified from this very survey are left alone.
+/// Adds the comparison with the file to the results of a survey; values that were identified from this survey are left out.
 pub(crate) fn hold_beside_file(project: &Project, survey: &mut SurveyAnswer) {
     let name = survey.name.clone();
     for answer in &mut survey.stiffness {
@@ -24,7 +24,7 @@ pub(crate) fn hold_beside_file(project: &Project, survey: &mut SurveyAnswer) {
     }
 }
 
-/// The stiffness of the file in a direction, if it is of what the answer's springs act on.
+/// The stiffness of the file in a direction, if it acts on the same quantity as the springs of the answer.
 fn of_file<'a>(
     project: &'a Project,
     answer: &StiffnessAnswer,
@@ -75,7 +75,7 @@ fn known(file: &[&Quantity]) -> Vec<Known> {
     each.collect()
 }
 
-/// Two directions of a frame whose stiffness is each that of the other in the file.
+/// Two directions of a frame whose stiffnesses appear exchanged in the file.
 fn exchanged(project: &Project, survey: &SurveyAnswer) -> Option<[String; 2]> {
     let differing: Vec<&StiffnessAnswer> = survey
         .stiffness
@@ -94,7 +94,7 @@ fn exchanged(project: &Project, survey: &SurveyAnswer) -> Option<[String; 2]> {
     })
 }
 
-/// k_x, k_y, k_θ beside those of the file, taken in this order; only where the modes give the centre of rigidity.
+/// k_x, k_y, k_θ compared with those of the file, in this order; only where the modes determine the centre of rigidity.
 fn of_plan(part: &BuildingPart, plan: &PlanAnswer, survey: &str, order: [usize; 3]) -> Option<BesideFile> {
     let one = plan.determined()?;
     let found = [0, 1, 2].map(|at| Known {

@@ -27,14 +27,14 @@ use dolmen::structure::{StiffnessNote, directional_modes};
 use dolmen_project::{EarthquakePart, Merge, ModeKind, Project, Quantity, RecordSource, Structure, Survey};
 use dolmen_records::Files;
 
-/// Which surveys are identified.
+/// Choice of surveys.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct IdentifyOptions {
-    /// Only this one; all without it.
+    /// Name of the survey; all surveys without it.
     pub survey: Option<String>,
 }
 
-/// Modes of every survey's records, and every stiffness that explains them.
+/// Identifies the modes of every survey's records, and every stiffness that explains them.
 ///
 /// # Errors
 /// An unknown survey; records that cannot be read or hold no modes.
@@ -51,7 +51,7 @@ pub fn identify(
     })
 }
 
-/// What the surveys of a project give, all of them or the one that the user names; what was identified before is taken as it is.
+/// Results of the surveys of a project, all of them or the named one; earlier results are reused.
 pub(crate) fn surveys(
     opened: &Opened,
     only: Option<&str>,
@@ -87,14 +87,14 @@ pub(crate) fn surveys(
         .collect()
 }
 
-/// What the records of a survey gave.
+/// Results of the records of a survey.
 #[derive(Clone, Debug)]
 pub struct SurveyModes {
-    /// The modes; none where the records show the structure in an earthquake alone.
+    /// The modes; none where the records hold only an earthquake.
     pub modes: Modes,
-    /// What is wrong with channels.
+    /// Faults of the channels.
     pub faults: Vec<(String, SensorFault)>,
-    /// The earthquake that the records hold.
+    /// The earthquake in the records.
     pub earthquake: Option<EarthquakePart>,
 }
 
@@ -130,7 +130,7 @@ pub fn survey_modes(
     }))
 }
 
-/// Modes of a survey's records, without the stiffness that explains them.
+/// Modes of a survey's records, without the stiffness.
 pub(crate) fn found_in(
     survey: &Survey,
     files: &dyn Files,
@@ -163,7 +163,7 @@ pub(crate) fn found_in(
     })
 }
 
-/// Each setup by itself, then all together, and as one where the file asks for it.
+/// Each setup alone, then all together, and as one where the file requests it.
 fn of_setups(survey: &Survey, files: &dyn Files, progress: &dyn Progress) -> Result<SetupsAnswer, WorkError> {
     let (mut records, mut measured) = (Vec::new(), Vec::new());
     for source in &survey.setups {
@@ -293,7 +293,7 @@ fn of_survey(
     Ok(answer)
 }
 
-/// What the sensors lack, where none measures along x or y; `None` where one does.
+/// The missing direction of the sensors, where none measures along x or y; `None` where one does.
 fn why_no_stiffness(found: &Modes) -> Option<WithoutStiffness> {
     let along =
         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].map(|vector| directional_modes(found, vector).channels_along);
@@ -311,7 +311,7 @@ fn why_no_stiffness(found: &Modes) -> Option<WithoutStiffness> {
     })
 }
 
-/// The modes of a direction that twist: reported, but kept out of the fit.
+/// The torsional modes of a direction: reported, but not used in the fit.
 fn twisting(survey: &Survey, direction: &str) -> Vec<StiffnessNote> {
     let modes = survey.modes.get(direction).into_iter().flatten();
     let twisting = modes.filter(|mode| mode.kind == ModeKind::Torsion);
@@ -332,7 +332,7 @@ fn of_record(
     of_opened(source, record::record_to_identify(source, files)?, progress)
 }
 
-/// Modes of a record that was read.
+/// Modes of a record.
 pub(crate) fn of_opened(
     source: &RecordSource,
     opened: OpenedRecord,
@@ -361,7 +361,7 @@ pub(crate) fn of_opened(
     let is_one_file = source.stations.is_empty();
     let seen = RecordSeen::of(&opened.record, read_s, (&analysis, asked), is_one_file)?;
     progress.end();
-    // told from the first sample of the file, not from that of the part that is used
+    // counted from the first sample of the file, not of the part in use
     let earthquake = earthquake.map(|of| Earthquake {
         found: of.found.later(seen.time.from_s),
         ..of
@@ -383,14 +383,16 @@ pub(crate) fn of_opened(
     Ok((answer, record))
 }
 
-/// The part of a record that its modes are of.
+/// The part of a record from which its modes are identified.
 struct Quiet {
     record: Record,
     analysis: ModalAnalysis,
     earthquake: Option<Earthquake>,
 }
 
-/// The modes of what followed the last earthquake, else of what came between two or before them; of the strong phase where its ground is an input; of the
+/// The modes after the last earthquake, otherwise between two or before them; those of the strong phase if its ground motion is an input; those
+/// of the whole record where there was no earthquake, where it shows one state of the structure above its ground, and where all parts are too
+/// short.
 /// whole record where there was none, where it shows one state of the structure above its ground, and where all parts are too short.
 fn quiet(
     source: &RecordSource,
@@ -430,7 +432,7 @@ fn quiet(
         }));
     };
     let part = cut(record.clone(), from_s, to_s)?;
-    // what the file asks of the modes, and what it must not ask, is looked at by the identification itself
+    // the identification itself checks the options of the file
     let is_asked = !options.pick_hz.is_empty()
         || !options.accept_hz.is_empty()
         || !options.inputs.is_empty() && modes_of_part != ModesOf::During
@@ -448,7 +450,7 @@ fn quiet(
     })
 }
 
-/// Stiffness from the modes of a record that move in one direction; none if no sensor measures it.
+/// Stiffness from the modes of a record along one direction; none if no sensor measures it.
 fn from_record(
     project: &Project,
     modes: &Modes,

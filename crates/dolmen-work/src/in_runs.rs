@@ -1,4 +1,4 @@
-//! What of a project file runs on moving ground hold, and what they leave out: the same for `simulate` and `study`.
+//! Properties in a project file that runs under ground motion include or leave out; the same for `simulate` and `study`.
 
 use crate::tilt_left_out::TiltLeftOut;
 use crate::wrong::{CaseRefused, OfRuns};
@@ -6,16 +6,16 @@ use dolmen::structure::stack::Stack;
 use dolmen_project::{LoadPart, Project, Structure};
 use dolmen_words::message::Both;
 
-/// What runs leave out of what the file gives.
+/// A property that runs leave out.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct LeftOutOfRuns {
     /// The wind.
     pub(crate) wind: bool,
-    /// Forces and moments of static loads on a chain or frame; on a stack they act.
+    /// Forces and moments of static loads on a chain or frame; for a stack they act.
     pub(crate) forces: bool,
     /// Crushing of the edges of a stack.
     pub(crate) crushing: bool,
-    /// Stones of a stack whose beds have lost stiffness, which rigid contact does not see.
+    /// Stones of a stack whose beds have lost stiffness, which the rigid law does not include.
     pub(crate) loosened: Vec<String>,
     /// A surveyed tilt.
     pub(crate) tilt: Option<TiltLeftOut>,
@@ -44,7 +44,7 @@ impl LeftOutOfRuns {
         }
     }
 
-    /// Each in a sentence, of runs by the rigid law or by springs.
+    /// A sentence for each, for runs by the rigid law or by springs.
     pub(crate) fn words(&self, is_rigid: bool) -> Vec<Both> {
         let tilt = self.tilt.clone().map(|of| OfRuns::TiltLeftOut {
             survey: of.survey,
@@ -63,7 +63,7 @@ impl LeftOutOfRuns {
     }
 }
 
-/// What runs hold beside the structure and its weight, each in a sentence.
+/// A sentence for each property that runs include besides the structure and its weight.
 pub(crate) fn held_in_runs(project: &Project) -> Vec<Both> {
     let (lean, posts) = match &project.structure {
         Structure::Stack(part) => (part.lean.as_ref().map(|of| (&of.survey, &of.written)), 0),
@@ -91,7 +91,7 @@ pub(crate) fn held_in_runs(project: &Project) -> Vec<Both> {
     all.into_iter().flatten().map(Both::from).collect()
 }
 
-/// Why runs of a stack give no capacity of it: loads without mass press its joints together, or its supports move before the ground shakes.
+/// Why runs of a stack do not give its capacity: loads without mass press its joints together, or its supports move before the ground shakes.
 pub(crate) fn no_capacity(stack: &Stack) -> Option<CaseRefused> {
     let mut moved = stack.support_movements().iter();
     if moved.any(|of| of.movement_m.iter().any(|part| *part != 0.0)) {

@@ -1,4 +1,4 @@
-//! What inspections found, one after the other: how many of each kind, and how far each damage grew.
+//! Inspections over the years: number of damages of each kind, and the growth of each damage.
 
 use crate::compared_readings::DamageKey;
 use crate::survey_dates::{date, day_of};
@@ -13,9 +13,9 @@ use std::collections::BTreeMap;
 pub struct Inspected {
     /// The inspections by time.
     pub inspections: Vec<InspectionOf>,
-    /// Each damage that can be followed, worst first: at its limit, growing, then by part.
+    /// Each damage that can be followed, the worst first: at its limit, growing, then by part.
     pub damages: Vec<WatchedDamage>,
-    /// Damages of which one inspection lists several alike.
+    /// Damages that one inspection lists several times.
     pub several: Vec<SeveralAlike>,
     /// Entries of surveys without a date, which are left out.
     pub undated: usize,
@@ -28,12 +28,12 @@ pub struct InspectionOf {
     pub survey: String,
     /// Its day, from 1970-01-01.
     pub day: f64,
-    /// How many of each kind, by severity: slight, moderate, severe, not rated.
+    /// Number of damages of each kind, by severity: slight, moderate, severe, not rated.
     pub counts: BTreeMap<DamageKind, [usize; 4]>,
 }
 
 impl InspectionOf {
-    /// How many of a severity; `None` are those not rated.
+    /// Number of a severity; `None` for those not rated.
     pub fn rated(&self, severity: Option<Severity>) -> usize {
         self.counts.values().map(|of| of[place(severity)]).sum()
     }
@@ -44,7 +44,7 @@ impl InspectionOf {
     }
 }
 
-/// Where a severity stands in the counts.
+/// Index of a severity in the counts.
 fn place(severity: Option<Severity>) -> usize {
     match severity {
         Some(Severity::Slight) => 0,
@@ -54,14 +54,14 @@ fn place(severity: Option<Severity>) -> usize {
     }
 }
 
-/// A damage that one inspection lists more than once, so that which is which is not known.
+/// A damage that one inspection lists more than once, so that its entries cannot be told apart.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SeveralAlike {
     /// The part.
     pub part: String,
-    /// What it is.
+    /// Its kind.
     pub what: DamageKind,
-    /// Most that one inspection lists.
+    /// The largest number in one inspection.
     pub most: usize,
 }
 
@@ -83,17 +83,17 @@ pub struct SizeRead {
 pub struct WatchedDamage {
     /// The part.
     pub part: String,
-    /// What it is.
+    /// Its kind.
     pub what: DamageKind,
-    /// Its name, where inspections give one.
+    /// Its name, if inspections give one.
     pub name: Option<String>,
     /// Indices of the inspections that list it.
     pub listed: Vec<usize>,
-    /// How bad each of them calls it.
+    /// Its severity in each of them.
     pub severities: Vec<Option<Severity>>,
-    /// What was read of it, by time.
+    /// Its sizes, by time.
     pub readings: Vec<SizeRead>,
-    /// The size that must not be reached, m.
+    /// Its limit, m.
     pub limit_m: Option<f64>,
     /// The slope of its size.
     pub trend: TiltTrend,
@@ -104,30 +104,30 @@ pub struct WatchedDamage {
 }
 
 impl WatchedDamage {
-    /// The last size that was read.
+    /// The last measured size.
     pub fn last(&self) -> Option<&SizeRead> {
         self.readings.last()
     }
 
-    /// The size to hold against the limit: what was read last, or what the readings together say of that day where that is more.
+    /// The size to compare with the limit: the last measured one, or the fitted size at that day if it is larger.
     pub fn size_to_judge_m(&self) -> Option<f64> {
         let fitted = self.trend.slope.map_or(f64::NEG_INFINITY, |slope| slope.now);
         self.last().map(|last| last.size_m.max(fitted))
     }
 
-    /// Whether it has reached its limit, and no repair came since.
+    /// Whether it has reached its limit without a later repair.
     pub fn is_beyond(&self) -> bool {
         let at = self.limit_m.zip(self.size_to_judge_m());
         !self.is_repaired && at.is_some_and(|(limit, size)| size >= limit)
     }
 
-    /// By how much it grew from the first reading to the last, m, with the standard deviation of that by the error of reading.
+    /// Growth from the first reading to the last, m, and its standard deviation from the error of reading.
     pub fn grown_m(&self) -> Option<(f64, f64)> {
         let (first, last) = (self.readings.first()?, self.readings.last()?);
         (self.readings.len() > 1).then(|| (last.size_m - first.size_m, first.sd_m.hypot(last.sd_m)))
     }
 
-    /// Whether it is called worse now than in the inspection before that lists it.
+    /// Whether its severity is worse than in the previous inspection that lists it.
     pub fn is_rated_worse(&self) -> bool {
         let mut rated = self.severities.iter().rev().flatten();
         matches!((rated.next(), rated.next()), (Some(now), Some(before)) if now > before)
@@ -165,7 +165,7 @@ pub(crate) fn inspections(project: &Project) -> impl Iterator<Item = (f64, &str,
     })
 }
 
-/// What the inspections of a project say over the years; `works` are by day, `newest` is the last day that anything is known of.
+/// Results of the inspections of a project over the years; `works` are by day, `newest` is the last day with any information.
 pub(crate) fn inspected(
     project: &Project,
     works: &[(f64, WorkPart)],
@@ -225,7 +225,7 @@ pub(crate) fn inspected(
         let of = damage(key, &entries, &found.inspections, &options)?;
         found.damages.push(of);
     }
-    // the worst first; of equals in the order of their names
+    // the worst first, then by name
     found
         .damages
         .sort_by_key(|of| (!of.is_beyond(), !of.trend.is_beyond_chance()));
@@ -253,7 +253,7 @@ fn damage(
             size_m: size.value,
             sd_m: item.reading_sd_m(),
         };
-        // of two inspections of one day the larger counts
+        // of two inspections on one day the larger size counts
         match readings.last_mut().filter(|last| last.day == read.day) {
             Some(last) if last.size_m >= read.size_m => {}
             Some(last) => *last = read,

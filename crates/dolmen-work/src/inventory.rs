@@ -1,4 +1,4 @@
-//! Many structures over the years: what each history says in a line, the worst first.
+//! Histories of many structures, one line each, the worst first.
 
 use crate::last_off::LastFarOff;
 use crate::part_limit::Part;
@@ -10,7 +10,7 @@ use dolmen_words::message::Both;
 use serde::{Serialize, Serializer};
 use std::cmp::Reverse;
 
-/// The strongest lasting change of a history.
+/// The strongest lasting change in a history.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct StrongestChange {
     /// Frequency of the mode, Hz.
@@ -19,12 +19,12 @@ pub struct StrongestChange {
     pub ratio: f64,
     /// Its standard deviation.
     pub sd: f64,
-    /// The survey after which it came,
+    /// The survey before the change,
     pub after: String,
-    /// and that before which it came.
+    /// and the survey after it.
     pub before: String,
-    /// The parts of the model of which one alone explains it, the best first: of several it cannot be told which. None without a model, or where no
-    /// single part does.
+    /// The parts of the model that alone explain it, the best first; several cannot be distinguished. Empty without a model, or where no single
+    /// part explains it.
     pub explained_by: Vec<ExplainingPart>,
 }
 
@@ -36,7 +36,7 @@ pub struct ExplainingPart {
     pub part: Part,
     /// The direction; `None` where all are taken together.
     pub direction: Option<String>,
-    /// Stiffness after over before.
+    /// Ratio of its stiffness after to before.
     pub stiffness_left: f64,
     /// Lower end of its interval at 95 %.
     pub stiffness_left_lower: f64,
@@ -48,7 +48,7 @@ fn by_name<S: Serializer>(part: &Part, to: S) -> Result<S::Ok, S::Error> {
     to.serialize_str(part.name())
 }
 
-/// The parts that explain a change which came after one survey and before another; empty where none does.
+/// The parts that explain a change between two surveys; empty where none does.
 fn explaining(answer: &WatchAnswer, [after, before]: [usize; 2]) -> Vec<ExplainingPart> {
     let found = answer
         .parts
@@ -70,20 +70,20 @@ fn explaining(answer: &WatchAnswer, [after, before]: [usize; 2]) -> Vec<Explaini
     each.collect()
 }
 
-/// The tilt that is nearest its limit, or the largest where there is none.
+/// The tilt nearest its limit, or the largest without a limit.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct NearestTilt {
     /// Its direction.
     pub direction: String,
     /// On the day of the last reading, the season removed: horizontal over vertical.
     pub now: f64,
-    /// The tilt that must not be reached.
+    /// Its limit.
     pub limit: Option<f64>,
-    /// Years until then, where the tilt grows beyond chance.
+    /// Years until the limit, where the tilt grows significantly.
     pub years_to_limit: Option<f64>,
 }
 
-/// What the history of a structure says.
+/// Summary of the history of a structure.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct History {
     /// Surveys that were watched.
@@ -92,23 +92,23 @@ pub struct History {
     pub last_survey: String,
     /// Modes that were followed.
     pub modes: usize,
-    /// Confirmed alarms without an answer.
+    /// Number of open confirmed alarms.
     pub open_alarms: usize,
     /// Whether a tilt is beyond its limit.
     pub is_tilt_beyond: bool,
-    /// Cracks, logged or inspected, and other inspected damage that are larger than they may be.
+    /// Number of cracks, logged or inspected, and of other inspected damages beyond their limits.
     pub cracks_beyond: usize,
-    /// Sensors that fail in the newest record.
+    /// Number of failing sensors in the newest record.
     pub open_sensor_alarms: usize,
-    /// How much it leans in all directions together, horizontal over vertical, where that is beyond its limit.
+    /// Tilt of all directions together, horizontal over vertical, where it is beyond its limit.
     pub lean_beyond: Option<f64>,
-    /// The lasting change that weighs most: falls of frequency before rises.
+    /// The lasting change with the largest weight: falls of frequency before rises.
     pub change: Option<StrongestChange>,
-    /// Whether a mode changed, or the last surveys lie off, and no repair and no inspection followed.
+    /// Whether a mode changed, or the last surveys are off, without a later repair or inspection.
     pub is_change_open: bool,
-    /// The mode that the last survey has farthest off what those before it predict.
+    /// The mode of the last survey that is farthest from its prediction.
     pub last_off: Option<LastFarOff>,
-    /// The tilt to look at.
+    /// The most important tilt.
     pub tilt: Option<NearestTilt>,
 }
 
@@ -117,20 +117,20 @@ pub struct History {
 pub struct InventoryLine {
     /// The structure.
     pub structure: String,
-    /// What its history says; `None` where it was not watched.
+    /// Its summary; `None` where there is no history.
     pub history: Option<History>,
-    /// Why it was not watched.
+    /// Why there is no history.
     #[serde(serialize_with = "in_english")]
     pub not_watched: Option<Both>,
 }
 
-/// Keys and values of JSON never follow the language.
+/// Keys and values in JSON are the same in every language.
 fn in_english<S: Serializer>(why: &Option<Both>, to: S) -> Result<S::Ok, S::Error> {
     why.as_ref().map(|why| &why.english).serialize(to)
 }
 
 impl InventoryLine {
-    /// A structure that was watched.
+    /// A structure with a history.
     pub fn watched(structure: String, answer: &WatchAnswer) -> Self {
         InventoryLine {
             structure,
@@ -139,7 +139,7 @@ impl InventoryLine {
         }
     }
 
-    /// A structure that could not be.
+    /// A structure without one.
     pub fn not_watched(structure: String, why: Both) -> Self {
         InventoryLine {
             structure,
@@ -148,7 +148,7 @@ impl InventoryLine {
         }
     }
 
-    /// Whether somebody must go there: an open alarm, or a tilt or crack beyond its limit.
+    /// Whether it needs an inspection: an open alarm, or a tilt or crack beyond its limit.
     pub fn is_alarming(&self) -> bool {
         let history = self.history.as_ref();
         history.is_some_and(|history| {
@@ -156,7 +156,7 @@ impl InventoryLine {
         })
     }
 
-    /// Whether it changed without an answer, with no alarm: to be watched.
+    /// Whether it changed without an alarm and without a response: to be watched.
     pub fn is_to_watch(&self) -> bool {
         let is_open = self
             .history
@@ -165,7 +165,7 @@ impl InventoryLine {
         is_open && !self.is_alarming()
     }
 
-    /// Open alarms and tilts beyond their limit first, then changes that nobody answered, then the others, then what was not watched, then the rest.
+    /// Open alarms and tilts beyond their limit first, then changes without a response, then the others, then structures without a history.
     fn rank(&self) -> u8 {
         match &self.history {
             Some(_) if self.is_alarming() => 0,
@@ -235,15 +235,15 @@ impl History {
     }
 }
 
-/// How much a rise of a frequency weighs, of a fall of its size. Chosen here: what falls loses stiffness.
+/// Weight of a rise of a frequency relative to a fall. Chosen here: a fall means loss of stiffness.
 const OF_RISE: f64 = 0.5;
 
-/// How much a change of a frequency weighs.
+/// Weight of a change of a frequency.
 fn weight(ratio: f64) -> f64 {
     if ratio < 0.0 { -ratio } else { OF_RISE * ratio }
 }
 
-/// The structures in the order in which they should be looked at: the worst first, of equals by name.
+/// The structures in order of priority: the worst first, then by name.
 pub fn worst_first(mut lines: Vec<InventoryLine>) -> Vec<InventoryLine> {
     let size = |line: &InventoryLine| {
         let history = line.history.as_ref();

@@ -22,7 +22,7 @@ use dolmen::structure::building::{StoreyFall, storey_falls};
 use dolmen::structure::{MeasuredMode, ShapeDoubt, StiffnessNote, chain_shape_doubt, frame_shape_doubt};
 use dolmen_project::{Pick, Project, Quantity, Structure, Survey};
 
-/// The check of a structure, each input with the value that `pick` chooses; `None` if nothing is modelled.
+/// Checks a structure, with the value of each input that `pick` chooses; `None` without a model.
 pub(crate) fn check(project: &Project, pick: Pick<'_>) -> Result<Option<Check>, WorkError> {
     Ok(match &project.structure {
         Structure::Survey => None,
@@ -39,7 +39,7 @@ pub(crate) fn check(project: &Project, pick: Pick<'_>) -> Result<Option<Check>, 
     })
 }
 
-/// Finds the local mechanisms of a stack as codes want them; other kinds have none.
+/// Finds the local mechanisms of a stack as codes require; other kinds have none.
 pub(crate) fn add_local_mechanisms(check: &mut Check) {
     if let Check::Stack(answer) = check {
         answer.local_mechanisms = Some(stack::local_mechanisms::of(&answer.stack, &answer.check));
@@ -53,7 +53,7 @@ pub(crate) fn add_frequency_by_height(check: &mut Check, project: &Project) {
     }
 }
 
-/// Adds what the wind of the file does to a building in time; other kinds have it in their loads.
+/// Adds the response of a building to the wind of its file; for other kinds it is part of the loads.
 pub(crate) fn add_wind(check: &mut Check, project: &Project, pick: Pick<'_>) -> Result<(), WorkError> {
     match (&project.structure, check) {
         (Structure::Building(part), Check::Building(answer)) => match &mut answer.stands {
@@ -64,7 +64,7 @@ pub(crate) fn add_wind(check: &mut Check, project: &Project, pick: Pick<'_>) -> 
     }
 }
 
-/// The load factor, each input with the value that `pick` chooses: of a frame the smallest of its directions;
+/// The load factor, with the value of each input that `pick` chooses: for a frame the smallest of its directions;
 /// `None` unless the stiffness is known in every direction, and of stacks.
 pub(crate) fn load_factor(project: &Project, pick: Pick<'_>) -> Result<Option<f64>, WorkError> {
     Ok(match &project.structure {
@@ -79,7 +79,7 @@ pub(crate) fn load_factor(project: &Project, pick: Pick<'_>) -> Result<Option<f6
     })
 }
 
-/// The load factor that a verdict is taken from: of a frame whose joints slip the least of both states.
+/// The load factor of the verdict: for a frame with slipping joints the smaller of both states.
 pub(crate) fn least_load_factor(project: &Project, pick: Pick<'_>) -> Result<Option<f64>, WorkError> {
     let Some(factor) = load_factor(project, pick)? else {
         return Ok(None);
@@ -90,7 +90,7 @@ pub(crate) fn least_load_factor(project: &Project, pick: Pick<'_>) -> Result<Opt
     }))
 }
 
-/// The result that sensitivities are of, each input with the value that `pick` chooses.
+/// The result for sensitivities, with the value of each input that `pick` chooses.
 pub(crate) fn sensitive(
     project: &Project,
     of: SensitivityOf,
@@ -106,11 +106,11 @@ pub(crate) fn sensitive(
     }
 }
 
-/// The tilt at which a joint of a chain or stack reaches its uplift limit; of others it is not known.
+/// The tilt at which a joint of a chain or stack reaches its uplift limit; unknown for other kinds.
 pub(crate) fn uplift_tilt(check: &Check) -> Option<f64> {
     match check {
         Check::Chain(chain) => chain::check::uplift_tilt(chain),
-        // to lean by a slope is to be pulled sideways by that share of the weight
+        // a lean by a slope equals a sideways pull by that share of the weight
         Check::Stack(stack) => stack
             .check
             .limits
@@ -120,7 +120,7 @@ pub(crate) fn uplift_tilt(check: &Check) -> Option<f64> {
     }
 }
 
-/// The same of a chain of two directions towards the side to which it leans, along x and y; `None` of all others.
+/// The same for a chain of two directions towards the side to which it leans, along x and y; `None` for others.
 pub(crate) fn uplift_tilt_towards(
     project: &Project,
     check: &Check,
@@ -134,7 +134,7 @@ pub(crate) fn uplift_tilt_towards(
     }
 }
 
-/// What wind and static loads do, with the tilt as surveyed; `None` if there are none, and where they are not read.
+/// The response to wind and static loads, with the surveyed tilt; `None` without any, and where they are not supported.
 pub(crate) fn loads(
     project: &Project,
     check: &Check,
@@ -153,7 +153,7 @@ pub(crate) fn loads(
     }
 }
 
-/// What the springs of a stack must be multiplied by to have the frequencies that surveys measured; of others nothing.
+/// The factor on the springs of a stack that gives the frequencies of surveys; none for other kinds.
 pub(crate) fn spring_fits(check: &Check, surveys: &[Survey]) -> Result<Vec<SpringFit>, WorkError> {
     match check {
         Check::Stack(answer) => stack::frequencies::fits(answer, surveys),
@@ -181,7 +181,7 @@ pub(crate) fn stiffness(
     }
 }
 
-/// What the shapes of a record say against a chain or frame; others have a floor or faces that do.
+/// Contradictions between the shapes of a record and a chain or frame; other kinds check floors or faces.
 pub(crate) fn shape_doubt(project: &Project, modes: &Modes) -> Option<ShapeDoubt> {
     match &project.structure {
         Structure::Stack(_) | Structure::Building(_) | Structure::Survey => None,
@@ -190,7 +190,7 @@ pub(crate) fn shape_doubt(project: &Project, modes: &Modes) -> Option<ShapeDoubt
     }
 }
 
-/// Whether a version has what a simulation needs: a stiffness that is known.
+/// Whether a version can be simulated: its stiffness is known.
 pub(crate) fn can_move(project: &Project) -> bool {
     match &project.structure {
         Structure::Chain(part) => part.joints.is_some(),
@@ -206,7 +206,7 @@ pub(crate) fn can_move(project: &Project) -> bool {
 /// Time between the samples of histories in a report, s.
 const REPORT_STEP_S: f64 = 0.01;
 
-/// A version under a motion as a report shows it.
+/// A version under a motion, for a report.
 pub(crate) fn simulated_for_report(
     version: &Version<'_>,
     motion: MotionAnswer,

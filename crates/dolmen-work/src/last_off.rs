@@ -1,4 +1,4 @@
-//! The last survey against what those before it predict.
+//! The last survey compared with the prediction from those before it.
 
 use crate::watched::WatchAnswer;
 use dolmen::monitoring::SurveyTSquared;
@@ -7,7 +7,7 @@ use dolmen_project::{WorkKind, WorkPart};
 /// Scores beyond this are off: one in 370 by chance, as for the alarm.
 const OFF_FROM: f64 = 3.0;
 
-/// A mode that the last survey has off what those before it predict.
+/// A mode of the last survey that is off its prediction.
 #[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 pub struct LastFarOff {
     /// Index of the mode.
@@ -21,7 +21,7 @@ pub struct LastFarOff {
 }
 
 impl WatchAnswer {
-    /// Modes that the last survey has off what those before it predict, where no repair and no inspection followed it; the farthest first.
+    /// Modes of the last survey that are off their prediction, without a later repair or inspection; the farthest first.
     pub fn last_far_off(&self) -> Vec<LastFarOff> {
         let Some(last) = self
             .surveys
@@ -50,14 +50,14 @@ impl WatchAnswer {
         all
     }
 
-    /// T² of all modes of the last survey, where it is beyond its limit and nobody looked since.
+    /// T² of all modes of the last survey, where it is beyond its limit without a later repair or inspection.
     pub fn last_t_squared(&self) -> Option<&SurveyTSquared> {
         let last = self.surveys.len().checked_sub(1)?;
         let found = self.watched.t_squared.last()?;
         (found.survey == last && found.value > found.limit && self.is_unanswered(last)).then_some(found)
     }
 
-    /// Whether no repair and no inspection is dated behind a survey.
+    /// Whether no repair or inspection is dated after a survey.
     pub fn is_unanswered(&self, survey: usize) -> bool {
         let answers = |(day, work): &&(f64, WorkPart)| {
             matches!(work.kind, WorkKind::Repair | WorkKind::Inspection) && !self.is_far_ahead(*day)
@@ -67,7 +67,7 @@ impl WatchAnswer {
         day.zip(answered_until).is_none_or(|(day, until)| until < day)
     }
 
-    /// Whether a mode changed, or its last surveys lie off, and no repair and no inspection followed.
+    /// Whether a mode changed, or its last surveys are off, without a later repair or inspection.
     pub fn has_unanswered_change(&self) -> bool {
         let changed = self.watched.modes.iter().any(|mode| {
             let off = mode.last_off.map(|off| off.from);

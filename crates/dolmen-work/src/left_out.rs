@@ -1,4 +1,4 @@
-//! A sensor that failed, left out of its record so that it does not blind the others.
+//! Leaves failed sensors out of a record, so that they do not spoil the others.
 
 use crate::error::WorkError;
 use crate::identify;
@@ -11,7 +11,7 @@ use dolmen::signal::ChannelFault;
 use dolmen_project::{ChannelSource, Column, RecordSource, Survey};
 use dolmen_records::Files;
 
-/// Leaves the channels out for which nothing is identified, of two that hold one signal both, if others remain; which they are.
+/// Leaves out the channels with which nothing can be identified, and one of two with the same signal, if others remain; returns their names.
 pub(crate) fn without(why: &WorkError, source: &mut RecordSource) -> Option<Vec<String>> {
     let fault = match why {
         WorkError::Within { cause, .. } => return without(cause, source),
@@ -34,7 +34,7 @@ pub(crate) fn without(why: &WorkError, source: &mut RecordSource) -> Option<Vec<
     Some(named)
 }
 
-/// Modes of a survey's records, without sensors that failed; and which they are. What was wrong with them stays among the faults.
+/// Modes of a survey's records without failed sensors, and the names of those. Their faults stay in the list of faults.
 ///
 /// # Errors
 /// Records that cannot be read or hold no modes.

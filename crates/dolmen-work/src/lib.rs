@@ -1,11 +1,11 @@
-//! What Dolmen answers: every verb as a function of values. Opens no file, prints nothing.
+//! The verbs of Dolmen as functions of values. Opens no file, prints nothing.
 //!
 //! ```text
 //! Opened (project, text) ─ kinds ─→ check · identify · compare · simulate · study · tune · score · rank · report
 //! ```
 //!
-//! What a project names comes through [`Files`](dolmen_records::Files), how far a verb has come goes through [`Progress`], the
-//! runs of a study go to a [`Journal`](study::Journal).
+//! Files that a project names come through [`Files`](dolmen_records::Files); progress goes through [`Progress`], and the runs of a study to a
+//! [`Journal`](study::Journal).
 
 mod air;
 pub mod answer;

@@ -1,4 +1,4 @@
-//! The logs of a project: read, brought to one value a day, and watched.
+//! The logs of a project: read, reduced to one value a day, and watched.
 
 use crate::air::{BELIEVED_C, air_temperature_c};
 use crate::error::{Within as _, WorkError};
@@ -12,7 +12,7 @@ use dolmen::monitoring::{
 use dolmen_project::{LogKind, LogPart, Project, WorkKind, WorkPart};
 use dolmen_records::{Files, Log, RECORD_BYTES_MOST, read_log};
 
-/// Probability of a trend in any log of a project where none has one.
+/// Probability of a false trend in any log of a project.
 const SIGNIFICANCE: f64 = 0.05;
 
 /// The logs of a project.
@@ -52,19 +52,19 @@ impl Logs {
         Ok(logs)
     }
 
-    /// Whether one of them is watched by itself.
+    /// Whether one of them is watched alone.
     pub fn are_watched(&self) -> bool {
         !self.read.is_empty()
     }
 
-    /// The temperature of the air at a survey, whose name says when it was, °C.
+    /// The air temperature at a survey whose name gives its time, °C.
     pub fn temperature_c(&self, survey: &str) -> Option<f64> {
         let from_s = moment_of(survey)?;
         let has_time = from_s.rem_euclid(86_400.0) != 0.0 || survey.contains(':');
         air_temperature_c(self.air.as_ref()?, from_s, has_time.then_some(0.0))
     }
 
-    /// What each says; works by their days.
+    /// The results of each log; works by their days.
     pub(crate) fn watched(
         &self,
         works: &[(f64, WorkPart)],
@@ -83,7 +83,7 @@ impl Logs {
                 daily: log.daily.clone(),
             };
             let is_tilt = matches!(log.part.kind, LogKind::Tilt { .. });
-            // a limit of the structure says nothing of readings whose zero is not known
+            // a limit of the structure does not apply to readings with an unknown zero
             let of_structure = tilt_limit.filter(|_| is_tilt && log.part.zero.is_some());
             let options = LoggedOptions {
                 significance: SIGNIFICANCE / self.read.len() as f64,
@@ -103,7 +103,7 @@ impl Logs {
     }
 }
 
-/// The days of a work that may shift readings: an inspection does not.
+/// The days of works that may shift readings; inspections do not.
 fn shifting(work: &WorkPart) -> [f64; 2] {
     match (work.kind, date(&work.date)) {
         (WorkKind::Repair | WorkKind::Sensors | WorkKind::Event, Some(when)) => days_of(when),
@@ -123,7 +123,7 @@ fn log_of(part: &LogPart, files: &dyn Files) -> Result<Log, WorkError> {
     }
 }
 
-/// A log of temperature without readings of no weather.
+/// A temperature log without implausible readings.
 fn believed(log: Log) -> Log {
     let both = log.times_s.iter().zip(&log.values);
     let (times_s, values) = both.filter(|(_, celsius)| BELIEVED_C.contains(celsius)).unzip();
@@ -179,7 +179,7 @@ mod tests {
         };
         let opened = Opened::read(text, "p".to_owned(), &files).unwrap();
         let logs = Logs::read(&opened.project, &files).unwrap();
-        assert_eq!(logs.temperature_c("2026-11-25"), Some(4.0)); // 85 is what a sensor says that has just begun
+        assert_eq!(logs.temperature_c("2026-11-25"), Some(4.0)); // 85 is what a sensor reads right after its start
         assert_eq!(logs.temperature_c("2026-11-25T10:50:00"), Some(5.0));
         assert_eq!(logs.temperature_c("2026-11-25T13:50:00"), None);
         assert_eq!(

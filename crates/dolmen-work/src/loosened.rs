@@ -1,4 +1,4 @@
-//! Natural frequencies of the model of a project as one of its parts loosens: a joint of a chain or stack, a storey of a frame or building.
+//! Natural frequencies of a project's model as one part loosens: a joint of a chain or stack, a storey of a frame or building.
 
 use crate::chain::limits::link_names;
 use crate::frame::simulate::storey_names;
@@ -14,25 +14,25 @@ use dolmen_project::{
 };
 use std::rc::Rc;
 
-/// Parts that are tried one by one. Chosen here: each costs some hundred modal analyses, or some fifty of a stack or building.
+/// Largest number of parts tried. Chosen here: each costs some hundred modal analyses, or some fifty for a stack or building.
 const PARTS_MOST: usize = 20;
-/// Stones of a stack whose parts are tried. Chosen here: of more, that lie like no two alike, it takes longer than a minute.
+/// Largest number of stones in a stack whose parts are tried. Chosen here: with more, all different, it takes longer than a minute.
 const STONES_MOST: usize = 40;
-/// Factors of a table, from the least to the largest that is sought. Chosen here: 12 % apart, which gives frequencies to 1e-6.
+/// Factors of a table, from the smallest to the largest. Chosen here: 12 % apart, which gives frequencies to 1e-6.
 const TABLED: usize = 51;
-/// Frequencies of two modes of one building that are one to rounding, whose shapes may be mixed at will.
+/// Relative difference below which two modes of one building have the same frequency, and shapes that can be mixed arbitrarily.
 const REPEATED: f64 = 1e-6;
 
-/// Natural frequencies, Hz, in each direction, where one part, or all alike, have so many times their stiffness.
+/// Natural frequencies, Hz, in each direction, for a factor on the stiffness of one part or of all.
 type FrequenciesOf<'a> = Box<dyn Fn(Option<usize>, f64) -> Option<Vec<Vec<f64>>> + 'a>;
 
-/// A model whose parts may loosen.
+/// A model whose parts can loosen.
 pub(crate) struct Loosening<'a> {
-    /// The direction that it is of; `None` of all together.
+    /// Its direction; `None` for all together.
     pub(crate) direction: Option<String>,
     /// The parts, lowest first.
     pub(crate) parts: Vec<Part>,
-    /// The directions in which it has frequencies; `None`: any but torsion.
+    /// The directions of its frequencies; `None` for any except torsion.
     pub(crate) along: Vec<Option<String>>,
     /// The frequencies in each of them.
     pub(crate) frequencies_hz: FrequenciesOf<'a>,
@@ -41,7 +41,7 @@ pub(crate) struct Loosening<'a> {
 /// The direction of a mode that twists the plan.
 pub(crate) const TORSION: &str = "torsion";
 
-/// The models of a project; none where its stiffness is not known, or where it has more parts than can be tried.
+/// The models of a project; empty where its stiffness is unknown, or where it has too many parts.
 pub(crate) fn loosening(project: &Project) -> Vec<Loosening<'_>> {
     let models = match &project.structure {
         Structure::Chain(part) => chains(project, part),
@@ -56,7 +56,7 @@ pub(crate) fn loosening(project: &Project) -> Vec<Loosening<'_>> {
         .collect()
 }
 
-/// Stiffness with that of one part, or of all, multiplied.
+/// The stiffness with a factor on one part, or on all.
 fn multiplied(stiffness: &[f64], part: Option<usize>, factor: f64) -> Vec<f64> {
     let of = |at: usize| match part.is_none_or(|part| part == at) {
         true => factor,
@@ -113,7 +113,7 @@ fn plan_directions() -> [String; 3] {
     ["x", "y", TORSION].map(str::to_owned)
 }
 
-/// A building along x, along y and in torsion, each by its own modes: a storey has so many times its stiffness in all directions.
+/// A building along x, along y and in torsion, each by its own modes: the factor of a storey acts in all directions.
 fn buildings(part: &BuildingPart) -> Vec<Loosening<'_>> {
     let Ok((floors, storeys)) = part.floors_and_storeys(&mut Quantity::nominal) else {
         return Vec::new();
@@ -167,8 +167,8 @@ fn loosened(storey: &Storey, factor: f64) -> Storey {
     }
 }
 
-/// Frequencies, Hz, of the modes that move most along x, along y and in torsion. Modes of one frequency share the directions that they have together,
-/// whatever mixture of them was found.
+/// Frequencies, Hz, of the modes that move most along x, along y and in torsion. Modes that share a frequency share their directions, whatever
+/// mixture of them was found.
 fn by_direction(modes: &[BuildingMode]) -> Vec<Vec<f64>> {
     let mut along = vec![Vec::new(); 3];
     for same in modes.chunk_by(|a, b| b.frequency_hz <= a.frequency_hz * (1.0 + REPEATED)) {
@@ -182,11 +182,11 @@ fn by_direction(modes: &[BuildingMode]) -> Vec<Vec<f64>> {
     along
 }
 
-/// A stack in all directions together: the springs of a bed have so many times their stiffness, along and across it.
+/// A stack in all directions together: the factor of a bed acts on its springs along and across.
 fn stack(part: &StackPart) -> Option<Loosening<'_>> {
     let stack = with_gaps(part.build(&mut Quantity::nominal).ok()?).ok()?;
     let beside = beside_in_small_motion(&stack, RULE).ok()?;
-    // one that is met only one way has no frequencies of small motion
+    // a joint that can be met from one side only has no small oscillations
     if stack.blocks().len() > STONES_MOST || beside.contains(&BesideInSmallMotion::OneWay) {
         return None;
     }
@@ -230,10 +230,10 @@ fn stack(part: &StackPart) -> Option<Loosening<'_>> {
     })
 }
 
-/// Frequencies at factors in equal steps of their logarithm, between which they are interpolated.
+/// Frequencies at factors evenly spaced in their logarithm, for interpolation.
 struct Table {
     given: Vec<Vec<f64>>,
-    /// Of each part, and of all alike last: at each factor.
+    /// For each part, and for all together last: the frequencies at each factor.
     parts: Vec<Vec<Option<Vec<Vec<f64>>>>>,
 }
 
@@ -251,7 +251,7 @@ impl Table {
         })
     }
 
-    /// By the cubic through the four factors around it.
+    /// By the cubic through the four neighbouring factors.
     fn frequencies_hz(&self, part: Option<usize>, factor: f64) -> Option<Vec<Vec<f64>>> {
         if factor == 1.0 {
             return Some(self.given.clone());

@@ -1,11 +1,11 @@
-//! The lowest frequencies that the records of surveys gave.
+//! The lowest frequencies from the records of surveys.
 
 use crate::judgement::RecordFrequency;
 use crate::surveyed::SurveyAnswer;
 use dolmen::structure::directional_modes;
 use dolmen_project::Project;
 
-/// The lowest frequency along x and y that the records of surveys gave, where the file writes none.
+/// The lowest frequency along x and y from the records of surveys, where the file states none.
 pub(crate) fn lowest_of_records(project: &Project, surveys: &[SurveyAnswer]) -> Vec<RecordFrequency> {
     let mut all = Vec::new();
     for answer in surveys {

@@ -1,9 +1,9 @@
-//! Measured modes beside those of the model of a stack or a building: which is which, told by their shapes at the sensors.
+//! Pairs measured modes with those of the model of a stack or a building, by their shapes at the sensors.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
 //! | φ | `shape` | a measured shape at the sensors |
-//! | q_k | `basis` | what the model's modes of one frequency do at the sensors, made orthonormal |
+//! | q_k | `basis` | motion of the model's modes of one frequency at the sensors, orthonormalised |
 //! | MAC | `assurance` | Σ_k \|q_k* φ\|² / φ*φ: of one mode the usual one |
 
 use crate::error::WorkError;
@@ -12,37 +12,37 @@ use dolmen::modal::Modes;
 use dolmen::structure::stack::Solid;
 use dolmen_project::{BuildingPart, Project, Quantity, StackPart, Structure};
 
-/// Modes of the model beside so many measured ones: as many again, and two.
+/// Number of modes of the model: two more than twice the measured ones.
 const MORE: usize = 2;
 /// Most modes of the model.
 const MODES_MOST: usize = 16;
-/// Modes of the model whose frequencies are so near each other are one pair, in whose span any direction is a mode: those of a square pagoda.
+/// Modes of the model whose frequencies are this close are one pair, in whose span any direction is a mode, as for a square pagoda.
 const ONE_FREQUENCY: f64 = 0.01;
-/// From this MAC on a measured mode is one of the model. Chosen here: below, other modes are as likely.
+/// Smallest MAC for a pair of measured and model modes. Chosen here: below it, other modes are as likely.
 pub const SAME_FROM: f64 = 0.8;
-/// A measured frequency that is so many times that of the mode of the model it looks like, or its inverse, is doubted. Chosen here.
+/// A measured frequency this many times that of its mode of the model, or the inverse, is doubted. Chosen here.
 pub const FREQUENCY_RATIO_DOUBTED: f64 = 1.5;
 /// A sensor stands on the stone nearest to it, within this distance, m.
 const NEAR_M: f64 = 0.3;
-/// Share of its length below which what is left of a shape is rounding.
+/// Fraction of the length of a shape below which the rest is rounding.
 const ROUNDING: f64 = 1e-6;
 
-/// What the model says of measured modes.
+/// The modes of the model paired with measured ones.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ModelModes {
     /// The modes of the model, by frequency.
     pub of_model: Vec<ModelMode>,
     /// The measured ones, in their order.
     pub measured: Vec<BesideModel>,
-    /// Channels that stand on the model.
+    /// Channels at places of the model.
     pub channels: usize,
-    /// Channels that do not, or whose place or direction is not known.
+    /// Channels elsewhere, or without a place or direction.
     pub left_out: Vec<String>,
-    /// Dampers of the structure: the modes of the model are those without them.
+    /// Dampers of the structure: the modes of the model are without them.
     pub without_dampers: Vec<String>,
 }
 
-/// Dampers of a structure whose shapes are sought without them.
+/// Dampers of a structure whose shapes are computed without them.
 pub(crate) fn dampers_left_out(project: &Project) -> Vec<String> {
     match &project.structure {
         Structure::Building(part) => part.dampers.iter().map(|damper| damper.name.clone()).collect(),
@@ -53,15 +53,15 @@ pub(crate) fn dampers_left_out(project: &Project) -> Vec<String> {
 /// A mode of the model, or several of one frequency.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ModelMode {
-    /// Place among the modes of the model, from 0.
+    /// Index among the modes of the model, from 0.
     pub first: usize,
-    /// How many are of this frequency.
+    /// Number of modes with this frequency.
     pub count: usize,
     /// Its frequency, the mean of several, Hz.
     pub frequency_hz: f64,
 }
 
-/// A measured mode beside those of the model.
+/// A measured mode and those of the model.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BesideModel {
     /// Its frequency, Hz.
@@ -73,8 +73,8 @@ pub struct BesideModel {
 }
 
 impl ModelModes {
-    /// Places among the measured modes of those whose frequency is far from that of the mode that they look like: the model is of another structure, or
-    /// these channels do not tell its modes apart.
+    /// Indices of measured modes whose frequency is far from that of the mode with the most similar shape: the model is of another structure, or
+    /// these channels do not distinguish its modes.
     pub fn far_off(&self) -> Vec<usize> {
         let each = self.measured.iter().enumerate();
         let far = each.filter(|(_, of)| match of.is {
@@ -88,21 +88,21 @@ impl ModelModes {
     }
 }
 
-/// Which mode of the model a measured one is; places among [`ModelModes::of_model`].
+/// The mode of the model for a measured one; indices among [`ModelModes::of_model`].
 #[derive(Clone, Debug, PartialEq)]
 pub enum WhichMode {
-    /// One alone looks like it.
+    /// Exactly one is similar.
     One(usize),
-    /// These look alike at the sensors.
+    /// Several are similar at the sensors.
     Several(Vec<usize>),
-    /// None; the first is the most alike.
+    /// None is similar; the first is the most similar.
     None(Option<usize>),
 }
 
-/// Measured modes beside those of the model; `None` for other kinds than stacks and buildings, for one that falls, and where fewer than two channels stand
-/// on it.
+/// Pairs measured modes with those of the model; `None` for kinds other than stacks and buildings, for a structure that falls, and with fewer
+/// than two channels on it.
 ///
-/// A model whose modes cannot be computed has none to be compared with: what is wrong with it is the business of the check.
+/// A model whose modes cannot be computed gives no pairs; the check reports what is wrong with it.
 pub(crate) fn model_modes(project: &Project, modes: &Modes) -> Option<ModelModes> {
     let wanted = (2 * modes.modes.len() + MORE).min(MODES_MOST);
     let model = Model::of(project, wanted).ok()??;
@@ -130,7 +130,7 @@ pub(crate) fn model_modes(project: &Project, modes: &Modes) -> Option<ModelModes
             .iter()
             .map(|at| [mode.shape[*at].re, mode.shape[*at].im])
             .collect();
-        // where the shapes of one frequency fill all that the sensors see, anything is like them
+        // where the shapes of one frequency span everything at the sensors, any shape is similar
         let within = |basis: &Vec<Vec<f64>>| {
             if basis.len() < rows.len() {
                 share(basis, &shape)
@@ -188,7 +188,7 @@ fn grouped(frequency_hz: &[f64]) -> Vec<ModelMode> {
     all
 }
 
-/// Orthonormal shapes that span the given ones.
+/// An orthonormal basis of the given shapes.
 fn basis(shapes: impl Iterator<Item = Vec<f64>>) -> Vec<Vec<f64>> {
     let mut basis: Vec<Vec<f64>> = Vec::new();
     for shape in shapes {
@@ -223,7 +223,7 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-/// How places of the model move in each of its modes.
+/// Motion of the model's places in each of its modes.
 struct Model {
     frequency_hz: Vec<f64>,
     of: Moves,
@@ -265,7 +265,7 @@ impl Model {
         })
     }
 
-    /// `None` of one that falls.
+    /// `None` for a structure that falls.
     fn of_building(part: &BuildingPart, wanted: usize) -> Result<Option<Model>, WorkError> {
         let Some(vibrating) = part.as_written() else {
             return Ok(None);

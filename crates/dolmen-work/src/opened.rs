@@ -6,16 +6,16 @@ use dolmen_project::{Project, parse_project_with};
 use dolmen_records::Files;
 use std::sync::Arc;
 
-/// A project, its text, and what its file is called.
+/// A project, its text, and the name of its file.
 #[derive(Clone, Debug)]
 pub struct Opened {
     /// What the file says.
     pub project: Arc<Project>,
-    /// The text of the file: the cases of a study are read from it.
+    /// The text of the file, from which the cases of a study are read.
     pub text: String,
-    /// The file as a user would look for it.
+    /// The file name for the user.
     pub file: String,
-    /// Surveys that were identified already, for the stiffness that the file leaves to them.
+    /// Earlier results of surveys, for the stiffness that the file leaves to them.
     pub identified: Vec<SurveyAnswer>,
 }
 

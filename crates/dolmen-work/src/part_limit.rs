@@ -1,14 +1,14 @@
-//! Parts of a structure against what limits them: storeys, joints, dampers.
+//! Parts of a structure compared with their limits: storeys, joints, dampers.
 
 use dolmen::assess::demand::{DRIFT_RATIO_MOST, DriftLimit};
 use dolmen::stability::stack::DemandVerdict;
 
-/// What is limited.
+/// The limited quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Limited {
     /// Drift of a storey over its height.
     Drift,
-    /// Moment of a joint, N m: at N b/2 its bed stands on its edge.
+    /// Moment of a joint, N m: at N b/2 the bed stands on its edge.
     BedEdge,
     /// Stroke of a damper, m.
     Room,
@@ -28,7 +28,7 @@ pub enum Part {
 }
 
 impl Part {
-    /// Its name, or that of what it is below.
+    /// Its name, or that of the part above it.
     pub fn name(&self) -> &str {
         match self {
             Part::Storey(name) | Part::BelowFloor(name) | Part::JointBelow(name) | Part::Damper(name) => name,
@@ -36,35 +36,35 @@ impl Part {
     }
 }
 
-/// A part against its limit.
+/// A part compared with its limit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PartLimit {
     /// The part.
     pub part: Part,
-    /// Along what; `None` where it is the same in all directions.
+    /// The direction; `None` where all directions are alike.
     pub direction: Option<String>,
-    /// What is limited.
+    /// The limited quantity.
     pub limited: Limited,
-    /// How much of it is asked for.
+    /// The demand.
     pub demand: f64,
-    /// How much of it there is, less what is taken without shaking; `None` where no limit is known.
+    /// The capacity left by loads without shaking; `None` where no limit is known.
     pub capacity: Option<f64>,
-    /// How much of the limit the tilt as surveyed and static loads take without shaking; 0 where none of them counts.
+    /// The part of the limit that surveyed tilt and static loads use without shaking; 0 without any.
     pub taken: f64,
 }
 
-/// Parts against their limits under the spectrum of a site, and what was not compared.
+/// Parts compared with their limits under the spectrum of a site, and the directions without a comparison.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Compared {
     /// Every part.
     pub parts: Vec<PartLimit>,
     /// Directions without any.
     pub not_compared: Vec<NotCompared>,
-    /// Whether joints have dry friction, so that each is held against the worse of sticking and free.
+    /// Whether joints have dry friction, so that the worse of sticking and free joints counts.
     pub rubs: bool,
 }
 
-/// A direction in which nothing was compared.
+/// A direction without a comparison.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NotCompared {
     /// The direction; `None` where it is the same in all.
@@ -73,21 +73,21 @@ pub struct NotCompared {
     pub why: WhyNotCompared,
 }
 
-/// Why nothing was compared in a direction.
+/// Why a direction has no comparison.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum WhyNotCompared {
-    /// Its stiffness is not known.
+    /// Its stiffness is unknown.
     StiffnessUnknown,
     /// It falls under its own weight.
     Falls,
     /// It falls under its own weight while its joints slip.
     FallsSlipping,
-    /// A side post with a gap may close, which makes what is above it ask more.
+    /// A side post with a gap may close, which increases the demand above it.
     LoosePost,
 }
 
 impl PartLimit {
-    /// The drift of a storey over its height against what is allowed.
+    /// The drift of a storey over its height compared with the allowable one.
     pub(crate) fn of_drift(part: Part, direction: &str, ratio: f64, limit: Option<&DriftLimit>) -> Self {
         PartLimit {
             part,
@@ -99,7 +99,7 @@ impl PartLimit {
         }
     }
 
-    /// The same where it can drift no farther than that for another reason.
+    /// The same with another upper bound on the drift.
     pub(crate) fn at_most(self, most: Option<f64>) -> Self {
         let Some(most) = most else { return self };
         PartLimit {
@@ -108,7 +108,7 @@ impl PartLimit {
         }
     }
 
-    /// The same where a lean without shaking takes some of it.
+    /// The same where a lean without shaking uses a part of it.
     pub(crate) fn taking(self, lean: f64) -> Self {
         PartLimit {
             capacity: self.capacity.map(|capacity| (capacity - lean.abs()).max(0.0)),
@@ -127,7 +127,7 @@ impl PartLimit {
         Some(self.demand / self.capacity?)
     }
 
-    /// Whether a storey drifts beyond what any model of small drifts can tell of: it falls.
+    /// Whether the drift of a storey is beyond the validity of any model of small drifts: it falls.
     pub fn falls(&self) -> bool {
         self.limited == Limited::Drift && self.demand + self.taken > DRIFT_RATIO_MOST
     }
@@ -141,7 +141,7 @@ impl PartLimit {
         }
     }
 
-    /// How near its limit a part is: the larger the worse; one that falls before all others.
+    /// Order of parts: the larger the worse; one that falls comes first.
     fn use_of(&self) -> f64 {
         match self.use_ratio() {
             _ if self.falls() => (self.demand + self.taken) / DRIFT_RATIO_MOST * 1e3,
@@ -152,7 +152,7 @@ impl PartLimit {
     }
 }
 
-/// The part that is worst: the one nearest its limit, of those without a limit the one that does most.
+/// The worst part: the one nearest its limit, or among those without a limit the one with the largest demand.
 pub fn worst_part(parts: &[PartLimit], limited: Limited) -> Option<&PartLimit> {
     let of = parts.iter().filter(|part| part.limited == limited);
     of.max_by(|a, b| a.use_of().total_cmp(&b.use_of()))

@@ -1,33 +1,33 @@
-//! What a verb says while it works, and how it is asked to stop.
+//! Progress of a verb, and requests to stop.
 
-/// What is under way.
+/// A stage of work.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Stage {
-    /// A run of so many seconds of simulated time; its position is in seconds.
+    /// A run over simulated time; its position is in seconds.
     Simulating {
         /// Length of the run, s.
         whole_s: f64,
     },
-    /// About so many runs of a study; its position counts them.
+    /// Runs of a study, approximate; its position counts them.
     Runs {
-        /// How many, more or less.
+        /// Number of runs, approximate.
         about: usize,
     },
-    /// A record is read.
+    /// Reading of a record.
     Reading {
         /// Its file.
         file: String,
     },
-    /// Modes of a record are sought.
+    /// Identification of the modes of a record.
     Identifying {
         /// Its file.
         file: String,
     },
-    /// Setups are identified as one.
+    /// Identification of all setups as one.
     Joining,
 }
 
-/// Hears how far a verb has come, and may ask it to stop. What is done is then kept.
+/// Receives the progress of a verb, and may stop it. Finished work is then kept.
 pub trait Progress: Send + Sync {
     /// A stage begins; it replaces the one before.
     fn begin(&self, stage: &Stage);
@@ -35,11 +35,11 @@ pub trait Progress: Send + Sync {
     fn advance(&self, position: f64);
     /// The stage is over.
     fn end(&self);
-    /// Whether to stop at the next place where what is done can be kept.
+    /// Whether to stop at the next place where finished work can be kept.
     fn is_cancelled(&self) -> bool;
 }
 
-/// Says nothing and never stops.
+/// Ignores progress and never stops.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Silent;
 
@@ -55,7 +55,7 @@ impl Progress for Silent {
     }
 }
 
-/// Runs `run` as a stage of simulated time: `run` reports the time that it reached, and learns whether to go on.
+/// Runs `run` as a stage of simulated time: `run` reports the time reached, and learns whether to go on.
 pub(crate) fn simulating<T>(
     progress: &dyn Progress,
     whole_s: f64,

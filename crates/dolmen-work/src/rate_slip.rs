@@ -1,11 +1,11 @@
-//! Whether all frequencies of two surveys differ by the ratio of their sampling rates: then one of the rates is probably wrong.
+//! Detects that all frequencies of two surveys differ by the ratio of their sampling rates: then one of the rates is probably wrong.
 
 use crate::surveyed::SurveyAnswer;
 use dolmen::assess::{ChangeNote, Surveyed};
 
-/// Part within which the ratio of frequencies is that of the rates. Chosen here: frequencies of good records scatter by less.
+/// Relative difference within which the ratio of frequencies is that of the rates. Chosen here: frequencies of good records scatter less.
 const ONE_RATIO: f64 = 0.005;
-/// Fewest modes that may say so. Chosen here.
+/// Fewest modes for that conclusion. Chosen here.
 const MODES_LEAST: usize = 2;
 
 /// The slip of a sampling rate that explains the change of all frequencies between two surveys; `None` where there is none.

@@ -1,4 +1,4 @@
-//! The record of a survey: read as the project file says, looked through for faulty channels, conditioned.
+//! The record of a survey: read with the settings of the project file, checked for faulty channels, conditioned.
 
 use crate::error::{Within as _, WorkError};
 use dolmen::modal::{Losses, earthquakes_in};
@@ -14,25 +14,25 @@ use dolmen_records::records::{
 use dolmen_records::{Files, RECORD_BYTES_MOST};
 use dolmen_words::message::Both;
 
-/// A record as it is to be used, and what it was when read.
+/// A record ready for use, and its properties when read.
 pub(crate) struct OpenedRecord {
     pub(crate) record: Record,
     pub(crate) channels: usize,
     pub(crate) samples: usize,
     pub(crate) sampling_rate_hz: f64,
     pub(crate) unit: String,
-    /// The first sample, s from 1 January 1970 in the clock of the file.
+    /// Time of the first sample, s from 1 January 1970 in the clock of the file.
     pub(crate) begins_s: Option<f64>,
     pub(crate) remarks: Vec<Both>,
     pub(crate) unread_stamps: Vec<String>,
     pub(crate) faults: Vec<ChannelFault>,
-    /// What it misses.
+    /// Its lost samples.
     pub(crate) losses: Losses,
-    /// Whether it holds a strong motion that is apart from what its faults are looked for in.
+    /// Whether it contains a strong motion that is excluded from the search for faults.
     pub(crate) is_shaken: bool,
 }
 
-/// Seconds beside an earthquake in which sensors are not judged either.
+/// Seconds beside an earthquake that are also excluded from the search for faults.
 const BEFORE_S: f64 = 1.0;
 const BEHIND_S: f64 = 5.0;
 
@@ -60,8 +60,8 @@ pub(crate) fn record(source: &RecordSource, files: &dyn Files) -> Result<OpenedR
     opened(join_stations(stations, &options)?, source)
 }
 
-/// As [`record`]; but one that holds an earthquake is used on both sides of the samples that it lost, so that its times count from its first sample and
-/// what came before the loss is known.
+/// As [`record`]; but a record with an earthquake is used on both sides of its lost samples, so that its times count from its first sample, and
+/// the part before the loss is available.
 pub(crate) fn record_to_identify(
     source: &RecordSource,
     files: &dyn Files,
@@ -142,7 +142,7 @@ fn opened(reading: Reading, source: &RecordSource) -> Result<OpenedRecord, WorkE
     })
 }
 
-/// Channels that were held at the end of their range.
+/// Clipped channels.
 fn clipped(faults: &[ChannelFault]) -> Vec<String> {
     let held = faults
         .iter()
@@ -150,7 +150,7 @@ fn clipped(faults: &[ChannelFault]) -> Vec<String> {
     held.map(|fault| fault.channel().to_owned()).collect()
 }
 
-/// Times at which samples were lost and bridged, s from the first sample.
+/// Times of lost and bridged samples, s from the first sample.
 fn lost_s(record: &Record) -> Vec<[f64; 2]> {
     let step_s = 1.0 / record.sampling_rate_hz();
     let (mut lost, mut gone_s) = (Vec::new(), 0.0);
@@ -168,7 +168,7 @@ fn lost_s(record: &Record) -> Vec<[f64; 2]> {
         .collect()
 }
 
-/// The unit as the project or the file says it.
+/// The unit from the project or the file.
 fn unit_of(source: &RecordSource, record: &Record) -> String {
     let read = record.history().iter().find_map(|step| match step {
         Processing::Read { unit, .. } if !unit.is_empty() => Some(unit.clone()),
@@ -177,7 +177,7 @@ fn unit_of(source: &RecordSource, record: &Record) -> String {
     source.unit.clone().or(read).unwrap_or_default()
 }
 
-/// What a channel is called.
+/// Name of a channel.
 pub(crate) fn name(channel: &ChannelSource) -> String {
     match (&channel.name, &channel.column) {
         (Some(name), _) | (None, Column::Name(name)) => name.clone(),

@@ -1,4 +1,4 @@
-//! A record as it is drawn: the envelope of each channel over the time of its file, what of it was not used, and a spectrogram.
+//! Data for the figures of a record: the envelope of each channel over the time of its file, the unused parts, and a spectrogram.
 
 use dolmen::modal::ModalAnalysis;
 use dolmen::signal::{
@@ -6,19 +6,19 @@ use dolmen::signal::{
     Welch, cross_spectra, envelope, spectrogram,
 };
 
-/// Parts of an envelope: one a pixel of a figure.
+/// Number of parts of an envelope: one for each pixel of a figure.
 const PARTS: usize = 600;
-/// Lines of a spectrogram up to the highest frequency looked at, and its columns; chosen here for a figure.
+/// Number of lines of a spectrogram up to the highest frequency of the search, and of its columns; chosen here for a figure.
 const LINES: f64 = 96.0;
 const COLUMNS: usize = 100;
-/// What the frequencies of a spectrogram end above, times the highest frequency looked for: as the spectrum that is drawn.
+/// Upper limit of the frequencies of a spectrogram over the highest frequency of the search: as for the spectrum in the figure.
 const BEYOND_RANGE: f64 = 1.08;
-/// What they end above, times the highest mode found, where that is lower.
+/// Upper limit over the highest mode found, where that is lower.
 const BEYOND_MODES: f64 = 2.0;
 /// Fewest samples of a segment.
 const SEGMENT_LEAST: usize = 16;
 
-/// A record as it is drawn.
+/// Data for the figures of a record.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RecordSeen {
     /// Each channel.
@@ -29,7 +29,7 @@ pub struct RecordSeen {
     pub spectrogram: Option<SpectrogramSeen>,
 }
 
-/// A channel as it is drawn.
+/// Data for the figure of a channel.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ChannelSeen {
     /// Its name.
@@ -42,49 +42,49 @@ pub struct ChannelSeen {
     pub deviation: f64,
     /// Largest distance from the mean.
     pub largest: f64,
-    /// Where that is, s from the first sample of the file.
+    /// Its time, s from the first sample of the file.
     pub largest_at_s: f64,
-    /// Least and largest sample of each part of the time.
+    /// Smallest and largest sample of each part of the time.
     pub envelope: Envelope,
 }
 
-/// The time of a record, s from the first sample of its file; of several files, from the first sample that was used.
+/// The times of a record, s from the first sample of its file; for several files, from the first sample in use.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RecordTime {
-    /// First sample used.
+    /// First sample in use.
     pub from_s: f64,
-    /// Behind the last sample used.
+    /// End of the last sample in use.
     pub to_s: f64,
-    /// Behind the last sample of the file.
+    /// End of the last sample of the file.
     pub whole_s: f64,
-    /// From one sample used to the next, s.
+    /// Time between samples in use, s.
     pub step_s: f64,
-    /// Samples that were lost.
+    /// Lost samples.
     pub lost: Vec<LostSpan>,
-    /// Lost samples that were filled in.
+    /// Lost samples that were filled.
     pub filled: Vec<LostSpan>,
-    /// Whether lost samples stand in several files, each with a time of its own, so that they are not among `lost` and `filled`.
+    /// Whether several files lost samples, each with its own times, so that they are not in `lost` and `filled`.
     pub lost_elsewhere: bool,
 }
 
 /// The spectrogram of one channel.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SpectrogramSeen {
-    /// The channel's place among those of the record.
+    /// The index of the channel.
     pub channel: usize,
-    /// Whether the project names it; else it has the largest share of motion in the range.
+    /// Whether the project names it; otherwise it has the largest share of motion in the range.
     pub is_asked: bool,
-    /// Frequencies drawn end here, Hz.
+    /// Upper end of the frequencies shown, Hz.
     pub end_hz: f64,
     /// The densities.
     pub of: TimeFrequency,
 }
 
 impl RecordSeen {
-    /// What is drawn of a record that was `read_s` long when it was read; `asked` is the channel whose spectrogram the project wants.
+    /// Data for the figures of a record that was `read_s` long when read; `asked` is the channel of the spectrogram in the project.
     ///
     /// # Errors
-    /// None of a record that modes were found in.
+    /// None for a record with identified modes.
     pub fn of(
         record: &Record,
         read_s: f64,
@@ -122,7 +122,7 @@ impl ChannelSeen {
 }
 
 impl RecordTime {
-    /// From what was done to the record; `read_s` is how long it was when it was read.
+    /// From the history of the record; `read_s` is its length when read.
     fn of(record: &Record, read_s: f64, is_one_file: bool) -> Self {
         let step_s = 1.0 / record.sampling_rate_hz();
         let (mut from_s, mut whole_s) = (0.0, read_s);
@@ -180,7 +180,7 @@ impl SpectrogramSeen {
         };
         let highest = analysis.modes.modes.last();
         let end_hz = highest.map_or(end_hz, |mode| end_hz.min(BEYOND_MODES * mode.frequency_hz));
-        // as fine in frequency as is drawn, or as many lines as columns where the record is short
+        // as fine in frequency as the figure, or as many lines as columns for a short record
         let resolution_hz = (end_hz / LINES).max((0.5 * end_hz / record.duration_s()).sqrt());
         let segment_length = 2 * ((0.5 * rate_hz / resolution_hz).round() as usize);
         if segment_length < SEGMENT_LEAST || 2 * segment_length > record.length() {
@@ -203,7 +203,7 @@ impl SpectrogramSeen {
     }
 }
 
-/// The channel with the largest share of motion in the range, of those that measure what most measure.
+/// The channel with the largest share of motion in the range, among those that measure the most common quantity.
 fn strongest(
     record: &Record,
     segment_length: usize,

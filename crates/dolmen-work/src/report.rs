@@ -1,4 +1,4 @@
-//! `dolmen report`: everything that can be said of one project.
+//! `dolmen report`: all answers for one project.
 
 use crate::answer::{Answer, CheckAnswer, ProjectReport};
 use crate::building::tune;
@@ -23,21 +23,21 @@ use dolmen::stability::Verdict;
 use dolmen_project::{Structure, TemperaturePart};
 use dolmen_records::Files;
 
-/// What a report is made of.
+/// Options of a report.
 #[derive(Debug, Default)]
 pub struct ReportOptions {
-    /// Draw the inputs that carry a scatter; nothing is drawn for a stack, whose verdict is without shaking.
+    /// Samples of the uncertain inputs; none for a stack, whose verdict has no load factor.
     pub sampling: Option<Sampling>,
-    /// The motion that the structure is simulated under; none if it asks for none.
+    /// The motion of the simulations; none if it requests none.
     pub motion: MotionRequest,
-    /// The journals of the studies that were run before.
+    /// The journals of earlier studies.
     pub journals: Vec<StudyJournals>,
 }
 
 /// The check, the surveys, the change between them, simulations, dampers, and studies of a project.
 ///
 /// # Errors
-/// [`WorkError`] of any of them and of photographs, but for studies, which are left out and named.
+/// [`WorkError`] of any of them and of photographs; studies with errors are left out and named.
 pub fn report(
     opened: &Opened,
     options: ReportOptions,
@@ -45,7 +45,7 @@ pub fn report(
     progress: &dyn Progress,
 ) -> Result<ProjectReport, WorkError> {
     let project = &opened.project;
-    let photos = photos(opened, files)?; // before what takes long
+    let photos = photos(opened, files)?; // before the long computations
     let is_shaken = options.motion.is_given();
     let is_stack = matches!(project.structure, Structure::Stack(_));
     let identified = identify(opened, &IdentifyOptions::default(), files, progress)?;
@@ -58,7 +58,8 @@ pub fn report(
     checked.unreadable_motions = unreadable_motions(project, files);
     let mut answers = Vec::new();
     let is_watched = can_watch(project);
-    // the years take the weather out; the first and the last survey alone do not, unless the file says what temperature does
+    // `watch` removes the effect of the weather; a comparison of the first and the last survey alone does not, unless the file gives the
+    // coefficient of temperature
     let is_covered = is_watched && project.change.temperature == TemperaturePart::Unknown;
     if !is_covered && let Ok(compared) = surveys_to_compare(project, None, None) {
         answers.push(Answer::Compare(Box::new(compared_of(
@@ -108,7 +109,7 @@ fn supports_moved(
         return Ok(None);
     }
     let moved = SimulateAnswer {
-        evidence: Evidence::none(), // of the check
+        evidence: Evidence::none(), // from the check
         ..prepare(opened, &options, files)?.run(progress)?
     };
     Ok(moved.does_not_stand.is_none().then_some(moved))
@@ -152,10 +153,10 @@ fn simulated(
         simulations,
         variant: None,
         does_not_stand: None,
-        evidence: Evidence::none(), // of the check, as the next
+        evidence: Evidence::none(), // from the check, as are the next
         without_shaking: None,
-        tilt_beyond_limit: false, // of the check, as those above
+        tilt_beyond_limit: false, // from the check, as above
         after: None,
-        damage: Vec::new(), // of the check, too
+        damage: Vec::new(), // from the check as well
     })
 }

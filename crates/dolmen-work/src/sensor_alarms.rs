@@ -1,4 +1,4 @@
-//! Sensors that fail: what is wrong with the channels of records, followed from survey to survey. It says nothing of the structure.
+//! Failing sensors: faults of the channels of records, followed from survey to survey. They tell nothing about the structure.
 
 use crate::survey_dates::date;
 use dolmen::signal::ChannelFault;
@@ -6,10 +6,10 @@ use dolmen_project::Project;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-/// What is wrong with channels of surveys, by the names of the surveys: the channel, and what.
+/// Faults of the channels of surveys, by the names of the surveys.
 pub type SensorFaults = BTreeMap<String, Vec<(String, SensorFault)>>;
 
-/// What can be wrong with a sensor.
+/// Faults of a sensor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum SensorFault {
@@ -17,7 +17,7 @@ pub enum SensorFault {
     Dead,
     /// Far weaker than the others.
     Faint,
-    /// It stood still for a while.
+    /// It was stuck for a while.
     Stuck,
     /// Its strength changed tenfold during the record.
     Faded,
@@ -25,7 +25,7 @@ pub enum SensorFault {
     Alike,
     /// It drifts by far more than it moves.
     Drifts,
-    /// Single samples stand out.
+    /// It has spikes.
     Spikes,
     /// The range of sensor or logger was exceeded.
     Clipped,
@@ -47,7 +47,7 @@ impl SensorFault {
         SensorFault::Duplicated,
     ];
 
-    /// The channel of a fault, and what it is.
+    /// The channel of a fault, and its kind.
     pub fn of(fault: &ChannelFault) -> (String, Self) {
         let (channel, what) = match fault {
             ChannelFault::Constant { channel, .. } => (channel, SensorFault::Dead),
@@ -63,7 +63,7 @@ impl SensorFault {
         (channel.clone(), what)
     }
 
-    /// The word by which stores and programs know it: "dead".
+    /// Its word in stores and programs: "dead".
     pub fn word(self) -> &'static str {
         match self {
             SensorFault::Dead => "dead",
@@ -78,13 +78,13 @@ impl SensorFault {
         }
     }
 
-    /// What a word stands for.
+    /// The fault for a word.
     pub fn of_word(word: &str) -> Option<Self> {
         SensorFault::ALL.into_iter().find(|fault| fault.word() == word)
     }
 
-    /// Records in a row that show it before it is an alarm; `None`: never. A strong shock clips and a passing cart shakes one record; a sensor that
-    /// is dead stays so. Chosen here.
+    /// Number of successive records with the fault before it is an alarm; `None` for never. A strong shock clips and a passing cart shakes one
+    /// record; a dead sensor stays dead. Chosen here.
     fn records_least(self) -> Option<usize> {
         match self {
             SensorFault::Dead | SensorFault::Faint | SensorFault::Duplicated => Some(1),
@@ -94,24 +94,24 @@ impl SensorFault {
     }
 }
 
-/// A sensor that failed.
+/// A failing sensor.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct SensorAlarm {
     /// Its channel.
     pub channel: String,
-    /// What is wrong with it.
+    /// Its fault.
     pub fault: SensorFault,
-    /// The first survey that shows it.
+    /// The first survey with the fault.
     pub since: String,
-    /// The last one in a row that does.
+    /// The last successive one.
     pub last: String,
-    /// How many in a row do.
+    /// Number of successive ones.
     pub records: usize,
-    /// Whether the newest record shows it still.
+    /// Whether the newest record still has it.
     pub is_open: bool,
 }
 
-/// Sensors that failed, by the time they began; surveys with records and a date are taken by their names.
+/// Failing sensors, by the time of their first fault; surveys with records and a date are found by their names.
 pub(crate) fn sensor_alarms(project: &Project, faults: &SensorFaults) -> Vec<SensorAlarm> {
     let dated = project
         .surveys

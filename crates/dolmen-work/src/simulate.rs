@@ -1,4 +1,4 @@
-//! `dolmen simulate`: a structure under a ground motion, pushed, or on supports that move.
+//! `dolmen simulate`: a structure under a ground motion, with a push, or on moving supports.
 
 use crate::at_rest::{AtRest, WAIT_MOST_S};
 use crate::building::simulate::BuildingOptions;
@@ -24,38 +24,38 @@ use dolmen::stability::Verdict;
 use dolmen_project::{Project, Quantity, Structure, parse_angle_rad};
 use dolmen_records::Files;
 
-/// What is simulated, and how. What a kind does not use is without effect: [`refuse_foreign`](crate::flags) refuses it before.
+/// Options of a simulation. [`refuse_foreign`](crate::flags) refuses options that the kind does not use.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SimulateOptions {
     /// The motion.
     pub motion: MotionRequest,
-    /// A second motion, by its name, that acts on what the first left, when that has come to rest.
+    /// A second motion, by its name, that acts after the first, once the structure is at rest.
     pub then: Option<String>,
-    /// This variant instead of the structure as it is.
+    /// A variant instead of the structure as it is.
     pub variant: Option<String>,
-    /// Direction of a frame; each whose stiffness is known without it.
+    /// Direction of a frame; by default each of known stiffness.
     pub direction: Option<String>,
-    /// Angle by which a chain leans at the start, "1e-4 rad" or "0.5 deg".
+    /// Initial lean of a chain, "1e-4 rad" or "0.5 deg".
     pub push: Option<String>,
-    /// How far the equations of a chain go.
+    /// Linear or exact equations for a chain.
     pub rotations: ChainRotations,
-    /// What acts between the stones of a stack.
+    /// The law of contact of a stack.
     pub law: Law,
     /// Contact points of a joint of a stack.
     pub contact_rule: ContactRule,
-    /// Time step, s; the usual one of the kind without it.
+    /// Time step, s; by default that of the kind.
     pub step_s: Option<f64>,
-    /// Length of the run, s; the usual one of the kind without it.
+    /// Length of the run, s; by default that of the kind.
     pub duration_s: Option<f64>,
     /// Time between samples of the histories, s.
     pub output_step_s: f64,
-    /// Whether to go on when a stone has fallen.
+    /// Whether to continue after a stone has fallen.
     pub to_the_end: bool,
-    /// Whether a run of very many steps or samples is computed all the same.
+    /// Whether to compute a run of very many steps or samples.
     pub however_long: bool,
-    /// How often a stack is run in all, each but the first with small differences.
+    /// Number of runs of a stack, all except the first with small differences.
     pub repeats: Repeating,
-    /// How the wind of the file blows on a building, instead of a motion of the ground; `None`: it does not.
+    /// Options of the wind of the file on a building, instead of a motion of the ground; `None` for none.
     pub wind: Option<WindAsked>,
     /// Whether a building is also run without its dampers.
     pub compare: bool,
@@ -90,13 +90,13 @@ impl Default for SimulateOptions {
 /// Histories of the wind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct WindAsked {
-    /// Seed of the first; those after it count on.
+    /// Seed of the first history; the others count on.
     pub seed: u64,
-    /// How many there are of the wind along x and along y; 10 without it.
+    /// Number for the wind along x and along y; 10 by default.
     pub repeats: Option<usize>,
 }
 
-/// What is to be simulated, its inputs known: a run can be announced before it begins.
+/// A prepared simulation with its inputs: a run can be announced before it begins.
 #[derive(Debug)]
 pub struct PreparedSimulation<'a> {
     version: Version<'a>,
@@ -108,7 +108,7 @@ pub struct PreparedSimulation<'a> {
 /// Finds the version and its motion.
 ///
 /// # Errors
-/// An unknown variant, a kind that cannot be simulated, a push of what is no chain, a motion that is missing or refused.
+/// An unknown variant, a kind that cannot be simulated, a push on a structure that is not a chain, a motion that is missing or refused.
 pub fn prepare<'a>(
     opened: &'a Opened,
     options: &'a SimulateOptions,
@@ -154,7 +154,7 @@ pub fn prepare<'a>(
     })
 }
 
-/// Whether what moves a stack is its supports: the file has them, and no motion.
+/// Whether the supports of a stack move: the file has them, and no motion.
 pub(crate) fn moves_supports(project: &Project) -> bool {
     let Structure::Stack(part) = &project.structure else {
         return false;
@@ -162,7 +162,7 @@ pub(crate) fn moves_supports(project: &Project) -> bool {
     !part.support_movement.is_empty() && project.motions.is_empty()
 }
 
-/// What the surveys of a project say of its model as it is.
+/// Evidence of a project's surveys for its model as it is.
 ///
 /// # Errors
 /// A structure that cannot be built.
@@ -170,7 +170,7 @@ pub fn evidence_of(opened: &Opened) -> Result<Evidence, WorkError> {
     evidence(&opened.project, None)
 }
 
-/// What the surveys say of the model; nothing of a variant, nor where none measured a frequency.
+/// Evidence of the surveys for the model; none for a variant, nor where none measured a frequency.
 pub(crate) fn evidence(project: &Project, variant: Option<&str>) -> Result<Evidence, WorkError> {
     let surveys = &project.surveys;
     let is_measured = surveys
@@ -183,7 +183,8 @@ pub(crate) fn evidence(project: &Project, variant: Option<&str>) -> Result<Evide
     Ok(check.map_or_else(Evidence::none, |check| Evidence::of(project, &check)))
 }
 
-/// What a chain, frame or building is without any shaking, where that is not "stable": a chain or frame with what acts on it beside its weight, a frame as it leans; of a stack its check says so.
+/// State of a chain, frame or building without any shaking, if it is not "stable": for a chain or frame with its static loads and wind, for a
+/// frame also with its lean. For a stack the check contains it.
 fn without_shaking(project: &Project) -> Result<Option<WithoutShaking>, WorkError> {
     let asks_check = match &project.structure {
         Structure::Chain(_) => !project.loads.is_empty(),
@@ -233,12 +234,12 @@ impl PreparedSimulation<'_> {
         self.version.project
     }
 
-    /// The motion that acts; `None` for a chain that is pushed, and for a stack whose supports move.
+    /// The acting motion; `None` for a chain with a push, and for a stack whose supports move.
     pub fn motion(&self) -> Option<&MotionAnswer> {
         self.motion.as_ref()
     }
 
-    /// The motion that acts after it.
+    /// The second motion.
     pub fn then(&self) -> Option<&MotionAnswer> {
         self.then.as_ref()
     }
@@ -248,7 +249,7 @@ impl PreparedSimulation<'_> {
         self.motion.is_none() && moves_supports(self.version.project)
     }
 
-    /// The run; of two motions the first alone, then both as one with the time to rest between them.
+    /// Runs the simulation; with two motions the first alone, then both as one with the time to rest between them.
     ///
     /// # Errors
     /// [`WorkError`], where the structure cannot be built or its stiffness is unknown, or the run is refused.
@@ -266,7 +267,7 @@ impl PreparedSimulation<'_> {
     }
 }
 
-/// The first motion alone, as often longer as the structure needs to come to rest; then both as one. What is run again with small differences is both.
+/// The first motion alone, extended until the structure is at rest; then both as one. Repeats with small differences are of both.
 fn run_after(
     version: &Version<'_>,
     (first, second): (MotionAnswer, MotionAnswer),
@@ -318,7 +319,7 @@ fn run_after(
     Ok(answer)
 }
 
-/// How every run of one motion ended; `None` of what is no motion of the ground, and where one has no verdict or fell.
+/// The end of every run of one motion; `None` without a ground motion, and where a run has no verdict or fell.
 fn rest_of(simulations: &[Simulation]) -> Option<AtRest> {
     let mut all = Vec::new();
     for simulation in simulations {

@@ -1,4 +1,4 @@
-//! What `dolmen simulate` found, of any kind.
+//! Results of `dolmen simulate`, for any kind of structure.
 
 pub use crate::at_rest::SPEED_AT_REST_M_S;
 use crate::building::{BuildingSimulation, WindSimulation};
@@ -10,20 +10,20 @@ use crate::stack::{StackRuns, SupportsSimulation};
 use dolmen::stability::stack::Standing;
 use dolmen_project::ModelDamage;
 
-/// A simulation of a structure of any kind, with what went in.
+/// A simulation of a structure of any kind, with its input.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Simulation {
-    /// Of a chain.
+    /// A chain.
     Chain(Box<ChainSimulation>),
-    /// Of a frame in one direction.
+    /// A frame in one direction.
     Frame(Box<FrameSimulation>),
-    /// Of a stack, by one law of contact or both.
+    /// A stack, by one law of contact or both.
     Stack(Box<StackRuns>),
-    /// Of a stack whose supports move slowly.
+    /// A stack whose supports move slowly.
     Supports(Box<SupportsSimulation>),
-    /// Of a building.
+    /// A building.
     Building(Box<BuildingSimulation>),
-    /// Of a building in the wind of its file.
+    /// A building in the wind of its file.
     Wind(Box<WindSimulation>),
 }
 
@@ -52,16 +52,16 @@ impl Simulation {
     }
 }
 
-/// What a structure is before it is shaken.
+/// State of a structure before shaking.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WithoutShaking {
     /// The word.
     pub weight: Weight,
-    /// What of wind and static loads decides it; `None` where its own weight does.
+    /// The wind or static loads that govern it; `None` where its own weight does.
     pub governed_by: Option<Governing>,
 }
 
-/// What came before the second of two motions.
+/// The first of two motions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AfterFirst {
     /// Name of the first motion.
@@ -70,7 +70,7 @@ pub struct AfterFirst {
     pub second_motion: String,
     /// The first motion alone.
     pub first: SimulateAnswer,
-    /// How the second came to act, or why it did not.
+    /// Whether and how the second acted.
     pub second: Second,
 }
 
@@ -83,7 +83,7 @@ pub enum Second {
         still_s: f64,
         /// Largest speed of any part shortly before it began, m/s.
         speed_m_s: f64,
-        /// When it began, s.
+        /// Its start, s.
         from_s: f64,
     },
     /// The structure fell in the first: the simulations are of that one alone.
@@ -102,25 +102,25 @@ impl Second {
     }
 }
 
-/// What came of `dolmen simulate`.
+/// Results of `dolmen simulate`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SimulateAnswer {
     /// The project file, as the user named it.
     pub file: String,
-    /// Each run: of a frame one a direction.
+    /// The runs; for a frame one for each direction.
     pub simulations: Vec<Simulation>,
-    /// The variant of the file that was asked for; `None` for the structure as it is.
+    /// The requested variant of the file; `None` for the structure as it is.
     pub variant: Option<String>,
-    /// Why nothing was simulated of a stack that does not stand without any shaking.
+    /// Why a stack that does not stand without shaking was not simulated.
     pub does_not_stand: Option<Standing>,
-    /// What surveys say of the model of the structure as it is.
+    /// Evidence of surveys for the model of the structure as it is.
     pub evidence: Evidence,
-    /// What a chain, frame or building is under its weight, the static loads and the wind of the file, where that is not "stable".
+    /// State of a chain, frame or building under its weight, the static loads and the wind of the file, if it is not "stable".
     pub without_shaking: Option<WithoutShaking>,
-    /// Whether the measured tilt of the structure as it is is beyond its limit before any shaking.
+    /// Whether the measured tilt of the structure as it is exceeds its limit before any shaking.
     pub tilt_beyond_limit: bool,
-    /// What came before, where the motion was the second of two.
+    /// The first motion, where the motion was the second of two.
     pub after: Option<Box<AfterFirst>>,
-    /// Damage of inspections that the model has.
+    /// Inspected damage in the model.
     pub damage: Vec<ModelDamage>,
 }

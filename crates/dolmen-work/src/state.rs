@@ -1,4 +1,4 @@
-//! Whether a version of a structure stands, and everything that speaks for or against it.
+//! Whether a version of a structure stands, with all evidence for and against it.
 
 use crate::building::BuildingAnswer;
 use crate::frame::{DirectionLean, StoreyColumns, TenonsCheck};
@@ -16,55 +16,55 @@ use dolmen::structure::stack::Stack;
 use dolmen_project::{Names, Quantity, SurveyedLean};
 use dolmen_words::message::Both;
 
-/// The result whose sensitivities are given.
+/// The result of which sensitivities are given.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum SensitivityOf {
     /// λ: the structure's stiffness is known.
     #[default]
     LoadFactor,
-    /// Stiffness that equal joints of a chain need: its own is not known.
+    /// Stiffness that equal joints of a chain need, because its own is unknown.
     EqualJoints,
     /// Horizontal acceleration at which a stack begins to move.
     FirstMotion,
 }
 
-/// Whether one version of a structure stands.
+/// The state of one version of a structure.
 #[derive(Clone, Debug)]
 pub struct State {
     /// The check of the structure.
     pub check: Check,
-    /// Measured tilt against the tilt at which a joint reaches its uplift limit, of the last survey that states one.
+    /// Measured tilt of the latest survey with a tilt, and the tilt at which a joint reaches its uplift limit.
     pub tilts: Vec<TiltCheck>,
-    /// What wind and static loads do; `None` if the file gives none.
+    /// The response to wind and static loads; `None` if the file gives none.
     pub loads: Option<LoadsAnswer>,
     /// Where a measured first frequency and that of the model differ by more than [`FREQUENCY_RATIO_MOST`].
     pub contradictions: Vec<FrequencyContradiction>,
-    /// What the springs of a stack must be multiplied by to have the frequencies that surveys measured.
+    /// The factor on the springs of a stack that gives the frequencies of surveys.
     pub spring_fits: Vec<SpringFit>,
-    /// What an earthquake asks for at its site; `None` if the file has none.
+    /// The demand of an earthquake at its site; `None` without a site.
     pub demand: Option<DemandAnswer>,
-    /// Its scatter under the inputs that carry a cov; `None` if not asked for or no stiffness is known.
+    /// The scatter of the load factor under uncertain inputs; `None` if not requested, or without a known stiffness.
     pub sampled: Option<Sampled>,
 }
 
-/// What an earthquake asks of a structure.
+/// The seismic demand on a structure.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DemandAnswer {
-    /// The site with every number on the way.
+    /// The site, with all intermediate numbers.
     pub site: SiteDemand,
-    /// A stack against it; `None` for other structures, and where the site gives no acceleration of the ground.
+    /// The comparison of a stack with it; `None` for other structures, and where the site gives no ground acceleration.
     pub stack: Option<StackDemandCheck>,
-    /// The part of a stack that lifts first against the spectral velocity; `None` of other structures, and where it does not rock first.
+    /// The part of a stack that lifts first, under the spectral velocity; `None` for other structures, and where it does not rock first.
     pub by_velocity: Option<VelocityDemand>,
-    /// Local mechanisms of a stack against it, as codes want them: beside that, and they decide nothing.
+    /// The comparison of local mechanisms of a stack with it, as codes require; they do not affect the verdict.
     pub local_mechanisms: Vec<LocalMechanismAgainstSite>,
-    /// Storeys, joints and dampers against what limits them.
+    /// Storeys, joints and dampers compared with their limits.
     pub compared: Compared,
     /// Allowable drift of storeys; `None` where the file gives none.
     pub drift_limit: Option<DriftLimit>,
-    /// The spectrum at the first period of each direction that is known.
+    /// The spectrum at the first period of each direction with a known period.
     pub spectral: Vec<SpectralAt>,
-    /// Why nothing was compared, or a value is missing.
+    /// Why there is no comparison, or a value is missing.
     pub refused: Option<Both>,
 }
 
@@ -75,35 +75,36 @@ pub struct SpectralAt {
     pub direction: String,
     /// T₁, s.
     pub period_s: f64,
-    /// ζ at which the spectrum is read: that of the mode of a building, of a chain or frame what the file gives it, else that of the site.
+    /// ζ at which the spectrum is read: that of the mode of a building; for a chain or frame that of the file, otherwise that of the site.
     pub damping_ratio: f64,
     /// S_a(T₁, ζ), m/s².
     pub acceleration_m_s2: f64,
 }
 
-/// Ratio of a measured first frequency to the model's (or the other way round) from which the stiffness of the model is
-/// not that of the structure measured: 10 %, a fifth in stiffness. Chosen here.
+/// Ratio of a measured first frequency to the model's (or the inverse) from which the stiffness of the model is not that of the measured
+/// structure: 10 %, a fifth in stiffness. Chosen here.
 pub const FREQUENCY_RATIO_MOST: f64 = 1.1;
 
-/// A measured tilt against overturning, which a load factor does not see: a linear joint does not open, and a linear storey has no end.
+/// A measured tilt compared with overturning, which a load factor does not include: linear joints do not open, and linear storeys have no limit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TiltCheck {
     /// The survey.
     pub survey: String,
-    /// Direction of the tilt, "x"; "x+y" of both together.
+    /// Direction of the tilt, "x"; "x+y" for both together.
     pub direction: String,
     /// Horizontal / vertical.
     pub tilt: f64,
-    /// Least tilt of all joints at which one reaches its uplift limit N b/2, of a frame that at which a storey counts as fallen; `None` without bed widths or stiffness.
+    /// Smallest tilt over all joints at which one reaches its uplift limit N b/2; for a frame the tilt at which a storey counts as fallen.
+    /// `None` without bed widths or stiffness.
     pub uplift_tilt: Option<f64>,
-    /// Least tilt of all joints at which a bed begins to open under a linear pressure.
+    /// Smallest tilt over all joints at which a bed begins to open under a linear pressure.
     pub opens_tilt: Option<f64>,
 }
 
-/// How a structure leans as surveyed.
+/// The surveyed lean of a structure.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Leaning {
-    /// By all directions together, rad.
+    /// Resultant of all directions, rad.
     pub(crate) together_rad: f64,
     /// Along x and y, rad; both that of all together where a direction has another name.
     pub(crate) each_rad: [f64; 2],
@@ -130,16 +131,16 @@ impl Leaning {
 }
 
 impl TiltCheck {
-    /// Of the tilt at which a bed stands on its edge: along one of its sides it begins to open at this share.
+    /// Share of the tilt at which a bed stands on its edge, at which it begins to open along one of its sides.
     pub const OPENS: f64 = 1.0 / 3.0;
 
-    /// The tilt of all directions together, which are across each other, rad.
+    /// The resultant tilt of perpendicular directions, rad.
     pub(crate) fn resultant(tilts: &[TiltCheck]) -> f64 {
         let each = tilts.iter().filter(|of| !of.is_of_both());
         each.map(|of| of.tilt * of.tilt).sum::<f64>().sqrt()
     }
 
-    /// Whether it is that of two directions together.
+    /// Whether it is the resultant of two directions.
     fn is_of_both(&self) -> bool {
         self.direction.contains('+')
     }
@@ -152,7 +153,7 @@ impl TiltCheck {
     }
 }
 
-/// A measured frequency that the model does not have.
+/// A measured frequency that contradicts the model.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct FrequencyContradiction {
     /// The survey.
@@ -163,14 +164,14 @@ pub struct FrequencyContradiction {
     pub measured_hz: f64,
     /// Lowest frequency of the model, Hz.
     pub computed_hz: f64,
-    /// Three standard deviations of the measurement reach the model's frequency: it is too rough to tell.
+    /// Whether three standard deviations of the measurement reach the model's frequency: it is too inaccurate to tell.
     pub is_too_rough: bool,
-    /// The later survey that measured this direction too, and decides.
+    /// The later survey that also measured this direction, and decides.
     pub superseded_by: Option<String>,
 }
 
 impl FrequencyContradiction {
-    /// The slip that gives just this ratio; `None` if there is none.
+    /// The mistake that gives exactly this ratio; `None` if there is none.
     pub fn likely(&self) -> Option<dolmen_project::Doubted> {
         dolmen_project::likely(self.measured_hz, self.computed_hz)
     }
@@ -181,7 +182,7 @@ impl FrequencyContradiction {
 pub enum Check {
     /// A chain.
     Chain(Box<ChainCheck>),
-    /// A frame, one check a direction.
+    /// A frame, one check for each direction.
     Frame(Vec<DirectionCheck>),
     /// A stack of blocks.
     Stack(Box<StackAnswer>),
@@ -194,19 +195,19 @@ pub enum Check {
 pub struct StackAnswer {
     /// The stack as the file gives it.
     pub stack: Stack,
-    /// Does it stand, and at what horizontal acceleration does it begin to move.
+    /// Whether it stands, and the horizontal acceleration at which it begins to move.
     pub check: StackCheck,
     /// How it leans as surveyed.
     pub lean: Option<SurveyedLean>,
     /// Natural frequencies on the springs of its joints; `None` if it does not stand.
     pub frequencies: Option<StackFrequencies>,
-    /// The same without its side supports, which demands leave out; `None` where the frequencies count none.
+    /// The same without its side supports, which demands leave out; `None` without side supports in the frequencies.
     pub frequencies_unheld: Option<StackFrequencies>,
-    /// How each side support takes part in the frequencies; none of a stack that does not stand.
+    /// The role of each side support in the frequencies; empty for a stack that does not stand.
     pub beside: Vec<BesideInSmallMotion>,
-    /// Local mechanisms as codes want them, a direction each; none if it does not stand. `None` where they were not asked for.
+    /// Local mechanisms as codes require, one for each direction; empty if it does not stand, `None` if not requested.
     pub local_mechanisms: Option<Vec<LocalMechanismRow>>,
-    /// Frequencies of pagodas like it, of other heights and storeys; empty of a stack that no factors make, and where they were not asked for.
+    /// Frequencies of pagodas with its factors, for other heights and storeys; empty for a stack without factors, and if not requested.
     pub frequency_by_height: Vec<FrequencyByHeight>,
 }
 
@@ -217,21 +218,21 @@ impl StackAnswer {
     }
 }
 
-/// The local mechanism of a stack one way.
+/// The local mechanism of a stack in one direction.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LocalMechanismRow {
     /// Unit vector of the inertia forces in plan.
     pub direction: [f64; 2],
-    /// What moves and what it bears; `None` where nothing moves, or the limit analysis found no solution.
+    /// The moving part and its load factor; `None` where nothing moves, or the limit analysis found no solution.
     pub capacity: Option<LocalMechanismCapacity>,
 }
 
-/// A local mechanism of a stack against its site.
+/// A local mechanism of a stack compared with the demand of its site.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LocalMechanismAgainstSite {
-    /// What it bears.
+    /// Its capacity.
     pub capacity: LocalMechanismCapacity,
-    /// What the site asks of it.
+    /// The demand.
     pub demand: LocalMechanismDemand,
 }
 
@@ -240,20 +241,20 @@ pub struct LocalMechanismAgainstSite {
 pub enum StackFrequencies {
     /// They are known.
     Known {
-        /// Lowest first, of few stones all; [`MODES_SHOWN`] are shown.
+        /// Lowest first, all of them for few stones; [`MODES_SHOWN`] are shown.
         modes: Vec<StackMode>,
-        /// Which of all its modes is the first of swaying along x and along y, and its frequency, Hz.
+        /// Index of the first mode of swaying along x and along y, and its frequency, Hz.
         sways: [Option<(usize, f64)>; 2],
     },
-    /// Why they are not.
+    /// Why they are unknown.
     Refused(String),
 }
 
-/// How many natural frequencies of a stack are shown. Chosen here: swaying along both axes, and one more.
+/// Number of natural frequencies of a stack that are shown. Chosen here: swaying along both axes, and one more.
 pub const MODES_SHOWN: usize = 3;
 
 impl StackFrequencies {
-    /// The first mode of swaying along "x" or "y": its number among all modes, from 0, and its frequency, Hz.
+    /// The first mode of swaying along "x" or "y": its index among all modes, from 0, and its frequency, Hz.
     pub fn sway(&self, direction: &str) -> Option<(usize, f64)> {
         let StackFrequencies::Known { sways, .. } = self else {
             return None;
@@ -265,7 +266,7 @@ impl StackFrequencies {
         }
     }
 
-    /// The modes found, lowest first.
+    /// The computed modes, lowest first.
     pub fn modes(&self) -> Option<&[StackMode]> {
         match self {
             StackFrequencies::Known { modes, .. } => Some(modes),
@@ -274,16 +275,16 @@ impl StackFrequencies {
     }
 }
 
-/// One factor on all springs of a stack, from one survey.
+/// The factor on all springs of a stack from one survey.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SpringFit {
     /// The survey.
     pub survey: String,
-    /// What the stiffness of every joint must be multiplied by; `None` if nothing can be compared.
+    /// The factor; `None` without a comparable frequency.
     pub factor: Option<f64>,
-    /// By direction the lowest frequency measured, and that of the stack with the factor.
+    /// For each direction the lowest measured frequency, and that of the stack with the factor.
     pub frequencies: Vec<(String, MatchedFrequency)>,
-    /// Directions with a measured frequency that are neither x nor y: not compared.
+    /// Directions with a measured frequency other than x and y: not compared.
     pub not_compared: Vec<String>,
 }
 
@@ -294,44 +295,44 @@ pub struct DirectionCheck {
     pub direction: String,
     /// Its check, with every joint stuck.
     pub check: FrameCheck,
-    /// The same while every joint slips; `None` where slipping takes no stiffness away, or it is not known.
+    /// The same with every joint slipping; `None` where slipping does not reduce the stiffness, or that is unknown.
     pub slipping: Option<FrameCheck>,
-    /// How it leans as surveyed, at rest; `None` where it takes no tilt over, is not known, or falls.
+    /// Its surveyed lean at rest; `None` where it has no tilt, is unknown, or falls.
     pub lean: Option<DirectionLean>,
-    /// What free-standing columns hold, of the storeys that have some.
+    /// The resistance of free-standing columns, for the storeys that have some.
     pub columns: Vec<StoreyColumns>,
-    /// What its tenons with slack add once they bear; `None` without any, or where its stiffness is not known.
+    /// The stiffness of its tenons with slack once they bear; `None` without any, or where its stiffness is unknown.
     pub tenons: Option<TenonsCheck>,
 }
 
-/// A variant and whether it stands.
+/// A variant and its state.
 #[derive(Clone, Debug)]
 pub struct VariantAnswer {
     /// The table's name.
     pub name: String,
     /// A longer name, if given.
     pub title: Option<Names>,
-    /// Inputs that the project as given does not have, or not so.
+    /// Inputs that the project as given lacks or has with other values.
     pub own_inputs: Vec<Quantity>,
-    /// Does it stand.
+    /// Its state.
     pub state: State,
 }
 
-/// The load factor under inputs drawn from their distributions.
+/// The load factor for random samples of the inputs.
 #[derive(Clone, Debug, serde::Serialize)]
 pub struct Sampled {
-    /// Probability that the structure falls: λ ≤ 1, or a frame leans to its fall as surveyed.
+    /// Probability of a fall: λ ≤ 1, or a frame whose surveyed lean grows to a fall.
     pub unstable: Probability,
     /// Probability that a combination of wind and static loads brings a joint to its limit; `None` where there are none.
     pub under_loads: Option<Probability>,
     /// λ of each sample, ascending. For a frame the smallest of its directions.
     #[serde(rename = "load_factor_quantiles", serialize_with = "as_quantiles")]
     pub load_factors: Vec<f64>,
-    /// Paths of the inputs that were drawn.
+    /// Paths of the random inputs.
     pub inputs: Vec<String>,
 }
 
-/// Shares of the samples whose load factors are printed.
+/// Quantiles of the samples whose load factors are printed.
 const QUANTILES: [(&str, f64); 3] = [("5 %", 0.05), ("50 %", 0.5), ("95 %", 0.95)];
 
 impl Sampled {
@@ -355,7 +356,7 @@ fn as_quantiles<S: serde::Serializer>(load_factors: &[f64], serializer: S) -> Re
 }
 
 impl State {
-    /// Whether a damper of a building needs more room under the spectrum of its site than it has.
+    /// Whether the stroke of a damper under the spectrum of the site exceeds its room.
     pub fn is_beyond_room(&self) -> bool {
         match &self.check {
             Check::Building(answer) => {
@@ -366,7 +367,7 @@ impl State {
         }
     }
 
-    /// Load factor λ: of a frame the smallest of its directions; `None` if no stiffness is known, and of a stack.
+    /// Load factor λ: for a frame the smallest of its directions; `None` if no stiffness is known, and for a stack.
     pub fn load_factor(&self) -> Option<f64> {
         match &self.check {
             Check::Chain(check) => check.load_factor(),
@@ -379,7 +380,7 @@ impl State {
         }
     }
 
-    /// Least load factor of a frame whose joints slip; `None` if none can.
+    /// Smallest load factor of a frame with slipping joints; `None` if none can slip.
     pub fn slipping_load_factor(&self) -> Option<f64> {
         let Check::Frame(directions) = &self.check else {
             return None;
@@ -399,8 +400,8 @@ impl State {
         worst([self.weight_verdict()].into_iter().chain(loads))
     }
 
-    /// That of wind and static loads. Supports that move change the shape: static loads as they are move with it, of wind and of factors
-    /// nothing is known then.
+    /// The verdict on wind and static loads. Supports that move change the shape: static loads without factors move with it, but the effect of
+    /// wind and of factors is then unknown.
     fn loads_verdict(&self, loads: &LoadsAnswer) -> Verdict {
         let moves =
             matches!(&self.check, Check::Stack(answer) if !answer.stack.support_movements().is_empty());
@@ -412,7 +413,7 @@ impl State {
         }
     }
 
-    /// The share of the samples that falls under its own weight, or that wind and static loads bring to a limit, whichever is larger; `None`
+    /// The share of the samples that fall under their own weight, or reach a limit under wind and static loads, whichever is larger; `None`
     /// without samples, or where none does.
     pub fn falling_share(&self) -> Option<f64> {
         let sampled = self.sampled.as_ref()?;
@@ -423,7 +424,7 @@ impl State {
 
     /// The worst verdict without wind and static loads.
     fn weight_verdict(&self) -> Verdict {
-        // a tilt that cannot be checked stands beside the verdict, and does not change it
+        // a tilt that cannot be checked does not change the verdict
         let tilts = self
             .tilts
             .iter()
@@ -432,17 +433,17 @@ impl State {
         worst(tilts.chain([self.stability_verdict()]))
     }
 
-    /// Wind and loads, where they make the verdict what it is.
+    /// Wind and loads, where they govern the verdict.
     pub fn governing_loads(&self) -> Option<&LoadsAnswer> {
         let loads = self.loads.as_ref()?;
         let verdict = self.verdict();
-        // static loads of a stack are in its check already
+        // the check of a stack includes its static loads already
         let in_check = matches!(&self.check, Check::Stack(answer) if !answer.stack.static_loads().is_empty());
         let is_one = in_check && verdict != Verdict::Stable && self.loads_verdict(loads) == verdict;
         (is_one || self.weight_verdict() != verdict).then_some(loads)
     }
 
-    /// The direction of a chain of two in which it is worse off under its weight and its tilt; `None` of others, and where both do alike.
+    /// The worse direction of a chain of two, under its weight and its tilt; `None` for others, and where both are equal.
     pub fn worse_direction(&self) -> Option<&'static str> {
         let Check::Chain(check) = &self.check else {
             return None;
@@ -461,12 +462,12 @@ impl State {
         }
     }
 
-    /// Against the demand of its site; `None` if that is not compared.
+    /// The comparison with the demand of its site; `None` without one.
     pub fn demand_verdict(&self) -> Option<DemandVerdict> {
         Some(self.demand.as_ref()?.stack.as_ref()?.verdict)
     }
 
-    /// The verdict on the load factor alone, of a stack on its least margin without shaking.
+    /// The verdict on the load factor alone; for a stack on its smallest margin without shaking.
     pub fn stability_verdict(&self) -> Verdict {
         match &self.check {
             Check::Chain(chain) => {
@@ -489,7 +490,7 @@ impl State {
     }
 }
 
-/// Unstable if any is; else unknown if any is; else the worse of the rest.
+/// Unstable if any is; otherwise unknown if any is; otherwise the worst.
 fn worst(verdicts: impl Iterator<Item = Verdict>) -> Verdict {
     let severity = |verdict: &Verdict| match verdict {
         Verdict::Unstable => 3,

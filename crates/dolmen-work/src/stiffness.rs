@@ -1,28 +1,28 @@
-//! Stiffness that explains measured modes, with the load factor that it gives.
+//! Stiffness that explains measured modes, with its load factor.
 
 use crate::error::WorkError;
 use crate::surveyed::StiffnessAnswer;
 use dolmen::structure::{Convention, MeasuredMode, StiffnessNote, StiffnessSolution, StiffnessSolutions};
 use dolmen_project::LoadsPart;
 
-/// What stiffness is sought from.
+/// Data for the search for a stiffness.
 pub(crate) struct MeasuredDirection<'a> {
     pub(crate) direction: &'a str,
     pub(crate) modes: &'a [MeasuredMode],
     pub(crate) notes: &'a [StiffnessNote],
-    /// What hangs on the structure, and swings with it.
+    /// Weights of loads on the structure, which move with it.
     pub(crate) loads: &'a LoadsPart,
 }
 
 impl MeasuredDirection<'_> {
-    /// The answer with the solutions that were found; `load_factor` gives that of a stiffness.
+    /// The answer with the solutions; `load_factor` computes that of a stiffness.
     pub(crate) fn answer(
         &self,
         convention: Option<Convention>,
         mut solutions: StiffnessSolutions,
         load_factor: impl Fn(&[f64]) -> Result<f64, WorkError>,
     ) -> Result<StiffnessAnswer, WorkError> {
-        // with the least stiffness that the data allow
+        // with the smallest stiffness that the data allow
         let least = solutions.solutions.iter().map(StiffnessSolution::stiffness_least);
         let load_factors: Result<Vec<Option<f64>>, WorkError> = least
             .map(|least| least.map(|k| load_factor(&k)).transpose())

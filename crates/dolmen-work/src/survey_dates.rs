@@ -1,10 +1,10 @@
-//! When a survey was, as its name says.
+//! The date in a survey's name.
 
-/// The date that a survey's name begins with: "2019", "2019-04", "2019-04-02", "2019.04.02", "20190402", what is missing 0.
+/// The date at the beginning of a survey's name: "2019", "2019-04", "2019-04-02", "2019.04.02", "20190402"; missing parts are 0.
 pub use dolmen_project::date_of as date;
 use dolmen_records::time_text;
 
-/// Days from 1970-01-01 to a date; a missing month or day is taken in the middle of what is known.
+/// Days from 1970-01-01 to a date; a missing month or day is taken in the middle of the known period.
 ///
 /// Source: Richards (2013) Explanatory supplement to the astronomical almanac, 15.11, in the form of H. Hinnant (2013).
 pub(crate) fn day_of([year, month, day]: [u32; 3]) -> f64 {
@@ -24,7 +24,7 @@ pub(crate) fn day_of([year, month, day]: [u32; 3]) -> f64 {
     (era * 146_097 + of_cycle - 719_468) as f64
 }
 
-/// The first and the last day of what a date says: of a year all of it.
+/// The first and the last day of a date, such as the whole of a year.
 pub(crate) fn days_of([year, month, day]: [u32; 3]) -> [f64; 2] {
     match (month, day) {
         (0, _) => [day_of([year, 1, 1]), day_of([year, 12, 31])],
@@ -42,11 +42,11 @@ pub fn date_text(day: f64) -> String {
     time_text(day.floor() * 86_400.0).chars().take(DATE).collect()
 }
 
-/// Characters of a date with its day: "2019-04-02".
+/// Number of characters in a full date: "2019-04-02".
 const DATE: usize = 10;
 
-/// The day that a survey's name is nothing but, with a time or a number behind it or none: "2019-04-02", "2019-04-02T10:30", "2019-04-02 10:30:15",
-/// "2019-04-02 (2)". A name with words behind its date stands for something of its own.
+/// The day of a survey whose name is only a date, with or without a time or a number after it: "2019-04-02", "2019-04-02T10:30", "2019-04-02
+/// 10:30:15", "2019-04-02 (2)". A name with words after its date means something else.
 pub fn day_of_a_record(name: &str) -> Option<&str> {
     date(name).filter(|[_, _, day]| *day > 0 && name.as_bytes().get(4) == Some(&b'-'))?;
     let (day, rest) = name.split_at_checked(DATE)?;

@@ -1,11 +1,11 @@
-//! In which direction a measured mode moves.
+//! The direction of a measured mode.
 
 use dolmen::modal::ObservedMode;
 
-/// Share of a shape's square along one direction from which it moves in that. Chosen here.
+/// Share of a shape's square along one direction from which that is its direction. Chosen here.
 const ALONG_FROM: f64 = 0.8;
 
-/// The direction that the file states, else "x" or "y" as the shape at the sensors shows; `None` where it shows neither.
+/// The direction stated in the file, otherwise "x" or "y" from the shape at the sensors; `None` where neither is known.
 pub(crate) fn direction_of(mode: &ObservedMode) -> Option<String> {
     if mode.direction.is_some() {
         return mode.direction.clone();

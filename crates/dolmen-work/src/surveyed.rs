@@ -1,4 +1,4 @@
-//! What was identified from one survey.
+//! Results of one survey.
 
 use crate::beside_file::BesideFile;
 use crate::building::PlanAnswer;
@@ -16,38 +16,38 @@ use dolmen::structure::{Choice, ColumnsOfLevel, Convention, ShapeDoubt, Stiffnes
 use dolmen_project::EarthquakePart;
 use dolmen_words::message::Both;
 
-/// Why no stiffness is sought.
+/// Why no stiffness is computed.
 #[derive(Clone, Debug, PartialEq)]
 pub enum WithoutStiffness {
     /// No channel has both a position and a direction.
     NoPlace,
-    /// Every mode that was measured in a direction twists.
+    /// Every measured mode in a direction is torsional.
     AllTwist {
         /// The direction.
         direction: String,
     },
-    /// The file says that nothing but columns holds a frame in a direction: its stiffness is that of their beds.
+    /// The file states that only columns hold a frame in a direction: its stiffness is that of their beds.
     OnColumnsAlone {
         /// The direction.
         direction: String,
     },
-    /// No sensor points within 15° of x or y.
+    /// No sensor is within 15° of x or y.
     OffTheAxes {
         /// Names of those that have a position and a direction.
         channels: Vec<String>,
     },
     /// A building of more floors than one.
     Floors {
-        /// How many.
+        /// Number of floors.
         floors: usize,
     },
-    /// The walls of a building's storey are turned from x and y, so that sway along one pushes along the other.
+    /// The walls of a building's storey are not along x and y, so that sway along one pushes along the other.
     WallsTurned,
-    /// A survey of a building states no modes, and its record does not show how the floor moves.
+    /// A survey of a building states no modes, and its record does not determine the motion of the floor.
     OnlyRecord,
     /// The shapes of the record are not those of a rigid floor.
     FloorNotRigid {
-        /// Share of them that no rigid floor has.
+        /// Share of them that is not the motion of a rigid floor.
         unexplained: f64,
     },
     /// Dampers stand on the floor: its modes are not those of the floor alone.
@@ -55,9 +55,9 @@ pub enum WithoutStiffness {
         /// Their names.
         dampers: Vec<String>,
     },
-    /// A side support of a stack pushes in one half of each swing alone: its modes are not those of springs.
+    /// A side support of a stack acts in only one half of each cycle: the modes are not those of springs.
     SideSupportOneWay {
-        /// Its place among the side supports, from 1.
+        /// Its index among the side supports, from 1.
         number: usize,
         /// The stone that it holds.
         stone: String,
@@ -69,12 +69,12 @@ pub enum WithoutStiffness {
         /// Whether it has records.
         has_record: bool,
     },
-    /// A survey of a stack states modes in directions that a stack does not sway along.
+    /// A survey of a stack states modes in directions without sway of a stack.
     OtherDirections {
         /// The directions.
         directions: Vec<String>,
     },
-    /// The modes of a stack lead to no factors on its springs.
+    /// The modes of a stack give no factors on its springs.
     Stack(Box<JointFactorsError>),
 }
 
@@ -151,30 +151,30 @@ impl std::fmt::Display for WithoutStiffness {
     }
 }
 
-/// What was identified from one survey.
+/// Results of one survey.
 #[derive(Clone, Debug)]
 pub struct SurveyAnswer {
     /// The survey's name.
     pub name: String,
     /// Modes from its records; `None` if it has none.
     pub records: Option<RecordAnswer>,
-    /// Its setups, one by one and put together; `None` if it has none.
+    /// Its setups, one by one and joined; `None` if it has none.
     pub setups: Option<SetupsAnswer>,
-    /// The modes of its records beside those of the model, of a stack or building.
+    /// The modes of its records paired with those of the model, for a stack or building.
     pub model: Option<ModelModes>,
-    /// What the shapes of its records say against the chain or frame.
+    /// Contradictions between the shapes of its records and the chain or frame.
     pub shape_doubt: Option<ShapeDoubt>,
     /// Whether the columns of each level of a frame move as one in its modes, by direction.
     pub columns: Vec<SurveyColumns>,
-    /// Two directions whose stiffness is each that of the other in the file.
+    /// Two directions whose stiffnesses appear exchanged in the file.
     pub exchanged_directions: Option<[String; 2]>,
-    /// Stiffness from its modes, one entry a direction and convention.
+    /// Stiffness from its modes, one entry for each direction and convention.
     pub stiffness: Vec<StiffnessAnswer>,
-    /// Stiffness in plan from its modes, of a building with one floor.
+    /// Stiffness in plan from its modes, for a building with one floor.
     pub plan: Option<Box<PlanAnswer>>,
-    /// Factors on the springs of the joints from its modes, of a stack.
+    /// Factors on the springs of the joints from its modes, for a stack.
     pub factors: Option<Box<FactorsAnswer>>,
-    /// Why its modes lead to no stiffness, where they do not.
+    /// Why its modes give no stiffness, where they do not.
     pub without_stiffness: Option<WithoutStiffness>,
 }
 
@@ -187,23 +187,23 @@ pub struct SurveyColumns {
     pub levels: Vec<ColumnsOfLevel>,
 }
 
-/// What several setups gave.
+/// Results of several setups.
 #[derive(Clone, Debug)]
 pub struct SetupsAnswer {
     /// Each by itself.
     pub records: Vec<RecordAnswer>,
-    /// Put together after each was identified.
+    /// Joined after each was identified.
     pub merged: MergedSetups,
-    /// Identified as one, where the file asks for that: then these are the modes of the survey.
+    /// Identified as one, if the file requests it: then these are the modes of the survey.
     pub joint: Option<JointSetups>,
 }
 
-/// Shapes of one mode at its references are rarely less alike; chosen here.
+/// MAC of the shapes of one mode at its references that is rarely undercut; chosen here.
 pub const REFERENCES_ALIKE: f64 = 0.9;
 
 impl SetupsAnswer {
-    /// Frequencies, Hz, at which setups put together may not show one mode: another pairing was nearly as good, or the shapes at the
-    /// references are not alike. All where a reference is not the same in all setups; else none where they were identified as one.
+    /// Frequencies, Hz, at which joined setups may not show the same mode: another pairing was nearly as good, or the shapes at the references
+    /// differ. All of them where a reference differs between setups; otherwise none where the setups were identified as one.
     pub fn doubtful_hz(&self) -> Vec<f64> {
         if !self.merged.reference_faults.is_empty() {
             return self.modes().modes.iter().map(|mode| mode.frequency_hz).collect();
@@ -232,7 +232,7 @@ impl SetupsAnswer {
 }
 
 impl SurveyAnswer {
-    /// Peaks of its record that are none of its modes, and modes that were not picked, Hz, ascending. Empty of several setups.
+    /// Peaks of its record that are not among its modes, and modes that were not picked, Hz, ascending. Empty for several setups.
     pub fn unexplained_hz(&self) -> Vec<f64> {
         let notes = self.records.iter().flat_map(|record| &record.analysis.notes);
         let mut all: Vec<f64> = notes
@@ -246,7 +246,7 @@ impl SurveyAnswer {
         all
     }
 
-    /// The earthquake that its records hold: of several the strongest over its noise.
+    /// The earthquake in its records: of several the strongest relative to its noise.
     pub fn earthquake(&self) -> Option<&Earthquake> {
         let setups = self.setups.iter().flat_map(|setups| &setups.records);
         let all = self.records.iter().chain(setups);
@@ -255,12 +255,12 @@ impl SurveyAnswer {
         found.max_by(|a, b| over(a).total_cmp(&over(b)))
     }
 
-    /// Whether its modes are those of a structure in an earthquake, which no ambient survey can be compared with.
+    /// Whether its modes are those of a structure during an earthquake, which cannot be compared with an ambient survey.
     pub fn is_shaken(&self) -> bool {
         self.earthquake().is_some_and(Earthquake::is_shaken)
     }
 
-    /// What is wrong with the channels of its records.
+    /// Faults of the channels of its records.
     pub fn faults(&self) -> Vec<(String, SensorFault)> {
         let setups = self.setups.iter().flat_map(|setups| &setups.records);
         let records = self.records.iter().chain(setups);
@@ -268,7 +268,8 @@ impl SurveyAnswer {
         faults.map(SensorFault::of).collect()
     }
 
-    /// The modes that its records show, of several setups those put together, and the equally strong blocks of time behind their deviations.
+    /// The modes of its records, for several setups those of all joined, and the number of equally strong blocks of time behind their
+    /// deviations.
     pub fn modes(&self) -> Option<(&Modes, usize)> {
         match (&self.setups, &self.records) {
             (Some(setups), _) => {
@@ -287,43 +288,43 @@ impl SurveyAnswer {
     }
 }
 
-/// Of which part of a record that holds an earthquake its modes are.
+/// The part of a record with an earthquake from which its modes are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ModesOf {
-    /// Of what followed the last one.
+    /// The part after the last one.
     After,
-    /// Of what came between two of them, since what followed is too short.
+    /// The part between two of them, because the part after the last is too short.
     Between,
-    /// Of what came before, since what followed is too short.
+    /// The part before, because the part after is too short.
     Before,
-    /// Of its strong phase, above the ground as it moved.
+    /// The strong phase, relative to the measured ground.
     During,
-    /// Of all of the record, since every part of it is too short.
+    /// The whole record, because every part of it is too short.
     Whole,
 }
 
-/// An earthquake in a record, and of which part its modes are.
+/// An earthquake in a record, and the part from which its modes are.
 #[derive(Clone, Debug)]
 pub struct Earthquake {
-    /// What was found.
+    /// The earthquake.
     pub found: StrongMotion,
-    /// Of which part the modes of the record are.
+    /// The part of the modes.
     pub modes_of: ModesOf,
 }
 
 impl Earthquake {
-    /// Whether it was one beyond doubt, or left a change beyond chance, whatever it was: else it may have been traffic, and the record shows the structure at
-    /// rest but for that.
+    /// Whether it was certainly an earthquake, or any event that left a significant change. Otherwise it may have been traffic, and the record
+    /// counts as one of the structure at rest.
     pub fn is_one(&self) -> bool {
         self.found.is_sure() || self.found.lasting().is_some()
     }
 
-    /// Whether the modes are those of the structure in it, which no ambient survey can be compared with.
+    /// Whether the modes are those of the structure during it, which cannot be compared with an ambient survey.
     pub fn is_shaken(&self) -> bool {
         matches!(self.modes_of, ModesOf::During | ModesOf::Whole)
     }
 
-    /// As a survey states it: the largest acceleration, and the change of the lowest mode that changed beyond chance, else of the lowest.
+    /// In the form of a survey: the largest acceleration, and the change of the lowest mode with a significant change, otherwise of the lowest.
     pub fn part(&self) -> EarthquakePart {
         let largest = self.found.largest();
         let peak = largest.strongest().and_then(|of| of.peak_acceleration_m_s2);
@@ -337,7 +338,7 @@ impl Earthquake {
     }
 }
 
-/// What a record gave.
+/// Results of a record.
 #[derive(Clone, Debug)]
 pub struct RecordAnswer {
     /// Path of the record file as the project names it.
@@ -350,17 +351,17 @@ pub struct RecordAnswer {
     pub sampling_rate_hz: f64,
     /// Unit of the numbers; "" if not known.
     pub unit: String,
-    /// What its files say beside the samples, sentences.
+    /// Notes of its files besides the samples, as sentences.
     pub remarks: Vec<Both>,
-    /// Columns that look like times and cannot be read, so that nothing confirms the sampling rate given.
+    /// Columns that look like times but cannot be read, so that nothing confirms the given sampling rate.
     pub unread_stamps: Vec<String>,
-    /// What looked wrong with channels.
+    /// Suspected faults of channels.
     pub faults: Vec<ChannelFault>,
-    /// What its sensors say against each other.
+    /// Contradictions between its sensors.
     pub doubts: Vec<SensorDoubt>,
-    /// Spectrum, stabilisation and modes; of a record that holds an earthquake those of the part that `earthquake` says.
+    /// Spectrum, stabilisation and modes; for a record with an earthquake those of the part in `earthquake`.
     pub analysis: ModalAnalysis,
-    /// The earthquake that it holds.
+    /// The earthquake in it.
     pub earthquake: Option<Earthquake>,
     /// Its channels over time, and a spectrogram.
     pub seen: RecordSeen,
@@ -373,27 +374,27 @@ pub struct StiffnessAnswer {
     pub direction: String,
     /// What the springs of a frame act on; `None` for a chain.
     pub convention: Option<Convention>,
-    /// Frequencies that went in, Hz.
+    /// The frequencies used, Hz.
     pub frequencies_hz: Vec<f64>,
-    /// Whether any of them carried a measured shape.
+    /// Whether any of them had a measured shape.
     pub with_shapes: bool,
     /// Every solution.
     pub solutions: StiffnessSolutions,
     /// Load factor λ with each solution, in the same order.
     pub load_factors: Vec<Option<f64>>,
-    /// Peaks of the record below the highest mode used that are none of the modes, Hz: one of them may be a mode of this direction, and every
-    /// stiffness then is wrong.
+    /// Peaks of the record below the highest mode in use that are not among the modes, Hz: if one of them is a mode of this direction, every
+    /// stiffness is wrong.
     pub peaks_below_hz: Vec<f64>,
-    /// Why no solution is chosen whatever explains the modes; `None` if nothing is doubted.
+    /// Why no solution is chosen although some explain the modes; `None` without doubt.
     pub doubted: Option<StiffnessDoubt>,
-    /// The one solution beside the stiffness of the file.
+    /// The only solution compared with the stiffness of the file.
     pub beside_file: Option<BesideFile>,
 }
 
 /// Why stiffness from a record is doubted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum StiffnessDoubt {
-    /// A slip of the sensors explains the shapes.
+    /// A mistake about the sensors explains the shapes.
     Sensors,
     /// The shapes of the direction contradict the model.
     Shapes {
@@ -403,8 +404,8 @@ pub enum StiffnessDoubt {
 }
 
 impl StiffnessAnswer {
-    /// Whether one solution explains the modes and nothing doubts it: a peak below the modes that is none of them may be the first one, and
-    /// every stiffness then is wrong.
+    /// Whether exactly one solution explains the modes without doubt: a peak below the modes that is not among them may be the first one, and
+    /// then every stiffness is wrong.
     pub fn is_chosen(&self) -> bool {
         self.solutions.choice == Choice::One && self.is_undoubted()
     }

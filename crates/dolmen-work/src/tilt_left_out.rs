@@ -1,9 +1,9 @@
-//! A measured tilt that a run does not start from.
+//! A measured tilt that is not in the start of a run.
 
 use crate::survey_dates::date;
 use dolmen_project::{Project, Structure, Survey, WarningKind, WorkKind};
 
-/// A tilt that was measured and is not in the model.
+/// A measured tilt that is not in the model.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct TiltLeftOut {
     /// The survey.
@@ -12,14 +12,13 @@ pub struct TiltLeftOut {
     pub written: String,
 }
 
-/// Slope from which a tilt that is left out stands in the headline: 1/100, which storeys of timber and masonry have by their making. Chosen here.
+/// Slope from which a tilt left out appears in the headline: 1/100, which timber and masonry storeys have from their construction. Chosen here.
 const SLOPE_SAID: f64 = 0.01;
 
 impl TiltLeftOut {
-    /// A tilt that counts and that the model of a project does not have: storeys of buildings start plumb, stones that carry tilts or offsets of their own
-    /// keep them, and of several surveys the last with a date decides, also where one without a date measured more, or an earlier one alone
-    /// measured a direction and nothing was repaired since. What
-    /// `as_surveyed` leaves out is left out on purpose.
+    /// A tilt that matters and that the model of a project does not have: storeys of buildings start plumb; stones with their own tilts or
+    /// offsets keep them; of several surveys the latest one with a date decides, even if one without a date has a larger tilt, or only an
+    /// earlier one measured a direction without a later repair. A tilt left out by `as_surveyed` is intended.
     pub(crate) fn of_model(project: &Project) -> Option<Self> {
         let is_left_out = match &project.structure {
             Structure::Stack(_) => project
@@ -48,7 +47,7 @@ impl TiltLeftOut {
         }
         let used = tilted.clone().find(|survey| Some(&survey.name) == leans_as)?;
         let when = date(&used.name)?;
-        // when one without a date was made is not known: a larger tilt of it may be that of today
+        // a survey without a date may be the latest, so a larger tilt in it may be today's
         let larger = tilted
             .clone()
             .filter(|survey| date(&survey.name).is_none() && survey.tilt_together() > used.tilt_together());
@@ -72,7 +71,7 @@ impl TiltLeftOut {
         found.pop()
     }
 
-    /// The tilt of a survey in some of its directions, if it counts.
+    /// The tilt of a survey in some of its directions, if it matters.
     fn of_directions(survey: &Survey, is_meant: impl Fn(&str) -> bool) -> Option<Self> {
         let each = || survey.tilt.iter().filter(|(direction, _)| is_meant(direction));
         let squares = each().map(|(_, tilt)| tilt.ratio * tilt.ratio);
@@ -84,7 +83,7 @@ impl TiltLeftOut {
         })
     }
 
-    /// That of the last survey that states any.
+    /// The tilt of the latest survey with one.
     pub(crate) fn of(surveys: &[Survey]) -> Option<Self> {
         let survey = surveys.iter().rev().find(|survey| !survey.tilt.is_empty())?;
         let each = survey.tilt.iter();

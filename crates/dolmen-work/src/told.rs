@@ -1,4 +1,4 @@
-//! What Dolmen says of an error: its causes, each with what can be done in the project file or with the command.
+//! Texts of errors: their causes, each with the remedy in the project file or in the command.
 
 use crate::change_fault::ChangeFault;
 use crate::error::WorkError;
@@ -23,7 +23,7 @@ use dolmen_words::message::{Argument, Both};
 use dolmen_words::said_by_system;
 use std::error::Error;
 
-/// The error of the science within one of a layer above that hands it on as it is.
+/// The error of the science inside an error of a layer above that passes it on.
 fn handed_on<'a>(cause: &'a (dyn Error + 'static)) -> &'a (dyn Error + 'static) {
     let boxed = || cause.downcast_ref::<Box<WorkError>>().map(Box::as_ref); // the cause within a place
     if let Some(work) = cause.downcast_ref::<WorkError>().or_else(boxed) {
@@ -59,7 +59,7 @@ fn chain<'e>(fault: &'e (dyn Error + 'static)) -> impl Iterator<Item = &'e (dyn 
     })
 }
 
-/// An error with its causes in one line, each with what can be done in the project file or with the command; in English.
+/// An error with its causes in one line, each with the remedy in the project file or in the command; in English.
 pub fn told(fault: &(dyn Error + 'static)) -> String {
     told_in(fault, Language::English)
 }
@@ -69,12 +69,12 @@ pub fn told_both(fault: &(dyn Error + 'static)) -> Both {
     Both::of(|language| told_in(fault, language))
 }
 
-/// The same in a language. What the system, a database or another library says is in their own.
+/// The same in one language. Messages of the system, a database or another library stay in theirs.
 pub fn told_in(fault: &(dyn Error + 'static), language: Language) -> String {
     told_by(fault, language, &|_| None)
 }
 
-/// The same, with errors of crates above that `others` knows.
+/// The same, including errors of crates above that `others` knows.
 pub fn told_by(fault: &(dyn Error + 'static), language: Language, others: Sayable<'_>) -> String {
     let each = chain(fault).map(|cause| {
         let advice =
@@ -84,10 +84,10 @@ pub fn told_by(fault: &(dyn Error + 'static), language: Language, others: Sayabl
     short_numbers(&each.collect::<Vec<_>>().join(": "))
 }
 
-/// Errors that can be said in both languages.
+/// Errors with texts in both languages.
 pub type Sayable<'o> = &'o dyn for<'e> Fn(&'e (dyn Error + 'static)) -> Option<&'e dyn Argument>;
 
-/// The same as it stands on a terminal, "error: " before it.
+/// The same as printed on a terminal, with "error: " before it.
 pub fn complaint(fault: &(dyn Error + 'static), language: Language, others: Sayable<'_>) -> String {
     let text = told_by(fault, language, others);
     let starts = [Language::English, Language::Korean].map(|language| headed("", language));
@@ -111,7 +111,7 @@ fn said(cause: &(dyn Error + 'static), language: Language, others: Sayable<'_>) 
     }
 }
 
-/// Numbers of more than 15 digits in a row with a power of ten: an error may quote 1e300.
+/// Writes numbers of more than 15 digits with a power of ten: an error may quote 1e300.
 fn short_numbers(text: &str) -> String {
     const DIGITS_MOST: usize = 15;
     const SMALL: f64 = 1e-6;
@@ -125,7 +125,7 @@ fn short_numbers(text: &str) -> String {
         let (number, after) = number.split_at(end);
         short.push_str(before);
         match number.parse::<f64>() {
-            // a name such as a date without signs, or a sum, is no number
+            // a name such as a date without separators, or a sum, is not a number
             Ok(value)
                 if number.len() > DIGITS_MOST
                     && !(SMALL..LARGE).contains(&value)
@@ -140,7 +140,7 @@ fn short_numbers(text: &str) -> String {
     short + rest
 }
 
-/// Whether an error, or one of its causes, is a computation that did not converge or come to its end.
+/// Whether an error, or one of its causes, is a computation that did not converge or finish.
 pub fn did_not_converge(fault: &(dyn Error + 'static)) -> bool {
     chain(fault).any(|cause| is_of_no_convergence(handed_on(cause)))
 }

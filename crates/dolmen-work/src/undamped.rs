@@ -1,16 +1,16 @@
-//! Histories that run without viscous damping, and the damping ratio that a survey would give them.
+//! Histories without viscous damping, and the damping ratio from a survey.
 
 use crate::survey_dates::date;
 use dolmen_project::{ModeKind, Survey};
 
-/// That a history ran without viscous damping.
+/// A note that a history has no viscous damping.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Undamped {
-    /// What the latest survey that identified damping measured in the lowest mode; `None` if none did.
+    /// The damping of the lowest mode in the latest survey with damping; `None` without one.
     pub identified: Option<IdentifiedDamping>,
 }
 
-/// A damping ratio that was identified.
+/// An identified damping ratio.
 #[derive(Clone, Debug, PartialEq)]
 pub struct IdentifiedDamping {
     /// The survey.
@@ -20,7 +20,7 @@ pub struct IdentifiedDamping {
 }
 
 impl Undamped {
-    /// What surveys say, in one direction or in any.
+    /// The damping from surveys, in one direction or in any.
     pub(crate) fn of(surveys: &[Survey], direction: Option<&str>) -> Undamped {
         let each = surveys.iter().filter_map(|survey| {
             let of_direction = |name: &str| direction.is_none_or(|direction| direction == name);

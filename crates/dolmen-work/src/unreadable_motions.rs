@@ -1,4 +1,4 @@
-//! Motions of a project that cannot be read: said before somebody wants to shake it.
+//! Motions of a project that cannot be read, reported before a simulation needs them.
 
 use crate::answer::UnreadableMotion;
 use crate::motion::{MotionRequest, prepared};
@@ -6,7 +6,7 @@ use crate::told::told_both;
 use dolmen_project::{MotionSource, Project};
 use dolmen_records::Files;
 
-/// The motions of files that are missing, or not what the project says of them.
+/// Motions whose files are missing or do not fit the project.
 pub fn unreadable_motions(project: &Project, files: &dyn Files) -> Vec<UnreadableMotion> {
     let of_files = project
         .motions

@@ -1,4 +1,4 @@
-//! The record of a survey as it is used: read, put together, conditioned as the project says.
+//! The record of a survey as used: read, joined, conditioned with the settings of the project.
 
 use crate::error::{Within as _, WorkError};
 use crate::record;
@@ -7,16 +7,16 @@ use dolmen::signal::Record;
 use dolmen_project::{Project, RecordSource};
 use dolmen_records::Files;
 
-/// Whose record is wanted.
+/// Choice of a record.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct WhichRecord {
-    /// The survey; without it the only one that has records.
+    /// The survey; by default the only one with records.
     pub survey: Option<String>,
-    /// Which of its setups, from 1; without it the only record.
+    /// Its setup, from 1; by default the only record.
     pub setup: Option<usize>,
 }
 
-/// A record, and of what survey it is.
+/// A record and the name of its survey.
 #[derive(Clone, Debug)]
 pub struct UsedRecord {
     /// "2024", "2024, setup 2".
@@ -25,7 +25,7 @@ pub struct UsedRecord {
     pub record: Record,
 }
 
-/// The record of a survey as modes are sought in it.
+/// The record of a survey as identification uses it.
 ///
 /// # Errors
 /// [`WorkError::NoSuchSurvey`]; [`WorkError::NoRecord`]; [`WorkError::WhichRecord`] where there is none or more than one of that description; a record that cannot be read.

@@ -8,13 +8,13 @@ use dolmen_project::Project;
 use dolmen_records::Files;
 use dolmen_words::number::TWO_SIDED_95;
 
-/// Frequencies of Palisaden that its publication gives, Hz (Aloisio et al. 2020; the peer pyOMA-2 finds the same).
+/// Published frequencies of Palisaden, Hz (Aloisio et al. 2020; the peer pyOMA-2 finds the same).
 const PALISADEN_HZ: [f64; 3] = [1.882, 2.421, 2.687];
 
-/// The cases of the science, and the record of the project `palisaden`, identified, beside what was published for the whole of it.
+/// The cases of the science, and the identified record of the project `palisaden` compared with its published frequencies.
 ///
 /// # Errors
-/// Where a case cannot be computed, or the record cannot be read.
+/// If a case cannot be computed, or the record cannot be read.
 pub fn validate(palisaden: &Project, files: &dyn Files) -> Result<Vec<Case>, WorkError> {
     let mut all = cases()?;
     let mut sources = palisaden

@@ -39,7 +39,7 @@ impl<'a> Version<'a> {
     }
 }
 
-/// There is no variant of this name: says which there are.
+/// The error for an unknown variant, with the names of the variants.
 pub(crate) fn no_such_variant(project: &Project, name: &str) -> WorkError {
     let names: Vec<&str> = project.variants.iter().map(|v| v.name.as_str()).collect();
     WorkError::NoSuchVariant {

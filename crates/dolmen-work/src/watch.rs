@@ -1,4 +1,4 @@
-//! The record of a structure over the years: every survey of a project in time.
+//! The history of a structure: every survey of a project in time.
 
 use crate::change_fault::ChangeFault;
 use crate::compare::surveyed;
@@ -27,16 +27,16 @@ use dolmen_project::{EarthquakePart, LogKind, Project, Survey, WorkKind};
 use dolmen_records::Files;
 use std::collections::BTreeMap;
 
-/// Surveys with modes, or with tilts, that a history needs.
+/// Fewest surveys with modes, or with tilts, for a history.
 pub const SURVEYS_LEAST: usize = 3;
 
-/// Surveys from which on a report has a section on the years: with fewer no change is sought, and two are compared.
+/// Number of surveys from which a report has a section on the years: with fewer no change is sought, and two are compared.
 const REPORTED_LEAST: usize = 8;
 
-/// Inspections from which on a report has a section on the years: with fewer two are compared.
+/// Number of inspections from which a report has a section on the years: with fewer two are compared.
 const INSPECTIONS_REPORTED_LEAST: usize = 3;
 
-/// Whether a project has surveys or inspections enough for a section of its report, or a log of a tilt or crack.
+/// Whether a project has enough surveys or inspections for a section of its report, or a log of a tilt or crack.
 pub fn can_watch(project: &Project) -> bool {
     let usable = project
         .surveys
@@ -51,11 +51,11 @@ pub fn can_watch(project: &Project) -> bool {
     has_logs || is_inspected || usable.count() >= REPORTED_LEAST
 }
 
-/// What the surveys of a project say of its structure over the years.
+/// The history of a structure from the surveys of a project.
 ///
 /// # Errors
-/// Fewer than three surveys with a date and modes, with tilts, and with inspections, and no log; records and logs that cannot be read. A sensor that failed is left out,
-/// and so is a record without modes.
+/// Fewer than three surveys with a date and modes, with tilts, and with inspections, and no log; records and logs that cannot be read. Failed
+/// sensors and records without modes are left out.
 pub fn watch(opened: &Opened, files: &dyn Files, progress: &dyn Progress) -> Result<WatchAnswer, WorkError> {
     let (mut answers, mut failed, mut without_modes) = (Vec::new(), Vec::new(), Vec::new());
     for survey in &opened.project.surveys {
@@ -67,7 +67,7 @@ pub fn watch(opened: &Opened, files: &dyn Files, progress: &dyn Progress) -> Res
                     }
                     answers.push(answer);
                 }
-                // one record must not hide what the others say
+                // one record must not hide the results of the others
                 Err(why) if gives_no_modes(&why) => {
                     without_modes.push((survey.name.clone(), told_both(&why)));
                 }
@@ -81,7 +81,7 @@ pub fn watch(opened: &Opened, files: &dyn Files, progress: &dyn Progress) -> Res
     Ok(answer)
 }
 
-/// Whether a record can be read and gives no modes: too short, or no vibration.
+/// Whether a record can be read but gives no modes: too short, or no vibration.
 fn gives_no_modes(why: &WorkError) -> bool {
     match why {
         WorkError::Within { cause, .. } => gives_no_modes(cause),
@@ -89,7 +89,7 @@ fn gives_no_modes(why: &WorkError) -> bool {
     }
 }
 
-/// The same; `answers` hold what records gave.
+/// The same; `answers` hold the results of records.
 ///
 /// # Errors
 /// [`ChangeFault`]; logs that cannot be read.
@@ -116,18 +116,18 @@ pub fn watch_of(
     Ok(answer)
 }
 
-/// What the records of surveys gave, by the name of the survey, as a store keeps it.
+/// Results of the records of surveys, by the name of the survey, in the form of a store.
 #[derive(Clone, Debug, Default)]
 pub struct Observed {
     /// Modes.
     pub modes: BTreeMap<String, Vec<ObservedMode>>,
-    /// What was wrong with channels.
+    /// Faults of channels.
     pub faults: SensorFaults,
-    /// The earthquakes that the records hold.
+    /// The earthquakes in the records.
     pub earthquakes: BTreeMap<String, EarthquakePart>,
 }
 
-/// The same of what a store keeps.
+/// The same from the results in a store.
 ///
 /// # Errors
 /// [`ChangeFault`].
@@ -165,7 +165,7 @@ fn watch_surveys(
     for survey in &project.surveys {
         let dated = date(&survey.name);
         let Some(when) = dated.filter(|_| is_usable(survey)) else {
-            // an inspection alone is followed beside the surveys
+            // surveys with only an inspection are followed in addition
             if dated.is_none() || survey.inspections.is_empty() {
                 left_out.push(survey.name.clone());
             }
@@ -180,7 +180,7 @@ fn watch_surveys(
                 part,
                 is_answered: false,
             });
-            // what an earthquake holds is no survey of the structure at rest; frequencies that the file states beside it are
+            // a record of an earthquake is not a survey of the structure at rest; stated frequencies beside it are
             if survey.earthquake.is_some() && (survey.records.is_some() || !survey.setups.is_empty()) {
                 own.modes.clear();
             }
@@ -213,7 +213,7 @@ fn watch_surveys(
     let works = works_by_day(project);
     let last_survey = kept.last().map(|last| last.day);
     let inspected = inspected(project, &works, last_survey).map_err(ChangeFault::from)?;
-    // one tilt is enough to be beyond its limit, and so is one crack
+    // one tilt suffices for a comparison with its limit, and so does one crack
     let is_beyond = tilt_beyond_limit(project).is_some() || inspected.beyond().next().is_some();
     let are_inspected = is_beyond || inspected.inspections.len() >= SURVEYS_LEAST;
     if are_too_few && !logs.are_watched() && !are_inspected && earthquakes.is_empty() {

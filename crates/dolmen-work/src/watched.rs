@@ -1,4 +1,4 @@
-//! What a history of surveys says.
+//! Results of a history of surveys.
 
 use crate::inspected::Inspected;
 use crate::judgement::tilt_beyond_limit;
@@ -10,51 +10,53 @@ use dolmen_project::{EarthquakePart, LogKind, Project, WorkKind, WorkPart};
 use dolmen_words::message::Both;
 use std::sync::Arc;
 
-/// What a history of surveys says.
+/// Results of a history of surveys.
 #[derive(Clone, Debug)]
 pub struct WatchAnswer {
     /// Path of the project file as the user named it.
     pub file: String,
-    /// What the file says.
+    /// The project.
     pub project: Arc<Project>,
     /// The surveys that were watched, by time.
     pub surveys: Vec<WatchedSurvey>,
-    /// Names of surveys that were left out: no date, no modes and no tilt, or the day of another and a name that says more than when.
+    /// Names of surveys that were left out: without a date, modes and a tilt, or on the day of another one and with a name that is more than a
+    /// date.
     pub left_out: Vec<String>,
-    /// Days with several surveys, which count as one: the day, and how many.
+    /// Days with several surveys, which count as one, and their numbers.
     pub several: Vec<(String, usize)>,
     /// Works by time, each with its day.
     pub works: Vec<(f64, WorkPart)>,
-    /// Earthquakes by time, of records that hold one or as surveys state them.
+    /// Earthquakes by time, from records or as stated in surveys.
     pub earthquakes: Vec<WatchedEarthquake>,
-    /// Sensors that failed: nothing of the structure.
+    /// Failed sensors; they tell nothing about the structure.
     pub sensor_alarms: Vec<SensorAlarm>,
-    /// Surveys that were identified without sensors that failed, and these.
+    /// Surveys identified without failed sensors, and those sensors.
     pub sensors_left_out: Vec<(String, Vec<String>)>,
     /// Surveys whose records give no modes, and why: too short, or no vibration.
     pub without_modes: Vec<(String, Both)>,
-    /// Surveys whose temperature is that of the project's log.
+    /// Surveys whose temperature is from the project's log.
     pub temperatures_of_log: usize,
-    /// What tilts and cracks that are logged say.
+    /// Results of logged tilts and cracks.
     pub logs: Vec<WatchedLog>,
-    /// What inspections found, one after the other.
+    /// Results of inspections.
     pub inspected: Inspected,
-    /// Which parts of the model explain the lasting changes; of a structure of a store the strongest of them, and none while a folder is followed.
+    /// The parts of the model that explain the lasting changes; for a structure in a store only for the strongest change, and none in `watch
+    /// --follow`.
     pub parts: Vec<YearsParts>,
-    /// What the surveys say.
+    /// Results of the surveys.
     pub watched: Watched,
 }
 
-/// An earthquake that the structure felt.
+/// An earthquake at the structure.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WatchedEarthquake {
     /// The survey.
     pub survey: String,
     /// Its day, from 1970-01-01.
     pub day: f64,
-    /// What is known of it.
+    /// Its data.
     pub part: EarthquakePart,
-    /// Whether a repair or an inspection was entered since.
+    /// Whether a repair or an inspection followed.
     pub is_answered: bool,
 }
 
@@ -67,22 +69,22 @@ pub struct WatchedSurvey {
     pub day: f64,
     /// Its temperature, °C.
     pub temperature_c: Option<f64>,
-    /// Frequencies of its modes, Hz, as the history numbers them.
+    /// Frequencies of its modes, Hz, in the numbering of the history.
     pub frequencies_hz: Vec<f64>,
-    /// Their standard deviations, Hz, where they are known.
+    /// Their standard deviations, Hz, where known.
     pub frequency_sds_hz: Vec<Option<f64>>,
-    /// Which of them the user insists on though a test refused them.
+    /// Which of them the user accepted although a test refused them.
     pub accepted: Vec<bool>,
 }
 
 impl WatchAnswer {
-    /// Whether a day is so far behind the last survey that a work dated so answers nothing: planned, or a slip.
+    /// Whether a day is so far after the last survey that a work on it does not count: planned, or a mistake.
     pub fn is_far_ahead(&self, day: f64) -> bool {
         let last = self.surveys.last();
         last.is_some_and(|last| day > last.day + ANSWERED_DAYS)
     }
 
-    /// The newest day of which surveys, inspections or logs say something.
+    /// The newest day in surveys, inspections or logs.
     pub fn newest_day(&self) -> Option<f64> {
         let surveys = self.surveys.last().map(|survey| survey.day.floor());
         let logs = self
@@ -94,35 +96,35 @@ impl WatchAnswer {
         logs.chain(surveys).chain(inspected).max_by(f64::total_cmp)
     }
 
-    /// In how many surveys the user insists on the mode that is followed.
+    /// Number of surveys in which the user accepted the followed mode.
     pub fn accepted_in(&self, track: &Track) -> usize {
         let both = track.modes.iter().zip(&self.surveys);
         both.filter(|(at, survey)| at.is_some_and(|at| survey.accepted.get(at) == Some(&true)))
             .count()
     }
 
-    /// Earthquakes after which nobody looked.
+    /// Earthquakes without a later inspection.
     pub fn open_earthquakes(&self) -> impl Iterator<Item = &WatchedEarthquake> {
         self.earthquakes.iter().filter(|of| !of.is_answered)
     }
 
-    /// The first survey that misses a mode, where modes vanished beyond chance.
+    /// The first survey without a mode, where modes vanished significantly.
     pub fn lost_since(&self) -> Option<usize> {
         let since = self.watched.lost.iter().map(|of| of.since).min();
         since.filter(|_| self.watched.is_mode_lost())
     }
 
-    /// Sensors that fail in the newest record.
+    /// Failing sensors in the newest record.
     pub fn open_sensor_alarms(&self) -> usize {
         self.sensor_alarms.iter().filter(|alarm| alarm.is_open).count()
     }
 
-    /// Whether it leans beyond its limit on the day of the last reading, as surveys or logs say.
+    /// Whether its tilt is beyond its limit on the day of the last reading, by surveys or logs.
     pub fn is_tilt_beyond(&self) -> bool {
         self.lean_beyond().is_some()
     }
 
-    /// The largest lean beyond its limit, of surveys and logs, in all directions together where they can be put together.
+    /// The largest tilt beyond its limit, by surveys and logs, of all directions together where they can be combined.
     pub fn lean_beyond(&self) -> Option<f64> {
         let leans = self.leans().into_iter().chain(self.logged_lean());
         let beyond = leans.filter(LeanNow::is_beyond).map(|lean| lean.size);
@@ -132,13 +134,13 @@ impl WatchAnswer {
             .max_by(f64::total_cmp)
     }
 
-    /// Cracks, logged or inspected, and other damage that inspections measured, that are larger than they may be.
+    /// Cracks, logged or inspected, and other inspected damage beyond their limits.
     pub fn cracks_beyond(&self) -> usize {
         let cracks = self.logs.iter().filter(|log| !log.is_tilt());
         cracks.filter(|log| log.is_beyond()).count() + self.inspected.beyond().count()
     }
 
-    /// How it leans in x and y together, where one log of each says so and their zeros are known.
+    /// The tilt of x and y together, where there is one log of each with a known zero.
     pub fn logged_lean(&self) -> Option<LeanNow> {
         let of = |direction: &str| -> Option<[f64; 2]> {
             let mut all = self.logs.iter().filter(|log| {
@@ -158,14 +160,14 @@ impl WatchAnswer {
         Some(LeanNow::of(None, directions, &[of("x")?, of("y")?], limit))
     }
 
-    /// Whether a later series of the direction, of another mark, took its place.
+    /// Whether a later series of the direction, from another mark, replaced it.
     pub fn is_replaced(&self, series: &TiltSeries) -> bool {
         let last = |of: &TiltSeries| of.surveys.last().copied();
         let mut others = self.watched.tilts.iter().map(|trend| &trend.series);
         others.any(|other| other.direction == series.direction && last(other) > last(series))
     }
 
-    /// Whether another mark took its place, and a repair came after its last reading: how it leant then says nothing of today.
+    /// Whether another mark replaced it, and a repair followed its last reading: its tilt then tells nothing about today.
     fn is_of_the_past(&self, series: &TiltSeries) -> bool {
         let last = series.days.last().copied().unwrap_or(f64::INFINITY);
         let mut repairs = self
@@ -175,7 +177,7 @@ impl WatchAnswer {
         self.is_replaced(series) && repairs.any(|(day, _)| *day > last && !self.is_far_ahead(*day))
     }
 
-    /// How it leans on the day of the last readings: x and y of one datum together, other directions each by itself.
+    /// The tilt on the day of the last readings: x and y of one datum together, other directions separately.
     pub fn leans(&self) -> Vec<LeanNow> {
         let limit = self.project.watch.tilt_limit;
         let mut leans: Vec<(LeanNow, Vec<[f64; 2]>)> = Vec::new();
@@ -224,23 +226,23 @@ impl WatchAnswer {
     }
 }
 
-/// How a structure leans, in all directions of one datum together.
+/// The tilt of a structure, of all directions of one datum together.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct LeanNow {
-    /// The mark that it refers to.
+    /// Its mark.
     pub datum: Option<String>,
     /// The directions.
     pub directions: Vec<String>,
-    /// Horizontal over vertical, without a sign: from the trends, the season removed, or the last readings where there is none.
+    /// Horizontal over vertical, without a sign: from the trends, without the season, or the last readings where there is no trend.
     pub size: f64,
-    /// The tilt that must not be reached.
+    /// Its limit.
     pub limit: Option<f64>,
-    /// Years until it is, at the slopes beyond chance of all directions together; `None` without, and beyond it.
+    /// Years until the limit, at the significant slopes of all directions together; `None` without any, and beyond the limit.
     pub years: Option<f64>,
 }
 
 impl LeanNow {
-    /// Of the tilt now and the slope, 1/year, in each direction.
+    /// From the tilt now and the slope, 1/year, in each direction.
     ///
     /// ```text
     /// Σ (n + s T)² = L²

@@ -1,33 +1,33 @@
-//! What a log of the project says of its structure.
+//! Results of a log of the project.
 
 use dolmen::monitoring::LoggedTrend;
 use dolmen_project::{LogKind, LogPart};
 
-/// Days, and usual gaps between readings, without a reading from which on a log has fallen silent. Chosen here.
+/// Number of days, and of usual intervals between readings, without a reading from which a log counts as silent. Chosen here.
 const SILENT_DAYS: f64 = 7.0;
 const SILENT_GAPS: f64 = 5.0;
 
-/// What a log of the project says; tilts are ratios, widths m.
+/// Results of a log of the project; tilts are ratios, widths m.
 #[derive(Clone, Debug)]
 pub struct WatchedLog {
-    /// As the project says.
+    /// Its entry in the project.
     pub part: LogPart,
-    /// What was wrong with the file.
+    /// Faults of the file.
     pub rows: LogRows,
-    /// What it says.
+    /// The trend.
     pub trend: LoggedTrend,
 }
 
-/// Rows of a file that say less than they should.
+/// Rows of a file that are incomplete or doubtful.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct LogRows {
     /// Rows without a reading.
     pub gaps: usize,
-    /// Rows whose time was there already: the last one counts.
+    /// Rows with a repeated time: the last one counts.
     pub repeated: usize,
-    /// Rows before the one above them.
+    /// Rows with an earlier time than the row above.
     pub set_back: usize,
-    /// Rows of a wrong clock, left out.
+    /// Rows with a wrong clock, left out.
     pub misdated: usize,
 }
 
@@ -42,7 +42,7 @@ impl WatchedLog {
         self.trend.is_beyond_limit()
     }
 
-    /// The last day with a reading, where something newer is known of the structure than that by a week and by five usual gaps of the log.
+    /// The last day with a reading, where other data are newer by a week and by five usual intervals of the log.
     pub fn silent_since(&self, newest: Option<f64>) -> Option<f64> {
         let days = &self.trend.daily.days;
         let last = *days.last()?;
@@ -52,7 +52,7 @@ impl WatchedLog {
         (newest? - last > SILENT_DAYS.max(SILENT_GAPS * usual)).then_some(last)
     }
 
-    /// The first and the last day that counted, from 1970-01-01.
+    /// The first and the last day in use, from 1970-01-01.
     pub fn span(&self) -> Option<[f64; 2]> {
         let days = &self.trend.daily.days;
         Some([*days.first()?, *days.last()?])

@@ -12,21 +12,21 @@ use dolmen_project::{
 };
 use dolmen_records::Files;
 
-/// A project file with stiffness that a survey determines in it.
+/// A project file with the stiffness from a survey written into it.
 #[derive(Clone, Debug)]
 pub struct WrittenBack {
-    /// The project as it then is, with its text.
+    /// The resulting project, with its text.
     pub opened: Opened,
     /// The survey.
     pub survey: String,
-    /// What was written, by its place in the file.
+    /// The changes, by their places in the file.
     pub numbers: Vec<(String, IdentifiedNumber)>,
 }
 
-/// The project file with the stiffness of the one survey that determines any. The text can be read as a project.
+/// Writes the stiffness of the only survey that determines any into the project file. The resulting text can be read as a project.
 ///
 /// # Errors
-/// [`WorkError::NothingToWrite`], [`WorkError::SeveralToWrite`], [`WorkError::NotInTheFile`], or what is wrong with the project then.
+/// [`WorkError::NothingToWrite`], [`WorkError::SeveralToWrite`], [`WorkError::NotInTheFile`], or the errors of the resulting project.
 pub fn write_back(
     opened: &Opened,
     answer: &IdentifyAnswer,
@@ -51,12 +51,12 @@ pub fn write_back(
     })
 }
 
-/// Whether [`write_back`] has one survey to write from.
+/// Whether [`write_back`] has exactly one survey to write from.
 pub fn can_be_written(answer: &IdentifyAnswer) -> bool {
     determined(answer).len() == 1
 }
 
-/// What each survey determines, but for surveys that determine nothing.
+/// The stiffness that each survey determines, without surveys that determine none.
 fn determined(answer: &IdentifyAnswer) -> Vec<(&str, Vec<(String, NewValue)>)> {
     let surveys = answer.surveys.iter();
     let each = surveys.map(|survey| (survey.name.as_str(), of_survey(&answer.project, survey)));
@@ -72,12 +72,12 @@ fn of_survey(project: &Project, survey: &SurveyAnswer) -> Vec<(String, NewValue)
             plan.and_then(|plan| of_plan(building, plan, &survey.name))
                 .unwrap_or_default()
         }
-        // on other springs other joints close under the weight, so that a factor on them does not give the measured frequency
+        // with other springs other joints close under the weight, so a factor on them does not give the measured frequency
         Structure::Stack(_) | Structure::Survey => Vec::new(),
     }
 }
 
-/// The numbers of the one solution; `None` where there are several, or it is known only between bounds.
+/// The numbers of the only solution; `None` where there are several, or it is known only between bounds.
 fn one_solution(answer: &StiffnessAnswer, unit: &'static str, survey: &str) -> Option<Vec<IdentifiedNumber>> {
     let found = &answer.solutions;
     let one = found.solutions.first().filter(|_| answer.is_chosen())?;
@@ -102,7 +102,7 @@ pub(crate) fn of_solution(
     numbers.collect()
 }
 
-/// The numbers of a chain as the file has them: the lowest joint by its bed alone. `None` where the soil below is softer than both together.
+/// The numbers of a chain in the form of the file: the lowest joint by its bed alone. `None` where the soil below is softer than both together.
 pub(crate) fn without_soil(
     chain: &ChainPart,
     towards: ChainAxis,
@@ -118,7 +118,7 @@ pub(crate) fn without_soil(
     Some(numbers)
 }
 
-/// Numbers in the place of those of the file, each with what stood there; as a whole where the file has none.
+/// Replaces the numbers of the file, each with a note of the old value; writes the whole entry where the file has none.
 fn in_place(
     known: Option<Vec<&Quantity>>,
     numbers: Vec<IdentifiedNumber>,
@@ -146,7 +146,7 @@ fn replaced(before: &Quantity, number: IdentifiedNumber) -> (String, NewValue) {
     (before.path.clone(), NewValue::Number(number))
 }
 
-/// What was known of a number: "before: 630 kN*m/rad, literature, cov 0.3; Kim 2018".
+/// The note of the old value: "before: 630 kN*m/rad, literature, cov 0.3; Kim 2018".
 fn known_before(before: &Quantity) -> String {
     let source = before.source.map(|source| format!(", {}", source.word()));
     let cov = before
@@ -157,8 +157,8 @@ fn known_before(before: &Quantity) -> String {
     format!("before: {}{known}", before.written)
 }
 
-/// A chain of one direction has one stiffness for all: only where one direction of the survey determines it. Of a chain of two directions each
-/// by itself; across only in the place of what the file has there.
+/// A chain of one direction has one stiffness for all: only if one direction of the survey determines it. For a chain of two directions each
+/// separately; across only where the file has values there.
 fn of_chain(chain: &ChainPart, survey: &SurveyAnswer) -> Option<Vec<(String, NewValue)>> {
     let mut all = Vec::new();
     for of in chain.axes() {
@@ -189,7 +189,7 @@ fn of_chain_towards<'a>(
     Some(in_place(known, numbers, whole))
 }
 
-/// Each direction of a frame by itself, by the convention of the file.
+/// Each direction of a frame separately, by the convention of the file.
 fn of_frame(frame: &FramePart, survey: &SurveyAnswer) -> Vec<(String, NewValue)> {
     let own = survey
         .stiffness
@@ -211,7 +211,7 @@ fn of_frame(frame: &FramePart, survey: &SurveyAnswer) -> Vec<(String, NewValue)>
     values.collect()
 }
 
-/// k_x, k_y and k_θ of the one floor, and its centre of rigidity: only where the modes gave that too.
+/// k_x, k_y and k_θ of the only floor, and its centre of rigidity: only if the modes determined that too.
 fn of_plan(building: &BuildingPart, plan: &PlanAnswer, survey: &str) -> Option<Vec<(String, NewValue)>> {
     let [floor] = building.floors.as_slice() else {
         return None;
@@ -225,7 +225,7 @@ fn of_plan(building: &BuildingPart, plan: &PlanAnswer, survey: &str) -> Option<V
     else {
         return None;
     };
-    // frequencies alone do not tell the centre of rigidity: what they lead to rests on that of the file
+    // frequencies alone do not determine the centre of rigidity: their result depends on that of the file
     let one = plan.determined()?;
     let parts = [(x, "N/m"), (y, "N/m"), (rotation, "N m/rad")];
     let each = parts.into_iter().enumerate();

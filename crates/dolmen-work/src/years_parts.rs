@@ -1,28 +1,28 @@
-//! Which joint of a chain or stack, or storey of a frame or building, explains what changed over the years.
+//! The joint of a chain or stack, or storey of a frame or building, that explains a change over the years.
 
 use crate::changed_part::{ChangedPart, MeasuredChange, explained_by};
 use crate::loosened::loosening;
 use dolmen::monitoring::{ChangeForm, WatchedChange, WatchedMode};
 use dolmen_project::Project;
 
-/// Changes of one structure that are explained. Chosen here: each costs some hundred modal analyses a part.
+/// Number of changes of one structure that are explained. Chosen here: each costs some hundred modal analyses for each part.
 pub(crate) const EXPLAINED_MOST: usize = 3;
 
-/// What explains a change that several modes show at one date.
+/// Explanation of a change in several modes at one date.
 #[derive(Clone, Debug, PartialEq)]
 pub struct YearsParts {
     /// Step or slope.
     pub form: ChangeForm,
     /// It came after this survey,
     pub after: usize,
-    /// and not after this one.
+    /// and before this one.
     pub before: usize,
-    /// What explains it, by direction.
+    /// The explanation, by direction.
     pub parts: Vec<ChangedPart>,
 }
 
-/// Which part explains each of the lasting changes of a history, the strongest first, `most` of them. Modes in which no change was found at that date take part with what
-/// they show there: that they did not change tells parts apart.
+/// The part that explains each of the lasting changes of a history, the strongest first, at most `most`. Modes without a change at that date
+/// also count with their data there: that they did not change helps to distinguish parts.
 pub(crate) fn years_parts(project: &Project, modes: &[WatchedMode], most: usize) -> Vec<YearsParts> {
     let strength = |of: &WatchedChange| (of.ratio / of.sd).abs();
     let mut all: Vec<WatchedChange> = modes.iter().flat_map(|mode| mode.changes.clone()).collect();

@@ -3,7 +3,7 @@
 use crate::limits::LimitError;
 use dolmen_words::message::Both;
 
-/// Why the bytes of a file are no mesh. Lines are counted from 1, as editors do.
+/// Why the bytes of a file are not a mesh. Lines are counted from 1, as editors do.
 #[derive(Clone, Debug, PartialEq)]
 pub enum MeshError {
     /// None of the formats.
@@ -13,7 +13,7 @@ pub enum MeshError {
         /// Its format.
         format: &'static str,
     },
-    /// No faces.
+    /// A mesh without faces.
     NoFaces {
         /// How many vertices it holds.
         vertices: usize,
@@ -32,7 +32,7 @@ pub enum MeshError {
         /// What is wrong.
         what: Both,
     },
-    /// A face that names a vertex which is not there.
+    /// A face with a vertex that does not exist.
     Vertex {
         /// The line, or the number of the face in a binary file.
         line: usize,
@@ -57,16 +57,16 @@ pub enum MeshError {
         /// Which one, from 0.
         number: usize,
     },
-    /// A value in a binary file that cannot be.
+    /// An invalid value in a binary file.
     Byte {
         /// Where it stands.
         offset: usize,
         /// What is wrong.
         what: Both,
     },
-    /// The file asks too much of the reader.
+    /// The file exceeds a limit of the reader.
     Limit(LimitError),
-    /// A small file becomes much memory.
+    /// A small file would need much memory.
     Expands {
         /// Bytes of the file.
         bytes: usize,

@@ -5,10 +5,10 @@ use std::collections::BTreeMap;
 
 /// Most corners of one face. Chosen here: more is a damaged file.
 pub(super) const CORNERS_MOST: usize = 65_536;
-/// Bytes of a mesh that come of one byte of its file. Chosen here: a binary file of quadrilaterals or hexagons becomes three times as much,
-/// a text less.
+/// Largest number of bytes of a mesh for each byte of its file. Chosen here: a binary file of quadrilaterals or hexagons grows threefold, a text
+/// less.
 const EXPANSION_MOST: usize = 4;
-/// Bytes of a mesh that come of any file. Chosen here: two million triangles and vertices do no harm.
+/// Bytes of a mesh allowed for any file. Chosen here: two million triangles and vertices do no harm.
 const EXPANDED_FREE: usize = 64 << 20;
 
 /// Triangles between vertices, in the unit of the file.
@@ -29,7 +29,7 @@ impl Mesh {
         self
     }
 
-    /// Vertices in exactly the same place made one, and triangles that had two of them taken out.
+    /// Merges vertices in exactly the same place, and drops triangles with two of them.
     pub fn merged(self) -> Self {
         let mut merging = Merging::default();
         let places: Vec<usize> = self.vertices.into_iter().map(|v| merging.place(v)).collect();
@@ -46,7 +46,7 @@ impl Mesh {
         }
     }
 
-    /// Refuses a mesh that is much larger than the file of so many bytes that it comes from.
+    /// Refuses a mesh that is much larger than its file of this size.
     pub(super) fn refuse_expansion(&self, bytes: usize) -> Result<(), MeshError> {
         const OF_ONE: usize = 24; // three numbers, or three corners
         let held = OF_ONE * (self.vertices.len() + self.triangles.len());
@@ -66,7 +66,7 @@ impl Mesh {
     }
 }
 
-/// A mesh whose vertices in exactly the same place become one as they come.
+/// Collects a mesh, and merges vertices in exactly the same place.
 #[derive(Default)]
 pub(super) struct Merging {
     pub(super) mesh: Mesh,
@@ -74,7 +74,7 @@ pub(super) struct Merging {
 }
 
 impl Merging {
-    /// The number of a vertex.
+    /// Index of the vertex.
     pub(super) fn place(&mut self, vertex: [f64; 3]) -> usize {
         let key = vertex.map(|value| (value + 0.0).to_bits()); // −0 is 0
         *self.numbers.entry(key).or_insert_with(|| {

@@ -11,15 +11,15 @@ use crate::wrong::OfMesh;
 const HEAD: usize = 84;
 const TRIANGLE: usize = 50;
 
-/// How long a binary file is by its own count.
+/// Length of a binary file by its own count of triangles.
 pub(super) fn binary_length(bytes: &[u8]) -> Option<u64> {
     let count = bytes.get(80..HEAD)?;
     let count = u32::from_le_bytes([count[0], count[1], count[2], count[3]]);
     Some(HEAD as u64 + TRIANGLE as u64 * u64::from(count))
 }
 
-/// A mesh from the bytes of an STL file, text or binary. Corners in exactly the same place become one vertex; triangles
-/// without area that had two of them are dropped. The normals of the file are passed over.
+/// A mesh from the bytes of an STL file, text or binary. Corners in exactly the same place become one vertex; triangles without area are
+/// dropped. The normals of the file are ignored.
 ///
 /// # Errors
 /// [`MeshError`] with the line, or the byte of a binary file.

@@ -1,14 +1,13 @@
 //! Stacks for other programs: OBJ, JSON of blocks, 3DEC, ParaView.
 //!
-//! What is written of each block is the convex hull that carries contact. Where its own volume differs (drums, meshes,
-//! openings), programs that weigh the hull get the density that keeps the mass; its centroid and inertia are then the
-//! hull's.
+//! Each block is written as the convex hull that carries contact. Where its own volume differs (drums, meshes, openings), the density is
+//! adjusted so that the hull has the block's mass; centroid and inertia are then those of the hull.
 
 use dolmen::structure::stack::{Block, Stack};
 use serde_json::json;
 use std::fmt::Write as _;
 
-/// Where a block is at some time.
+/// The pose of a block at one time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BlockPose {
     /// Its centroid, m.
@@ -31,7 +30,7 @@ pub struct SeriesFile {
 /// Why poses cannot be written.
 #[derive(Clone, Debug, PartialEq)]
 pub enum PoseError {
-    /// Another number of poses than blocks.
+    /// The numbers of poses and blocks differ.
     Count {
         /// Poses given.
         poses: usize,
@@ -112,8 +111,8 @@ pub fn stack_3dec(stack: &Stack) -> String {
     text
 }
 
-/// A stack at one time as VTU for ParaView: one polyhedron a block, with its number and the displacement of its centroid (and
-/// velocity), and the displacement of every corner.
+/// A stack at one time as VTU for ParaView: one polyhedron for each block, with its number, the displacement (and velocity) of its centroid, and
+/// the displacement of every corner.
 ///
 /// # Errors
 /// [`PoseError`] unless there is one finite pose for each block.
@@ -182,7 +181,7 @@ pub fn stack_vtu(stack: &Stack, poses: &[BlockPose]) -> Result<String, PoseError
     Ok(text)
 }
 
-/// The PVD file that ties VTU files to their times.
+/// The PVD file that lists VTU files with their times.
 pub fn series_pvd(files: &[SeriesFile]) -> String {
     let mut text = String::from(
         "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n<Collection>\n",

@@ -1,4 +1,4 @@
-//! The channels of a motion file: format found out from the content, unit and step settled, peaks checked.
+//! The channels of a motion file: detects the format from the content, determines unit and step, and checks peaks.
 
 use super::plausible::refuse_implausible;
 use super::{MotionError, MotionFormat, MotionOptions, Orientation, SeismicError, StatedPeak, text};
@@ -8,10 +8,10 @@ use crate::workbook::{is_workbook, workbook_as_csv};
 use crate::wrong::OfStation;
 use dolmen::signal::Quantity;
 
-/// Share by which the peak of a channel may differ from the one its header states. Chosen here: headers print 3 digits or more.
+/// Relative difference allowed between the peak of a channel and that in its header. Chosen here: headers print 3 digits or more.
 const PEAK_TOLERANCE: f64 = 0.01;
 
-/// Share by which two time steps may differ and still be one: printed digits, no more. Chosen here.
+/// Relative difference below which two time steps are equal. Chosen here: rounding of printed digits only.
 const STEP_TOLERANCE: f64 = 1e-6;
 
 /// One channel as read.
@@ -19,9 +19,9 @@ const STEP_TOLERANCE: f64 = 1e-6;
 pub struct ComponentReading {
     /// Format of the file.
     pub format: MotionFormat,
-    /// What the file calls the channel: "HI.ARS1.HNE", "Chan 1", "AOM004 E-W"; "" if it does not say.
+    /// Name of the channel in the file: "HI.ARS1.HNE", "Chan 1", "AOM004 E-W"; "" without one.
     pub name: String,
-    /// What the file calls itself: earthquake, station, direction; "" if it does not say.
+    /// Title of the file: earthquake, station, direction; "" without one.
     pub title: String,
     /// Acceleration, m/s².
     pub acceleration_m_s2: Vec<f64>,
@@ -29,20 +29,19 @@ pub struct ComponentReading {
     pub time_step_s: f64,
     /// Unit of the numbers in the file.
     pub unit: Unit,
-    /// Which way positive numbers point, if the file says it.
+    /// Direction of positive numbers, if the file states it.
     pub orientation: Option<Orientation>,
     /// The first sample, seconds from 1 January 1970 in the clock of the file, if it says it.
     pub begins_s: Option<f64>,
-    /// The mean that was subtracted, m/s²: of K-NET and KiK-net files, whose numbers have an offset by their definition.
+    /// The mean that was subtracted, m/s²: for K-NET and KiK-net files, whose numbers have an offset by definition.
     pub mean_subtracted_m_s2: Option<f64>,
 }
 
 /// All channels of a motion file: AT2, COSMOS, CSMIP, K-NET, ESM, SAC, miniSEED, text in columns, or a workbook (XLSX) with one sheet of them.
 ///
 /// # Errors
-/// [`MotionError`], which says where in the file and what to do: no unit, a unit or a step that contradicts the file, a peak
-/// that no earthquake has or that is not the one the header states, a value that is no number, fewer or more samples than the
-/// header says, a gap between records.
+/// [`MotionError`] with the place in the file and the remedy: no unit, a unit or a step that contradicts the file, a peak that no earthquake has
+/// or that differs from the header, a value that is not a number, fewer or more samples than in the header, a gap between records.
 ///
 /// # Example
 /// ```
@@ -69,7 +68,7 @@ pub fn read_channels(bytes: &[u8], options: &MotionOptions) -> Result<Vec<Compon
     each.collect()
 }
 
-/// The channels as they are, where that agrees with what the user says of them.
+/// The channels, checked against the options of the user.
 fn checked_raw(bytes: &[u8], options: &MotionOptions) -> Result<Vec<Raw>, MotionError> {
     if let Some(given) = options.time_step_s
         && !(given > 0.0 && given.is_finite())
@@ -84,7 +83,7 @@ fn checked_raw(bytes: &[u8], options: &MotionOptions) -> Result<Vec<Raw>, Motion
     raw(bytes, options)
 }
 
-/// The numbers of each channel as the file prints them; what no seismic format claims is text in columns, or a workbook of them.
+/// The numbers of each channel as printed in the file; a file of no seismic format is text in columns, or a workbook.
 fn raw(bytes: &[u8], options: &MotionOptions) -> Result<Vec<Raw>, MotionError> {
     if is_workbook(bytes) {
         return text::read(
@@ -98,10 +97,10 @@ fn raw(bytes: &[u8], options: &MotionOptions) -> Result<Vec<Raw>, MotionError> {
     }
 }
 
-/// One channel of a motion file: its only one, or the one that [`MotionOptions::channel`] names.
+/// One channel of a motion file: the only one, or that of [`MotionOptions::channel`].
 ///
 /// # Errors
-/// As [`read_channels`]; [`MotionError::Channels`] for a file of several of which the options name none.
+/// As [`read_channels`]; [`MotionError::Channels`] for a file with several if the options name none.
 ///
 /// # Example
 /// ```
@@ -117,7 +116,7 @@ pub fn read_component(bytes: &[u8], options: &MotionOptions) -> Result<Component
     finished(channels.swap_remove(at), options)
 }
 
-/// The only channel, or the one that the user names: by its name, of any case and with or without its unit, or by its number from 1.
+/// The only channel, or the one in the options: by its name, in any case and with or without its unit, or by its number from 1.
 fn chosen(channels: &[Raw], given: Option<&str>) -> Result<usize, MotionError> {
     let names = || channels.iter().map(|channel| channel.name.clone()).collect();
     let Some(given) = given else {

@@ -6,7 +6,7 @@ use crate::sheet_error::SheetError;
 use dolmen::signal::SignalError;
 use dolmen_words::message::Both;
 
-/// Why the bytes of a file are no ground motion. Each variant says where in the file and what to do. Lines are counted from 1.
+/// Why the bytes of a file are not a ground motion. Each variant gives the place in the file and the remedy. Lines are counted from 1.
 #[derive(Clone, Debug, PartialEq)]
 pub enum MotionError {
     /// No file.
@@ -25,21 +25,21 @@ pub enum MotionError {
         /// Why.
         fault: Box<MotionError>,
     },
-    /// The unit of the numbers is not known.
+    /// The unit of the numbers is unknown.
     NoUnit,
     /// The unit measures something else.
     NotAcceleration {
         /// The unit.
         given: String,
     },
-    /// The unit given is not that of the file.
+    /// The given unit contradicts the file.
     UnitDisagrees {
         /// The unit given.
         given: &'static str,
         /// The unit of the file.
         found: &'static str,
     },
-    /// The peak is none of an earthquake.
+    /// The peak is not that of an earthquake.
     Peak {
         /// The peak read, g.
         peak_g: f64,
@@ -49,17 +49,17 @@ pub enum MotionError {
         most_g: f64,
         /// The unit it was read in.
         unit: &'static str,
-        /// Units in which it would be that of an earthquake.
+        /// Units in which it would be plausible.
         suggested: Vec<&'static str>,
     },
-    /// The time step given is not that of the file.
+    /// The given time step contradicts the file.
     StepDisagrees {
         /// The step given, s.
         given: f64,
         /// That of the file, s.
         found: f64,
     },
-    /// The time step given is no step.
+    /// The given time step is not allowed.
     Step {
         /// The step given, s.
         given: f64,
@@ -86,7 +86,7 @@ pub enum MotionError {
         /// Its samples.
         second_samples: usize,
     },
-    /// The factor is none.
+    /// The factor is not allowed.
     Factor {
         /// The value given.
         given: f64,
@@ -98,7 +98,7 @@ pub enum MotionError {
         /// The sample, from 0.
         sample: usize,
     },
-    /// The peak of the samples is not the one that the header states.
+    /// The peak of the samples contradicts the header.
     StatedPeak {
         /// The channel.
         channel: String,
@@ -114,7 +114,7 @@ pub enum MotionError {
         /// The columns there are.
         names: Vec<String>,
     },
-    /// A channel is to be chosen.
+    /// A channel must be chosen.
     Channels {
         /// The name asked for.
         given: Option<String>,
@@ -130,7 +130,7 @@ pub enum MotionError {
         /// How much later it begins, s.
         later_s: f64,
     },
-    /// The channels do not point so that x, y and z follow.
+    /// The directions of the channels do not determine x, y and z.
     Orientation {
         /// What is missing.
         why: Both,

@@ -1,11 +1,11 @@
-//! What the caller tells the reader of a motion about its files.
+//! Options of the reader of a motion.
 
 use crate::records::Column;
 use crate::unit::Unit;
 pub(super) use dolmen::known::STANDARD_GRAVITY_M_S2;
 use std::ops::RangeInclusive;
 
-/// What is known of the files. Everything left at its default is found out from them, or refused.
+/// Properties of the files. Defaults are detected from the files, or the file is refused.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MotionOptions {
     /// Unit of the numbers, one of acceleration. `None`: as the file says; refused if it does not. A unit that contradicts the
@@ -18,12 +18,12 @@ pub struct MotionOptions {
     /// The channel to read of a file of several, by its name or its number from 1; in a text also a column, by its name. `None`: the
     /// only one.
     pub channel: Option<String>,
-    /// What the numbers are multiplied by to be in the unit: 1 (default), or what one count of a recorder is worth.
+    /// Factor from the numbers to the unit: 1 (default), or the value of one count of a recorder.
     pub factor: f64,
-    /// Whether the peak that a header states must be that of its samples. Default: yes.
+    /// Whether the peak in a header must be that of its samples. Default: yes.
     pub stated_peak: StatedPeak,
-    /// Peaks of one component that an earthquake can have, m/s²; others are refused as a mistaken unit. Default 0.001 g to
-    /// 5 g, chosen here: below nothing is felt, and above nothing was recorded on the ground.
+    /// Range of peaks of one component, m/s²; others are refused as a mistaken unit. Default 0.001 g to 5 g, chosen here: smaller ones are not
+    /// felt, and larger ones were never recorded on the ground.
     pub plausible_peak_m_s2: RangeInclusive<f64>,
     /// What to do where the components are not equally long. Default: refuse.
     pub lengths: Lengths,
@@ -44,22 +44,22 @@ impl Default for MotionOptions {
     }
 }
 
-/// What to do where the files of the components are not equally long.
+/// Treatment of components with different lengths.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Lengths {
     /// Refuse them.
     #[default]
     Same,
-    /// Keep of each as much as the shortest has, from the first sample; the history says so. All must begin at one time.
+    /// Cut all to the length of the shortest, from the first sample; the history records it. All must begin at one time.
     Shortest,
 }
 
-/// What to do with the peak that a header states.
+/// Treatment of the peak in a header.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum StatedPeak {
-    /// Refuse samples whose peak is another by more than 1 %: they were damaged, or are in another unit.
+    /// Refuse samples whose peak differs by more than 1 %: they were damaged, or have another unit.
     #[default]
     Check,
-    /// Pass it over.
+    /// Ignore it.
     Ignore,
 }

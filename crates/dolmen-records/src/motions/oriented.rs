@@ -1,4 +1,4 @@
-//! A motion in x, y and z from channels that say which way they point.
+//! A motion in x, y and z from channels with stated directions.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
@@ -11,10 +11,10 @@ use super::{ComponentReading, MotionError, MotionOptions, Orientation, read_chan
 use crate::wrong::Turned;
 use dolmen::signal::{Component, GroundMotion, Processing};
 
-/// Least sine of the angle between two horizontal channels. Chosen here: below 30° the errors of both are doubled.
+/// Smallest sine of the angle between two horizontal channels. Chosen here: below 30° the errors of both are doubled.
 const SINE_LEAST: f64 = 0.5;
 
-/// A motion from files whose channels say which way they point, turned so that x points to an azimuth.
+/// A motion from files whose channels state their directions, rotated so that x points to an azimuth.
 ///
 /// ```text
 /// a₁ = n cos θ₁ + e sin θ₁        a₂ = n cos θ₂ + e sin θ₂        solved for n, e
@@ -99,7 +99,7 @@ fn turned(
     options: &MotionOptions,
 ) -> Result<[(Component, ComponentReading); 2], MotionError> {
     let pair = vec![(Component::X, first.clone()), (Component::Y, second.clone())];
-    let agreed = motion_of("", pair, options)?; // of one step, start and length, or cut to it
+    let agreed = motion_of("", pair, options)?; // with equal step, start and length, or cut to it
     let [(sin1, cos1), (sin2, cos2)] = [first_deg, second_deg].map(|deg| exact_sin_cos(*deg));
     let determinant = cos1 * sin2 - sin1 * cos2;
     if determinant.abs() < SINE_LEAST {

@@ -1,4 +1,4 @@
-//! Which earthquake and which station a channel is of, where its file says it.
+//! The earthquake and station of a channel, if its file states them.
 
 use super::{ComponentReading, MotionFormat};
 
@@ -11,7 +11,7 @@ pub struct Origin {
     pub station: Option<String>,
 }
 
-/// What the title and the name of a channel say: AT2 both, K-NET both, ESM both, SAC and miniSEED the station; others nothing.
+/// The origin from the title and the name of a channel: both for AT2, K-NET and ESM, the station for SAC and miniSEED, nothing for others.
 ///
 /// # Example
 /// ```

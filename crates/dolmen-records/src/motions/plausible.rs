@@ -5,9 +5,9 @@ use super::options::STANDARD_GRAVITY_M_S2;
 use crate::unit::Unit;
 use std::ops::RangeInclusive;
 
-/// Peaks, in g, that make a unit worth suggesting: those of most records that anyone simulates. Chosen here.
+/// Peaks, in g, for which a unit is suggested: those of most records in simulations. Chosen here.
 const USUAL_G: RangeInclusive<f64> = 0.02..=2.0;
-/// Units that files of motions come in.
+/// Common units of files of motions.
 const USUAL_UNITS: [Unit; 5] = [
     Unit::Gravity,
     Unit::Gal,
@@ -16,7 +16,7 @@ const USUAL_UNITS: [Unit; 5] = [
     Unit::MilliGravity,
 ];
 
-/// Refuses a peak, m/s², outside the allowed ones; `unit` is what the samples were read in.
+/// Refuses a peak, m/s², outside the range; `unit` is that of the samples.
 pub(super) fn refuse_implausible(
     peak_m_s2: f64,
     unit: Unit,

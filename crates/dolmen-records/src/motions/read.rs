@@ -5,29 +5,29 @@ use super::{ComponentReading, Lengths, MotionError, MotionOptions, Orientation, 
 use crate::wrong::Turned;
 use dolmen::signal::{Component, GroundMotion, Processing};
 
-/// Share of a time step by which components may begin apart. Chosen here: half of it decides which sample is meant.
+/// Relative difference between the starts of components, in time steps. Chosen here: half a step decides between two samples.
 const START_STEPS: f64 = 0.5;
 
-/// A component of a motion, and where it stands.
+/// A component of a motion and its source.
 #[derive(Clone, Copy, Debug)]
 pub struct ComponentSource<'a> {
     /// Which.
     pub component: Component,
     /// The file; several components may stand in one.
     pub bytes: &'a [u8],
-    /// Its column or channel; `None`: as [`MotionOptions::channel`] says.
+    /// Its column or channel; `None` for that of [`MotionOptions::channel`].
     pub channel: Option<&'a str>,
 }
 
-/// A motion from one file a component. Its history begins with how each was read.
+/// A motion from one file for each component. Its history begins with the reading of each.
 ///
 /// # Errors
 /// [`MotionError::Component`] around what [`read_component`] says; [`MotionError::TimeSteps`]; [`MotionError::Lengths`]
 /// unless [`MotionOptions::lengths`] allows it.
 ///
 /// # Limits
-/// The signs of the files are taken as those of x, y and z, whatever direction they state; [`read_oriented`](super::read_oriented)
-/// turns them. Files that say when they begin must agree in it; AT2 files and texts do not say it, and must.
+/// The signs of the files are those of x, y and z, whatever direction they state; [`read_oriented`](super::read_oriented) rotates them. The
+/// starts of files must agree; AT2 files and texts do not state them, but must agree as well.
 pub fn read_motion(
     name: &str,
     files: &[(Component, &[u8])],
@@ -81,7 +81,7 @@ pub fn read_columns_as(
     motion_of(name, read, options)
 }
 
-/// Refuses columns whose names say another direction, and a column that is taken twice.
+/// Refuses columns whose names state another direction, and a column that is used twice.
 fn refuse_mistaken(
     sources: &[ComponentSource<'_>],
     read: &[(Component, ComponentReading)],
@@ -120,7 +120,7 @@ fn refuse_mistaken(
     Ok(())
 }
 
-/// A motion from channels that are known to point along x, y or z.
+/// A motion from channels along x, y or z.
 pub(super) fn motion_of(
     name: &str,
     read: Vec<(Component, ComponentReading)>,
@@ -168,7 +168,7 @@ pub(super) fn motion_of(
     Ok(motion)
 }
 
-/// Refuses a component whose step, length or start is not that of the first.
+/// Refuses a component whose step, length or start differs from that of the first.
 fn agree(
     (first, reference): (Component, &ComponentReading),
     (second, one): (Component, &ComponentReading),

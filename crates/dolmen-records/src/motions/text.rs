@@ -9,10 +9,10 @@ use crate::seismic::Raw;
 use crate::unit::Unit;
 use dolmen::signal::Channel;
 
-/// Names that the reader of records gives to columns without any.
+/// Names that the reader of records gives to unnamed columns.
 const UNNAMED: [&str; 2] = ["ch1", "ch2"];
 
-/// The samples as the file prints them: of the column that the user names, else of every column beside the time.
+/// The samples as printed in the file: of the column in the options, otherwise of every column except the time.
 pub(super) fn read(bytes: &[u8], options: &MotionOptions) -> Result<Vec<Raw>, MotionError> {
     let (reading, column) = read_wanted(bytes, options)?;
     let Layout::Csv(layout) = &reading.layout else {
@@ -42,7 +42,7 @@ pub(super) fn read(bytes: &[u8], options: &MotionOptions) -> Result<Vec<Raw>, Mo
     Ok(each.collect())
 }
 
-/// The column to read: the one that the user names, by its name or by its number in the file, the time counted as a spreadsheet does.
+/// The column to read: by its name, or by its number in the file, counted with the time as in a spreadsheet.
 fn wanted(options: &MotionOptions) -> Option<Column> {
     let of_channel = || {
         let given = options.channel.as_ref()?;
@@ -54,7 +54,7 @@ fn wanted(options: &MotionOptions) -> Option<Column> {
     options.column.clone().or_else(of_channel)
 }
 
-/// The columns read, and which was meant where the user names one: "EW" is also the one column "EW (gal)".
+/// The columns read, and the one in the options: "EW" also means the single column "EW (gal)".
 fn read_wanted(bytes: &[u8], options: &MotionOptions) -> Result<(Reading, Option<Column>), MotionError> {
     let column = wanted(options);
     let refused = match read_columns(bytes, options, column.clone()) {
@@ -85,7 +85,7 @@ fn read_wanted(bytes: &[u8], options: &MotionOptions) -> Result<(Reading, Option
     }
 }
 
-/// Whether a name that is given, of any case, is that of a column without its unit.
+/// Whether a given name, in any case, is that of a column without its unit.
 fn is_meant(given: &str, column: &str) -> bool {
     let plain = |name: &str| without_unit(name).to_lowercase();
     !given.trim().is_empty() && given.trim().to_lowercase() == plain(column)
@@ -128,7 +128,7 @@ fn read_columns(
     }
 }
 
-/// Units that names of columns end in without brackets: "acceleration_m_s2".
+/// Units at the end of column names without brackets: "acceleration_m_s2".
 const ENDINGS: [(&str, Unit); 6] = [
     ("_mm_s2", Unit::MillimetrePerSecondSquared),
     ("_cm_s2", Unit::Gal),
@@ -138,7 +138,7 @@ const ENDINGS: [(&str, Unit); 6] = [
     ("_g", Unit::Gravity),
 ];
 
-/// The unit that the name of a column ends in: "acceleration_m_s2", "acc (g)", "동서 [cm/s^2]".
+/// The unit at the end of a column name: "acceleration_m_s2", "acc (g)", "동서 [cm/s^2]".
 fn unit_in_name(name: &str) -> Option<Unit> {
     match bracketed_unit(name) {
         FileUnit::Known(unit) => Some(unit),
@@ -151,7 +151,7 @@ fn unit_in_name(name: &str) -> Option<Unit> {
     }
 }
 
-/// The name of a column without the unit that it ends in.
+/// The name of a column without its unit.
 fn without_unit(name: &str) -> &str {
     let name = name.trim();
     if let Some(inside) = name.strip_suffix([']', ')', '）'])
@@ -167,7 +167,7 @@ fn without_unit(name: &str) -> &str {
     before.unwrap_or(name)
 }
 
-/// Words beside the direction in the names of columns: "동서방향 가속도", "EW component".
+/// Words other than the direction in column names: "동서방향 가속도", "EW component".
 const BESIDE: [&str; 9] = [
     "가속도",
     "방향",
@@ -180,8 +180,8 @@ const BESIDE: [&str; 9] = [
     "DIRECTION",
 ];
 
-/// Which way a column points by its name: "EW (gal)", "N-S", "UD", "HNE", "동서(gal)", "동서방향 가속도". A number is none, and neither is x, y or
-/// a bare N.
+/// The direction of a column from its name: "EW (gal)", "N-S", "UD", "HNE", "동서(gal)", "동서방향 가속도". `None` for a number, and for x, y or a bare
+/// N.
 fn direction_in_name(name: &str) -> Option<Orientation> {
     let whole = without_unit(name).to_uppercase();
     let words = whole.split([' ', '_', ':']).map(|word| {

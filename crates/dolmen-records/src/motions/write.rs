@@ -41,7 +41,7 @@ pub fn motion_at2(motion: &GroundMotion, component: Component) -> String {
     out
 }
 
-/// All directions that were given as `time_s,x_m_s2,…`, every digit; comments tell the history.
+/// All given directions as `time_s,x_m_s2,…`, with every digit and the history in comments.
 ///
 /// # Example
 /// ```

@@ -1,4 +1,4 @@
-//! How the channels of a file, each sampled by itself, become one record.
+//! Joins the channels of a file, each with its own sampling, into one record.
 
 use super::csv::refuse_counts;
 use super::lost_samples::keep_longest;
@@ -9,10 +9,10 @@ use crate::unit::Unit;
 use dolmen::signal::{Channel, Join, Piece, Processing, Quantity, Record, join, scale};
 use std::collections::BTreeSet;
 
-/// Share by which a rate that is given may differ from that of the file, as with time stamps.
+/// Relative difference allowed between a given rate and that of the file, as with time stamps.
 const RATE_TOLERANCE: f64 = 1e-4;
 
-/// One record of the channels wanted of a file, in SI.
+/// One record of the requested channels of a file, in SI.
 pub(super) fn assembled(found: Found, options: &RecordOptions) -> Result<Reading, RecordError> {
     refuse_channels(found.format.name(), found.series.len())?;
     if options.picks.is_empty() {
@@ -46,7 +46,7 @@ pub(super) fn assembled(found: Found, options: &RecordOptions) -> Result<Reading
     })
 }
 
-/// The same record with the step of reading before its history.
+/// The same record with the reading as the first step of its history.
 fn reread(
     record: Record,
     format: &str,
@@ -78,21 +78,21 @@ fn found_channel(series: &Series) -> FoundChannel {
     }
 }
 
-/// What each channel that is read is multiplied by.
+/// Factor of each channel.
 pub(super) fn factors(options: &RecordOptions, channels: usize) -> Vec<f64> {
     let of = |at: usize| options.picks.get(at).and_then(|pick| pick.scale);
     let shared = options.scale.unwrap_or(1.0);
     (0..channels).map(|at| of(at).unwrap_or(shared)).collect()
 }
 
-/// The channels wanted, named as the project names them.
+/// The requested channels, with the names of the project.
 struct Wanted {
     pieces: Vec<Piece>,
-    /// The unit they were in, or their several units.
+    /// Their unit in the file, or their several units.
     unit: String,
-    /// Whether they begin at times of a clock, not only beside one another.
+    /// Whether their starts are clock times, not only relative to one another.
     clocked: bool,
-    /// What was cut for lost samples.
+    /// Parts cut because of lost samples.
     cut: Vec<Processing>,
 }
 
@@ -155,7 +155,7 @@ fn named(units: &BTreeSet<&'static str>) -> String {
     words.rev().collect::<Vec<_>>().join(" and ")
 }
 
-/// Which channels are read, in order.
+/// The channels to read, in order.
 fn chosen(found: &Found, options: &RecordOptions) -> Result<Vec<usize>, RecordError> {
     let names: Vec<&str> = found.series.iter().map(|s| s.name.as_str()).collect();
     if options.picks.is_empty() {
@@ -201,7 +201,7 @@ fn chosen(found: &Found, options: &RecordOptions) -> Result<Vec<usize>, RecordEr
     Ok(chosen)
 }
 
-/// The unit of a channel: that of the file, or the one given; never another's word against the file's.
+/// The unit of a channel: that of the file, or the given one; a given unit never overrides that of the file.
 fn unit_of(series: &Series, given: Unit, scaled: bool, format: &'static str) -> Result<Unit, RecordError> {
     if let Some(quantity) = series.quantity
         && given.quantity() != Quantity::Unknown
@@ -219,7 +219,7 @@ fn unit_of(series: &Series, given: Unit, scaled: bool, format: &'static str) -> 
         });
     }
     match (&series.unit, given) {
-        // a scale takes the numbers from what the file says to the unit given
+        // a scale converts the numbers from the unit of the file to the given one
         (FileUnit::Known(found), Unit::Unknown) => Ok(*found),
         (FileUnit::Known(found), given) if scaled || *found == given || found.symbol() == given.symbol() => {
             Ok(given)

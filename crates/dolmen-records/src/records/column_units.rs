@@ -1,4 +1,4 @@
-//! Units that the names of columns say, held against each other and against the unit that is given.
+//! Compares units in column names with each other and with the given unit.
 
 use super::unit::unit_of_label;
 use super::{FileUnit, RecordError};
@@ -9,11 +9,11 @@ use dolmen::signal::Quantity;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct NamedColumn<'a> {
     pub(super) name: &'a str,
-    /// Whether it has a scale of its own, which takes its numbers to the unit of the record whatever its name says.
+    /// Whether it has its own scale, which converts its numbers to the unit of the record whatever its name says.
     pub(super) is_scaled: bool,
 }
 
-/// What the name of a column says in brackets at its end: "ax [mg]", "x (m/s2)", "3층 가속도(gal)".
+/// The text in brackets at the end of a column name: "ax [mg]", "x (m/s2)", "3층 가속도(gal)".
 pub(crate) fn unit_in_name(name: &str) -> FileUnit {
     let inside = name.trim_end().strip_suffix([']', ')', '）']);
     let Some((_, unit)) = inside.and_then(|inside| inside.rsplit_once(['[', '(', '（'])) else {
@@ -22,7 +22,7 @@ pub(crate) fn unit_in_name(name: &str) -> FileUnit {
     unit_of_label(unit)
 }
 
-/// Refuses columns whose names say another unit than the one given or, where none is given, than another column that is read.
+/// Refuses columns whose names contradict the given unit or, without one, the name of another column.
 ///
 /// # Errors
 /// [`RecordError::ColumnUnitDisagrees`], [`RecordError::ColumnUnitsDiffer`]; [`RecordError::NoScale`] where a name says "V", "mV" or "counts"
@@ -72,12 +72,12 @@ pub(super) fn refuse_other_units(
     Ok(())
 }
 
-/// Whether it is what a recorder counts, not a motion; brackets also hold places and axes.
+/// Whether it is a unit of recorders, not of motion; brackets also hold places and axes.
 fn is_raw(label: &str) -> bool {
     ["V", "mV", "counts", "count"].contains(&label)
 }
 
-/// What numbers in one unit are multiplied by to be in the other, where the units differ; `Some(None)` where they measure different things.
+/// Factor from one unit to the other, if they differ; `Some(None)` if they measure different quantities.
 fn contradiction(found: Unit, other: Unit) -> Option<Option<f64>> {
     if other == Unit::Unknown || (found.si() == other.si() && found.quantity() == other.quantity()) {
         return None;

@@ -1,7 +1,7 @@
-//! CSV: one line a sample, one column a channel, in any of the usual dialects.
+//! CSV: one line for each sample, one column for each channel, in any common dialect.
 //!
-//! Two ways through a line: numbers are scanned where they stand, and whatever is not plain (quotes, blanks, more digits than
-//! a double holds) has its cell cut out and read by the standard library, which also gives the errors.
+//! There are two paths through a line. Plain numbers are scanned in place; a cell that is not plain (quotes, blanks, more digits than a double
+//! holds) is cut out and parsed by the standard library, which also gives the errors.
 
 use super::column_units::{NamedColumn, refuse_other_units};
 use super::csv_start::{Start, TimeName, WordOfTime, time_name, unit_of_named_time};
@@ -18,28 +18,28 @@ use crate::text_code::decoded;
 use dolmen::signal::{Channel, Processing, Record, SignalError};
 use std::ops::Range;
 
-/// Lines turned from row order into channel order at a time: few enough for a first-level cache, many enough that each
-/// channel is written in whole cache lines.
+/// Number of lines transposed into channel order at a time: few enough for a first-level cache, many enough to write whole cache lines for each
+/// channel.
 const ROWS_AT_ONCE: usize = 64;
-/// A name this similar (Jaro–Winkler) is worth suggesting.
+/// Similarity (Jaro–Winkler) from which a name is suggested.
 const SIMILAR: f64 = 0.7;
-/// A channel whose steps all agree to this share of the first is taken for a count. Chosen here.
+/// A channel whose steps all agree to this fraction of the first is a counter or a time. Chosen here.
 const COUNT_TOLERANCE: f64 = 1e-3;
 
 /// A record from the bytes of a CSV file.
 ///
-/// Delimiter, decimal sign, header and time column are found out if `options` do not tell them. The rate is that of the time
-/// stamps, which must be even, or [`RecordOptions::sampling_rate_hz`].
+/// Delimiter, decimal sign, header and time column are detected unless `options` give them. The rate is that of the time stamps, which must be
+/// even, or [`RecordOptions::sampling_rate_hz`].
 ///
 /// # Errors
 /// [`RecordError`], which names the line and the column: text in a column of numbers, a missing sample, a line with more or
 /// fewer cells, uneven time stamps, no rate, a column that is not there.
 ///
 /// # Limits
-/// Time stamps are numbers, not dates; where the options give both the rate and the columns, the first and the last date of a column of dates are held
-/// against the rate, and those between are passed over. In a file without a line end after its last line, the last number may have been cut
-/// short: see [`CsvLayout::last_line_ended`]. Text is UTF-8, or CP949 (EUC-KR) where all of it is; of any other code, columns whose names are
-/// not ASCII are called by their number.
+/// Time stamps are numbers, not dates. If the options give both the rate and the columns, the first and the last date of a column of dates are
+/// compared with the rate; those between are ignored. In a file without an end of its last line, the last number may be cut short: see
+/// [`CsvLayout::last_line_ended`]. Text is UTF-8, or CP949 (EUC-KR) throughout; with any other encoding, columns whose names are not ASCII get
+/// numbers as names.
 ///
 /// # Example
 /// ```
@@ -57,7 +57,7 @@ pub fn read_csv(bytes: &[u8], options: &RecordOptions) -> Result<Reading, Record
     let bytes = &*text.bytes;
     let start = Start::find(bytes, options)?;
     let time = find_time(&start.columns, &options.time)?;
-    // dates: the options give everything that stamps could tell
+    // dates: the options give all the information of time stamps
     let told =
         options.time == TimeColumn::Detect && options.sampling_rate_hz.is_some() && !options.picks.is_empty();
     let time = time.filter(|t| start.numeric[t.column] || !told);
@@ -211,16 +211,16 @@ fn find_column(columns: &[String], column: &Column) -> Result<usize, RecordError
     }
 }
 
-/// What a cell of a line is read for.
+/// Use of a cell in a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Use {
     Nothing,
     Time,
-    /// The channel of that index.
+    /// The channel with this index.
     Channel(usize),
 }
 
-/// What is read of each line.
+/// The cells to read in each line.
 #[derive(Debug)]
 struct Plan {
     uses: Vec<Use>,
@@ -285,7 +285,7 @@ impl Plan {
     }
 }
 
-/// What the lines hold.
+/// The contents of the lines.
 #[derive(Debug)]
 struct Table {
     /// Channel after channel.
@@ -297,7 +297,7 @@ impl Table {
     fn read(bytes: &[u8], start: &Start, plan: &Plan, options: &RecordOptions) -> Result<Self, RecordError> {
         let count = plan.channels.len();
         let body = &bytes[start.samples_at..];
-        // a line has an end, but for the last, and at least two bytes a cell: a bound on the memory taken
+        // a line has an end, except the last, and at least two bytes for each cell: this bounds the memory
         let lines_most = memchr::memchr_iter(b'\n', body).count() + 1;
         let rows_most = lines_most.min(body.len() / (2 * plan.uses.len()) + 1);
         let mut samples = vec![0.0; rows_most * count];
@@ -350,7 +350,7 @@ impl Table {
     }
 }
 
-/// The series, `length` long each, with lost samples filled in.
+/// The series, `length` long each, with lost samples filled.
 fn with_filled(series: &[f64], length: usize, lost: &[Range<usize>]) -> Result<Vec<f64>, SignalError> {
     let missing: usize = lost.iter().map(Range::len).sum();
     let mut all = Vec::with_capacity((length + missing) * (series.len() / length));
@@ -368,7 +368,7 @@ fn with_filled(series: &[f64], length: usize, lost: &[Range<usize>]) -> Result<V
     Ok(all)
 }
 
-/// Writes rows of cells into series that are `stride` long, from sample `from` on.
+/// Writes rows of cells into series of length `stride`, from sample `from` on.
 fn transpose(rows: &[f64], series: &mut [f64], from: usize, stride: usize) {
     let count = series.len() / stride;
     for (channel, samples) in series.chunks_exact_mut(stride).enumerate() {
@@ -377,7 +377,7 @@ fn transpose(rows: &[f64], series: &mut [f64], from: usize, stride: usize) {
     }
 }
 
-/// One line and what is to be read of it.
+/// One line and its cells to read.
 struct LineReader<'a> {
     text: &'a [u8],
     number: usize,
@@ -415,7 +415,7 @@ impl LineReader<'_> {
             }
         }
         let rest = &self.text[at..];
-        // nothing may follow but blanks, and the delimiter that ends every line of some files
+        // only blanks may follow, and the delimiter at the end of every line in some files
         let rest = match rest.split_first() {
             Some((first, more)) if self.start.trailing_delimiter && delimiter.is(*first) => more,
             _ => rest,
@@ -427,7 +427,7 @@ impl LineReader<'_> {
         }
     }
 
-    /// Steps over the delimiter before cell `column`, which must be there.
+    /// Skips the delimiter before cell `column`, which must exist.
     #[inline]
     fn next_cell(&self, at: usize, column: usize) -> Result<usize, RecordError> {
         debug_assert!(column > 0);
@@ -443,7 +443,7 @@ impl LineReader<'_> {
         }
     }
 
-    /// Steps over blanks, where they do not part cells by themselves.
+    /// Skips blanks, unless they are delimiters.
     #[inline]
     fn skip_blanks(&self, mut at: usize) -> usize {
         let tabs_part = self.start.delimiter == Delimiter::Tab;
@@ -456,7 +456,7 @@ impl LineReader<'_> {
         at
     }
 
-    /// Where the cell that begins at `at` ends. A delimiter within quotes ends nothing.
+    /// End of the cell that begins at `at`. A delimiter within quotes does not end it.
     fn cell_end(&self, at: usize) -> usize {
         let mut quoted = false;
         let end = self.text[at..].iter().position(|b| {
@@ -473,7 +473,7 @@ impl LineReader<'_> {
         let (line, name) = (self.number, || self.start.columns[column].clone());
         let text = || String::from_utf8_lossy(cell).into_owned();
         if cell.is_empty() {
-            // a line that is too short is ragged, not empty in its last cell
+            // a line that is too short is reported as ragged, not as an empty last cell
             return Err(if end == self.text.len() && self.cells() < self.uses.len() {
                 self.ragged()
             } else {
@@ -517,7 +517,7 @@ impl LineReader<'_> {
     }
 }
 
-/// Refuses a channel that rises by the same step all along: a time column that was not recognised, or a line count.
+/// Refuses a channel that rises by the same step throughout: an unrecognised time column, or a line counter.
 pub(super) fn refuse_counts(samples: &[f64], length: usize, channels: &[Channel]) -> Result<(), RecordError> {
     for (x, channel) in samples.chunks_exact(length).zip(channels) {
         if length <= 2 {

@@ -1,4 +1,4 @@
-//! How a CSV file is laid out: found out from its first lines.
+//! Detects the layout of a CSV file from its first lines.
 
 use super::dialect::{Line, holds_cells, line_at, unquoted};
 use super::not_a_table::refuse_other_text;
@@ -8,9 +8,9 @@ use crate::limits::{CHANNELS_MOST, LimitError};
 use crate::number::parse_cell;
 use crate::quoted::shown;
 
-/// Lines looked at to find the delimiter out.
+/// Number of lines examined for the delimiter.
 const LINES_LOOKED_AT: usize = 20;
-/// What the first lines say.
+/// The layout found in the first lines.
 #[derive(Clone, Debug)]
 pub(super) struct Start {
     pub(super) delimiter: Delimiter,
@@ -21,11 +21,11 @@ pub(super) struct Start {
     pub(super) passed_over: Option<[usize; 2]>,
     /// Whether names are neither UTF-8 nor CP949.
     pub(super) names_unread: bool,
-    /// Whether each line of samples ends with a delimiter that begins no cell.
+    /// Whether each line of samples has one delimiter too many at its end.
     pub(super) trailing_delimiter: bool,
     /// Which cells of the first line of samples are numbers.
     pub(super) numeric: Vec<bool>,
-    /// Where the samples begin, and the number of that line.
+    /// Start of the samples, and the number of that line.
     pub(super) samples_at: usize,
     pub(super) samples_line: usize,
 }
@@ -51,7 +51,7 @@ impl Start {
             Header::Absent => 0,
             Header::Present | Header::Detect => above_names(&lines, delimiter, decimal),
         };
-        // names alone are not quoted
+        // unreadable names are not quoted
         if lines.len() > passed_over + 1 || options.header == Header::Absent {
             refuse_other_text(&lines, passed_over + 1, (delimiter, decimal))?;
         }
@@ -134,7 +134,7 @@ impl Start {
     }
 }
 
-/// Whether a line names the channels: it holds no number, or a name of the time.
+/// Whether a line is a header: it has no number, or a name for time.
 fn is_header(cells: &[&[u8]], decimal: Decimal, line: usize) -> Result<bool, RecordError> {
     // an empty cell is a missing sample, not a name
     let texts = cells.iter().filter(|c| !c.is_empty());
@@ -149,7 +149,7 @@ fn is_header(cells: &[&[u8]], decimal: Decimal, line: usize) -> Result<bool, Rec
     Ok(numbers == 0 || has_time)
 }
 
-/// Whether a cell says a unit and nothing else, of motion or of time.
+/// Whether a cell is only a unit, of motion or of time.
 fn is_unit(cell: &[u8]) -> bool {
     let Ok(text) = std::str::from_utf8(cell) else {
         return false;
@@ -163,7 +163,7 @@ fn is_unit(cell: &[u8]) -> bool {
         )
 }
 
-/// Refuses more columns than any recorder has; one more may be the delimiter that ends every line.
+/// Refuses more columns than any recorder has; one more may come from the delimiter at the end of every line.
 fn refuse_wide(found: usize, line: usize) -> Result<(), LimitError> {
     match found.saturating_sub(1) <= CHANNELS_MOST {
         true => Ok(()),
@@ -175,8 +175,8 @@ fn refuse_wide(found: usize, line: usize) -> Result<(), LimitError> {
     }
 }
 
-/// Lines of text above the names of the columns, as recorders write them: those before the last line without a number that is as wide as the
-/// samples below it. None where any of them could be samples.
+/// Lines of text above the column names, as recorders write them: those before the last line without a number that is as wide as the samples
+/// below it. None where any of them could be samples.
 fn above_names(lines: &[Line<'_>], delimiter: Delimiter, decimal: Decimal) -> usize {
     let rows: Vec<Vec<&[u8]>> = lines.iter().map(|line| delimiter.cells(line.text)).collect();
     let is_number = |c: &&[u8]| parse_cell(unquoted(c), decimal.byte()).is_some();
@@ -199,8 +199,8 @@ fn above_names(lines: &[Line<'_>], delimiter: Delimiter, decimal: Decimal) -> us
     }
 }
 
-/// Delimiter and decimal sign under which the first lines make most sense; among equals, the first of `;`, tab, `,`, white
-/// space, and the point before the comma.
+/// Delimiter and decimal sign under which the first lines make most sense; among equals, the first of `;`, tab, `,`, white space, and the point
+/// before the comma.
 fn detect(lines: &[Line<'_>], options: &RecordOptions) -> (Delimiter, Decimal) {
     let mut best = (Delimiter::Semicolon, Decimal::Point);
     let mut best_score = None;
@@ -226,8 +226,8 @@ fn detect(lines: &[Line<'_>], options: &RecordOptions) -> (Delimiter, Decimal) {
     best
 }
 
-/// How much sense the lines make: 4 for each that is as wide as most and numbers throughout, 2 if mostly; 4 if the first is
-/// as wide as most; 1 if that is more than one cell.
+/// Score of the lines: 4 for each that has the usual width and only numbers, 2 if mostly numbers; 4 if the first has the usual width; 1 if that
+/// is more than one cell.
 fn score(lines: &[Line<'_>], delimiter: Delimiter, decimal: Decimal) -> usize {
     let rows: Vec<Vec<&[u8]>> = lines
         .iter()
@@ -255,7 +255,7 @@ fn score(lines: &[Line<'_>], delimiter: Delimiter, decimal: Decimal) -> usize {
     rows.iter().map(sense).sum::<usize>() + first + usize::from(width > 1)
 }
 
-/// What the name of a column says of time.
+/// Meaning of a column name for time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum TimeName {
     /// Not a time column.
@@ -264,24 +264,24 @@ pub(super) enum TimeName {
     Seconds {
         /// Seconds in one unit of them.
         unit_s: f64,
-        /// Whether the name says the unit.
+        /// Whether the name states the unit.
         named: bool,
     },
-    /// Time in some unit that is not known.
+    /// Time in an unknown unit.
     Unclear,
 }
 
-/// What a word says of a unit of time.
+/// Meaning of a word as a unit of time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum WordOfTime {
-    /// Nothing.
+    /// None.
     None,
     /// A unit.
     Unit {
         /// Seconds in one.
         seconds: f64,
     },
-    /// One that counts no time from a beginning, or that may be two things: 시 is an hour, and o'clock.
+    /// A unit that does not count from a start, or is ambiguous: 시 is an hour, and o'clock.
     Unclear,
 }
 
@@ -299,7 +299,7 @@ pub(super) fn unit_of_time(word: &str) -> WordOfTime {
     WordOfTime::Unit { seconds }
 }
 
-/// What the name of a column that is the time column says of its unit: its last word, "경과 시간 [분]", "t_ms".
+/// The unit in the name of the time column: its last word, "경과 시간 [분]", "t_ms".
 pub(super) fn unit_of_named_time(name: &str) -> WordOfTime {
     let lower = name.to_lowercase();
     let mut words = lower

@@ -3,7 +3,7 @@
 use super::RecordError;
 use dolmen_words::message::Both;
 
-/// A place in a binary file, in one byte order. Nothing is allocated before the bytes it is read from are known to be there.
+/// A position in a binary file, with a byte order. Memory is allocated only after the bytes are known to exist.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Cursor<'a> {
     bytes: &'a [u8],
@@ -31,7 +31,7 @@ impl<'a> Cursor<'a> {
         }
     }
 
-    /// The same place, in big-endian order or not.
+    /// The same position, in big-endian order or not.
     pub(super) fn ordered(self, big: bool) -> Self {
         Cursor { big, ..self }
     }
@@ -92,7 +92,7 @@ impl<'a> Cursor<'a> {
     }
 }
 
-/// What a number of a binary file is.
+/// Type of a number in a binary file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Number {
     I8,
@@ -119,7 +119,7 @@ impl Number {
         }
     }
 
-    /// The number that the cursor stands before.
+    /// The number at the cursor.
     pub(super) fn read(self, cursor: &mut Cursor) -> Result<f64, RecordError> {
         Ok(match self {
             Number::I8 => f64::from(cursor.i8()?),

@@ -1,4 +1,4 @@
-//! Dates and times of the day as tables print them.
+//! Dates and times of day as printed in tables.
 
 use crate::start::time_of;
 
@@ -7,14 +7,14 @@ pub(super) const DAY_S: f64 = 86_400.0;
 /// Days that a table counts from 30 December 1899: of the years 1954 to 2118.
 pub(super) const SERIAL_DAYS: std::ops::Range<f64> = 20_000.0..80_000.0;
 
-/// A time and what its last digit is worth, s.
+/// A time and the value of its last digit, s.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct At {
     pub(crate) seconds: f64,
     pub(crate) resolution_s: f64,
 }
 
-/// Days since 30 December 1899, as tables keep dates.
+/// Days since 30 December 1899, as spreadsheets store dates.
 pub(super) fn serial(text: &str) -> Option<At> {
     let text = text.replace(',', ".");
     let days: f64 = text.parse().ok()?;
@@ -44,7 +44,7 @@ pub(crate) fn date_time(text: &str) -> Option<At> {
         "" => 0.0,
         date => time_of(calendar(date)?)?,
     };
-    // a zone shifts all alike
+    // a time zone shifts all alike
     let clock = clock.split(['z', '+', '-']).next()?.trim().replace(',', ".");
     let parts: Vec<&str> = clock.split(':').collect();
     let ([hour, minute] | [hour, minute, _]) = parts[..] else {
@@ -66,7 +66,7 @@ pub(crate) fn date_time(text: &str) -> Option<At> {
     })
 }
 
-/// A text in lower case without its word for the half of the day, and the hour at which that begins.
+/// A text in lower case without its word for the half of the day, and the first hour of that half.
 fn without_half_day(text: &str) -> (String, Option<f64>) {
     let lower = text.trim().to_lowercase();
     let found = HALF_DAYS
@@ -83,7 +83,7 @@ fn without_half_day(text: &str) -> (String, Option<f64>) {
     }
 }
 
-/// What stands before the hour, and the time of the day from its hour on.
+/// The part before the hour, and the time of day.
 fn date_and_clock(text: &str) -> Option<(&str, &str)> {
     let colon = text.find(':')?;
     let is_before = |c: char| !c.is_ascii_digit();
@@ -96,7 +96,7 @@ fn date_and_clock(text: &str) -> Option<(&str, &str)> {
     Some((date.trim_end_matches(['t', ' ']).trim(), clock))
 }
 
-/// The hour from midnight on of one from midnight or noon on: 12 is the first of each half; some write 13 to 23 in the afternoon.
+/// The hour from midnight: 12 is the first of each half; some write 13 to 23 in the afternoon.
 fn hour_of_day(hour: f64, half_day_h: Option<f64>) -> Option<f64> {
     match half_day_h {
         None => Some(hour),
@@ -110,7 +110,7 @@ pub(super) fn is_date(text: &str) -> bool {
     date_time(text).is_some() || calendar_day(text).is_some()
 }
 
-/// The midnight with which a day begins, s from 1970.
+/// Midnight at the beginning of a day, s from 1970.
 pub(crate) fn calendar_day(text: &str) -> Option<f64> {
     calendar(text).and_then(time_of)
 }
@@ -123,7 +123,7 @@ fn calendar(date: &str) -> Option<[f64; 6]> {
     let number = |text: &str| text.parse::<u32>().ok().map(f64::from);
     let (year, month, day) = match (a.len(), c.len()) {
         (4, _) => (number(a)?, number(b)?, number(c)?),
-        // months stand first between slashes, unless they cannot
+        // months come first between slashes, unless that is impossible
         (_, 4) if date.contains('/') && number(a)? <= 12.0 => (number(c)?, number(a)?, number(b)?),
         (_, 4) => (number(c)?, number(b)?, number(a)?),
         _ => return None,

@@ -1,24 +1,24 @@
-//! Dates beside samples: what rate do the first and the last of them say?
+//! Compares the first and last date beside the samples with the rate.
 
 use super::RecordError;
 use super::csv_start::Start;
 use super::date_text::{At, DAY_S, date_time, serial};
 use super::dialect::{holds_cells, unquoted};
 
-/// Share by which a rate given may differ from that of dates, beside their last digit. As for stamps in seconds.
+/// Relative difference allowed between a given rate and that of dates, beyond their last digit. As for stamps in seconds.
 const RATE_TOLERANCE: f64 = 1e-4;
-/// What dates say of a rate that was given.
+/// Result of dates for a given rate.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Dates {
     /// There are none.
     None,
-    /// They agree.
+    /// They agree with it.
     Agree,
-    /// A column that looks like them cannot be read.
+    /// A column that looks like dates cannot be read.
     Unread(String),
 }
 
-/// Holds the rate given against the first and the last date of a column that is not read for samples.
+/// Compares the given rate with the first and the last date of a column that is not a channel.
 ///
 /// # Errors
 /// [`RecordError::DatesDisagree`].

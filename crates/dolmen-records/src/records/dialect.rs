@@ -1,13 +1,13 @@
-//! What parts a text in columns: lines, delimiters, decimal signs, quotes.
+//! The parts of a text in columns: lines, delimiters, decimal signs, quotes.
 
 use crate::limits::{CHANNELS_MOST, LimitError, line_end};
 
-/// Lines that begin with this hold no samples.
+/// Beginning of comment lines.
 const COMMENT: u8 = b'#';
-/// The columns that are read, and the delimiter that ends every line of some files.
+/// Largest number of cells in a line: the columns, and an empty one after the delimiter that ends every line in some files.
 const CELLS_MOST: usize = CHANNELS_MOST + 1;
 
-/// What stands between two cells.
+/// Separator of cells.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Delimiter {
     /// `;`
@@ -20,7 +20,7 @@ pub enum Delimiter {
     WhiteSpace,
 }
 
-/// What stands before the decimals.
+/// Decimal sign.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Decimal {
     /// `.`
@@ -39,13 +39,12 @@ impl Delimiter {
         }
     }
 
-    /// Whether cells can be parted by this byte.
+    /// Whether this byte can separate cells.
     pub(super) fn is(self, byte: u8) -> bool {
         byte == self.byte() || (self == Delimiter::WhiteSpace && byte == b'\t')
     }
 
-    /// The cells of one line, quotes kept, blanks around them taken off; the first of more than any line may have. A delimiter within
-    /// quotes parts nothing.
+    /// The cells of one line, with quotes and without blanks around them, up to the limit. A delimiter within quotes does not separate.
     pub(super) fn cells(self, line: &[u8]) -> Vec<&[u8]> {
         self.parted(line).take(CELLS_MOST).collect()
     }
@@ -121,7 +120,7 @@ pub(super) fn line_at(bytes: &[u8], at: usize, number: usize) -> Result<Option<L
     }))
 }
 
-/// Whether a line holds cells: it is neither blank nor a comment.
+/// Whether a line has cells: it is neither blank nor a comment.
 #[inline]
 pub(super) fn holds_cells(text: &[u8]) -> bool {
     // the first byte decides for nearly every line

@@ -7,7 +7,7 @@ use crate::sheet_error::SheetError;
 use dolmen::signal::SignalError;
 use dolmen_words::message::Both;
 
-/// Why the bytes of a file are no record. Each variant says where in the file and what to do. Lines and columns are counted from 1.
+/// Why the bytes of a file are not a record. Each variant gives the place in the file and the remedy. Lines and columns are counted from 1.
 #[derive(Clone, Debug, PartialEq)]
 pub enum RecordError {
     /// No bytes, or nothing but empty lines and comments.
@@ -22,7 +22,7 @@ pub enum RecordError {
         /// The line.
         line: usize,
     },
-    /// No table of numbers: nothing of it is quoted.
+    /// Not a table of numbers; the error quotes nothing of it.
     NotATable(NotATable),
     /// The workbook is refused.
     Workbook {
@@ -54,7 +54,7 @@ pub enum RecordError {
         /// What stands there.
         text: String,
     },
-    /// A cell holds nothing.
+    /// An empty cell.
     EmptyCell {
         /// Line of the file.
         line: usize,
@@ -70,7 +70,7 @@ pub enum RecordError {
         /// What stands there.
         text: String,
     },
-    /// The options name a column that is not there.
+    /// The options name a column that does not exist.
     UnknownColumn {
         /// The name asked for.
         given: String,
@@ -79,14 +79,14 @@ pub enum RecordError {
         /// The names there are.
         names: Vec<String>,
     },
-    /// A column is asked for by a number that is not there.
+    /// The options ask for a column by a number that does not exist.
     ColumnNumber {
         /// The number asked for.
         given: usize,
         /// Columns of the file.
         columns: usize,
     },
-    /// A column is asked for twice.
+    /// A column is requested twice.
     PickedTwice {
         /// The column.
         column: String,
@@ -95,7 +95,7 @@ pub enum RecordError {
         /// What it is read as then.
         second: String,
     },
-    /// Two columns have one name, and one of them is asked for by it.
+    /// Two columns have the same name, and one of them is requested by it.
     AmbiguousColumn {
         /// The name asked for.
         given: String,
@@ -123,7 +123,7 @@ pub enum RecordError {
         /// The names of the columns.
         names: Vec<String>,
     },
-    /// An NPY file has no place for a rate.
+    /// NPY files do not contain a rate, and none is given.
     NoRateNpy,
     /// A channel that looks like time stamps.
     LooksLikeTime {
@@ -147,7 +147,7 @@ pub enum RecordError {
         /// The rate of the dates, Hz.
         dates_hz: f64,
     },
-    /// The name of the time column holds a unit that is not known.
+    /// The name of the time column has an unknown unit.
     TimeUnit {
         /// Name of the column.
         column: String,
@@ -183,7 +183,7 @@ pub enum RecordError {
         /// The one before, s.
         before: f64,
     },
-    /// Steps that differ, between time stamps so coarse that this may be rounding or a missing sample.
+    /// Different steps between coarse time stamps: rounding or a missing sample.
     CoarseStamps {
         /// Line of the file.
         line: usize,
@@ -194,7 +194,7 @@ pub enum RecordError {
         /// The last digit printed, s.
         resolution_s: f64,
     },
-    /// The rate given is not that of the time stamps.
+    /// The given rate contradicts the time stamps.
     RateDisagrees {
         /// The rate given, Hz.
         given: f64,
@@ -257,7 +257,7 @@ pub enum RecordError {
         found: &'static str,
         /// The unit given.
         given: &'static str,
-        /// What takes numbers of the one to the other; `None` where they measure different things.
+        /// Factor from one unit to the other; `None` if they measure different quantities.
         scale: Option<f64>,
     },
     /// The names of two columns say different units.
@@ -270,7 +270,7 @@ pub enum RecordError {
         other: String,
         /// The unit in the name of that.
         unit: &'static str,
-        /// What takes numbers of the column to the unit of the other; `None` where they measure different things.
+        /// Factor from this unit to the other; `None` if they measure different quantities.
         scale: Option<f64>,
     },
     /// A binary file ends before its header says.
@@ -282,7 +282,7 @@ pub enum RecordError {
         /// Bytes that its header asks for.
         wanted: u64,
     },
-    /// A binary file holds something that cannot be.
+    /// An invalid value in a binary file.
     Damaged {
         /// Its format.
         format: &'static str,
@@ -291,7 +291,7 @@ pub enum RecordError {
         /// What is wrong.
         what: Both,
     },
-    /// A variant of a format that is not read.
+    /// A variant of a format that is not supported.
     NotReadHere {
         /// Its format.
         format: &'static str,
@@ -304,7 +304,7 @@ pub enum RecordError {
     NotOfFormat {
         /// The format named.
         format: &'static str,
-        /// What it begins like: "a miniseed file", "text", "no text". Its text is not quoted, since it may be any file.
+        /// Description of its beginning: "a miniseed file", "text", "no text". Its text is not quoted, because it may be any file.
         begins: Both,
     },
     /// A line of a text file is not what the format has there.
@@ -327,7 +327,7 @@ pub enum RecordError {
         /// What it must be.
         wanted: Both,
     },
-    /// A header does not say something.
+    /// A header lacks something.
     HeaderLacks {
         /// Its format.
         format: &'static str,
@@ -361,7 +361,7 @@ pub enum RecordError {
     },
     /// A WAV file without a scale.
     NoFullScale,
-    /// A unit is given for numbers that are in another.
+    /// The given unit contradicts that of the numbers.
     NoScale {
         /// Format of the file.
         format: &'static str,
@@ -372,7 +372,7 @@ pub enum RecordError {
         /// The unit given.
         given: &'static str,
     },
-    /// The unit given is not that of the file.
+    /// The given unit contradicts that of the file.
     UnitDisagrees {
         /// The channel.
         channel: String,
@@ -381,7 +381,7 @@ pub enum RecordError {
         /// The unit of the file.
         found: &'static str,
     },
-    /// The rate given is not that of the file.
+    /// The given rate contradicts that of the file.
     FileRateDisagrees {
         /// The rate given, Hz.
         given: f64,
@@ -393,12 +393,12 @@ pub enum RecordError {
         /// Its format.
         format: &'static str,
     },
-    /// A start is given for a file that says its own.
+    /// A start is given for a file with its own.
     TwoStarts {
         /// The file.
         file: String,
     },
-    /// The file asks too much of the reader.
+    /// The file exceeds a limit of the reader.
     Limit(LimitError),
     /// A file of a seismic station is refused.
     Seismic(Box<SeismicError>),

@@ -42,10 +42,10 @@ const CODED: [(u8, f64, u32); 10] = [
     (179, 2000.0, 8),
     (181, 4000.0, 16),
 ];
-/// Share of a step by which a block may begin off the one before.
+/// Relative difference between the start of a block and the end of the one before, in steps.
 const GAP_STEPS: f64 = 0.5;
 
-/// Whether the first block is one: there is nothing to tell it by but its rate, its compression and its last sample.
+/// Whether the first block is valid: only its rate, compression and last sample identify the format.
 pub(super) fn is_gcf(bytes: &[u8]) -> bool {
     let mut cursor = Cursor::new(bytes, FORMAT).ordered(true);
     let whole = bytes.len() >= BLOCK && bytes.len().is_multiple_of(BLOCK);
@@ -175,7 +175,7 @@ struct Streams {
 }
 
 impl Streams {
-    /// Appends a block to its stream; says where there is a gap, and refuses an overlap.
+    /// Appends a block to its stream; records a gap, and refuses an overlap.
     fn join(&mut self, block: &Block, samples: Vec<f64>) -> Result<(), RecordError> {
         let place = *self
             .places

@@ -1,4 +1,4 @@
-//! As much of HDF5 as MATLAB writes: the variables of the root group of a MAT file of version 7.3.
+//! The part of HDF5 that MATLAB writes: the variables of the root group of a MAT file of version 7.3.
 //!
 //! | part | what |
 //! |:--|:--|
@@ -7,7 +7,7 @@
 //! | symbol table | B-tree of nodes of names and addresses; the names stand in a heap |
 //! | link | the same of one member, in newer files |
 //!
-//! A matrix of MATLAB stands with its sides turned round, so that its numbers follow column by column.
+//! MATLAB stores a matrix transposed, so that its numbers follow column by column.
 //!
 //! Source: The HDF Group (2019) *HDF5 File Format Specification*, version 3.0.
 
@@ -27,7 +27,7 @@ const LINK_INFO: u16 = 0x02;
 /// Most bytes of a name. Chosen here: MATLAB's have 63 letters.
 const NAME_BYTES: usize = 4096;
 
-/// A variable whose numbers are still to be read.
+/// A variable whose numbers are not read yet.
 struct Variable<'a> {
     name: String,
     rows: usize,
@@ -42,7 +42,7 @@ pub(super) fn matrices(bytes: &[u8]) -> Result<(Vec<Matrix>, Vec<String>), Recor
     let mut unvisited = Unvisited::new(&file);
     let (mut variables, mut passed) = (Vec::new(), Vec::new());
     for (name, address) in members(&file, root, &mut unvisited)? {
-        // what MATLAB keeps of cells and objects
+        // MATLAB's data of cells and objects
         if name.starts_with('#') {
             continue;
         }

@@ -14,10 +14,10 @@ use crate::wrong::{Damage, Unread};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
-/// Deflate packs no more into a byte: what claims to is damaged.
+/// Deflate packs no more into a byte: a larger claim is damage.
 const INFLATION_MOST: usize = 1032;
 
-/// Bytes that the numbers of a variable become, as doubles or as they are unpacked, whichever are more.
+/// Size of the numbers of a variable in bytes, as doubles or unpacked, whichever is larger.
 pub(super) fn unpacked_bytes(object: &Object, stored: Stored, whole: [usize; 2]) -> u64 {
     let [columns, rows] = whole.map(|side| side as u64);
     let numbers = columns.saturating_mul(rows);
@@ -38,7 +38,7 @@ pub(super) fn unpacked_bytes(object: &Object, stored: Stored, whole: [usize; 2])
                 .saturating_mul(stored.number.bytes() as u64);
             doubles.max(chunks.saturating_mul(of_one))
         }
-        // what is not packed is as long as it says, or refused
+        // unpacked data must have the stated length
         _ => 0,
     }
 }

@@ -9,7 +9,7 @@ const SIGNATURE: &[u8] = b"\x89HDF\r\n\x1a\n";
 /// An address of nothing.
 pub(super) const NOWHERE: u64 = u64::MAX;
 
-/// The bytes of a file and where its addresses count from.
+/// The bytes of a file and the origin of its addresses.
 #[derive(Clone, Copy)]
 pub(super) struct File<'a> {
     bytes: &'a [u8],
@@ -40,7 +40,7 @@ impl<'a> File<'a> {
     }
 }
 
-/// What may still be visited of a file: every byte belongs to one part, so that parts which are longer together are visited twice.
+/// Remaining amounts to visit: every byte belongs to one part, so that parts with a larger total are visited twice.
 pub(super) struct Unvisited {
     /// Bytes of headers of objects.
     headers: usize,
@@ -116,7 +116,7 @@ pub(super) fn superblock(bytes: &[u8]) -> Result<(File<'_>, u64), RecordError> {
     let base = cursor.u64()?;
     cursor.u64()?;
     let end = cursor.u64()?;
-    // of the whole file, MATLAB's bytes with it: what is cut is found out before anything is read
+    // of the whole file with MATLAB's bytes: a cut file is detected before anything is read
     let end = usize::try_from(end).unwrap_or(usize::MAX);
     Cursor::new(bytes, FORMAT).go(end)?;
     let root = if version < 2 {

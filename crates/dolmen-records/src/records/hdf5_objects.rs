@@ -14,7 +14,7 @@ use super::hdf5_file::{FORMAT, File, Unvisited};
 use crate::wrong::{Damage, Unread};
 
 const CONTINUATION: u16 = 0x10;
-/// Bit of a message that stands elsewhere.
+/// Bit of a shared message, stored elsewhere.
 const SHARED: u8 = 0x02;
 
 /// One message of an object header.
@@ -103,7 +103,7 @@ fn continuation<'a>(file: &File<'a>, data: &[u8], newer: bool) -> Result<&'a [u8
     }
 }
 
-/// Where numbers stand.
+/// Place of the numbers.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Layout<'a> {
     Within(&'a [u8]),
@@ -120,7 +120,7 @@ pub(super) enum Layout<'a> {
     Unknown,
 }
 
-/// What chunks went through.
+/// The filters of chunks.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Filter {
     Deflate,
@@ -136,7 +136,7 @@ pub(super) struct Stored {
     pub(super) big: bool,
 }
 
-/// What the messages of a variable say.
+/// The data in the messages of a variable.
 pub(super) struct Object<'a> {
     pub(super) sides: Option<Vec<usize>>,
     pub(super) number: Option<Result<Stored, &'static str>>,

@@ -1,8 +1,8 @@
-//! How the files of records were laid out.
+//! Layouts of record files.
 
 use super::{Decimal, Delimiter, FileUnit, RateSource, RecordFormat};
 
-/// How a file was laid out.
+/// Layout of a file.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Layout {
     /// Text in columns.
@@ -15,12 +15,12 @@ pub enum Layout {
     Stations(Vec<Layout>),
 }
 
-/// How a CSV file was laid out.
+/// Layout of a CSV file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CsvLayout {
-    /// Between cells.
+    /// Separator of cells.
     pub delimiter: Delimiter,
-    /// Before decimals.
+    /// Decimal sign.
     pub decimal: Decimal,
     /// Line of the header, counted from 1, if there is one.
     pub header_line: Option<usize>,
@@ -28,23 +28,23 @@ pub struct CsvLayout {
     pub columns: Vec<String>,
     /// The column of time stamps, if there is one.
     pub time_column: Option<String>,
-    /// Where the sampling rate comes from.
+    /// Source of the sampling rate.
     pub rate_source: RateSource,
-    /// A column that looks like stamps or dates and cannot be read, so that nothing confirms the rate given.
+    /// A column that looks like stamps or dates but cannot be read, so that nothing confirms the given rate.
     pub unread_stamps: Option<String>,
-    /// First and last line of text above the names of the columns that was passed over.
+    /// First and last line of text above the column names that was ignored.
     pub passed_over: Option<[usize; 2]>,
-    /// Whether the text is in CP949 (EUC-KR), as Korean programs save it, and was read as that.
+    /// Whether the text was in CP949 (EUC-KR), as Korean programs save it.
     pub is_cp949: bool,
-    /// Whether the names of some columns are neither UTF-8 nor CP949, so that they are called by their number.
+    /// Whether some column names are neither UTF-8 nor CP949, so that numbers replace them.
     pub names_unread: bool,
-    /// Seconds in one unit of the stamps, where the column does not say it and it was found out from their steps.
+    /// Seconds in one unit of the stamps, if it was found from their steps and not from the column name.
     pub time_unit_s: Option<f64>,
     /// Whether the last line ends with a line end. If not, the file may have been cut short, and its last number with it.
     pub last_line_ended: bool,
 }
 
-/// Which axis of the array is time.
+/// The time axis of the array.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Axis {
     /// Samples × channels (also taken if both axes are equally long, and for one axis).
@@ -53,7 +53,7 @@ pub enum Axis {
     Second,
 }
 
-/// How an NPY file was laid out.
+/// Layout of an NPY file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NpyLayout {
     /// Type of the values, as NumPy writes it: "<f8".
@@ -64,28 +64,28 @@ pub struct NpyLayout {
     pub time_axis: Axis,
 }
 
-/// How a file of channels was laid out.
+/// Layout of a file of channels.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ChannelsLayout {
     /// Its format.
     pub format: RecordFormat,
     /// All its channels, in order.
     pub channels: Vec<FoundChannel>,
-    /// What else the file says or holds, sentences.
+    /// Further contents of the file, as sentences.
     pub notes: Vec<String>,
 }
 
 /// One channel of a file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FoundChannel {
-    /// As the file names it.
+    /// Name in the file.
     pub name: String,
     /// Its samples.
     pub samples: usize,
     /// Samples a second, Hz; `None` if the file does not say it.
     pub sampling_rate_hz: Option<f64>,
-    /// What the file says of the unit.
+    /// The unit in the file.
     pub unit: FileUnit,
-    /// The first sample, s from 1 January 1970 in the clock of the file, if it says it.
+    /// Time of the first sample, s from 1 January 1970 in the clock of the file, if the file states it.
     pub begins_s: Option<f64>,
 }

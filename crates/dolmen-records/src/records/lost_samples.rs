@@ -1,7 +1,7 @@
-//! Records that lost samples: the longest span that is whole in all channels, or whole but for short runs that are filled in; or all of it, with
-//! the mean where samples are lost.
+//! Records with lost samples: uses the longest span that is whole in all channels, or whole after short runs are filled; or all of it, with the
+//! mean in place of lost samples.
 //!
-//! A step of one and a half steps or more is a gap; anything smaller is an uneven clock, which is refused, and so is a step back.
+//! A step of one and a half steps or more is a gap; a smaller deviation is an uneven clock, which is refused, and so is a step back.
 
 use super::series::Series;
 use super::stamps::Stamps;
@@ -11,17 +11,17 @@ use crate::number::Number;
 use dolmen::signal::{LOST_RUN_MOST, LOST_SHARE_MOST, LostSpan, Processing, SignalError, fill_lost};
 use std::ops::Range;
 
-/// Least time from one sample to the next that is a gap, in steps. Chosen here: less is no whole sample lost.
+/// Shortest time between samples that is a gap, in steps. Chosen here: less is not a whole lost sample.
 const GAP_STEPS: f64 = 1.5;
-/// Last digits by which a step must be longer than the one before, where stamps are coarse: more than the one of rounding.
+/// Number of last digits by which a step must exceed the one before, for coarse stamps: more than the one of rounding.
 const ROUNDED_DIGITS: f64 = 1.5;
-/// Least share of all samples that the longest span must hold. Chosen here: with less, the clock is uneven rather than the record broken.
+/// Smallest share of all samples in the longest span. Chosen here: below it the clock is uneven rather than the record broken.
 const SHARE_LEAST: f64 = 0.1;
-/// Share of a step by which a gap may miss a whole number of steps and be filled in. Chosen here: stamps of milliseconds at 250 Hz.
+/// Deviation of a gap from a whole number of steps up to which it can be filled, in steps. Chosen here: stamps of milliseconds at 250 Hz.
 const WHOLE_STEPS: f64 = 0.25;
-/// Time that is bridged over the time that is there, at most. Chosen here: with more, it is several records.
+/// Largest ratio of bridged time to recorded time. Chosen here: above it there are several records.
 const BRIDGED_MOST: f64 = 1.0;
-/// Share of a step by which the ends of two channels may differ and be one time.
+/// Difference, in steps, up to which the ends of two channels count as the same time.
 const SAME_TIME_STEPS: f64 = 1e-3;
 
 /// Stamps line by line, span after span.
@@ -36,16 +36,16 @@ pub(super) struct Spans {
     last: Option<(Number, usize)>,
     done: Vec<(Range<usize>, Stamps)>,
     gaps: Vec<LostSpan>,
-    /// What the first gap would have been refused with.
+    /// The error for the first gap, if it is refused.
     fault: Option<RecordError>,
 }
 
-/// The rows of a text that are used, and what their stamps say.
+/// The rows of a text in use, and the results of their stamps.
 #[derive(Debug)]
 pub(super) struct Kept {
     pub(super) rows: Range<usize>,
     pub(super) stamps: Stamps,
-    /// Lost samples to be filled in, by their places among the rows and those filled in.
+    /// Lost samples to fill, by their indices among all rows.
     pub(super) filled: Vec<Range<usize>>,
     pub(super) steps: Vec<Processing>,
 }
@@ -66,7 +66,7 @@ impl Spans {
         }
     }
 
-    /// Takes the next stamp; refuses one that is neither even nor behind a gap.
+    /// Takes the next stamp; refuses one that is neither even nor after a gap.
     #[inline]
     pub(super) fn push(&mut self, printed: Number, line: usize) -> Result<(), RecordError> {
         if let Err(fault) = self.now.push(printed, line) {
@@ -123,13 +123,13 @@ impl Spans {
         self.now.push(printed, line)
     }
 
-    /// The longest span, short gaps within it to be filled in; refuses where it is a small part.
+    /// The longest span, in which short gaps are to be filled; refuses if it is a small part.
     pub(super) fn longest(mut self) -> Result<Kept, RecordError> {
         let now = std::mem::replace(&mut self.now, Stamps::new(self.unit_s, self.given_hz));
         self.done.push((self.now_from..self.rows, now));
         let first_s = self.done.first().map_or(0.0, |(_, stamps)| stamps.first_s());
         let to_s = self.last.map_or(0.0, |(number, _)| number.value * self.unit_s);
-        // the first of equals
+        // the first among equals
         let longest = self.done.iter().rev().max_by_key(|(rows, _)| rows.len());
         let Some((_, stamps)) = longest else {
             return Err(RecordError::NoRate { names: Vec::new() });
@@ -196,7 +196,7 @@ impl Spans {
 }
 
 impl Spans {
-    /// All rows, with as many samples between two spans as time is lost there.
+    /// All rows, with as many samples between two spans as were lost there.
     fn bridged(mut self, stamps: Stamps, first_s: f64) -> Result<Kept, RecordError> {
         let step_s = stamps.step_s();
         let missing = |gap: &LostSpan| ((gap.lost_s / step_s).round() as usize).max(1);
@@ -224,7 +224,7 @@ impl Spans {
     }
 }
 
-/// What was filled in and what was bridged of channels that are `there` samples long.
+/// Filled and bridged samples of channels with the lengths `there`.
 fn bridges(gaps: Vec<LostSpan>, step_s: f64, there: usize) -> Vec<Processing> {
     let is_short = |gap: &LostSpan| (gap.lost_s / step_s).round() as usize <= LOST_RUN_MOST;
     let (short, long): (Vec<LostSpan>, Vec<LostSpan>) = gaps.into_iter().partition(is_short);
@@ -246,11 +246,11 @@ fn bridges(gaps: Vec<LostSpan>, step_s: f64, there: usize) -> Vec<Processing> {
     steps
 }
 
-/// Fills in lost samples, which hold zeros: short runs by linear prediction, longer ones with the mean of what is there.
+/// Fills lost samples, which hold zeros: short runs by linear prediction, longer ones with the mean of the others.
 pub(super) fn fill(samples: &mut [f64], lost: &[Range<usize>]) -> Result<(), SignalError> {
     let (short, long): (Vec<Range<usize>>, Vec<Range<usize>>) =
         lost.iter().cloned().partition(|run| run.len() <= LOST_RUN_MOST);
-    // lost samples hold zeros so far
+    // lost samples still hold zeros
     let there = samples.len() - lost.iter().map(Range::len).sum::<usize>();
     let mean = samples.iter().sum::<f64>() / there.max(1) as f64;
     long.into_iter().for_each(|run| samples[run].fill(mean));
@@ -260,15 +260,15 @@ pub(super) fn fill(samples: &mut [f64], lost: &[Range<usize>]) -> Result<(), Sig
     }
 }
 
-/// How many samples a gap of so many steps lost, if it is short enough to be filled in, and a whole number of steps.
+/// Number of samples lost in a gap of so many steps, if the gap is short enough to fill and a whole number of steps.
 fn short(lost_steps: f64) -> Option<usize> {
     let missing = lost_steps.round();
     let is_whole = (lost_steps - missing).abs() <= WHOLE_STEPS;
     (is_whole && missing >= 1.0 && missing <= LOST_RUN_MOST as f64).then_some(missing as usize)
 }
 
-/// The longest of neighbouring spans with gaps between them that may be filled in, the first of equals: `missing` samples after each span but
-/// the last.
+/// The longest of neighbouring spans with fillable gaps between them, the first among equals; `missing` samples follow each span except the
+/// last.
 fn longest_filled(lengths: &[usize], missing: &[Option<usize>]) -> Range<usize> {
     let mut best = (0, 0..0);
     let mut start = 0;
@@ -281,7 +281,7 @@ fn longest_filled(lengths: &[usize], missing: &[Option<usize>]) -> Range<usize> 
         let there: usize = lengths[together.clone()].iter().sum();
         let lost: usize = missing[start..start + joined].iter().flatten().sum();
         let few = lost as f64 <= LOST_SHARE_MOST * (there + lost) as f64;
-        // too many: each by itself
+        // too many: each span alone
         let candidates = match few {
             true => vec![(there, together.clone())],
             false => together.clone().map(|at| (lengths[at], at..at + 1)).collect(),
@@ -324,7 +324,7 @@ impl Series {
     }
 }
 
-/// The times within a span of either list; both rise.
+/// The intersections of two ascending lists of spans.
 fn in_both(whole: &[[f64; 2]], spans: &[Span]) -> Vec<[f64; 2]> {
     let mut both = Vec::new();
     let (mut rest, mut others) = (whole.iter().peekable(), spans.iter().peekable());
@@ -342,7 +342,7 @@ fn in_both(whole: &[[f64; 2]], spans: &[Span]) -> Vec<[f64; 2]> {
     both
 }
 
-/// Leaves of each channel the samples within the longest time that all have whole.
+/// Keeps of each channel the samples within the longest time that is whole in all.
 pub(super) fn keep_longest(
     series: &mut [&mut Series],
     clocked: bool,
@@ -428,7 +428,7 @@ pub(super) fn keep_longest(
     Ok(steps)
 }
 
-/// Leaves all samples of each channel, and fills in as many where time is lost; refuses with `fault` where more is lost than is there.
+/// Keeps all samples of each channel, and adds the lost ones; refuses with `fault` if more is lost than recorded.
 fn bridge(
     series: &mut [&mut Series],
     clocked: bool,
@@ -473,7 +473,7 @@ fn bridge(
     Ok(bridges(gaps, least_s, there))
 }
 
-/// Fills in the short gaps of each channel, where they are few, and says where.
+/// Fills the short gaps of each channel, if they are few, and returns where.
 fn fill_short(series: &mut [&mut Series]) -> Result<Option<Processing>, SignalError> {
     let (mut gaps, mut filled, mut whole) = (Vec::new(), 0, 0);
     for one in series.iter_mut() {

@@ -1,7 +1,7 @@
 //! MAT version 5 (MATLAB's `-v7` and `-v6`) and version 7.3 (HDF5): numeric matrices, plain or compressed.
 //!
-//! The longest side of all numeric matrices is time. Each vector or matrix with that side is read, `acc` or `acc(:,1)`, `acc(:,2)`; a
-//! vector `t` or `time` is time stamps; a number `fs`, `sampling_rate` … is the rate, `dt` the step. A note names the others.
+//! The longest side of all numeric matrices is time. Each vector or matrix with that side is read, `acc` or `acc(:,1)`, `acc(:,2)`; a vector `t`
+//! or `time` holds time stamps; a number `fs`, `sampling_rate` … is the rate, `dt` the step. A note lists the other variables.
 
 use super::hdf5;
 use super::mat_elements::{Matrix, matrices};
@@ -27,7 +27,7 @@ const RATES: [&str; 8] = [
 /// Names of one that is the step, s.
 const STEPS: [&str; 3] = ["dt", "timestep", "ts"];
 const TIMES: [&str; 3] = ["t", "time", "times"];
-/// Share of a step by which time stamps may be off. Chosen here: doubles hold them better.
+/// Deviation allowed in time stamps, in steps. Chosen here: doubles are more accurate.
 const UNEVEN: f64 = 1e-3;
 
 pub(super) fn is_mat(bytes: &[u8]) -> bool {
@@ -108,7 +108,7 @@ fn names(all: &[Matrix], passed: &[String]) -> Both {
     }
 }
 
-/// Several variables may tell the rate: they must tell the same.
+/// Several variables may give the rate: they must agree.
 fn agreed(known: &mut Option<f64>, rate: f64, name: &str) -> Result<(), RecordError> {
     const TOLERANCE: f64 = 1e-6;
     if !(rate > 0.0 && rate.is_finite()) {

@@ -22,7 +22,8 @@ const COMPRESSED: u32 = 15;
 /// Classes of numbers: double, single, integers of 8 to 64 bits.
 const NUMERIC: std::ops::RangeInclusive<u8> = 6..=15;
 const COMPLEX: u8 = 0x08;
-/// Bytes of a packed matrix that are unpacked to see what it is. Chosen here: a name of MATLAB has 63 letters, and all before it 40 bytes.
+/// Number of bytes of a packed matrix that are unpacked to identify it. Chosen here: a name in MATLAB has 63 letters, and everything before it
+/// 40 bytes.
 const HEAD_BYTES: usize = 1024;
 
 /// A real numeric matrix, column by column.
@@ -31,16 +32,16 @@ pub(super) struct Matrix {
     pub(super) name: String,
     pub(super) rows: usize,
     pub(super) columns: usize,
-    /// None of a matrix that is no part of a record.
+    /// `None` for a matrix that is not needed.
     pub(super) values: Vec<f64>,
 }
 
-/// Whether a matrix is a part of a record whose samples are so many: one number, or as long as the samples.
+/// Whether a record with this number of samples needs a matrix: a single number, or one as long as the samples.
 pub(super) fn is_wanted([rows, columns]: [usize; 2], samples: usize) -> bool {
     rows.max(columns) == samples || rows.max(columns) == 1
 }
 
-/// Refuses matrices that a file of so many bytes unpacks to.
+/// Refuses matrices that unpack to too much for a file of this size.
 pub(super) fn refuse_expansion(file: usize, unpacked: u64) -> Result<(), LimitError> {
     match expanded_most(file) {
         most if unpacked <= most => Ok(()),
@@ -57,15 +58,15 @@ pub(super) fn refuse_expansion(file: usize, unpacked: u64) -> Result<(), LimitEr
 /// One element that holds a matrix.
 enum Element<'a> {
     Plain(&'a [u8]),
-    /// Packed; its bytes once unpacked, the tag before them with it.
+    /// Packed; its unpacked bytes, including the tag.
     Packed(&'a [u8], usize),
 }
 
-/// What stands before the values of a matrix; or the name of what is no real numeric matrix of two dimensions, with the reason.
+/// The header of a matrix; or the name of another variable, with the reason.
 type Head = Result<Matrix, String>;
 
-/// The real numeric matrices of two dimensions, and the names of everything else. First all heads are read: only what a record needs is
-/// unpacked into numbers, and nothing before it is known how much all of it is.
+/// The real numeric matrices of two dimensions, and the names of all other variables. All headers are read first: only needed matrices are
+/// unpacked, and only once their total size is known.
 pub(super) fn matrices(bytes: &[u8]) -> Result<(Vec<Matrix>, Vec<String>), RecordError> {
     let mut cursor = Cursor::new(bytes, FORMAT);
     cursor.take(HEADER - 4)?;
@@ -94,7 +95,7 @@ pub(super) fn matrices(bytes: &[u8]) -> Result<(Vec<Matrix>, Vec<String>), Recor
     let unpacked = |(element, head): &(Element, Head)| match (element, head) {
         (Element::Plain(_), _) => 0,
         (Element::Packed(_, length), Ok(m)) if wanted(head) => {
-            // as doubles; what says that it has more numbers than bytes is refused below
+            // as doubles; a claim of more numbers than bytes is refused below
             let numbers = m.rows.saturating_mul(m.columns).min(*length);
             (*length as u64).max(8 * numbers as u64)
         }
@@ -178,7 +179,7 @@ fn within_tag(length: usize) -> usize {
     length.next_multiple_of(8) + 8
 }
 
-/// A variable passed over in silence would make another record of the file.
+/// a variable that is ignored without a note would change the record
 fn no_variable(cursor: &Cursor, sort: u32) -> RecordError {
     cursor.damaged(Damage::ElementType { sort })
 }
@@ -187,7 +188,7 @@ fn no_variable(cursor: &Cursor, sort: u32) -> RecordError {
 struct Tag {
     sort: u32,
     length: usize,
-    /// Whether its value stands in the tag itself.
+    /// Whether the value is in the tag itself.
     small: bool,
 }
 
@@ -292,7 +293,7 @@ fn head(cursor: &mut Cursor) -> Result<Head, RecordError> {
     }))
 }
 
-/// A matrix, its values only where they are wanted; or the name of one that is not read with the reason.
+/// A matrix, with its values only if needed; or the name of one that is not read, with the reason.
 fn matrix(data: &[u8], big: bool, is_wanted: bool) -> Result<Head, RecordError> {
     let mut cursor = Cursor::new(data, FORMAT).ordered(big);
     let mut matrix = match head(&mut cursor)? {
@@ -398,7 +399,7 @@ mod tests {
             (held, passed.len()),
             (vec![("acc", 2000), ("other", 0), ("fs", 1)], 0)
         );
-        // what is not needed is verified as well
+        // parts that are not needed are verified as well
         let at = header().len() + packed(&ones("acc", 1000, 2)).len() + packed(&ones("other", 30, 10)).len();
         bytes[at - 1] ^= 1;
         assert_eq!(

@@ -1,4 +1,4 @@
-//! Whether a text is a table of numbers at all: of any other, nothing may be quoted.
+//! Whether a text is a table of numbers. Of any other text errors quote nothing.
 
 use super::date_text::is_date;
 use super::dialect::{Decimal, Delimiter, Line, unquoted};
@@ -7,14 +7,14 @@ use crate::wrong::DiffersFromATable;
 use dolmen_words::message::{Argument, Run};
 use dolmen_words::{Language, Sentence};
 
-/// A text that is no table of numbers. A project may name any file of whoever opens it, so that the error quotes nothing of the text.
+/// A text that is not a table of numbers. A project may name any file of the user who opens it, so the error quotes nothing of the text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NotATable {
-    /// Lines looked at.
+    /// Number of lines examined.
     pub lines: usize,
-    /// Their cells that are numbers, dates or times.
+    /// Number of cells that are numbers, dates or times.
     pub numbers: usize,
-    /// Their cells that are not empty.
+    /// Number of cells that are not empty.
     pub cells: usize,
 }
 
@@ -75,8 +75,8 @@ fn sum(counts: &[Count]) -> Count {
     })
 }
 
-/// Refuses a text whose first lines are no table: half of the cells must be numbers, dates or times, in all of them, or in those from
-/// `below_names` on, or from the first line of numbers on where it is not the only one.
+/// Refuses a text whose first lines are not a table: half of the cells must be numbers, dates or times, in all of them, or in those from
+/// `below_names` on, or from the first line of numbers on if it is not the only one.
 pub(super) fn refuse_other_text(
     lines: &[Line<'_>],
     below_names: usize,

@@ -1,4 +1,4 @@
-//! Any record file: the format is found out from its first bytes.
+//! Reads any record file; detects the format from its first bytes.
 
 use super::assembled::{assembled, factors};
 use super::series::Found;
@@ -14,7 +14,7 @@ use dolmen_words::message::Both;
 
 /// A record from the bytes of a file: CSV, XLSX, NPY, UFF 58, WAV, MAT 5 and 7.3, SAF, GCF, TDMS, miniSEED, SAC, K-NET, ESM, COSMOS.
 ///
-/// Channels of one file that begin apart or are sampled differently are [joined](dolmen::signal::join).
+/// Channels of one file with different starts or rates are [joined](dolmen::signal::join).
 ///
 /// # Errors
 /// [`RecordError`], which says where in the file and what to do.
@@ -81,7 +81,7 @@ fn channels(bytes: &[u8], options: &RecordOptions) -> Option<Result<Found, Recor
     } else if let Some(found) = seismic::read(bytes) {
         Some(found)
     } else if options.format == Some(RecordFormat::Gcf) {
-        // a header of a block is little to tell the format by: where it is none, the file may be any, and no error quotes its numbers
+        // the header of a block identifies the format only weakly: without a valid block the file may be any, and no error quotes its numbers
         gcf::has_header(bytes).then(|| gcf::read(bytes))
     } else if options.format.is_none() && gcf::is_gcf(bytes) {
         Some(gcf::read(bytes))
@@ -97,7 +97,7 @@ fn not_of(format: RecordFormat, begins: Both) -> RecordError {
     }
 }
 
-/// What a file of no other format begins like.
+/// Description of the beginning of a file of no other format.
 fn sort(bytes: &[u8]) -> Both {
     let is_sign = |b: &u8| *b >= b' ' || b.is_ascii_whitespace();
     if bytes.starts_with(super::npy::MAGIC) {

@@ -1,4 +1,4 @@
-//! A record as read, and what its file says beside the samples.
+//! A record as read, and further contents of its file.
 
 use super::column_units::unit_in_name;
 use super::{CsvLayout, FileUnit, Layout};
@@ -7,24 +7,24 @@ use crate::wrong::Remark;
 use dolmen::signal::{Quantity, Record};
 use dolmen_words::message::Both;
 
-/// A record, with what was found out about its file.
+/// A record and the properties of its file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reading {
     /// The record, in SI; its history begins with [`Read`](dolmen::signal::Processing::Read).
     pub record: Record,
-    /// The first sample, s from 1 January 1970 in the clock of the file; `None` if it does not say it.
+    /// Time of the first sample, s from 1 January 1970 in the clock of the file; `None` if the file does not state it.
     pub begins_s: Option<f64>,
-    /// How the file was laid out.
+    /// Layout of the file.
     pub layout: Layout,
 }
 
 impl Reading {
-    /// What the file says beside its samples, in sentences: when it begins, and what was passed over. What other programs wrote into files of
-    /// channels is the same in both languages.
+    /// Remarks on the file, as sentences: its start, and ignored contents. Text from other programs in files of channels is the same in both
+    /// languages.
     pub fn remarks(&self) -> Vec<Both> {
         let mut remarks: Vec<Both> = Vec::new();
         if let Some(at) = self.begins_s {
-            // small numbers are seconds of a clock of the project's own, not dates
+            // small numbers are seconds of the project's own clock, not dates
             const YEAR_S: f64 = 3.2e7;
             let time = time_text(at);
             let begins = match zones(&self.layout) {
@@ -50,7 +50,7 @@ impl Reading {
         remarks
     }
 
-    /// Columns that look like times and cannot be read as such, so that nothing in their files confirms the sampling rate that was given.
+    /// Columns that look like times but cannot be read, so that nothing in their files confirms the given sampling rate.
     pub fn unread_stamps(&self) -> Vec<String> {
         let mut found = Vec::new();
         let mut left = vec![&self.layout];
@@ -65,7 +65,7 @@ impl Reading {
     }
 }
 
-/// Whether some of the files say their times in UTC, and whether some do without a zone.
+/// Whether some of the files give times in UTC, and whether some give them without a time zone.
 fn zones(layout: &Layout) -> [bool; 2] {
     match layout {
         Layout::Channels(channels) => {

@@ -1,11 +1,11 @@
-//! What files of channels yield, each sampled by itself.
+//! The channels of a file, each with its own sampling.
 
 use super::{FileUnit, RecordError, RecordFormat};
 use crate::breaks::Break;
 use crate::quoted::shown;
 use dolmen::signal::Quantity;
 
-/// One channel as its file holds it.
+/// One channel of a file.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Series {
     pub(super) name: String,
@@ -18,7 +18,7 @@ pub(super) struct Series {
     pub(super) begins_s: Option<f64>,
     /// First sample, s from an origin that all channels of the file share.
     pub(super) offset_s: f64,
-    /// Where it goes on after a gap.
+    /// The ends of its gaps.
     pub(super) breaks: Vec<Break>,
     pub(super) position_m: Option<[f64; 3]>,
     pub(super) direction: Option<[f64; 3]>,
@@ -43,7 +43,7 @@ impl Series {
 }
 
 impl Series {
-    /// What gap number `i` is refused with.
+    /// The error for gap number `i`, if it is refused.
     pub(super) fn gap(&self, i: usize) -> RecordError {
         let rate_hz = self.sampling_rate_hz.unwrap_or(f64::NAN);
         let mut before = Break { at: 0, begins_s: 0.0 };
@@ -74,11 +74,11 @@ impl Series {
 pub(super) struct Found {
     pub(super) format: RecordFormat,
     pub(super) series: Vec<Series>,
-    /// What else the file says or holds, sentences.
+    /// Further contents of the file, as sentences.
     pub(super) notes: Vec<String>,
 }
 
-/// 1/step; the whole number of hertz that is within a share `digits` of it, where there is one: a step has lost its last digits.
+/// 1/step, or the whole number of hertz within the relative distance `digits` of it: printed steps lose their last digits.
 pub(super) fn rate_of_step(step_s: f64, digits: f64) -> f64 {
     let rate = 1.0 / step_s;
     let whole = rate.round();

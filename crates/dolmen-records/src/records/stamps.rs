@@ -21,20 +21,20 @@ const ROUNDING: f64 = 1e-9;
 /// Decimal digits of a double.
 const DIGITS_MOST: i32 = 17;
 
-/// Where the sampling rate comes from.
+/// Source of the sampling rate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RateSource {
-    /// It was given, and there are no time stamps.
+    /// Given, without time stamps.
     Given,
     /// From the time stamps: of the rates that they allow, the one that has the fewest digits, as a rate or as a step.
     Stamps,
-    /// It was given, and the time stamps agree.
+    /// Given, and the time stamps agree.
     GivenAndStamps,
-    /// It was given, and the first and the last of a column of dates agree.
+    /// Given, and the first and the last of a column of dates agree.
     GivenAndDates,
 }
 
-/// The time stamps seen so far.
+/// The time stamps so far.
 #[derive(Clone, Debug)]
 pub(super) struct Stamps {
     /// Seconds in one unit of the column.
@@ -49,7 +49,7 @@ pub(super) struct Stamps {
     /// Most significant digits and most decimals of any stamp: a program prints all stamps of a file in one format.
     digits: i32,
     decimals: i32,
-    /// What the last digit is worth for stamps of `decade.0` ≤ |value| < `decade.1`, in the unit of the column.
+    /// Value of the last digit for stamps with `decade.0` ≤ |value| < `decade.1`, in the unit of the column.
     resolution: f64,
     decade: (f64, f64),
     decade_decimals: i32,
@@ -185,8 +185,8 @@ impl Stamps {
         }
     }
 
-    /// Finds what the last printed digit of this stamp is worth: with a fixed number of digits, larger numbers have fewer decimals.
-    /// Computes it again only where it can change.
+    /// Determines the value of the last printed digit of this stamp: with a fixed number of digits, larger numbers have fewer decimals. Computes
+    /// it only where it can change.
     fn look_at_digits(&mut self, printed: Number) {
         let size = printed.value.abs();
         if printed.decimals <= self.decade_decimals && (self.decade.0..self.decade.1).contains(&size) {
@@ -210,7 +210,7 @@ fn leading(value: f64) -> i32 {
     }
 }
 
-/// Of the rates from `least` to `most`, the one with the fewest digits, itself or as a step.
+/// Of the rates from `least` to `most`, the one with the fewest digits, in the rate or in the step.
 fn simplest_rate(least: f64, most: f64) -> f64 {
     let middle = 0.5 * (least + most);
     let rounded = |x: f64, digits: usize| format!("{x:.*e}", digits - 1).parse::<f64>().unwrap_or(x);

@@ -3,21 +3,21 @@
 use super::{Reading, RecordError};
 use dolmen::signal::{Join, Piece, Processing, Record, join};
 
-/// A file of a record that lies in several.
+/// One of several files of a record.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Station {
-    /// Name of the file: stands before the names of its channels where another file has them too.
+    /// Name of the file, which comes before the names of its channels if another file has the same names.
     pub file: String,
-    /// What was read from it.
+    /// Its contents.
     pub reading: Reading,
-    /// Its first sample, s in a clock that all share, where the file does not say it.
+    /// Time of its first sample, s in a common clock, if the file does not state it.
     pub begins_s: Option<f64>,
 }
 
 /// All channels of several files as [one record](dolmen::signal::join).
 ///
 /// # Errors
-/// [`RecordError::TwoStarts`] where a start is given for a file that says its own; as [`join`].
+/// [`RecordError::TwoStarts`] if a start is given for a file with its own; as [`join`].
 pub fn join_stations(stations: Vec<Station>, options: &Join) -> Result<Reading, RecordError> {
     let mut pieces: Vec<(String, Piece)> = Vec::new();
     let mut steps: Vec<Processing> = Vec::new();
@@ -25,7 +25,7 @@ pub fn join_stations(stations: Vec<Station>, options: &Join) -> Result<Reading, 
     for station in stations {
         let begins_s = match (station.reading.begins_s, station.begins_s) {
             (Some(_), Some(_)) => return Err(RecordError::TwoStarts { file: station.file }),
-            // the start given is that of the file, whose first samples may have been cut
+            // the given start is that of the file, whose first samples may have been cut
             (own, given) => own.or(given.map(|at| at + kept_from_s(&station.reading.record))),
         };
         let record = station.reading.record;
@@ -71,7 +71,7 @@ pub fn join_stations(stations: Vec<Station>, options: &Join) -> Result<Reading, 
     })
 }
 
-/// First sample of a record, s from the first of its file.
+/// Time of the first sample of a record, s from the first of its file.
 fn kept_from_s(record: &Record) -> f64 {
     let of = |step: &Processing| match step {
         Processing::LongestSpan { from_s, .. } => Some(*from_s),

@@ -21,7 +21,7 @@ use std::collections::BTreeMap;
 
 const FORMAT: &str = "tdms";
 const LEAD_IN: usize = 28;
-/// Properties that say something here.
+/// Properties in use.
 const PROPERTIES: [&str; 5] = [
     "NI_Number_Of_Scales",
     "unit_string",
@@ -29,7 +29,7 @@ const PROPERTIES: [&str; 5] = [
     "wf_start_offset",
     "wf_start_time",
 ];
-/// Longest path of a group or channel. Chosen here: two names of a screen full each.
+/// Longest path of a group or channel. Chosen here: two names that fill a screen each.
 const PATH_BYTES_MOST: usize = 4096;
 /// Flags of a segment.
 const NEW_DESCRIPTION: u32 = 1 << 1;
@@ -58,7 +58,7 @@ fn unread(what: Unread, instead: Unread) -> RecordError {
     }
 }
 
-/// The number that a type code names.
+/// The type of number for a type code.
 fn number(code: u32) -> Option<Number> {
     Some(match code {
         1 => Number::I8,
@@ -84,7 +84,7 @@ enum Value {
     Time(f64),
 }
 
-/// Where the samples of an object lie in a chunk.
+/// Place of the samples of an object in a chunk.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Raw {
     number: Number,
@@ -106,8 +106,8 @@ struct File {
     objects: Vec<Object>,
     /// Which object has a path.
     places: BTreeMap<String, usize>,
-    /// Objects with samples in the segment at hand, by their turns. Those of no values are left out: a chunk then has at least one byte of
-    /// each, and reading it takes no longer than it is long.
+    /// Objects with samples in the current segment, in order. Those without values are left out: a chunk then has at least one byte for each,
+    /// and reading it takes time in proportion to its length.
     listed: BTreeMap<u64, usize>,
     turns: u64,
 }
@@ -128,7 +128,7 @@ impl File {
         Ok(place)
     }
 
-    /// Puts an object behind those with samples in the segment at hand, or takes it out.
+    /// Moves an object to the end of those with samples in the current segment, or removes it.
     fn list(&mut self, place: usize, has_samples: bool) {
         let object = &mut self.objects[place];
         match (has_samples, object.turn) {
@@ -273,7 +273,7 @@ fn raw(cursor: &mut Cursor, length: u32, path: &str) -> Result<Raw, RecordError>
     Ok(Raw { number, values })
 }
 
-/// A property; `None` for types that say nothing here.
+/// A property; `None` for types that are not in use.
 fn value(cursor: &mut Cursor) -> Result<Option<Value>, RecordError> {
     let code = cursor.u32()?;
     if let Some(number) = number(code) {
@@ -440,7 +440,7 @@ mod tests {
 
     const ALL_NEW: u32 = NEW_DESCRIPTION | NEW_LIST | RAW_DATA;
 
-    /// Each of a million chunks and segments would look at each of 4000 objects without a value.
+    /// Each of a million chunks and segments would visit each of 4000 objects without a value.
     #[test]
     fn exact_samples_beside_thousands_of_objects_without_any() {
         let silent = (0..4000).map(|i| object(&format!("/'g'/'silent {i}'"), 0));

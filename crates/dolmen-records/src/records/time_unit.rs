@@ -1,4 +1,4 @@
-//! What a column of time stamps counts, where its name does not say it: seconds, milliseconds, the days of a table.
+//! The unit of a time column whose name does not state it: seconds, milliseconds, or the days of a spreadsheet.
 
 use super::RecordError;
 use super::csv_start::Start;
@@ -6,18 +6,18 @@ use super::date_text::{DAY_S, SERIAL_DAYS};
 use super::dialect::{holds_cells, unquoted};
 use crate::number::parse_cell;
 
-/// Lines looked at for the first steps.
+/// Number of lines examined for the first steps.
 const LINES: usize = 20;
-/// Fewer tell nothing, and are no record.
+/// Fewer steps are not enough.
 const LINES_LEAST: usize = 5;
-/// Steps of days, read as seconds, lie below this: above 10 kHz no structure is recorded. Chosen here.
+/// Steps of days, read as seconds, are shorter than this: no structure is recorded above 10 kHz. Chosen here.
 const DAYS_BELOW_S: f64 = 1e-4;
-/// Steps from here on, read as seconds, are no vibration's: stamps are milliseconds more often. Chosen here.
+/// Steps from here on, read as seconds, are not those of vibration: the stamps are more often milliseconds. Chosen here.
 const SLOW_FROM_S: f64 = 1.0;
-/// Share by which the first steps may differ from those of the rate given and be in that unit: a gap, or a coarse last digit.
+/// Relative difference allowed between the first steps and those of the given rate in a unit: a gap, or a coarse last digit.
 const NEAR: f64 = 0.05;
 const SMALLER_S: [f64; 2] = [1e-3, 1e-6];
-/// Units that a rate which is given can tell apart: s, ms, µs, min, h, days.
+/// Units that a given rate can distinguish: s, ms, µs, min, h, days.
 const UNITS_S: [f64; 6] = [1.0, 1e-3, 1e-6, 60.0, 3600.0, DAY_S];
 
 /// The time column, from 0, and its unit.
@@ -25,26 +25,26 @@ const UNITS_S: [f64; 6] = [1.0, 1e-3, 1e-6, 60.0, 3600.0, DAY_S];
 pub(super) struct Time {
     pub(super) column: usize,
     pub(super) unit_s: f64,
-    /// Whether the name of the column says the unit.
+    /// Whether the column name states the unit.
     pub(super) said: UnitSaid,
 }
 
-/// Whether the name of a time column says its unit.
+/// Unit in the name of a time column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum UnitSaid {
-    /// It does, or the user named the column, which counts seconds.
+    /// Stated, or the user named the column, which is in seconds.
     Clearly,
-    /// It says nothing: seconds, if its steps can be those of a vibration.
+    /// Not stated: seconds, if the steps can be those of vibration.
     Not,
-    /// It says something that is no unit, or may be two: 시.
+    /// Unknown or ambiguous: 시.
     Unclearly,
 }
 
-/// Seconds in one unit of the column, by its first steps and by the rate given.
+/// Seconds in one unit of the column, from its first steps and the given rate.
 ///
 /// # Errors
-/// [`RecordError::SlowStamps`] where the stamps, read as seconds, lie a second or more apart and nothing says what they are;
-/// [`RecordError::TimeUnit`] where the name says no unit that is known and the rate, if given, fits none.
+/// [`RecordError::SlowStamps`] if the stamps, read as seconds, are a second or more apart without a stated unit; [`RecordError::TimeUnit`] if
+/// the name states no known unit and the rate, if given, fits none.
 pub(super) fn unit_s(
     bytes: &[u8],
     start: &Start,
@@ -63,7 +63,7 @@ pub(super) fn unit_s(
         .take(LINES)
         .map(stamp)
         .collect();
-    // what is no number is refused where it is read
+    // text that is not a number is refused where it is read
     let unclear = || RecordError::TimeUnit {
         column: column.to_owned(),
     };

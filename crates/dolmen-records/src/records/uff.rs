@@ -33,7 +33,7 @@ const TIME: i64 = 17;
 const ACCELERATION: i64 = 12;
 const VELOCITY: i64 = 11;
 const DISPLACEMENT: i64 = 8;
-/// The file prints the step with six digits: a whole number of hertz within them is meant.
+/// The file prints the step with six digits, which stand for the nearest whole number of hertz.
 const DIGITS: f64 = 1e-5;
 /// Lines of text of a 58.
 const LINES: usize = 11;
@@ -48,7 +48,7 @@ pub(super) fn is_uff(bytes: &[u8]) -> bool {
         && kind.is_some_and(|line| cell(&line, 0, 6).trim().parse::<u32>().is_ok())
 }
 
-/// What the file says beside its functions.
+/// Contents of the file other than functions.
 #[derive(Default)]
 struct Beside {
     nodes: BTreeMap<i64, [f64; 3]>,
@@ -60,7 +60,7 @@ struct Beside {
     passed: BTreeMap<String, usize>,
 }
 
-/// A time series with what it needs from beside.
+/// A time series with its node and unit data.
 struct Function {
     series: Series,
     node: i64,

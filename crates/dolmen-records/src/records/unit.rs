@@ -1,17 +1,17 @@
-//! What a file and a project say of the unit of samples.
+//! Units of samples in a file and in a project.
 
 use super::RecordError;
 use crate::quoted::shown;
 use crate::unit::Unit;
 
-/// What a file says of the unit of its numbers.
+/// The unit of numbers in a file.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FileUnit {
-    /// Nothing: the project may give it.
+    /// Not stated: the project may give it.
     Silent,
     /// A unit that is known here.
     Known(Unit),
-    /// Something else, "V", "counts": a scale takes it to a unit.
+    /// Another unit, "V", "counts": a scale converts it.
     Other(String),
 }
 
@@ -36,7 +36,7 @@ impl Unit {
     }
 }
 
-/// The unit that a label in a file means: brackets, blanks and other spellings of powers are passed over.
+/// The unit of a label in a file: brackets, blanks and other spellings of powers are ignored.
 pub(super) fn unit_of_label(label: &str) -> FileUnit {
     let label = label.trim().trim_matches(['\0', ' ']);
     let plain: String = label

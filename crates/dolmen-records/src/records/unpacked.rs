@@ -1,4 +1,4 @@
-//! What deflate packed, unpacked no further than a file says it goes.
+//! Unpacks deflate streams, up to the length that the file states.
 
 use crate::wrong::Damage;
 use miniz_oxide::inflate::TINFLStatus;
@@ -7,12 +7,12 @@ use miniz_oxide::inflate::core::inflate_flags::{
 };
 use miniz_oxide::inflate::core::{DecompressorOxide, decompress};
 
-/// A stream with a header and a sum, as every reader here has them.
+/// A stream with a header and a checksum, as all readers here use.
 const ZLIB: u32 = TINFL_FLAG_PARSE_ZLIB_HEADER | TINFL_FLAG_COMPUTE_ADLER32;
-/// What deflate looks back to.
+/// Window of deflate.
 const WINDOW: usize = 1 << 15;
 
-/// Unpacks stream after stream.
+/// Unpacks one stream after another.
 pub(super) struct Unpacker(Box<DecompressorOxide>);
 
 impl Unpacker {
@@ -20,13 +20,13 @@ impl Unpacker {
         Unpacker(Box::default())
     }
 
-    /// The first bytes of a stream, at most so many.
+    /// The first bytes of a stream, up to a number.
     pub(super) fn head(&mut self, packed: &[u8], most: usize) -> Result<Vec<u8>, Damage> {
         let (head, _) = self.first(packed, most)?;
         Ok(head)
     }
 
-    /// All bytes of a stream, at most so many.
+    /// All bytes of a stream, up to a number.
     pub(super) fn whole(&mut self, packed: &[u8], most: usize) -> Result<Vec<u8>, Damage> {
         match self.first(packed, most)? {
             (whole, TINFLStatus::Done) => Ok(whole),
@@ -46,7 +46,7 @@ impl Unpacker {
         }
     }
 
-    /// Goes through a stream of at most so many bytes, of which nothing is wanted but that its sum is right.
+    /// Verifies the checksum of a stream, up to a number of bytes, without keeping its contents.
     pub(super) fn verified(&mut self, packed: &[u8], most: usize) -> Result<(), Damage> {
         self.0.init();
         let mut window = vec![0; WINDOW];

@@ -1,10 +1,10 @@
-//! How a binary file of a record is damaged.
+//! Damage of a binary file of a record.
 
 use dolmen_words::message::Both;
 use dolmen_words::messages;
 
 messages! {
-    /// How a binary file is damaged.
+    /// Damage of a binary file.
     pub(crate) enum Damage in "records.damage" {
         NoSegment => { en: "no segment begins here", ko: "여기서 시작하는 세그먼트가 없다" },
         SegmentOpen => { en: "the segment was never closed: the recorder stopped while it wrote", ko: "세그먼트가 닫히지 않았다. 기록 중에 기록계가 멈췄다" },

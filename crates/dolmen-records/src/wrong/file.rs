@@ -1,4 +1,4 @@
-//! Why a file cannot be had, or asks too much of its reader, in both languages.
+//! Errors of files that are not available or exceed limits, in both languages.
 
 use crate::files::FileError;
 use crate::limits::LimitError;

@@ -1,4 +1,4 @@
-//! Every error of this crate.
+//! All errors of this crate.
 
 use super::damage::Damage;
 use super::mesh_place::OfMesh;
@@ -40,7 +40,7 @@ pub const ERRORS: [&[Template]; 21] = [
     OfMesh::TEMPLATES,
 ];
 
-/// An error of this crate as what can be said in both languages; `None` for any other.
+/// An error of this crate as a text in both languages; `None` for any other.
 pub fn of_records<'e>(error: &'e (dyn Error + 'static)) -> Option<&'e dyn Argument> {
     sayable!(
         error,

@@ -1,4 +1,4 @@
-//! What is wrong with a mesh, in both languages.
+//! Errors of meshes, in both languages.
 
 use crate::limits::LimitError;
 use crate::meshes::{MeshError, PoseError};

@@ -1,9 +1,9 @@
-//! What is wrong at a place of a mesh.
+//! Errors at a place of a mesh.
 
 use dolmen_words::messages;
 
 messages! {
-    /// What is wrong at a line or byte.
+    /// An error at a line or byte.
     pub(crate) enum OfMesh in "meshes.place" {
         FewCorners => { en: "a face has fewer than 3 vertices", ko: "면의 꼭짓점이 3개보다 적다" },
         ManyCorners => { en: "a face has more than 65536 vertices", ko: "면의 꼭짓점이 65536개보다 많다" },

@@ -1,4 +1,4 @@
-//! What is wrong with files, in both languages: one file a chapter.
+//! Errors of files, in both languages, one file for each chapter.
 
 mod damage;
 mod file;

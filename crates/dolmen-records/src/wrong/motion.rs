@@ -1,4 +1,4 @@
-//! What is wrong with the file of a ground motion, in both languages.
+//! Errors of the file of a ground motion, in both languages.
 
 use super::pieces::{no_channel, unit_meant};
 use crate::motions::MotionError;

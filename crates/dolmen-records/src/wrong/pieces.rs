@@ -50,7 +50,7 @@ pub(super) fn did_you_mean(nearest: Option<&str>) -> Both {
     nearest.map_or_else(nothing, |near| Piece::DidYouMean { near: shown(near) }.into())
 }
 
-/// What a last line of another length means.
+/// Possible causes of a last line of another length.
 pub(super) fn last_line(is_last: bool) -> Both {
     match is_last {
         true => Piece::LastLine.into(),
@@ -58,7 +58,7 @@ pub(super) fn last_line(is_last: bool) -> Both {
     }
 }
 
-/// Which unit the numbers may be in.
+/// Possible units of the numbers.
 pub(super) fn unit_meant(unit: &str, suggested: &[&str]) -> Both {
     let unit = unit.to_owned();
     let Some((last, others)) = suggested.split_last() else {
@@ -71,12 +71,12 @@ pub(super) fn unit_meant(unit: &str, suggested: &[&str]) -> Both {
     Piece::IsUnit { meant, unit }.into()
 }
 
-/// That a channel that is asked for is not there.
+/// A requested channel does not exist.
 pub(super) fn no_channel(given: Option<&str>) -> Both {
     given.map_or_else(nothing, |name| Piece::NoChannel { name: shown(name) }.into())
 }
 
-/// What to do about a column in another unit: the scale that takes it to the unit of the record, to the ten digits that floating point keeps.
+/// The remedy for a column in another unit: the scale to the unit of the record, to ten digits.
 pub(super) fn scale_or_leave_out(scale: Option<f64>) -> Both {
     let rounded = |scale: f64| format!("{scale:.9e}").parse().unwrap_or(scale);
     scale.map_or_else(

@@ -1,4 +1,4 @@
-//! What is wrong with the file of a record, in both languages.
+//! Errors of the file of a record, in both languages.
 
 use super::pieces::{did_you_mean, last_line, scale_or_leave_out};
 use crate::limits::LimitError;

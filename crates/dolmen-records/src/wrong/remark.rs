@@ -1,4 +1,4 @@
-//! What a file says beside its samples, in both languages.
+//! Remarks on a file, in both languages.
 
 use dolmen_words::messages;
 

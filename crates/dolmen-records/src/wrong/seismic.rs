@@ -1,4 +1,4 @@
-//! What is wrong with the file of a seismic station, in both languages.
+//! Errors of the file of a seismic station, in both languages.
 
 use super::pieces::at_line;
 use crate::limits::LimitError;

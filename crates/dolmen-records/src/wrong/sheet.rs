@@ -1,4 +1,4 @@
-//! What is wrong with a table, a photograph or the form of a score, in both languages.
+//! Errors of a table, a photograph or the form of a score, in both languages.
 
 use crate::photo::{PHOTO_PIXELS_MOST, PhotoError};
 use crate::score_form::ScoreFormError;

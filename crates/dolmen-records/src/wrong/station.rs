@@ -1,9 +1,9 @@
-//! What is wrong at a place of the file of a seismic station.
+//! Errors at a place of the file of a seismic station.
 
 use dolmen_words::messages;
 
 messages! {
-    /// What a line must be, or what is wrong there.
+    /// The expected line, or an error.
     pub(crate) enum OfStation in "seismic.place" {
         Velocities => { en: "velocities", ko: "속도" },
         Displacements => { en: "displacements", ko: "변위" },
@@ -53,7 +53,7 @@ messages! {
 }
 
 messages! {
-    /// Why channels cannot be turned to x, y and z.
+    /// Why channels cannot be rotated to x, y and z.
     pub(crate) enum Turned in "motions.turned" {
         Azimuth { azimuth_deg: f64 } => {
             en: "the azimuth of x is {azimuth_deg}, but must be a number of degrees",

@@ -1,10 +1,10 @@
-//! What is not read of a file of a record, and what to do instead.
+//! Unsupported contents of a record file, and the remedy.
 
 use dolmen_words::message::Both;
 use dolmen_words::messages;
 
 messages! {
-    /// What is not read, and what to do instead.
+    /// Unsupported contents, and the remedy.
     pub(crate) enum Unread in "records.unread" {
         OnlyIndex => { en: "only the index of a file (.tdms_index)", ko: "파일의 색인(.tdms_index)뿐이다" },
         NameTdms => { en: "name the .tdms file beside it", ko: "그 옆의 .tdms 파일을 지정한다" },
@@ -80,7 +80,7 @@ messages! {
 }
 
 messages! {
-    /// What a line of a text file must be.
+    /// The expected form of a line in a text file.
     pub(crate) enum Expected in "records.expected" {
         DatasetBegins => { en: "the −1 that begins a dataset", ko: "데이터셋을 시작하는 −1" },
         Title151 => { en: "the title of a dataset 151", ko: "데이터셋 151의 제목" },

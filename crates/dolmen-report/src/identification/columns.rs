@@ -77,7 +77,7 @@ pub(super) fn findings(survey: &SurveyAnswer) -> Vec<Finding> {
     each.collect()
 }
 
-/// Whether anything can be said.
+/// Whether there is a result.
 pub(super) fn is_seen(survey: &SurveyAnswer) -> bool {
     !survey.columns.is_empty()
 }

@@ -267,7 +267,7 @@ fn bounds_words(bound: &StiffnessBounds, unit: &Unit) -> Solutions {
     }
 }
 
-/// What can be said of standing: one member of a family decides nothing, bounds only that it stands at the lowest.
+/// Stability from the solutions: one member of a family decides nothing, and bounds decide only if it stands at the lowest.
 fn verdict(choice: Choice, solution: &StiffnessSolution, factor: Option<f64>) -> Verdict {
     match (factor, &solution.stiffness_bounds) {
         (Some(factor), None) if choice != Choice::Underdetermined => Verdict::of_load_factor(factor),

@@ -7,7 +7,7 @@ use dolmen::modal::{AtLeast, During, Part, ShakingKind, StrongEvent, StrongMotio
 use dolmen_words::{Quantity, Sentence};
 use dolmen_work::surveyed::{Earthquake, ModesOf};
 
-/// Earthquakes of one record that are told in a short answer; the rest stand in the whole one.
+/// Number of earthquakes of one record in a short answer; the full one has them all.
 const LISTED: usize = 4;
 
 /// What leads: that there is one, the lowest frequency through it, what lasts, and of which part the modes are.

@@ -22,7 +22,7 @@ pub(super) struct DatedChange<'a> {
     pub(super) cause: Cause,
 }
 
-/// What is said of each change of a trend: `survey` names the survey of a reading.
+/// Sentences about each change of a trend: `survey` gives the survey of a reading.
 pub(super) fn changes_said<S: Into<Sentence>>(
     answer: &WatchAnswer,
     trend: &TiltTrend,

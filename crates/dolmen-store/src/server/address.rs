@@ -1,4 +1,4 @@
-//! Where a server is, as a user writes it: postgresql://ROLE:PASSWORD@HOST:PORT/DATABASE?host=/FOLDER&sslmode=disable.
+//! The address of a server, as a user writes it: postgresql://ROLE:PASSWORD@HOST:PORT/DATABASE?host=/FOLDER&sslmode=disable.
 //!
 //! No output shows a password: neither [`Address::shown`] nor the error of an address that cannot be read.
 
@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 
 /// The port of PostgreSQL.
 const PORT: u16 = 5432;
-/// Where Debian and others have the socket.
+/// Folder of the socket on Debian and others.
 const SOCKET_FOLDER: &str = "/var/run/postgresql";
 
 /// A database of a server.
@@ -22,7 +22,7 @@ pub(crate) struct Address {
     pub(crate) database: Option<String>,
 }
 
-/// What listens.
+/// Endpoint of the server.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Host {
     /// A socket in this folder.
@@ -39,7 +39,7 @@ impl Host {
         }
     }
 
-    /// What an address without a host means, as for psql.
+    /// The endpoint of an address without a host, as in psql.
     fn default() -> Self {
         match Path::new(SOCKET_FOLDER).is_dir() {
             true => Host::Socket(SOCKET_FOLDER.into()),
@@ -60,7 +60,7 @@ fn unreadable(part: &str) -> StoreFault {
     }
 }
 
-/// Text whose %xx are signs; `part` names it where it is none.
+/// Decodes %xx in a text; `part` names the text in errors.
 fn decoded(text: &str, part: &str) -> Result<String, StoreFault> {
     let mut bytes = Vec::with_capacity(text.len());
     let mut rest = text.bytes();
@@ -89,20 +89,20 @@ fn port(text: &str) -> Result<u16, StoreFault> {
     }
 }
 
-/// Some text, unless it is empty.
+/// The text, unless it is empty.
 fn given(text: String) -> Option<String> {
     (!text.is_empty()).then_some(text)
 }
 
 impl Address {
-    /// What follows "postgresql://".
+    /// Parses the part after "postgresql://".
     pub(crate) fn of(after_scheme: &str) -> Result<Self, StoreFault> {
         let (before, parameters) = match after_scheme.split_once('?') {
             Some((before, parameters)) => (before, parameters),
             None => (after_scheme, ""),
         };
         let (authority, database) = before.split_once('/').unwrap_or((before, ""));
-        // an @ behind the host is one of a password with a / or ? in it
+        // an @ after the host belongs to a password with a / or ? in it
         if parameters.contains('@') || database.contains('@') || after_scheme.contains('#') {
             return Err(unreadable("password"));
         }
@@ -151,7 +151,7 @@ impl Address {
         Ok(address)
     }
 
-    /// Refuses what should be encrypted.
+    /// Refuses a connection that should be encrypted.
     fn refuse_unsafe(&self, mode: Option<&str>) -> Result<(), StoreFault> {
         let name = match &self.host {
             Host::Socket(_) => None,
@@ -197,7 +197,7 @@ impl Address {
         format!("postgresql://{}", plain.collect::<String>())
     }
 
-    /// The password that a file like ~/.pgpass has for this address: HOST:PORT:DATABASE:ROLE:PASSWORD a line, * for any.
+    /// The password for this address in a file such as ~/.pgpass, with lines HOST:PORT:DATABASE:ROLE:PASSWORD, where * matches anything.
     pub(crate) fn password_in(&self, text: &str) -> Option<String> {
         let port = self.port.to_string();
         let host = match &self.host {
@@ -222,7 +222,7 @@ impl Address {
     }
 }
 
-/// Fields of a line between colons; a backslash takes the next sign as it is.
+/// Fields of a line between colons; a backslash escapes the next character.
 fn fields(line: &str) -> Vec<String> {
     let mut fields = vec![String::new()];
     let mut signs = line.chars();
@@ -254,7 +254,7 @@ mod tests {
         assert_eq!(whole.database.as_deref(), Some("heritage x"));
         assert_eq!(whole.shown(), "postgresql://kim@localhost:5433/heritage x");
         assert!(!format!("{whole:?}").contains("p@s"));
-        // an @ of a password that was not escaped
+        // an @ in a password that was not escaped
         assert_eq!(good("kim:p@s@localhost/d").password.as_deref(), Some("p@s"));
         let socket = good("/heritage?host=%2Ftmp%2Fs&user=kim&password=x&port=5434");
         assert_eq!(socket.host, Host::Socket("/tmp/s".into()));

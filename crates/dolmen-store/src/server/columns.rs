@@ -1,4 +1,4 @@
-//! Values to parameters of a statement, and columns of a row to values.
+//! Converts values to parameters of a statement, and columns of a row to values.
 
 use crate::database::Value;
 use crate::error::StoreError;
@@ -14,7 +14,7 @@ fn wrong_kind(of: &Type) -> StoreError {
     StoreFault::Damaged { why }.into()
 }
 
-/// The parameters of a statement, of the types that it has.
+/// The parameters of a statement, with its types.
 pub(crate) fn parameters(statement: &Statement, values: &[Value]) -> Result<Vec<Parameter>, StoreError> {
     let types = statement.params();
     if types.len() != values.len() {

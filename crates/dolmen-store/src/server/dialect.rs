@@ -1,15 +1,15 @@
-//! The schema of SQLite in the words of PostgreSQL: the types of columns are others, all else is the same.
+//! Translates the schema from SQLite to PostgreSQL: only the types of columns differ.
 
 use crate::schema_files::FILES;
 use std::borrow::Cow;
 
-/// Names stand in this schema of the database, apart from those of other programs.
+/// Schema of the database for our tables, apart from those of other programs.
 pub(crate) const SCHEMA: &str = "dolmen";
-/// What only a server has.
+/// Schema files for servers only.
 const OWN: &str = include_str!("../sql/0001_server.sql");
 
-/// A type of a column in SQLite, and the one that holds the same. Texts are compared byte by byte, whatever the language of the
-/// database, so that lists, keys and hashes are those of a file.
+/// A column type of SQLite and its equivalent. Texts are compared byte by byte, whatever the language of the database, so that lists, keys and
+/// hashes equal those of a file.
 const TYPES: [(&str, &str); 3] = [
     ("integer", "bigint"),
     ("real", "double precision"),
@@ -25,7 +25,7 @@ pub(crate) fn files() -> Vec<Cow<'static, str>> {
     files.into_iter().map(Cow::Owned).collect()
 }
 
-/// A file with the types of PostgreSQL.
+/// A schema file with the types of PostgreSQL.
 fn translated(file: &str) -> String {
     let lines = file.split_inclusive('\n').map(|line| {
         let is_column = line.starts_with("    ") || line.starts_with("alter table ");

@@ -1,4 +1,4 @@
-//! What a server says, as a user can be told: by its code, never by its words, which may be in any language.
+//! Turns errors of a server into faults for the user, by their codes. Their texts may be in any language.
 
 use crate::error::StoreError;
 use crate::incoming::shown;
@@ -7,14 +7,14 @@ use postgres::Error;
 use postgres::error::{DbError, SqlState};
 use std::error::Error as _;
 
-/// Whether the error came while a connection was made or while it was used.
+/// Whether the error came from connecting or from later work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum While {
     Connecting,
     Working,
 }
 
-/// What happened, as a user can be told; `server` is the address without its password.
+/// The fault for the user; `server` is the address without its password.
 pub(crate) fn server_fault(server: &str, fault: &Error, when: While) -> StoreError {
     let server = server.to_owned();
     let why = || {
@@ -97,7 +97,7 @@ fn is_password_missing(fault: &Error) -> bool {
     source.is_some_and(|why| why == "password missing")
 }
 
-/// Whether the server is there and will take connections soon.
+/// Whether the server is running and will accept connections soon.
 pub(crate) fn is_starting(fault: &Error) -> bool {
     fault.code() == Some(&SqlState::CANNOT_CONNECT_NOW)
 }

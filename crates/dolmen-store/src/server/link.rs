@@ -1,4 +1,4 @@
-//! A connection to a server, made again where it ended between two transactions.
+//! A connection to a server, renewed if it was lost between two transactions.
 
 use super::address::{Address, Host};
 use super::columns::{own_row, parameters};
@@ -16,13 +16,13 @@ use std::time::{Duration, Instant};
 
 /// How long a server may take to answer a new connection.
 const CONNECT_MOST: Duration = Duration::from_secs(30);
-/// How often a server that is starting is asked again.
+/// Interval of retries while a server is starting.
 const AGAIN: Duration = Duration::from_millis(50);
-/// After so long without use a connection is asked whether it is still there: the server may have been restarted meanwhile.
+/// After this time without use the connection is checked: the server may have been restarted.
 const IDLE: Duration = Duration::from_secs(1);
 /// The longest `lock_timeout` that PostgreSQL takes, ms.
 const LOCK_MOST_MS: u128 = i32::MAX as u128;
-/// The only encoding in which every name and note can be kept.
+/// The only encoding that can hold every name and note.
 const ENCODING: &str = "UTF8";
 
 pub(crate) struct Link {
@@ -42,7 +42,7 @@ impl std::fmt::Debug for Link {
 }
 
 impl Link {
-    /// A connection that is made when it is first used; it waits at most so long for other processes.
+    /// A connection that is opened on first use, with a limit to the wait for other processes.
     pub(crate) fn new(address: &Address, access: Access, wait: Duration) -> Self {
         Link {
             address: address.clone(),
@@ -86,7 +86,7 @@ impl Link {
         config
     }
 
-    /// A new connection; a server that is starting is waited for.
+    /// A new connection; waits while a server is starting.
     fn connect(&self) -> Result<Client, StoreError> {
         let until = Instant::now() + self.wait;
         let config = self.config();
@@ -110,7 +110,7 @@ impl Link {
         Ok(client)
     }
 
-    /// What a session sets: a commit is on disk when it is acknowledged, and a client that died lets go of its locks in a minute.
+    /// Settings of a session: a commit is on disk when it is acknowledged, and the locks of a dead client are released within a minute.
     fn settings(&self) -> String {
         let wait_ms = self.wait.as_millis().clamp(1, LOCK_MOST_MS);
         let mut settings = format!(
@@ -124,13 +124,13 @@ impl Link {
         settings
     }
 
-    /// A connection: between transactions a new one where the old one has ended.
+    /// Makes sure of a connection: between transactions it replaces a lost one.
     fn ready(&mut self) -> Result<&mut Client, StoreError> {
         let is_idle = self.used.elapsed() > IDLE;
         let has_ended =
             |client: &mut Client| client.is_closed() || (is_idle && client.check_connection().is_err());
         if !self.in_transaction && self.client.as_mut().is_none_or(has_ended) {
-            self.statements.clear(); // a new connection knows none
+            self.statements.clear(); // a new connection has no prepared statements
             self.client = None;
             self.client = Some(self.connect()?);
         }
@@ -138,7 +138,7 @@ impl Link {
         self.held()
     }
 
-    /// The connection that is there.
+    /// The open connection.
     fn held(&mut self) -> Result<&mut Client, StoreError> {
         let shown = self.address.shown();
         let gone = || StoreFault::ServerGone { shown }.into();
@@ -190,13 +190,13 @@ impl Link {
         self.in_transaction
     }
 
-    /// Leaves the connection, and whatever was begun on it.
+    /// Drops the connection, and any transaction on it.
     pub(crate) fn leave(&mut self) {
         self.client = None;
         self.in_transaction = false;
     }
 
-    /// Runs one statement; how many rows it changed.
+    /// Runs one statement and returns the number of changed rows.
     pub(crate) fn execute(&mut self, sql: &str, values: &[Value]) -> Result<u64, StoreError> {
         let statement = self.prepared(sql)?;
         let values = parameters(&statement, values)?;
@@ -217,7 +217,7 @@ impl Link {
         done.map_err(|fault| self.lost(&fault))
     }
 
-    /// Gives the rows of a query one by one, as the server sends them.
+    /// Passes the rows of a query to a closure one by one, as the server sends them.
     pub(crate) fn rows(
         &mut self,
         sql: &str,

@@ -1,4 +1,4 @@
-//! PostgreSQL: one database of a server, for several machines and people; raw files are rows of it.
+//! PostgreSQL: one database of a server, for several machines and people; raw files are stored in its rows.
 
 mod address;
 mod columns;

@@ -1,4 +1,4 @@
-//! Raw files as rows: compressed, in pieces, so that neither side holds more than one piece beside the file itself.
+//! Raw files in rows: compressed and in pieces, so that neither side holds more than one piece besides the file itself.
 
 use super::address::Address;
 use super::link::Link;
@@ -8,10 +8,10 @@ use crate::raw::{Kept, RawFiles, hash_of_bytes, lost, packed, refuse_no_hash, un
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
-/// Most bytes of a piece. Chosen here: a server holds a few copies of a value that it takes or gives, and refuses one of 1 GiB.
+/// Largest number of bytes in a piece. Chosen here: a server holds a few copies of each value, and refuses one of 1 GiB.
 const PIECE_BYTES_MOST: usize = 4 << 20;
 
-/// Raw files of a server, over a connection of their own: they are read while rows are, and kept before rows name them.
+/// Raw files on a server. They have their own connection, because they are read while rows are, and stored before rows name them.
 #[derive(Debug)]
 pub(crate) struct Pieces(Mutex<Link>);
 
@@ -45,7 +45,7 @@ fn pieces_of(link: &mut Link, hash: &str) -> Result<Option<i64>, StoreError> {
     Ok(pieces)
 }
 
-/// Whether it was not there before.
+/// Whether it is new.
 fn put(link: &mut Link, hash: &str, packed: &[u8]) -> Result<bool, StoreError> {
     let pieces = packed.chunks(PIECE_BYTES_MOST);
     let head = [Value::Text(hash.to_owned()), Value::Whole(pieces.len() as i64)];
@@ -72,13 +72,13 @@ impl RawFiles for Pieces {
         if is_there {
             return Ok(kept(false));
         }
-        let packed = packed(bytes); // others may use the connection meanwhile
+        let packed = packed(bytes); // compressed before the connection is locked, so that others can use it
         let mut link = self.link();
         let put = link.begin("begin").and_then(|()| put(&mut link, &hash, &packed));
         match put {
             Ok(is_new) => link.end("commit").map(|()| kept(is_new)),
             Err(fault) => {
-                let _ = link.end("rollback"); // the fault that came first is the one to tell
+                let _ = link.end("rollback"); // the first fault is the one to report
                 Err(fault)
             }
         }
@@ -86,7 +86,7 @@ impl RawFiles for Pieces {
 
     fn read(&self, hash: &str, bytes: u64) -> Result<Vec<u8>, StoreError> {
         refuse_no_hash(hash)?;
-        // bytes that do not compress grow by less than this
+        // incompressible bytes grow by less than this
         let most = bytes.saturating_add(bytes / 64).saturating_add(4096);
         let mut packed = Vec::new();
         let mut link = self.link();
@@ -128,6 +128,6 @@ impl RawFiles for Pieces {
     }
 
     fn prepare(&self) -> Result<(), StoreError> {
-        Ok(()) // the tables are there, and what a process left in the making is rolled back
+        Ok(()) // the tables exist, and unfinished work of a process is rolled back
     }
 }

@@ -1,4 +1,4 @@
-//! What a store asks of a database, from PostgreSQL.
+//! The interface of a database, for PostgreSQL.
 
 use super::address::Address;
 use super::dialect::{SCHEMA, files};
@@ -9,16 +9,16 @@ use dolmen_work::kept::StoreFault;
 use std::borrow::Cow;
 use std::time::Duration;
 
-/// "dolmen": who writes holds this lock of the database, so that moments and names are given one after the other.
+/// "dolmen": writers hold this lock of the database, so that times and names are assigned one after the other.
 const LOCK: i64 = 0x646F_6C6D_656E;
-/// How many rows without their partner an error lists, of each table.
+/// Largest number of rows without their partner that an error lists, for each table.
 const ROWS_MOST: i64 = 20;
 
 #[derive(Debug)]
 pub(crate) struct Session(Link);
 
 impl Session {
-    /// Opens the database, waiting at most so long for other processes.
+    /// Opens the database, with a limit to the wait for other processes.
     pub(crate) fn open(address: &Address, access: Access, wait: Duration) -> Result<Self, StoreError> {
         let mut opened = Session(Link::new(address, access, wait));
         let shown = opened.0.shown();
@@ -30,7 +30,7 @@ impl Session {
         }
         let sql = "select exists (select 1 from pg_class c join pg_namespace n on n.oid = c.relnamespace where n.nspname = $1)";
         let others = all(&mut opened, sql, &[Value::Text(SCHEMA.to_owned())])?;
-        // another process may have made it since
+        // another process may have created it meanwhile
         if others == [[Value::Whole(1)]] && !opened.is_there("schema_number")? {
             return Err(StoreFault::ServerForeign { shown }.into());
         }
@@ -48,7 +48,7 @@ impl Session {
         Ok(found == [[Value::Whole(1)]])
     }
 
-    /// Whether the role may add rows, and the server takes them.
+    /// Whether the role may add rows, and the server accepts them.
     fn may_write(&mut self) -> Result<bool, StoreError> {
         let sql = "select has_table_privilege('log', 'insert') and current_setting('transaction_read_only') = 'off'";
         Ok(all(self, sql, &[])? == [[Value::Whole(1)]])
@@ -108,7 +108,7 @@ impl Database for Session {
         self.execute(sql, &[Value::Whole(number)]).map(|_| ())
     }
 
-    /// Rows that refer to one that is not there: a server refuses them, unless somebody told it not to.
+    /// Rows that refer to a missing one: a server refuses them, unless somebody switched that off.
     fn faults(&mut self) -> Result<Vec<String>, StoreError> {
         let sql = "select quote_ident(c.relname), quote_ident(a.attname), quote_ident(p.relname), quote_ident(b.attname) \
              from pg_constraint k join pg_class c on c.oid = k.conrelid join pg_class p on p.oid = k.confrelid \

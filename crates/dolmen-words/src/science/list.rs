@@ -19,7 +19,7 @@ use dolmen::structure::wind::WindError;
 use dolmen_linalg::LinalgError;
 use std::error::Error;
 
-/// An error of the science as what can be said in both languages; `None` for any other.
+/// An error of the science as a text in both languages; `None` for any other.
 pub fn of_the_science<'e>(error: &'e (dyn Error + 'static)) -> Option<&'e dyn Argument> {
     sayable!(
         error,

@@ -1,4 +1,4 @@
-//! What `dolmen check` found of a building.
+//! The check of a building.
 
 use super::simulation::{Against, BeyondRoom};
 use super::wind_answer::BuildingWind;
@@ -9,9 +9,9 @@ use dolmen::structure::building::{BuildingModes, StoreyFall};
 use dolmen_project::{BuiltDamper, StoreyStiffnessPart};
 use dolmen_words::message::Both;
 
-/// Share of the mass, along x and along y, that the shown modes have at least. Chosen here: what codes ask for.
+/// Smallest share of the mass along x and along y in the modes shown. Chosen here: as codes require.
 const MASS_SHOWN: f64 = 0.9;
-/// Fewest and most modes shown. Chosen here: swaying both ways and twisting; a page.
+/// Fewest and most modes shown. Chosen here: sway in both directions and twist; one page.
 const MODES_SHOWN: [usize; 2] = [3, 12];
 
 /// A building and its check.
@@ -21,40 +21,40 @@ pub struct BuildingAnswer {
     pub floors: Vec<String>,
     /// The building without P-delta.
     pub elastic: Building,
-    /// How each storey falls, and under what factor on the weight, lowest first.
+    /// The fall of each storey and its factor on the weight, lowest first.
     pub falls: Vec<StoreyFall>,
-    /// What is known of it if it stands.
+    /// Results for a building that stands.
     pub stands: Option<Box<StandingBuilding>>,
 }
 
 /// A building that stands.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StandingBuilding {
-    /// With P-delta, if the file counts it.
+    /// With P-delta, if the file includes it.
     pub building: Building,
     /// Its modes without dampers.
     pub modes: BuildingModes,
     /// Damping ratio of each.
     pub damping_ratios: Vec<f64>,
-    /// Dampers of the file, every number worked out.
+    /// Dampers of the file, with all numbers computed.
     pub dampers: Vec<BuiltDamper>,
-    /// Modes of the whole, with the dampers: what a survey of it measures; empty without dampers.
+    /// Modes of building and dampers together, as a survey measures them; empty without dampers.
     pub damped_modes: Vec<DampedMode>,
-    /// Against the spectrum of its site, without dampers; `None` without a site.
+    /// Response to the spectrum of its site, without dampers; `None` without a site.
     pub spectral: Option<BuildingSpectral>,
-    /// Why there is none although the site has one.
+    /// Why there is none although there is a site.
     pub spectral_refused: Option<String>,
     /// The same with the dampers; `None` without dampers or site.
     pub damped: Option<DampedSpectral>,
     /// Why there is none although there are dampers and a site.
     pub damped_refused: Option<String>,
-    /// In the wind of the file; `None` without one.
+    /// Response to the wind of the file; `None` without a wind.
     pub wind: Option<Box<BuildingWind>>,
-    /// Why there is none although the file gives a wind.
+    /// Why there is none although there is a wind.
     pub wind_refused: Option<Both>,
 }
 
-/// Largest responses of a building with its dampers by the spectrum of the site: complex modes by CQC, shaking along x and y by the square root
+/// Largest responses of a building with its dampers to the spectrum of the site: complex modes by CQC, shaking along x and y by the square root
 /// of the sum of squares.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DampedSpectral {
@@ -66,7 +66,7 @@ pub struct DampedSpectral {
     pub base_torque_n_m: f64,
     /// Displacement of the centre of mass of each floor along x and y, m.
     pub displacement_m: Vec<[f64; 2]>,
-    /// Largest drift of each storey at an edge of its floor along x and y, m; `None` where its outline is not known.
+    /// Largest drift of each storey at an edge of its floor along x and y, m; `None` without an outline.
     pub edge_drift_m: Vec<Option<[f64; 2]>>,
     /// The same at the centre of mass of the floor above.
     pub centre_drift_m: Vec<[f64; 2]>,
@@ -77,7 +77,7 @@ pub struct DampedSpectral {
 }
 
 impl StandingBuilding {
-    /// Dampers that need more room under the spectrum than they have.
+    /// Dampers whose stroke under the spectrum exceeds their room.
     pub fn beyond_room(&self) -> Vec<BeyondRoom> {
         let strokes = self
             .damped
@@ -86,9 +86,9 @@ impl StandingBuilding {
         BeyondRoom::of(&self.dampers, strokes)
     }
 
-    /// What the spectrum of the site makes of the building with its dampers over what it makes of it without: base shear, the top, the
-    /// largest drift of a storey at its edges, points; each along x and y. What hardly moves without, less than a thousandth of the largest of
-    /// its kind, is left out; empty without dampers or site.
+    /// Ratios of the response with dampers to that without, under the spectrum of the site: base shear, the top, the largest drift of a storey
+    /// at its edges, points; each along x and y. A quantity that without dampers is below a thousandth of the largest of its kind is left out.
+    /// Empty without dampers or site.
     pub fn against_without(&self) -> Vec<Against> {
         const HARDLY: f64 = 1e-3;
         let (Some(without), Some(with)) = (&self.spectral, &self.damped) else {
@@ -150,8 +150,7 @@ impl StandingBuilding {
 /// The weaker horizontal component over the stronger: Menun & Der Kiureghian (1998) give 0.5 to 0.85; the larger is taken.
 pub const MINOR_RATIO: f64 = 0.85;
 
-/// Largest responses by the spectrum of the site, modes put together by CQC, shaking along x and y by the square root of the
-/// sum of squares.
+/// Largest responses to the spectrum of the site, modes combined by CQC, shaking along x and y by the square root of the sum of squares.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BuildingSpectral {
     /// The modes in the spectrum.
@@ -164,7 +163,7 @@ pub struct BuildingSpectral {
     pub least_favourable: [LeastFavourable; 2],
     /// Displacement of the centre of mass of each floor along x and y, m.
     pub displacement_m: Vec<[f64; 2]>,
-    /// Largest drift of each storey at an edge of its floor along x and y, m; `None` where its outline is not known.
+    /// Largest drift of each storey at an edge of its floor along x and y, m; `None` without an outline.
     pub edge_drift_m: Vec<Option<[f64; 2]>>,
     /// The same at the centre of mass of the floor above.
     pub centre_drift_m: Vec<[f64; 2]>,
@@ -180,7 +179,7 @@ impl BuildingAnswer {
 }
 
 impl StandingBuilding {
-    /// How many of the lowest modes are shown.
+    /// Number of modes shown, from the lowest.
     pub fn shown(&self) -> usize {
         let mut sums = [0.0; 2];
         let modes = &self.modes;
@@ -195,7 +194,7 @@ impl StandingBuilding {
     }
 }
 
-/// How the stiffness of a storey is given, in a word.
+/// The form in which the stiffness of a storey is given.
 pub fn stiffness_word(part: &StoreyStiffnessPart) -> &'static str {
     match part {
         StoreyStiffnessPart::Walls(_) => "walls",

@@ -13,7 +13,7 @@ use dolmen::structure::Building;
 use dolmen::structure::building::{PDelta, PlanDirection, StoreyFall, storey_falls};
 use dolmen_project::{BuildingPart, BuiltDamper, Pick, Project};
 
-/// What is known of a building, each input with the value that `pick` chooses.
+/// Checks a building, with the value of each input that `pick` chooses.
 pub(crate) fn check(
     project: &Project,
     part: &BuildingPart,
@@ -46,7 +46,7 @@ fn standing(project: &Project, part: &BuildingPart, pick: Pick<'_>) -> Result<St
     let mut spectral_refused = None;
     let mut spectral = None;
     let (mut damped, mut damped_refused) = (None, None);
-    // the section on the demand gives the reason of a site that is refused
+    // the section on the demand states why a site is refused
     if let Some(site) = project.site.as_ref().and_then(|site| site.demand().ok()) {
         let read = spectrum_of(&site);
         match spectral_analysis(&vibrating, &read) {
@@ -103,7 +103,7 @@ fn with_dampers(
     })
 }
 
-/// Floors, storeys and points by the largest value of a row.
+/// The largest value of a row for floors, storeys and points.
 struct Moved {
     displacement_m: Vec<[f64; 2]>,
     edge_drift_m: Vec<Option<[f64; 2]>>,
@@ -123,8 +123,7 @@ fn spectrum_of(site: &SiteDemand) -> impl Fn(f64, f64) -> Result<[f64; 2], WorkE
     }
 }
 
-/// The stroke of each damper under the spectrum of the site, m; `None` without a site, or where its spectrum cannot be read for these
-/// dampers.
+/// The stroke of each damper under the spectrum of the site, m; `None` without a site, or where its spectrum does not apply to these dampers.
 pub(crate) fn site_strokes_m(
     project: &Project,
     alone: &VibratingBuilding,

@@ -1,11 +1,11 @@
-//! Storeys and dampers of a building against what limits them.
+//! Storeys and dampers of a building compared with their limits.
 
 use super::{BuildingAnswer, BuildingSimulation};
 use crate::part_limit::{Limited, Part, PartLimit};
 use dolmen::assess::demand::{DRIFT_RATIO_MOST, DriftLimit};
 use dolmen_project::{BuiltDamper, strokes_of};
 
-/// By the spectrum of the site, with the dampers where there are any; empty where that is not computed.
+/// Under the spectrum of the site, with the dampers if there are any; empty where that is not computed.
 pub(crate) fn by_spectrum(answer: &BuildingAnswer, limit: Option<&DriftLimit>) -> Vec<PartLimit> {
     let Some(standing) = &answer.stands else {
         return Vec::new();
@@ -33,7 +33,7 @@ pub(crate) fn by_spectrum(answer: &BuildingAnswer, limit: Option<&DriftLimit>) -
     all
 }
 
-/// Dampers against their rooms, m, in the order of [`strokes_of`].
+/// Strokes of dampers compared with their rooms, m, in the order of [`strokes_of`].
 fn rooms(dampers: &[BuiltDamper], strokes_m: impl Iterator<Item = f64>) -> Vec<PartLimit> {
     let pairs = strokes_of(dampers).into_iter().zip(strokes_m);
     pairs
@@ -49,8 +49,8 @@ fn rooms(dampers: &[BuiltDamper], strokes_m: impl Iterator<Item = f64>) -> Vec<P
 }
 
 impl BuildingSimulation {
-    /// Each storey against its allowable drift at its edges along x and along y, as by the spectrum of the site, and each damper against its
-    /// room.
+    /// The drift of each storey at its edges along x and along y compared with the allowable drift, under the spectrum of the site, and the
+    /// stroke of each damper compared with its room.
     pub fn parts(&self) -> Vec<PartLimit> {
         let storeys = self.floors.iter().zip(self.building.building().storeys());
         let drifts = storeys.zip(&self.history.peaks.storeys);
@@ -73,7 +73,7 @@ impl BuildingSimulation {
         all
     }
 
-    /// Whether a storey drifted, in any direction, beyond what any model of small drifts can tell of.
+    /// Whether the drift of a storey in any direction is beyond the validity of small drifts.
     pub fn falls(&self) -> bool {
         self.drift().ratio > DRIFT_RATIO_MOST || self.parts().iter().any(PartLimit::falls)
     }

@@ -1,18 +1,18 @@
-//! What the modes of a survey say of a building's storey in plan.
+//! Results of the modes of a survey for the storey of a building in plan.
 
 use crate::beside_file::BesideFile;
 use dolmen::structure::building::{
     EccentricityFrom, Outline, PlanBounds, PlanMode, PlanSolution, PlanStiffness, PlanStorey,
 };
 
-/// What the modes of a survey say of the storey of a building with one floor.
+/// Results of the modes of a survey for the storey of a building with one floor.
 #[derive(Clone, Debug)]
 pub struct PlanAnswer {
-    /// The modes that went in, ascending.
+    /// The modes used, ascending.
     pub modes: Vec<PlanMode>,
-    /// The floor that they are of.
+    /// Their floor.
     pub storey: PlanStorey,
-    /// Its outline in plan, if that is known.
+    /// Its outline in plan, if known.
     pub outline: Option<Outline>,
     /// Its centre of mass in plan, m.
     pub centre_of_mass_m: [f64; 2],
@@ -22,31 +22,31 @@ pub struct PlanAnswer {
     pub found: PlanStiffness,
     /// Load factor λ with each solution, in the same order.
     pub load_factors: Vec<f64>,
-    /// A twist is given, but not those of both modes along x and y: it was not used.
+    /// Whether a twist was given that was not used, because that of the other mode along x or y is missing.
     pub twist_unused: bool,
-    /// Bounds of the stiffness over every centre of rigidity on the floor, where the modes do not give it.
+    /// Bounds of the stiffness over every centre of rigidity on the floor, where the modes do not determine it.
     pub bounds: Option<PlanBounds>,
-    /// The one solution beside the stiffness of the file.
+    /// The only solution compared with the stiffness of the file.
     pub beside_file: Option<BesideFile>,
     /// Sensors at the height of the floor that stand outside its sides.
     pub off_floor: Vec<String>,
-    /// The record whose shapes gave the twists.
+    /// The record whose shapes determined the twists.
     pub from_record: Option<FromRecord>,
 }
 
-/// A record whose sensors show how the floor moves.
+/// A record whose sensors determine the motion of the floor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FromRecord {
-    /// Sensors on the floor.
+    /// Number of sensors on the floor.
     pub sensors: usize,
-    /// Modes that it shows; the lowest three are taken.
+    /// Number of its modes; the lowest three are used.
     pub modes_found: usize,
-    /// Share of their shapes at the sensors that no rigid floor has.
+    /// Share of their shapes at the sensors that is not the motion of a rigid floor.
     pub unexplained: f64,
 }
 
 impl PlanAnswer {
-    /// Least and most of the corners of the floor along x and y, m.
+    /// Smallest and largest coordinates of the corners of the floor along x and y, m.
     pub fn sides_m(&self) -> Option<[[f64; 2]; 2]> {
         let corners = self.outline.as_ref()?.corners_m();
         let side = |axis: usize| {
@@ -58,7 +58,7 @@ impl PlanAnswer {
         Some([side(0), side(1)])
     }
 
-    /// The solution, where one alone is accepted and its centre of rigidity is from the modes, not from the file.
+    /// The solution, if only one is accepted and its centre of rigidity comes from the modes, not from the file.
     pub fn determined(&self) -> Option<&PlanSolution> {
         let mut accepted = self.found.accepted();
         let one = accepted.next().filter(|_| accepted.next().is_none());

@@ -13,14 +13,14 @@ use dolmen::signal::GroundMotion;
 use dolmen::structure::building::PlanDirection;
 use dolmen_project::{BuildingPart, BuiltDamper, Quantity};
 
-/// How a building is run.
+/// Options of a run.
 pub(crate) struct BuildingOptions {
     pub(crate) duration_s: Option<f64>,
     /// Longest step, s.
     pub(crate) step_s: f64,
-    /// Whether it is also run without its dampers.
+    /// Whether to run it without its dampers as well.
     pub(crate) compare: bool,
-    /// Whether every history is kept.
+    /// Whether to keep every history.
     pub(crate) keep: bool,
 }
 
@@ -81,7 +81,7 @@ pub(crate) fn simulate(
     }))
 }
 
-/// Into how many steps no longer than `step_s` a sample of a motion is cut.
+/// Number of steps no longer than `step_s` in a sample of a motion.
 pub(crate) fn steps_per_sample(motion: &GroundMotion, step_s: f64) -> usize {
     (motion.time_step_s() / step_s * (1.0 - 1e-9)).ceil().max(1.0) as usize
 }
@@ -98,7 +98,7 @@ fn watched(building: &VibratingBuilding, part: &BuildingPart) -> Result<Vec<Vec<
     Ok(rows)
 }
 
-/// The building in time: mode by mode with tuned masses alone, else everything at once.
+/// The building in time: mode by mode if all dampers are tuned masses, otherwise all coordinates together.
 pub(crate) fn moved(
     building: VibratingBuilding,
     dampers: &[BuiltDamper],

@@ -1,4 +1,4 @@
-//! What `dolmen simulate` found of a building, with what went in.
+//! The simulation of a building, with its input.
 
 use crate::motion::MotionAnswer;
 use crate::tilt_left_out::TiltLeftOut;
@@ -9,7 +9,7 @@ use dolmen::dynamics::{
 use dolmen::signal::Component;
 use dolmen_project::{BuiltDamper, Names, strokes_of};
 
-/// A point of a floor that is watched.
+/// A point of a floor whose motion is recorded.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WatchedPoint {
     /// Its name.
@@ -29,18 +29,18 @@ pub struct LargestDrift {
     pub storey: usize,
     /// Drift over height.
     pub ratio: f64,
-    /// Whether at a corner of the floor above, or, its outline unknown, at its centre of mass.
+    /// Whether it is that of a corner of the floor above or, without an outline, of its centre of mass.
     pub at_corner: bool,
-    /// Drift as a vector, where and when.
+    /// The drift as a vector, its place and time.
     pub drift: ResultantDrift,
 }
 
 /// A largest value with dampers over that without.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Against {
-    /// What, in English and Korean.
+    /// Its name, in English and Korean.
     pub what: [String; 2],
-    /// With over without.
+    /// The ratio.
     pub ratio: f64,
 }
 
@@ -51,10 +51,10 @@ impl Against {
     }
 }
 
-/// How the drift of a storey is called.
+/// Name of the drift of a storey.
 const DRIFT: &str = "the drift along";
 
-/// A damper that needs more room than it has.
+/// A damper whose stroke exceeds its room.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BeyondRoom {
     /// The damper, or "NAME liquid".
@@ -66,7 +66,7 @@ pub struct BeyondRoom {
 }
 
 impl BeyondRoom {
-    /// Those of dampers that move so far, m, in the order of [`strokes_of`].
+    /// The dampers among those with these strokes, m, in the order of [`strokes_of`].
     pub fn of(dampers: &[BuiltDamper], strokes_m: impl Iterator<Item = f64>) -> Vec<Self> {
         let pairs = strokes_of(dampers).into_iter().zip(strokes_m);
         let beyond = pairs.filter_map(|(stroke, stroke_m)| {
@@ -230,13 +230,13 @@ impl BuildingSimulation {
         all
     }
 
-    /// What each stroke is of: the dampers, then the liquids of columns on springs.
+    /// Names of the strokes: the dampers, then the liquids of columns on springs.
     pub fn stroke_names(&self) -> Vec<String> {
         let strokes = strokes_of(&self.dampers).into_iter();
         strokes.map(|stroke| stroke.name).collect()
     }
 
-    /// The largest force of the dashpot of each damper, N, and when; `None` of a liquid column, which has none.
+    /// The largest force of the dashpot of each damper, N, and its time; `None` for a liquid column, which has no dashpot.
     pub fn dashpot_forces_n(&self) -> Vec<Option<Peak>> {
         let pairs = self.dampers.iter().zip(&self.history.peaks.stroke_rates_m_s);
         let each = pairs.map(|(damper, rate)| {
@@ -248,10 +248,9 @@ impl BuildingSimulation {
         each.collect()
     }
 
-    /// Dampers across whose direction the ground shakes: they move with the twist of their floor alone, and the run does not say what they are good
-    /// for.
+    /// Dampers at right angles to the shaking: only the twist of their floor moves them, so the run does not show their effect.
     pub fn across_the_motion(&self) -> Vec<&BuiltDamper> {
-        const HARDLY: f64 = 1e-6; // what a turn by 90° leaves along an axis is 1e-16
+        const HARDLY: f64 = 1e-6; // a turn by 90° leaves 1e-16 along an axis
         let motion = &self.motion.motion;
         let of = |component| match motion.has(component) {
             true => motion.acceleration_m_s2(component),
@@ -268,7 +267,7 @@ impl BuildingSimulation {
         self.dampers.iter().filter(is_across).collect()
     }
 
-    /// Dampers that move further than their room: the run does not know their stops.
+    /// Dampers whose stroke exceeds their room: the run has no stops.
     pub fn beyond_room(&self) -> Vec<BeyondRoom> {
         let strokes = self.history.peaks.strokes_m.iter();
         BeyondRoom::of(&self.dampers, strokes.map(|stroke| stroke.value.abs()))

@@ -10,25 +10,25 @@ use dolmen::structure::building::{
 };
 use dolmen_project::{BuildingPart, ModeKind, Quantity, Survey, SurveyMode};
 
-/// A stiffness between x and y, over that along them, below which walls stand along x and y: rounding of turned ones. Our choice.
+/// Ratio of the stiffness between x and y to that along them below which walls stand along x and y: rounding of turned ones. Our choice.
 const ALONG_AXES: f64 = 1e-9;
-/// Share of the shapes above which the floor is not rigid as its sensors are described: no stiffness is found from them. As for sensors that
-/// contradict each other.
+/// Share of the shapes above which the sensors contradict a rigid floor: then no stiffness is computed. As for sensors that contradict each
+/// other.
 const UNEXPLAINED_MOST: f64 = 0.05;
-/// A frequency of the file is that of the record's mode within this part of it. Our choice: what rounding to two digits leaves.
+/// Relative difference within which a frequency of the file is that of the record's mode. Our choice: rounding to two digits.
 const ONE_MODE: f64 = 0.02;
 
-/// What a survey of a building leads to.
+/// Result of a survey of a building.
 pub(crate) enum FromModes {
-    /// Stiffness, or what stays free of it.
+    /// Stiffness, or the quantities that stay free.
     Plan(Box<PlanAnswer>),
-    /// Why no stiffness is sought.
+    /// Why no stiffness is computed.
     Without(WithoutStiffness),
 }
 
-/// Every stiffness that explains the modes of the survey; `None` if it states none and its records, if any, show none.
+/// Finds every stiffness that explains the modes of the survey; `None` if it states none and its records, if any, have none.
 ///
-/// The shapes of a record whose sensors see how the floor moves give the twists of the modes, and with them the centre of rigidity.
+/// If the sensors of a record determine the motion of the floor, its shapes give the twists of the modes, and with them the centre of rigidity.
 pub(crate) fn stiffness(
     part: &BuildingPart,
     survey: &Survey,
@@ -121,7 +121,7 @@ pub(crate) fn stiffness(
     }))))
 }
 
-/// The modes that the file states with the twists and shapes that the record shows of those along x and y, where it shows both.
+/// The modes stated in the file, with the twists and shapes from the record for those along x and y, if it has both.
 fn with_shapes_of(rigid: &FloorModes, stated: Vec<PlanMode>) -> Vec<PlanMode> {
     let with_shape = |mode: PlanMode| {
         let along = mode.motion.filter(|motion| *motion != PlanMotion::Torsion);
@@ -143,7 +143,7 @@ fn with_shapes_of(rigid: &FloorModes, stated: Vec<PlanMode>) -> Vec<PlanMode> {
     }
 }
 
-/// Sensors within half a metre of the height of a floor that stand farther than that outside its sides.
+/// Sensors within half a metre of the height of a floor, but outside its sides by more than that.
 fn off_floor(modes: &Modes, floor: &Floor, place: &FloorPlace) -> Vec<String> {
     const NEAR_M: f64 = 0.5;
     let Some(reach_m) = reach_m(floor) else {
@@ -164,7 +164,7 @@ fn off_floor(modes: &Modes, floor: &Floor, place: &FloorPlace) -> Vec<String> {
     off.map(|channel| channel.name.clone()).collect()
 }
 
-/// Where on the floor a centre of rigidity can be, from the centre of mass, m; `None` where its outline is not known.
+/// Possible positions of the centre of rigidity, from the centre of mass, m; `None` without an outline.
 fn reach_m(floor: &Floor) -> Option<[[f64; 2]; 2]> {
     let corners = floor.outline.as_ref()?.corners_m();
     Some([0, 1].map(|axis| {
@@ -175,8 +175,8 @@ fn reach_m(floor: &Floor) -> Option<[[f64; 2]; 2]> {
     }))
 }
 
-/// All modes that a survey states, ascending. Modes of kind torsion turn in whatever direction they stand, and so do those of
-/// direction "torsion"; what a direction of another name says of the motion is not known.
+/// All modes that a survey states, ascending. Modes of kind torsion are rotations whatever their direction, and so are those of direction
+/// "torsion"; a direction of another name does not tell the motion.
 fn plan_modes(survey: &Survey) -> Vec<PlanMode> {
     let each = survey.modes.iter().flat_map(|(direction, modes)| {
         modes.iter().map(move |mode| {
@@ -219,7 +219,7 @@ fn written(floor: &Floor, below: &Storey) -> Option<Written> {
     let centre = below.stiffness.centre_of_rigidity_m()?;
     let k = below.stiffness.matrix_about(centre);
     let couples = k[0][1].abs() > ALONG_AXES * k[0][0].max(k[1][1]);
-    // a centre of rigidity on that of mass to rounding is on it
+    // a centre of rigidity equal to that of mass within rounding counts as equal
     let from_mass = |axis: usize| {
         let e = centre[axis] - floor.centre_m[axis];
         if e.abs() <= ALONG_AXES * floor.gyration_m {

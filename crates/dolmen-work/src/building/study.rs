@@ -14,14 +14,14 @@ use dolmen_words::message::Both;
 /// Longest step between samples of a motion, s: that of `dolmen simulate`.
 const STEP_S: f64 = 0.01;
 
-/// A building with its dampers, ready to be shaken.
+/// A building with its dampers, ready for runs.
 pub(crate) struct BuildingModel {
     building: VibratingBuilding,
     dampers: Vec<BuiltDamper>,
     floors: Vec<String>,
 }
 
-/// The building of a study, or why it cannot be.
+/// The building of a study, or why it is refused.
 pub(crate) fn model(part: &BuildingPart, pick: Pick<'_>) -> Result<BuildingModel, Both> {
     let words = |why: &(dyn std::error::Error + 'static)| told_both(why);
     let building = part.vibrating(pick).map_err(|why| words(&why))?;
@@ -63,7 +63,7 @@ pub(crate) fn row(study: &StudyPart, mut run: Run, model: &BuildingModel, motion
         }
     };
     let storeys = model.building.building().storeys();
-    // as `dolmen simulate`: at a corner where the outline is known, in any direction
+    // as in `dolmen simulate`: at a corner where there is an outline, in any direction
     let drifts = found.peaks.storeys.iter().zip(storeys);
     let drifts = drifts.map(|(peak, storey)| (peak.resultant, peak.resultant.size_m / storey.height_m));
     let worst = drifts

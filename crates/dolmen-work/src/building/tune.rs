@@ -1,4 +1,4 @@
-//! `dolmen tune`: the dampers of a building beside the rule and the best, where and how tuned.
+//! `dolmen tune`: compares the dampers of a building with the rule and the optimum.
 
 use super::tune_answer::{RoomCheck, TuneAnswer};
 use super::tune_room::room_check;
@@ -16,7 +16,7 @@ use dolmen::structure::building::PlanDirection;
 use dolmen_project::{BuildingPart, BuiltDamper, Project, Quantity, Structure};
 use dolmen_records::Files;
 
-/// Every damper beside the rule and the best, and all of a version together.
+/// Compares every damper with the rule and the optimum, and tunes all of a version together.
 ///
 /// # Errors
 /// A project without a building or dampers that can be tuned, an unknown damper or variant, a building that falls.
@@ -47,7 +47,7 @@ pub fn tune(opened: &Opened, options: &TuneOptions, files: &dyn Files) -> Result
     Ok(TuneAnswers { tunings, together })
 }
 
-/// The dampers that a report shows; none of what is no building.
+/// The dampers that a report shows; none if the structure is not a building.
 pub(crate) fn of_report(opened: &Opened, files: &dyn Files) -> Result<TuneAnswers, WorkError> {
     let options = TuneOptions::default();
     let (mut tunings, mut together) = (Vec::new(), Vec::new());
@@ -65,7 +65,7 @@ pub(crate) fn of_report(opened: &Opened, files: &dyn Files) -> Result<TuneAnswer
     Ok(TuneAnswers { tunings, together })
 }
 
-/// The variant that is asked for; else the file as it is if it has dampers; else its variants that do.
+/// The requested variant; otherwise the file as it is if it has dampers; otherwise its variants that do.
 fn versions<'p>(
     project: &'p Project,
     variant: Option<&str>,
@@ -118,7 +118,7 @@ fn answers_of(
     Ok(answers)
 }
 
-/// Everything around one damper.
+/// The data of one damper.
 struct Of<'a> {
     project: &'a Project,
     part: &'a BuildingPart,

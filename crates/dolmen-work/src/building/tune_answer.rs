@@ -1,14 +1,14 @@
-//! A damper of a building beside the rule and the best: what `dolmen tune` computes, and text, JSON, figures and report print.
+//! Results of `dolmen tune`, for text, JSON, figures and report.
 
 use dolmen::damper::{Choice, Compared, Comparison, DesignEnd, Goal};
 use dolmen_project::{BuiltDamper, Names};
 
-/// What acts while a damper is judged.
+/// The load on the building with the damper.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum TuneLoad {
     /// The same white-noise force on every floor, at its centre of mass.
     Force,
-    /// The same force of gusts, its density falling beyond a corner, Hz.
+    /// The same force with the spectrum of gusts, whose density falls beyond a corner, Hz.
     Wind {
         /// Corner, Hz.
         corner_hz: f64,
@@ -17,7 +17,7 @@ pub enum TuneLoad {
     Gusts,
     /// White-noise acceleration of the base.
     Base,
-    /// Acceleration of the ground after Clough & Penzien, with the frequency of the soil, Hz; its damping .6, the second filter at a tenth.
+    /// Acceleration of the ground after Clough & Penzien, with the frequency of the soil, Hz; its damping 0.6, the second filter at a tenth.
     Ground {
         /// Of the soil, Hz.
         ground_hz: f64,
@@ -42,7 +42,7 @@ impl TuneLoad {
     }
 }
 
-/// A point whose motion is made small.
+/// A point whose motion is to be reduced.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TunePoint {
     /// Its name.
@@ -53,7 +53,7 @@ pub struct TunePoint {
     pub place_m: [f64; 2],
 }
 
-/// A stroke that is more than asked for by less than this part keeps to it: it is printed so.
+/// A stroke that exceeds its bound by less than this fraction still counts as within it: it is printed as equal.
 const STROKE_KEPT: f64 = 5e-4;
 
 /// The stroke of a damper of a row under a motion of the file.
@@ -63,7 +63,7 @@ pub struct RowStroke {
     pub row: usize,
     /// The damper.
     pub damper: String,
-    /// The motion's name in the file; `None`: the spectrum of the site.
+    /// The motion's name in the file; `None` for the spectrum of the site.
     pub motion: Option<String>,
     /// Its largest stroke, m.
     pub stroke_m: f64,
@@ -71,24 +71,24 @@ pub struct RowStroke {
     pub room_m: f64,
 }
 
-/// Strokes under the motions of the file and the spectrum of its site beside the rooms of the dampers; empty where the file gives no room.
+/// Strokes under the motions of the file and the spectrum of its site, with the rooms of the dampers; empty where the file gives no room.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct RoomCheck {
-    /// Whether some damper says how much room it has.
+    /// Whether some damper has a room.
     pub has_room: bool,
-    /// Whether the file has a motion or a site to judge it under.
+    /// Whether the file has a motion or a site.
     pub is_judged: bool,
     /// Of every row, damper with a room, and motion.
     pub strokes: Vec<RowStroke>,
 }
 
 impl RoomCheck {
-    /// Those that need more room than there is.
+    /// The strokes that exceed their room.
     pub fn beyond(&self) -> impl Iterator<Item = &RowStroke> {
         self.strokes.iter().filter(|of| of.stroke_m > of.room_m)
     }
 
-    /// A room is given, and nothing to hold it against.
+    /// Whether there is a room but no motion or site.
     pub fn is_unjudged(&self) -> bool {
         self.has_room && !self.is_judged
     }
@@ -105,35 +105,35 @@ pub struct TuneAnswer {
     pub variant: Option<String>,
     /// The damper's table.
     pub damper: String,
-    /// Other dampers of the file, which are left out while this one is judged alone.
+    /// Other dampers of the file, which are left out here.
     pub others: usize,
-    /// What is designed keeps to this stroke, over that of the file's damper.
+    /// Upper bound on the stroke of designed dampers, over that of the file's damper.
     pub stroke_most: Option<f64>,
-    /// What is designed is the best for frequencies off by so much either way.
+    /// Relative error of the frequency that designs tolerate.
     pub off_by: f64,
     /// Its floor, from 1.
     pub floor: usize,
     /// Corners of the floor, m.
     pub corners_m: Vec<[f64; 2]>,
-    /// The mode that it is for, from 1.
+    /// The mode that the damper is for, from 1.
     pub mode: usize,
     /// Its frequency, Hz.
     pub mode_frequency_hz: f64,
     /// Its own damping ratio.
     pub mode_damping_ratio: f64,
-    /// Where its centre on that floor lies in plan, m; `None` if it does not turn.
+    /// Centre of the mode on that floor in plan, m; `None` if the floor does not turn.
     pub mode_centre_m: Option<[f64; 2]>,
-    /// What acts.
+    /// The load.
     pub load: TuneLoad,
     /// Its direction, degrees from x.
     pub load_direction_degrees: f64,
     /// The points.
     pub points: Vec<TunePoint>,
-    /// Direction in which their motion is taken, degrees from x: that of the damper.
+    /// Direction of their motion, degrees from x: that of the damper.
     pub direction_degrees: f64,
-    /// What is made small.
+    /// The quantity to minimise.
     pub goal: Goal,
-    /// All that was found.
+    /// The comparison.
     pub comparison: Comparison,
     /// Strokes under the motions of the file, in the order of the comparison's rows.
     pub room: RoomCheck,
@@ -146,13 +146,13 @@ impl TuneAnswer {
         stroke(row) / self.comparison.row(Choice::Given).map_or(f64::NAN, stroke)
     }
 
-    /// Whether a row was designed to keep a stroke, and does not.
+    /// Whether a row was designed for a bound on the stroke, and exceeds it.
     pub fn is_beyond_stroke(&self, row: &Compared) -> bool {
         let kept = |most: f64| self.stroke_ratio(row) <= most * (1.0 + STROKE_KEPT);
         row.end.is_some() && !self.stroke_most.is_none_or(kept)
     }
 
-    /// What the goal is made of at each point, over that without a damper: standard deviations, or largest amplitudes.
+    /// The quantity of the goal at each point over that without a damper: standard deviations, or largest amplitudes.
     pub fn ratios(&self, row: &Compared) -> Vec<f64> {
         self.over_without(&row.point_values)
     }
@@ -163,7 +163,7 @@ impl TuneAnswer {
         each.map(|(with, without)| with / without).collect()
     }
 
-    /// The points that a row makes worse than no damper, with their ratios.
+    /// The points with more motion than without a damper, and their ratios.
     pub fn worse(&self, row: &Compared) -> Vec<(&TunePoint, f64)> {
         let ratios = self.ratios(row);
         self.points
@@ -173,13 +173,13 @@ impl TuneAnswer {
             .collect()
     }
 
-    /// How much more of the goal one choice leaves than another: 0.02 for 2 % more.
+    /// Relative excess of the goal of one choice over another: 0.02 for 2 % more.
     pub fn costs(&self, choice: Choice, than: Choice) -> Option<f64> {
         let of = |choice| self.comparison.row(choice).map(|row| row.cost);
         Some(of(choice)? / of(than)? - 1.0)
     }
 
-    /// By how much the goal grows where the frequency of the given damper (0) or the best one (1) is off by the factor nearest to `factor`.
+    /// Relative increase of the goal where the frequency of the given damper (0) or the best one (1) is off by the factor nearest to `factor`.
     pub fn detuned(&self, which: usize, factor: f64) -> Option<f64> {
         let curve = &self.comparison.off_frequency[which];
         let near = |of: f64| {
@@ -190,22 +190,22 @@ impl TuneAnswer {
     }
 }
 
-/// What a row of all dampers shows.
+/// The dampers in a row of the comparison of all.
 #[derive(Clone, Debug, PartialEq)]
 pub enum TogetherChoice {
     /// None of them.
     Without,
-    /// All as in the file.
+    /// All, as in the file.
     Given,
-    /// One alone as in the file, by its name.
+    /// One alone, as in the file, by its name.
     Only(String),
-    /// All but one as in the file.
+    /// All but one, as in the file.
     AllBut(String),
-    /// All where they are, their tunings searched together.
+    /// All at their places, tuned together.
     TunedBest,
-    /// Masses and liquid columns placed and tuned best together, the rest tuned before.
+    /// Masses and liquid columns with places and tunings optimised together, the rest tuned before.
     Best,
-    /// The same, the sum of the masses shared anew.
+    /// The same, with the sum of the masses shared anew.
     BestShared,
 }
 
@@ -227,9 +227,9 @@ impl TogetherChoice {
 /// One row of all dampers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TogetherRow {
-    /// Which.
+    /// Which dampers.
     pub choice: TogetherChoice,
-    /// The dampers that are there, with their places and directions.
+    /// The dampers, with their places and directions.
     pub dampers: Vec<BuiltDamper>,
     /// Standard deviation of each point along each direction, by assembled matrices.
     pub point_rms: Vec<f64>,
@@ -237,14 +237,14 @@ pub struct TogetherRow {
     pub stroke_rms_m: Vec<f64>,
     /// The goal.
     pub cost: f64,
-    /// How a search ended; `None` for what was not searched.
+    /// How the search ended; `None` without a search.
     pub end: Option<DesignEnd>,
 }
 
-/// All dampers of a project at once.
+/// All dampers of a project together.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TogetherAnswer {
-    /// By how much the frequencies of single dampers are off in their designs: here they are not.
+    /// Relative error of frequencies that the designs of single dampers tolerate; the designs here tolerate none.
     pub off_by: f64,
     /// Path of the project file as the user named it.
     pub file: String,
@@ -252,17 +252,17 @@ pub struct TogetherAnswer {
     pub name: Names,
     /// The variant of the file; `None`: as it is.
     pub variant: Option<String>,
-    /// What acts.
+    /// The load.
     pub load: TuneLoad,
-    /// Along each of these, degrees from x, independently.
+    /// Directions of the load, degrees from x, independent of each other.
     pub load_directions_degrees: Vec<f64>,
-    /// Points with the direction in which each is taken, degrees from x.
+    /// Points, with the direction of their motion, degrees from x.
     pub points: Vec<(TunePoint, f64)>,
-    /// What is made small: standard deviations.
+    /// The quantity to minimise: standard deviations.
     pub goal: Goal,
-    /// Whether largest amplitudes were asked for, which are not sought for several dampers at once.
+    /// Whether largest amplitudes were requested, which are not available for several dampers together.
     pub peaks_not_sought: bool,
-    /// What is designed keeps to this stroke, over those of the file's dampers.
+    /// Upper bound on the strokes of designed dampers, over those of the file's dampers.
     pub stroke_most: Option<f64>,
     /// Without, given, each alone, all but each, tuned, placed, shared.
     pub rows: Vec<TogetherRow>,
@@ -271,7 +271,7 @@ pub struct TogetherAnswer {
 }
 
 impl TogetherAnswer {
-    /// Dampers of a row that were designed to keep a stroke, and do not, each with its stroke over that in the file.
+    /// Dampers of a row that were designed for a bound on the stroke and exceed it, each with its stroke over that in the file.
     pub fn beyond_stroke(&self, row: &TogetherRow) -> Vec<(String, f64)> {
         let given = self.rows.iter().find(|row| row.choice == TogetherChoice::Given);
         let (Some(most), Some(given), true) = (self.stroke_most, given, row.end.is_some()) else {

@@ -1,4 +1,4 @@
-//! The strokes of designed dampers under the motions of the file and the spectrum of its site, beside the room that they have.
+//! The strokes of designed dampers under the motions of the file and the spectrum of its site, compared with their rooms.
 
 use super::check::site_strokes_m;
 use super::simulate::{moved, steps_per_sample};
@@ -15,7 +15,7 @@ use dolmen_records::Files;
 /// Longest step between samples of a motion, s.
 const STEP_S: f64 = 0.01;
 
-/// Every row of dampers under every motion of the file; empty where no damper says how much room it has.
+/// Every row of dampers under every motion of the file; empty where no damper has a room.
 pub(crate) fn room_check(
     (project, part): (&Project, &BuildingPart),
     files: &dyn Files,

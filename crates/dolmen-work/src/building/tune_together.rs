@@ -1,4 +1,4 @@
-//! `dolmen tune` of all dampers of a building at once.
+//! `dolmen tune` for all dampers of a building together.
 
 use super::tune_answer::{TogetherAnswer, TogetherChoice, TogetherRow, TunePoint};
 use super::tune_room::room_check;
@@ -16,7 +16,7 @@ use dolmen_records::Files;
 /// Steps of the search for places of several dampers. Chosen here: enough for four.
 const ITERATIONS_MOST: usize = 60;
 
-/// All dampers at once; `None` if one mass or column is all there is.
+/// All dampers together; `None` if there is only one mass or column.
 pub(crate) fn of_all(
     (project, variant): (&Project, Option<String>),
     (file, files): (&str, &dyn Files),
@@ -88,7 +88,7 @@ pub(crate) fn of_all(
     }))
 }
 
-/// Directions of the dampers, degrees in [0, 180), each once.
+/// Distinct directions of the dampers, degrees in [0, 180).
 fn distinct(dampers: &[BuiltDamper]) -> Vec<f64> {
     let mut all: Vec<f64> = dampers
         .iter()
@@ -99,7 +99,7 @@ fn distinct(dampers: &[BuiltDamper]) -> Vec<f64> {
     all
 }
 
-/// The floors that some damper is tied to; one without outline has the point of its centre alone.
+/// The floors with dampers; one without an outline is only the point of its centre.
 fn sites(building: &Building, dampers: &[BuiltDamper]) -> Vec<DamperSite> {
     let mut floors: Vec<usize> = dampers
         .iter()
@@ -205,7 +205,7 @@ impl All<'_> {
         placed(damper, site)
     }
 
-    /// Masses that resonate where a damper does: what the frequencies of a plan are chosen for.
+    /// Masses that resonate at the frequencies of the dampers, for the choice of frequencies of a plan.
     fn expected(&self, damper: &BuiltDamper) -> Vec<PlacedDamper> {
         if let Some(placed) = self.placed(damper) {
             return vec![placed];
@@ -273,7 +273,7 @@ impl All<'_> {
         ))
     }
 
-    /// Masses and columns placed and tuned, the others as they were tuned.
+    /// Masses and columns with places and tunings optimised, the others as tuned before.
     fn best(
         &self,
         start: &TogetherRow,
@@ -326,7 +326,7 @@ impl All<'_> {
             end: Some(found.end),
             ..self.judged(choice.clone(), &dampers)?
         };
-        // a search that ends worse than it began, as under a limit of strokes that the start keeps, has found nothing
+        // a search that ends worse than it began, for example because the start is at the bound of strokes, has found nothing
         Ok(match row.cost <= start.cost {
             true => row,
             false => TogetherRow {

@@ -1,4 +1,4 @@
-//! A building as those see it who tune its dampers.
+//! A building as a structure for dampers.
 
 use super::tune_answer::{TuneLoad, TunePoint};
 use super::wind::{columns, face};
@@ -9,37 +9,37 @@ use dolmen::structure::building::{Building, PlanDirection};
 use dolmen_project::{BuildingPart, BuiltDamper, Project, Quantity, Structure};
 use std::f64::consts::TAU;
 
-/// Density of what acts, two-sided, unit² s/rad: only ratios are shown.
+/// Density of the load, two-sided, unit² s/rad; only ratios are shown.
 const DENSITY: f64 = 1.0;
-/// Damping of the soil and of the second filter, and its frequency over the soil's: Clough & Penzien (1975), sec. 28-4.
+/// Damping of the soil and of the second filter, and ratio of its frequency to the soil's: Clough & Penzien (1975), sec. 28-4.
 const GROUND_DAMPING_RATIO: f64 = 0.6;
 const FILTER_PART: f64 = 0.1;
 
-/// What dampers are judged by.
+/// Options of `dolmen tune`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TuneOptions {
-    /// Only this damper; all without it.
+    /// Name of the damper; all dampers without it.
     pub damper: Option<String>,
-    /// Dampers of this variant; without it those of the file, or of all its variants if the file itself has none.
+    /// Name of the variant; without it the file as it is, or all its variants if the file itself has no dampers.
     pub variant: Option<String>,
-    /// What acts, at random.
+    /// The random load.
     pub load: TuneLoad,
-    /// Direction of the load, degrees from x counter-clockwise; that of the damper without it.
+    /// Direction of the load, degrees from x counter-clockwise; by default that of the damper.
     pub load_direction_degrees: Option<f64>,
-    /// What is made small.
+    /// The quantity to minimise.
     pub goal: Goal,
     /// Places of the map along each side of the floor.
     pub map: usize,
-    /// What is designed keeps its stroke's standard deviation to this part of that of the damper as in the file.
+    /// Upper bound on the stroke's standard deviation of designed dampers, over that of the damper as in the file.
     pub stroke_most: Option<f64>,
-    /// What is designed is the best for frequencies off by so much either way, 0.1 for 10 %.
+    /// Relative error of the frequency that designs tolerate, 0.1 for 10 %.
     pub off_by: f64,
-    /// With several dampers: also share the sum of their masses anew.
+    /// With several dampers: whether to share the sum of their masses anew.
     pub share_mass: bool,
 }
 
 impl Default for TuneOptions {
-    /// What a report shows: a white-noise force along the damper, a coarse map.
+    /// Options for a report: a white-noise force along the damper, a coarse map.
     fn default() -> Self {
         TuneOptions {
             damper: None,
@@ -65,7 +65,7 @@ pub(crate) fn part_of(project: &Project) -> Result<&BuildingPart, WorkError> {
     }
 }
 
-/// The building as it is written, which must stand.
+/// The building as written, which must stand.
 pub(crate) fn standing(part: &BuildingPart) -> Result<&VibratingBuilding, WorkError> {
     let Some(building) = part.as_written() else {
         return Err(WorkError::BuildingFallsItself);
@@ -73,7 +73,7 @@ pub(crate) fn standing(part: &BuildingPart) -> Result<&VibratingBuilding, WorkEr
     Ok(building)
 }
 
-/// A damper as one whose place can be found: a mass or a liquid column.
+/// A damper whose place can be optimised: a mass or a liquid column.
 pub(crate) fn placed(damper: &BuiltDamper, site: usize) -> Option<PlacedDamper> {
     let length_ratio = match damper.kind {
         DamperKind::TunedMass { .. } => 1.0,
@@ -101,7 +101,7 @@ pub(crate) fn degrees(direction: PlanDirection) -> f64 {
     }
 }
 
-/// The building with its damping, as the dampers see it.
+/// The building with its damping, as the structure without dampers.
 pub(crate) fn structure(building: &Building, part: &BuildingPart) -> Result<LinearSystem, WorkError> {
     Ok(LinearSystem::new(
         building.mass_matrix(),
@@ -110,7 +110,7 @@ pub(crate) fn structure(building: &Building, part: &BuildingPart) -> Result<Line
     )?)
 }
 
-/// A floor as a place for dampers.
+/// A floor as a site for dampers.
 pub(crate) fn site(building: &Building, floor: usize) -> Result<DamperSite, WorkError> {
     let own = &building.floors()[floor - 1];
     let Some(outline) = &own.outline else {
@@ -123,7 +123,7 @@ pub(crate) fn site(building: &Building, floor: usize) -> Result<DamperSite, Work
     })
 }
 
-/// What acts along a direction; several forces, independent of each other, where the wind of the file blows.
+/// The load along a direction; for the wind of the file several independent forces.
 pub(crate) fn random_loads(
     (project, part): (&Project, &BuildingPart),
     load: TuneLoad,
@@ -143,13 +143,13 @@ pub(crate) fn random_loads(
     }])
 }
 
-/// Part of the variance of the forces on the floors below which a shape of them is left out.
+/// Fraction of the variance of the forces on the floors below which a pattern is left out.
 const SHAPE_LEAST: f64 = 2e-3;
-/// Part of the mass that a mode along the wind moves at least, for its frequency to be that at which the shapes are taken. Our choice.
+/// Smallest share of the mass in a mode along the wind for its frequency to be that of the patterns. Our choice.
 const MODE_LEAST: f64 = 0.05;
 
-/// The wind of the file along x or along y, whichever is nearer: the forces on the floors in the shapes in which they are independent at
-/// the frequency of the lowest mode along it.
+/// The wind of the file along x or along y, whichever is nearer: the forces on the floors, in the patterns that are independent at the frequency
+/// of the lowest mode along it.
 fn gusts(
     project: &Project,
     vibrating: &VibratingBuilding,
@@ -215,7 +215,7 @@ pub(crate) fn points(part: &BuildingPart, floor: usize, corners_m: &[[f64; 2]]) 
 
 fn spectrum(load: TuneLoad) -> Spectrum {
     match load {
-        // the wind of the file has spectra of its own
+        // the wind of the file has its own spectra
         TuneLoad::Force | TuneLoad::Base | TuneLoad::Gusts => Spectrum::White { density: DENSITY },
         TuneLoad::Wind { corner_hz } => Spectrum::LowPass {
             density: DENSITY,

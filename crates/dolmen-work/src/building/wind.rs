@@ -1,4 +1,4 @@
-//! A building in the wind of its file, in time: means, standard deviations and peaks, without its dampers and with them.
+//! A building in the wind of its file: means, standard deviations and peaks, without its dampers and with them.
 
 use super::StandingBuilding;
 use super::wind_answer::{BuildingWind, FloorInWind, FloorMet, WIND_DURATION_S, WindAlong, WindMotion};
@@ -13,7 +13,7 @@ use dolmen::structure::building::Outline;
 use dolmen::structure::wind::{COHERENCE_DECAY, GustFace, GustStrip, TurbulenceSpectrum, Wind};
 use dolmen_project::{BuildingPart, BuiltDamper, Pick, Project, WindGiven};
 
-/// Adds what the wind of the file does, if it gives one and the building stands.
+/// Adds the response to the wind of the file, if there is one and the building stands.
 pub(crate) fn add_wind(
     standing: &mut StandingBuilding,
     project: &Project,
@@ -35,8 +35,8 @@ pub(crate) fn add_wind(
     Ok(())
 }
 
-/// The drift that a storey is held against in the wind: what the wind of the file allows; where it allows what it may, the allowable drift of
-/// `[limits]`, which is one in an earthquake, and holds in the wind only where it is passed.
+/// The drift limit of a storey in the wind: that of the wind of the file. Otherwise the allowable drift of `[limits]`, which is meant for
+/// earthquakes, so only a drift beyond it counts.
 pub(crate) fn wind_drift_limit(project: &Project, of_wind: Option<f64>, drift: Option<f64>) -> Option<f64> {
     let allowed = project.drift_limit.as_ref().map(DriftLimit::ratio);
     let passed = allowed.filter(|allowed| drift.is_some_and(|drift| drift > *allowed));
@@ -61,7 +61,7 @@ fn in_wind(
     })
 }
 
-/// Least and most of an outline across the wind along x (0) or y (1), m.
+/// Smallest and largest coordinates of an outline across the wind along x (0) or y (1), m.
 fn extent_m(outline: Option<&Outline>, axis: usize) -> [f64; 2] {
     let corners = outline.iter().flat_map(|outline| outline.corners_m());
     let across = corners.map(|corner| corner[1 - axis]);
@@ -70,7 +70,7 @@ fn extent_m(outline: Option<&Outline>, axis: usize) -> [f64; 2] {
     })
 }
 
-/// What meets the floors: each takes half the storey below it and half the storey above it.
+/// The wind on each floor, from half the storey below it and half the storey above it.
 pub(crate) fn face(
     building: &Building,
     wind: &Wind,
@@ -100,7 +100,7 @@ pub(crate) fn face(
     })
 }
 
-/// What a force on each floor along x (0) or y (1) does, acting off the middle of the breadth by this part of it.
+/// Load of a force on each floor along x (0) or y (1), at this fraction of the breadth off its middle.
 pub(crate) fn columns(building: &Building, axis: usize, eccentricity: f64) -> Vec<Vec<f64>> {
     let each = building.floors().iter().enumerate();
     let column = |(i, floor): (usize, &dolmen::structure::building::Floor)| {
@@ -116,7 +116,7 @@ pub(crate) fn columns(building: &Building, axis: usize, eccentricity: f64) -> Ve
     each.map(column).collect()
 }
 
-/// A building and the wind that blows on it.
+/// A building and the wind on it.
 pub(crate) struct Blown<'a> {
     building: &'a Building,
     pub(crate) structure: LinearSystem,
@@ -150,7 +150,7 @@ impl<'a> Blown<'a> {
         })
     }
 
-    /// What meets the floors along x, 0, or y, 1.
+    /// The wind on the floors along x, 0, or y, 1.
     pub(crate) fn face(&self, axis: usize) -> Result<GustFace, DamperError> {
         face(
             self.building,
@@ -160,7 +160,7 @@ impl<'a> Blown<'a> {
         )
     }
 
-    /// What a force on each floor does: at the middle of the breadth, then off it to either side.
+    /// Loads of a force on each floor: at the middle of the breadth, then off it to either side.
     pub(crate) fn columns(&self, axis: usize) -> Vec<Vec<Vec<f64>>> {
         let offsets = match self.eccentricity > 0.0 {
             true => vec![0.0, self.eccentricity, -self.eccentricity],

@@ -1,4 +1,4 @@
-//! What the wind of the file makes of a building.
+//! The response of a building to the wind of the file.
 
 use super::simulation::BeyondRoom;
 use dolmen::damper::GustPeak;
@@ -14,11 +14,11 @@ pub const WIND_DURATION_S: f64 = 600.0;
 pub struct BuildingWind {
     /// The spectrum of its gusts.
     pub spectrum: TurbulenceSpectrum,
-    /// How far off the middle of the breadth it acts, over the breadth, either side.
+    /// Distance of the force from the middle of the breadth, over the breadth, to either side.
     pub eccentricity: f64,
-    /// Largest peak acceleration of the top floor that is allowed, m/s².
+    /// Largest peak acceleration of the top floor allowed, m/s².
     pub acceleration_limit_m_s2: Option<f64>,
-    /// Largest drift of a storey that is allowed, over its height.
+    /// Largest drift of a storey allowed, over its height.
     pub drift_limit: Option<f64>,
     /// Along x, along y.
     pub along: [WindAlong; 2],
@@ -27,7 +27,7 @@ pub struct BuildingWind {
 /// The wind from one side.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WindAlong {
-    /// What meets each floor, lowest first.
+    /// The wind on each floor, lowest first.
     pub met: Vec<FloorMet>,
     /// Without dampers.
     pub without: WindMotion,
@@ -35,10 +35,10 @@ pub struct WindAlong {
     pub with: Option<WindMotion>,
 }
 
-/// The wind that meets a floor.
+/// The wind on a floor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FloorMet {
-    /// Height of the middle of what the floor takes, m.
+    /// Height of the middle of the floor's share of the face, m.
     pub height_m: f64,
     /// The wind there.
     pub wind: Turbulence,
@@ -48,7 +48,7 @@ pub struct FloorMet {
     pub mean_force_n: f64,
 }
 
-/// How the building moves in the wind from one side.
+/// The motion of the building in the wind from one side.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WindMotion {
     /// Each floor, lowest first.
@@ -59,7 +59,7 @@ pub struct WindMotion {
     pub base_torque_n_m: GustPeak,
     /// Stroke of each damper, m, then of the liquids of columns on springs: the worst of both eccentricities.
     pub strokes_m: Vec<GustPeak>,
-    /// Frequencies of the integral.
+    /// Number of frequencies of the integral.
     pub frequencies: usize,
 }
 
@@ -81,7 +81,7 @@ pub struct FloorInWind {
 }
 
 impl BuildingWind {
-    /// With the dampers if there are any, else without.
+    /// With the dampers if there are any, otherwise without.
     pub fn motions(&self) -> [&WindMotion; 2] {
         self.along.each_ref().map(WindAlong::as_it_is)
     }
@@ -98,7 +98,7 @@ impl BuildingWind {
         }
     }
 
-    /// The largest peak acceleration of the top floor, m/s², and the wind it is under, 0 along x and 1 along y.
+    /// The largest peak acceleration of the top floor, m/s², and its wind, 0 along x and 1 along y.
     pub fn top_acceleration(&self) -> Option<(usize, GustPeak)> {
         let each = self.motions().into_iter().enumerate();
         let tops = each.filter_map(|(axis, motion)| Some((axis, motion.floors.last()?.corner_m_s2)));

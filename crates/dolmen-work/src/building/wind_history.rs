@@ -13,24 +13,24 @@ use dolmen::structure::wind::{GustDraw, GustTimes};
 use dolmen_project::{BuildingPart, Quantity};
 use std::ops::Range;
 
-/// Histories of each wind where nobody said how many: their mean peak is then known to a third of its scatter. Our choice.
+/// Default number of histories of each wind: they give the mean peak to a third of its scatter. Our choice.
 const REPEATS: usize = 10;
-/// Longest step that is taken where none is given, s. Our choice.
+/// Longest default step, s. Our choice.
 const STEP_MOST_S: f64 = 0.02;
-/// Steps of a period of the lowest mode at least: lines, which reach a quarter of the rate of samples, reach eight times its frequency. Our choice.
+/// Fewest steps in a period of the lowest mode: spectral lines reach a quarter of the sampling rate, so eight times its frequency. Our choice.
 const STEPS_A_PERIOD: f64 = 32.0;
-/// Steps of a period of the third mode at least, the last that sways or twists without a node: lines reach twice its frequency. Our choice.
+/// Fewest steps in a period of the third mode, the last that sways or twists without a node: lines reach twice its frequency. Our choice.
 const STEPS_A_THIRD_PERIOD: f64 = 8.0;
 
-/// How the wind blows.
+/// Options of the histories.
 pub(crate) struct WindOptions {
     /// Length of each history, s; the ten minutes of the mean without it.
     pub(crate) duration_s: Option<f64>,
-    /// Between samples, s.
+    /// Time between samples, s.
     pub(crate) step_s: Option<f64>,
     /// Seed of the first history.
     pub(crate) seed: u64,
-    /// Histories of each wind.
+    /// Number of histories of each wind.
     pub(crate) repeats: Option<usize>,
 }
 
@@ -87,7 +87,7 @@ pub(crate) fn simulate_wind(
     Ok(Some(run))
 }
 
-/// The longest step with which gusts reach the modes that they move, s, and the frequency of the one that decides, Hz.
+/// The longest step with which gusts reach the modes that they excite, s, and the frequency of the governing mode, Hz.
 fn step_most(frequencies_hz: impl Iterator<Item = f64>) -> (f64, f64) {
     let mut all: Vec<f64> = frequencies_hz.collect();
     all.sort_by(f64::total_cmp);

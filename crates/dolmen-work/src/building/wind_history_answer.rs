@@ -1,4 +1,4 @@
-//! A building in histories of the wind of its file, beside the mean square.
+//! A building in histories of the wind of its file, compared with the mean square.
 
 use super::simulation::BeyondRoom;
 use super::wind_answer::WIND_DURATION_S;
@@ -7,7 +7,7 @@ use dolmen::numeric::variance;
 use dolmen::structure::Building;
 use dolmen_project::{BuiltDamper, Names, strokes_of};
 
-/// What `dolmen simulate --wind` found.
+/// Results of `dolmen simulate --wind`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WindSimulation {
     /// The project file, as the user named it.
@@ -24,17 +24,17 @@ pub struct WindSimulation {
     pub building: Building,
     /// Its dampers.
     pub dampers: Vec<BuiltDamper>,
-    /// Largest peak acceleration of the top floor that is allowed, m/s².
+    /// Largest peak acceleration of the top floor allowed, m/s².
     pub acceleration_limit_m_s2: Option<f64>,
-    /// Largest drift of a storey that is allowed, over its height.
+    /// Largest drift of a storey allowed, over its height.
     pub drift_limit: Option<f64>,
-    /// How far off the middle of the breadth the wind acts, over the breadth, either side.
+    /// Distance of the force from the middle of the breadth, over the breadth, to either side.
     pub eccentricity: f64,
     /// Length of each history, s.
     pub duration_s: f64,
-    /// Between samples, s.
+    /// Time between samples, s.
     pub time_step_s: f64,
-    /// After which each history would repeat, s.
+    /// Period after which each history would repeat, s.
     pub period_s: f64,
     /// Seed of each history.
     pub seeds: Vec<u64>,
@@ -45,7 +45,7 @@ pub struct WindSimulation {
 /// Histories of the wind from one side.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HistoriesAlong {
-    /// Breadth across the wind, the mean of what meets the floors, m.
+    /// Mean breadth of the floors across the wind, m.
     pub breadth_m: f64,
     /// Without dampers.
     pub without: MotionInTime,
@@ -53,7 +53,7 @@ pub struct HistoriesAlong {
     pub with: Option<MotionInTime>,
 }
 
-/// How the building moves in histories of the wind from one side.
+/// Motion of the building in histories of the wind from one side.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MotionInTime {
     /// Displacement of the top floor along the wind, m.
@@ -72,17 +72,17 @@ pub struct MotionInTime {
     pub strokes_m: Vec<InTime>,
 }
 
-/// A value in histories of the wind. Of several rows, as of both edges and each eccentricity, that whose peak is the largest in the mean of the
-/// histories.
+/// A quantity in histories of the wind. Of several rows, such as those of both edges and each eccentricity, it is the one with the largest mean
+/// peak.
 #[derive(Clone, Debug, PartialEq)]
 pub struct InTime {
-    /// By the mean square, the worst of the same rows.
+    /// The same by the mean square, the worst of these rows.
     pub mean_square: GustPeak,
-    /// Mean that goes with the histories.
+    /// Mean of the histories.
     pub mean: f64,
-    /// Standard deviation about that mean, of all histories together.
+    /// Standard deviation about that mean, over all histories.
     pub rms: f64,
-    /// Largest size in each history.
+    /// Largest absolute value in each history.
     pub peaks: Vec<f64>,
     /// The first history.
     pub first: Vec<f64>,
@@ -94,7 +94,7 @@ impl InTime {
         self.peaks.iter().sum::<f64>() / self.peaks.len().max(1) as f64
     }
 
-    /// What is judged: that mean, or the peak by the mean square where it is larger.
+    /// The value compared with limits: the mean of the peaks, or the peak by the mean square if that is larger.
     pub fn judged(&self) -> f64 {
         self.peak().max(self.mean_square.peak())
     }
@@ -104,7 +104,7 @@ impl InTime {
         variance(&self.peaks).ok().map(f64::sqrt)
     }
 
-    /// How many histories go beyond a limit.
+    /// Number of histories beyond a limit.
     pub fn beyond(&self, limit: f64) -> usize {
         self.peaks.iter().filter(|peak| **peak > limit).count()
     }
@@ -116,19 +116,19 @@ impl InTime {
 }
 
 impl HistoriesAlong {
-    /// With the dampers if there are any, else without.
+    /// With the dampers if there are any, otherwise without.
     pub fn as_it_is(&self) -> &MotionInTime {
         self.with.as_ref().unwrap_or(&self.without)
     }
 }
 
 impl WindSimulation {
-    /// With the dampers if there are any, else without: the wind along x, along y.
+    /// With the dampers if there are any, otherwise without: the wind along x, along y.
     pub fn motions(&self) -> [&MotionInTime; 2] {
         self.along.each_ref().map(HistoriesAlong::as_it_is)
     }
 
-    /// The largest peak acceleration of the top floor in the mean of the histories, and the wind it is under, 0 along x and 1 along y.
+    /// The largest peak acceleration of the top floor, in the mean over the histories, and its wind, 0 along x and 1 along y.
     pub fn top_acceleration(&self) -> (usize, &InTime) {
         let [x, y] = self.motions().map(|motion| &motion.corner_m_s2);
         if x.peak() >= y.peak() { (0, x) } else { (1, y) }
@@ -139,23 +139,23 @@ impl WindSimulation {
         self.drift_by(InTime::peak)
     }
 
-    /// The acceleration of the top floor that is judged, m/s².
+    /// The acceleration of the top floor for the comparison with its limit, m/s².
     pub fn judged_acceleration_m_s2(&self) -> f64 {
         let [x, y] = self.motions().map(|motion| motion.corner_m_s2.judged());
         x.max(y)
     }
 
-    /// The drift that is judged: the largest over its height.
+    /// The drift for the comparison with its limit: the largest over its height.
     pub fn judged_drift(&self) -> Option<DriftInTime> {
         self.drift_by(InTime::judged)
     }
 
-    /// Each stroke that is judged, m.
+    /// Each stroke for the comparison with its room, m.
     pub fn judged_strokes_m(&self) -> Vec<f64> {
         self.strokes_by(InTime::judged)
     }
 
-    /// Dampers that need more room, in the mean of the histories or by the mean square, than they have.
+    /// Dampers whose stroke, in the mean over the histories or by the mean square, exceeds their room.
     pub fn beyond_room(&self) -> Vec<BeyondRoom> {
         BeyondRoom::of(&self.dampers, self.judged_strokes_m().into_iter())
     }
@@ -179,7 +179,7 @@ impl WindSimulation {
         found.collect()
     }
 
-    /// Whether a history is as long as the wind that its limits are of.
+    /// Whether a history is at least as long as the time for which the limits hold.
     pub fn is_as_long_as_its_wind(&self) -> bool {
         self.duration_s >= WIND_DURATION_S
     }
@@ -209,11 +209,11 @@ impl WindSimulation {
 pub struct Struck {
     /// Its stroke.
     pub name: String,
-    /// In how many histories.
+    /// Number of these histories.
     pub histories: usize,
-    /// Its largest stroke of all, m.
+    /// Its largest stroke in all histories, m.
     pub largest_m: f64,
-    /// The room that it has, m.
+    /// Its room, m.
     pub room_m: f64,
 }
 

@@ -1,5 +1,5 @@
-//! What is wanted of a building in the wind from one side, each as the rows of which the worst counts: the same for means and mean squares and
-//! for histories.
+//! Quantities of a building in the wind from one side, each as the rows of which the worst counts; the same for means and mean squares and for
+//! histories.
 
 use crate::error::WorkError;
 use dolmen::damper::{GustMotion, GustPeak, GustQuantity, GustRow};
@@ -33,7 +33,7 @@ pub(crate) struct FloorRows {
 }
 
 impl WindRows {
-    /// Of a building in the wind along x, 0, or y, 1; `all` is its motion, one a case.
+    /// The rows for the wind along x, 0, or y, 1; `all` is the motion in each case.
     pub(crate) fn of(building: &Building, axis: usize, all: &[GustMotion]) -> Result<Self, WorkError> {
         let [shear_x, shear_y, torque] = building.base_rows();
         let floors = (0..building.floors().len()).map(|i| FloorRows::of(building, (i, axis), all));
@@ -94,7 +94,7 @@ fn accelerated(case: usize, row: Vec<f64>) -> GustRow {
     }
 }
 
-/// Of rows, that with the largest peak by the mean square.
+/// The row with the largest peak by the mean square.
 pub(crate) fn worst(all: &[GustMotion], rows: &[GustRow]) -> GustPeak {
     let peaks = rows.iter().map(|row| all[row.case].of(row));
     largest(peaks)

@@ -1,11 +1,11 @@
-//! Histories of a building in the wind as they come: of each row its peaks and its variance.
+//! Collects histories of a building in the wind: peaks and variance of each row.
 
 use super::wind_history_answer::InTime;
 use super::wind_rows::{WindRows, largest};
 use dolmen::damper::{GustHistory, GustMotion, GustPeak, GustRow};
 use std::ops::Range;
 
-/// The rows of a history, and which is what: of several the worst counts.
+/// The rows of a history by quantity; of several rows the worst counts.
 pub(super) struct Wanted {
     pub(super) rows: Vec<GustRow>,
     pub(super) top_displacement: Range<usize>,
@@ -44,7 +44,7 @@ impl Wanted {
     }
 }
 
-/// One row in all histories so far.
+/// One row over all histories so far.
 struct RowSeen {
     mean_square: GustPeak,
     peaks: Vec<f64>,
@@ -83,12 +83,12 @@ impl RowSeen {
 /// All rows and strokes.
 pub(super) struct Seen {
     rows: Vec<RowSeen>,
-    /// Of each stroke, each case.
+    /// For each stroke, each case.
     strokes: Vec<Vec<RowSeen>>,
 }
 
 impl Seen {
-    /// Before the first history; `all` is the motion by the mean square, one a case.
+    /// State before the first history; `all` is the motion by the mean square in each case.
     pub(super) fn new(rows: &[GustRow], all: &[GustMotion]) -> Self {
         let strokes = all.first().map_or(0, |of| of.strokes.len());
         let stroke = |k: usize| all.iter().map(|of| RowSeen::new(of.strokes[k])).collect();
@@ -101,7 +101,7 @@ impl Seen {
         }
     }
 
-    /// One history more.
+    /// Adds one history.
     pub(super) fn see(&mut self, history: GustHistory) {
         for (row, values) in self.rows.iter_mut().zip(history.values) {
             row.see(values);
@@ -124,7 +124,7 @@ impl Seen {
     }
 }
 
-/// That whose peak is the largest in the mean of the histories, beside the largest by the mean square.
+/// The row with the largest mean peak over the histories, beside the largest by the mean square.
 fn worst(all: &[RowSeen]) -> InTime {
     let found = all.iter().max_by(|a, b| a.peak().total_cmp(&b.peak()));
     InTime {

@@ -1,4 +1,4 @@
-//! A chain of two directions under a combination: the wind from every side, each bed by the moments of both together.
+//! A chain of two directions under a combination: wind from every side, and beds under the moments of both directions.
 
 use super::planes::Model;
 use crate::error::WorkError;
@@ -7,16 +7,16 @@ use dolmen::stability::{ChainUnderLoads, JointHold, JointUnderLoads};
 use dolmen::structure::Chain;
 use dolmen_project::CombinationPart;
 
-/// Directions of the wind, a degree each. Chosen here: the beds of a rectangle are worst along their sides, which are among them.
+/// Number of wind directions, one for each degree. Chosen here: the beds of a rectangle are worst along their sides, which are among them.
 const DEGREES: u32 = 360;
 
-/// Static loads alone and wind alone in one direction; both are linear.
+/// Static loads alone and wind alone in one direction; the response is linear in both.
 struct Parts {
     still: ChainUnderLoads,
     blown: ChainUnderLoads,
 }
 
-/// The wind from the worst side. It pushes with cos φ of its force along and sin φ of that across.
+/// The wind from the worst side φ: cos φ of its force along x and sin φ of that across act together.
 pub(super) fn all_round(
     model: &Model,
     chains: &[Chain],
@@ -49,7 +49,7 @@ pub(super) fn all_round(
         }
         both.push(under);
     }
-    // the beds know both directions together
+    // beds carry both directions together
     let falls = both
         .iter()
         .any(|of| of.factor == Some(0.0) && of.joints.iter().all(|joint| joint.moment_n_m.is_none()));
@@ -88,7 +88,7 @@ fn towards(degrees: u32) -> [f64; 2] {
     }
 }
 
-/// How many times the loads a joint bears; the tilt as it is, its moments added whichever way they act. `None` without a bed.
+/// The factor on the loads that a joint bears; the moments of the tilt are added in the worse direction. `None` without a bed.
 fn factor(parts: &[Parts], holds: &[JointHold], joint: usize, wind: [f64; 2]) -> Option<f64> {
     let JointHold::Bed(bed) = holds[joint] else {
         return None;

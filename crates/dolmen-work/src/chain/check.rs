@@ -8,7 +8,7 @@ use dolmen::stability::{ChainStability, chain_limits, chain_stability};
 use dolmen::structure::lowest_frequency_hz;
 use dolmen_project::{ChainAxis, ChainPart, LoadsPart, Pick, Quantity};
 
-/// What is known of a chain, each input with the value that `pick` chooses.
+/// Checks a chain, with the value of each input that `pick` chooses.
 pub(crate) fn check(part: &ChainPart, loads: &LoadsPart, pick: Pick<'_>) -> Result<ChainCheck, WorkError> {
     let stiffness = part.stiffness_n_m_rad(pick);
     let chain = part.build(pick)?;
@@ -23,7 +23,7 @@ pub(crate) fn check(part: &ChainPart, loads: &LoadsPart, pick: Pick<'_>) -> Resu
     Ok(check)
 }
 
-/// The chain with what its static loads weigh; `None` where they weigh nothing.
+/// The chain with the weights of its static loads; `None` if they weigh nothing.
 fn loaded(part: &ChainPart, loads: &LoadsPart, pick: Pick<'_>) -> Result<Option<LoadedChain>, WorkError> {
     if loads.loads.iter().all(|load| load.weight.is_none()) {
         return Ok(None);
@@ -51,7 +51,7 @@ fn loaded(part: &ChainPart, loads: &LoadsPart, pick: Pick<'_>) -> Result<Option<
     Ok(Some(found))
 }
 
-/// The chain across the direction of motion; `None` where the file gives it nothing of its own there.
+/// The chain across the direction of motion; `None` where the file gives no separate values for it.
 fn across(part: &ChainPart, pick: Pick<'_>) -> Result<Option<ChainAcross>, WorkError> {
     if !part.has_two_axes() {
         return Ok(None);
@@ -67,7 +67,7 @@ fn across(part: &ChainPart, pick: Pick<'_>) -> Result<Option<ChainAcross>, WorkE
     }))
 }
 
-/// The load factor, the least of its directions; `None` unless every joint is known.
+/// The load factor, the smaller of its directions; `None` unless every joint is known.
 pub(crate) fn load_factor(part: &ChainPart, pick: Pick<'_>) -> Result<Option<f64>, WorkError> {
     let mut least: Option<f64> = None;
     for axis in part.axes() {
@@ -75,7 +75,7 @@ pub(crate) fn load_factor(part: &ChainPart, pick: Pick<'_>) -> Result<Option<f64
             return Ok(None);
         };
         let factor = chain_stability(&part.build_towards(*axis, pick)?, &stiffness)?.load_factor;
-        // a factor that is not a number is never hidden
+        // a factor that is not a number must not disappear
         least = Some(match least {
             Some(known) if known <= factor || known.is_nan() => known,
             _ => factor,
@@ -89,17 +89,17 @@ pub(crate) fn equal_joints_n_m_rad(part: &ChainPart, pick: Pick<'_>) -> Result<f
     Ok(chain_limits(&part.build(pick)?)?.equal_joints_n_m_rad)
 }
 
-/// Side of a rectangle over how far its core reaches along it from the centre.
+/// Side of a rectangle over the distance of its core from the centre along that side.
 const CORE: f64 = 6.0;
 
-/// Tilts at which a bed opens, and stands on its edge: the least of all joints.
+/// Tilts at which a bed opens, and at which it stands on its edge: the smallest over all joints.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct UpliftTilt {
     pub(crate) edge: f64,
     pub(crate) opens: f64,
 }
 
-/// Least tilt at which a joint reaches its uplift limit.
+/// Smallest tilt at which a joint reaches its uplift limit.
 pub(crate) fn uplift_tilt(check: &ChainCheck) -> Option<f64> {
     if let Some(loaded) = &check.loaded {
         return loaded.uplift_tilt_rad;
@@ -110,9 +110,9 @@ pub(crate) fn uplift_tilt(check: &ChainCheck) -> Option<f64> {
         .min_by(f64::total_cmp)
 }
 
-/// The same of a chain of two directions towards the side to which it leans, along and across; `None` without a width of any bed, without
-/// stiffness, or if it falls. Beds open where the resultant leaves their core: |e_x|/(b/6) + |e_y|/(w/6) = 1; one of unknown
-/// plan as one that leans along.
+/// The same for a chain of two directions, towards the side to which it leans. `None` without a width of any bed, without stiffness, or if it
+/// falls. Beds open where the resultant leaves their core: |e_x|/(b/6) + |e_y|/(w/6) = 1; a bed of unknown plan counts as if it
+/// leaned along only.
 pub(crate) fn uplift_tilt_towards(
     part: &ChainPart,
     check: &ChainCheck,

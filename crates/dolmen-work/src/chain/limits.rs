@@ -1,4 +1,4 @@
-//! Joints of a chain against the edges of their beds.
+//! Moments in the joints of a chain compared with the limits of their beds.
 
 use super::ChainSimulation;
 use super::loads::AtRest;
@@ -28,8 +28,8 @@ fn at_edge(link: String, moment_n_m: f64, most_n_m: Option<f64>, taken_n_m: f64)
     }
 }
 
-/// The elastic moments by the spectrum of the site, against what the tilt as surveyed and static loads leave of each bed. A joint that is
-/// held has no limit.
+/// The elastic moments under the spectrum of the site, compared with the part of each bed's limit that the surveyed tilt and static loads leave.
+/// A held joint has no limit.
 pub(crate) fn by_spectrum(
     part: &ChainPart,
     at_rest: &[AtRest],
@@ -52,8 +52,8 @@ pub(crate) fn by_spectrum(
     }
 }
 
-/// The moments of the joints by the spectrum of the site: those on the springs; with dry friction also those while every joint sticks and the
-/// whole moves with the ground, the larger of both. `None` if it falls.
+/// The moments in the joints under the spectrum of the site, from the springs. With dry friction also those of the chain with every joint stuck,
+/// moving with the ground; the larger counts. `None` if it falls.
 fn moments_of(
     part: &ChainPart,
     (chain, stiffness): (&Chain, &[f64]),
@@ -81,7 +81,7 @@ fn rubs(part: &ChainPart) -> bool {
     part.joints.iter().flatten().any(|joint| joint.friction.is_some())
 }
 
-/// What the vertical acceleration of the site leaves of the weight on a bed, all of it at the worst moment, as of a stack; 1 without any.
+/// Fraction of the weight on a bed that the vertical acceleration of the site leaves, fully at the worst moment, as for a stack; 1 without any.
 fn left_of_weight(chain: &Chain, site: &SiteDemand) -> f64 {
     let peak_m_s2 = site.peak_ground_acceleration_m_s2.unwrap_or(0.0);
     let vertical_m_s2 = site.vertical.map_or(0.0, |vertical| vertical.ratio * peak_m_s2);
@@ -112,7 +112,7 @@ fn along_alone(
         .zip(at_rest.under.joints.iter().zip(&at_rest.holds));
     let limited = each.filter(|(_, (_, hold))| **hold != JointHold::Held);
     let parts = limited.map(|((link, moment), (joint, _))| {
-        // which way the loads push and the structure leans is not known to be the same, nor to be another
+        // whether the loads and the lean act in the same direction is unknown
         let loads_n_m = joint.moment_n_m.unwrap_or(joint.rigid_moment_n_m);
         let taken_n_m = joint.tilt_moment_n_m.abs() + loads_n_m.abs();
         at_edge(link, moment, joint.limit_n_m.map(|most| left * most), taken_n_m)
@@ -124,7 +124,7 @@ fn along_alone(
     })
 }
 
-/// The same of a chain of two directions: the ground moves along x, along y, and in whatever direction between asks most of a bed.
+/// The same for a chain of two directions: the ground moves along x, along y, and in the worst direction between for each bed.
 fn by_spectrum_all_round(
     part: &ChainPart,
     at_rest: [&AtRest; 2],
@@ -203,9 +203,9 @@ fn by_spectrum_all_round(
     })
 }
 
-/// Directions of the ground between x and y, a degree each: beds are alike on both sides of their axes. Chosen here.
+/// Directions of the ground between x and y, one for each degree: beds are symmetric about their axes. Chosen here.
 const DEGREES: u32 = 90;
-/// Share by which a direction between must be worse than both sides to be named. Chosen here.
+/// Factor by which a direction between must be worse than both sides to be reported. Chosen here.
 const ROUNDING: f64 = 1e-6;
 
 impl ChainSimulation {
@@ -213,7 +213,7 @@ impl ChainSimulation {
     /// Chosen here, as for storeys.
     pub const SMALL_ROTATION_MOST_RAD: f64 = 0.1;
 
-    /// Each joint against the edge of its bed.
+    /// Each joint compared with the edge of its bed.
     pub fn parts(&self) -> Vec<PartLimit> {
         let each = self.links.iter().zip(self.model.moment_most_n_m()).enumerate();
         each.map(|(joint, (link, most))| {
@@ -226,7 +226,7 @@ impl ChainSimulation {
         .collect()
     }
 
-    /// The link that rotated beyond what the linear equations can tell of, and by how much, rad; `None` for equations of large rotations.
+    /// The link whose rotation is beyond the validity of the linear equations, and its rotation, rad; `None` for equations of large rotations.
     pub fn beyond_small_rotations(&self) -> Option<(usize, f64)> {
         if self.model.rotations() == ChainRotations::Large {
             return None;

@@ -12,7 +12,7 @@ use dolmen::structure::wind::WindError;
 use dolmen::structure::{Chain, lowest_frequency_hz};
 use dolmen_project::{ChainAxis, ChainPart, CombinationPart, LoadsPart, Pick};
 
-/// What loads beside the weight do to a chain; `None` if there are none.
+/// The response of a chain to loads besides its weight; `None` without such loads.
 pub(crate) fn loads(
     part: &ChainPart,
     given: &LoadsPart,
@@ -79,19 +79,19 @@ pub(crate) fn loads(
     Ok(Some(answer))
 }
 
-/// A chain at rest, leaning as surveyed under its weight and static loads, before it is shaken in a direction.
+/// A chain at rest, leaning as surveyed under its weight and static loads, before a motion in one direction.
 pub(crate) struct AtRest {
     /// The direction.
     pub(crate) axis: ChainAxis,
     /// With the weight of the loads.
     pub(crate) chain: Chain,
-    /// What holds each joint, the widths of the beds along.
+    /// Properties of the joints, with the widths of the beds along the direction.
     pub(crate) holds: Vec<JointHold>,
     /// Moments of the tilt and of the loads, and the limit of each joint.
     pub(crate) under: ChainUnderLoads,
 }
 
-/// The chain at rest in each of its directions, each load as it is.
+/// The chain at rest in each of its directions, under the loads as given.
 pub(crate) fn at_rest(
     part: &ChainPart,
     given: &LoadsPart,

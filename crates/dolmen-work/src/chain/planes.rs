@@ -1,4 +1,4 @@
-//! A chain in each of its directions, with the static loads on it and the wind that meets it.
+//! A chain in each of its directions, with its static loads and the wind on it.
 
 use crate::error::WorkError;
 use crate::loads::{Carried, WindMet};
@@ -10,7 +10,7 @@ use dolmen::stability::{
 use dolmen::structure::{AddedMass, Chain, lowest_frequency_hz};
 use dolmen_project::{ChainAxis, ChainPart, LoadPart, LoadsPart, Pick};
 
-/// What holds each joint.
+/// Properties of the joints.
 fn holds(part: &ChainPart, pick: Pick<'_>) -> Vec<JointHold> {
     let of = |i: usize| {
         let joint = part.joints.as_ref().and_then(|joints| joints.get(i));
@@ -34,7 +34,7 @@ pub(super) struct Acting {
 
 fn acting(load: &LoadPart, chain: &Chain, pick: Pick<'_>) -> Acting {
     let force_n = [&load.force, &load.force_across].map(|force| force.as_ref().map_or(0.0, &mut *pick));
-    // the moment turns the way the force pushes
+    // the moment acts in the direction of the force
     let size = force_n[0].hypot(force_n[1]);
     let share = match load.force_across.is_some() && size > 0.0 {
         true => force_n.map(|force_n| force_n / size),
@@ -50,11 +50,11 @@ fn acting(load: &LoadPart, chain: &Chain, pick: Pick<'_>) -> Acting {
     }
 }
 
-/// What does not depend on the combination.
+/// Data that do not depend on the combination.
 pub(super) struct Model {
-    /// Along, and across where the chain has something of its own there.
+    /// Along, and across where the chain has separate values there.
     pub(super) planes: Vec<Plane>,
-    /// What holds each joint, the widths of the beds along.
+    /// Properties of the joints, with the widths of the beds along.
     pub(super) holds: Vec<JointHold>,
     pub(super) loads: Vec<Acting>,
 }
@@ -101,7 +101,7 @@ impl Model {
         })
     }
 
-    /// With what its loads weigh, which swings too: the least of its directions.
+    /// Load factor with the weights of the loads, which move as well: the smaller of the directions.
     pub(super) fn carried(&self, weight_n: f64) -> Result<Option<Carried>, WorkError> {
         let mut all = Vec::new();
         for plane in &self.planes {
@@ -122,7 +122,7 @@ impl Model {
 }
 
 impl Plane {
-    /// Its lowest frequency with what the loads weigh, Hz; `None` where it falls or no stiffness is known.
+    /// Lowest frequency with the weights of the loads, Hz; `None` where the chain falls or no stiffness is known.
     pub(super) fn heavy_frequency_hz(&self, loads: &[Acting]) -> Result<Option<f64>, WorkError> {
         let Some(stiffness) = &self.stiffness else {
             return Ok(None);
@@ -131,7 +131,7 @@ impl Plane {
         Ok(lowest_frequency_hz(&heavy.natural_modes(stiffness)?))
     }
 
-    /// Under factors on static loads and on the wind in this direction.
+    /// The chain under factors on static loads and on the wind in this direction.
     pub(super) fn under(
         &self,
         chain: &Chain,
@@ -174,7 +174,7 @@ impl Plane {
     }
 }
 
-/// A bed as motion in a direction meets it.
+/// A bed as seen by motion in one direction.
 fn hold_towards(hold: JointHold, axis: ChainAxis) -> JointHold {
     match (hold, axis) {
         (JointHold::Bed(bed), ChainAxis::Across) => JointHold::Bed(bed.across()),
@@ -182,7 +182,7 @@ fn hold_towards(hold: JointHold, axis: ChainAxis) -> JointHold {
     }
 }
 
-/// The chain with a factor on its weight, and, with another, the weight that static loads add in their place.
+/// The chain with a factor on its own weight, and another on the weights of static loads.
 pub(super) fn weighted(
     chain: &Chain,
     loads: &[Acting],

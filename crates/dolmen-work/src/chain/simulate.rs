@@ -18,12 +18,12 @@ use dolmen::dynamics::{
 use dolmen::signal::Component;
 use dolmen_project::{ChainAxis, ChainPart, LoadsPart, Quantity};
 
-/// Length of a run that begins with a push alone, s: a pole of 0.3 Hz swings twenty times. Chosen here.
+/// Length of a run with a push alone, s: twenty periods of a pole of 0.3 Hz. Chosen here.
 const PUSHED_S: f64 = 60.0;
-/// Largest push, rad: a chain that leans more is set up wrongly.
+/// Largest push, rad: a chain that leans more is a mistake in the input.
 const PUSH_MOST_RAD: f64 = 0.5;
 
-/// How a chain is run.
+/// Options of a run.
 pub(crate) struct ChainOptions {
     pub(crate) push_rad: f64,
     pub(crate) rotations: ChainRotations,
@@ -34,10 +34,10 @@ pub(crate) struct ChainOptions {
 /// A direction of a chain and the component of the motion that acts in it; `None` on a still ground.
 type Acting = (ChainAxis, Option<Component>);
 
-/// The runs: one, or of a chain of two directions one in each, and so under two components.
+/// The runs: one, or for a chain of two directions one in each, also under two components.
 ///
 /// # Errors
-/// Too large a push, nothing that moves it, unknown joints, two components on joints that do not take them apart.
+/// A push that is too large, no push and no motion, unknown joints, two components on joints that couple them.
 pub(crate) fn simulate(
     version: &Version<'_>,
     part: &ChainPart,
@@ -84,8 +84,8 @@ pub(crate) fn simulate(
     Ok(runs)
 }
 
-/// What acts in which direction. The planes are apart where joints are linear, or open at the edges of rectangular beds: the resultant is within
-/// the bed if it is so along and across.
+/// The load in each direction. The directions are independent where joints are linear or open at the edges of rectangular beds: the resultant
+/// lies within the bed if it does along and across.
 fn acting(part: &ChainPart, motion: Option<&MotionAnswer>) -> Result<Vec<Acting>, WorkError> {
     let each =
         |component: Option<Component>| part.axes().iter().map(move |axis| (*axis, component)).collect();
@@ -104,7 +104,7 @@ fn acting(part: &ChainPart, motion: Option<&MotionAnswer>) -> Result<Vec<Acting>
     ])
 }
 
-/// Why the first joint that does not take two components apart does not.
+/// Why the first joint that couples two components does so.
 pub(super) fn one_plane_only(part: &ChainPart) -> Option<WorkError> {
     let mut joints = part.joints.iter().flatten().enumerate();
     joints.find_map(|(i, joint)| {
@@ -199,7 +199,7 @@ fn carried_n(loads: &LoadsPart) -> f64 {
     weights.map(|weight| weight.value).sum()
 }
 
-/// Where a run begins: at rest as the chain leans, or, where it does not come to rest so, as it leans.
+/// Initial state of a run: at rest in the leaning shape, or, where no such state exists, the leaning shape itself.
 pub(super) fn start_rotation_rad(model: &ChainModel) -> Result<Vec<f64>, DynamicsError> {
     let leaning = vec![model.lean_rad(); model.joints().len()];
     Ok(chain_at_rest(model)?.unwrap_or(leaning))

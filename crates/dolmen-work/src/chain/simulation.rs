@@ -1,4 +1,4 @@
-//! What `dolmen simulate` found of a chain, with what went in.
+//! The simulation of a chain, with its input.
 
 use crate::motion::MotionAnswer;
 use crate::tilt_left_out::TiltLeftOut;
@@ -17,9 +17,9 @@ pub struct SupportMet {
     pub support: SideSupport,
     /// Largest displacement at it, and its force there.
     pub peak: ChainSupportPeak,
-    /// How often it was met.
+    /// Number of contacts.
     pub times: usize,
-    /// When first, s; `None` if it was not.
+    /// Time of the first contact, s; `None` without one.
     pub first_s: Option<f64>,
 }
 

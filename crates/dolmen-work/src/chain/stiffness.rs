@@ -7,7 +7,8 @@ use dolmen::stability::chain_stability;
 use dolmen::structure::{ChainStiffness, chain_stiffness};
 use dolmen_project::{ChainPart, Quantity};
 
-/// Every stiffness that explains the modes with what hangs on the chain, of a chain of two directions in that of the modes.
+/// Every stiffness that explains the modes, with the weights of the loads on the chain; for a chain of two directions in the direction of the
+/// modes.
 pub(crate) fn stiffness(
     part: &ChainPart,
     measured: &MeasuredDirection<'_>,

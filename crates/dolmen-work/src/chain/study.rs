@@ -15,7 +15,7 @@ use dolmen::signal::{Component, GroundMotion};
 use dolmen_project::{ChainPart, LoadsPart, Pick, StudyPart};
 use dolmen_words::message::Both;
 
-/// Time between the samples that a run is judged by, s.
+/// Time between the samples that decide a run, s.
 const SAMPLE_S: f64 = 0.02;
 
 /// A chain that can move, with the names of its links.
@@ -24,12 +24,12 @@ pub(crate) struct MovingChain {
     pub(crate) chain: ChainModel,
     /// Across, of a chain of two directions.
     across: Option<ChainModel>,
-    /// The joint that does not take two components apart, and why.
+    /// The joint that couples two components, and why.
     one_plane: Option<WorkError>,
     pub(crate) links: Vec<String>,
 }
 
-/// The chain of a study, or why it cannot be.
+/// The chain of a study, or why it is refused.
 pub(crate) fn model(part: &ChainPart, loads: &LoadsPart, pick: Pick<'_>) -> Result<MovingChain, Both> {
     let mut planes = Vec::new();
     for axis in part.axes() {
@@ -54,8 +54,8 @@ pub(crate) fn model(part: &ChainPart, loads: &LoadsPart, pick: Pick<'_>) -> Resu
     })
 }
 
-/// Runs a chain; `None` if it was stopped. A chain of two directions meets the component x along and y across; where the motion has one
-/// component, it meets it in each by itself, and the worse run counts.
+/// Runs a chain; `None` if it was stopped. In a chain of two directions the component x acts along and y across. A motion with one component
+/// acts in each direction separately, and the worse run counts.
 pub(crate) fn row(
     study: &StudyPart,
     run: Run,
@@ -65,7 +65,7 @@ pub(crate) fn row(
     row_and_rest(study, run, model, acting).map(|(run, _)| run)
 }
 
-/// The same with how it ended.
+/// The same, with the end of the run.
 pub(crate) fn row_and_rest(
     study: &StudyPart,
     run: Run,
@@ -109,7 +109,7 @@ pub(crate) fn row_and_rest(
     Some((joined(worse, &better, together), rest))
 }
 
-/// What decides between two directions: a fall, of two the sooner; then what is not decided; then beds that opened.
+/// Order of two directions: a fall first, the sooner of two; then no verdict; then opened beds.
 fn severity(run: &Run) -> (u8, f64) {
     let rank = match run.outcome {
         RunOutcome::Fell => 4,
@@ -154,7 +154,7 @@ fn joined(worse: Run, better: &Run, together: Option<ChainTogether>) -> Run {
     }
 }
 
-/// One plane, with its history; `None` if it was stopped.
+/// One direction, with its history; `None` if it was stopped.
 fn row_in_plane(
     study: &StudyPart,
     mut run: Run,

@@ -5,7 +5,7 @@ use dolmen::structure::Chain;
 use dolmen::structure::wind::{WindBody, WindError};
 use dolmen_project::{ChainAxis, ChainPart, Pick, WindArea, WindGiven};
 
-/// The wind on each link, blowing in a direction of the chain.
+/// The wind on each link, along one direction of the chain.
 pub(super) fn wind_met(
     part: &ChainPart,
     (wind, axis): (&WindGiven, ChainAxis),
@@ -45,7 +45,7 @@ pub(super) fn wind_met(
         };
         let replaced = |area: &&WindArea| area.part == i && area.height.is_none();
         let mut replacing = wind.areas.iter().filter(replaced).peekable();
-        // areas in the place of the link's own may have coefficients of their own
+        // areas that replace that of the link may have their own coefficients
         let effective_m2 = match replacing.peek().is_some() {
             true => replacing
                 .map(|area| {

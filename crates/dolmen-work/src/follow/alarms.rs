@@ -1,20 +1,20 @@
-//! What somebody must be called for.
+//! Alarms that need a person.
 
 use crate::survey_dates::day_of_a_record;
 use crate::watched::WatchAnswer;
 use std::collections::BTreeSet;
 
-/// Of what sort an alarm is.
+/// Kind of an alarm.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, serde::Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum AlarmSort {
-    /// A frequency left what earlier surveys predict.
+    /// A frequency is outside the prediction from earlier surveys.
     Structure,
     /// An earthquake was recorded.
     Earthquake,
-    /// It leans beyond its limit.
+    /// The tilt exceeds its limit.
     Tilt,
-    /// A crack, logged or inspected, or other inspected damage is larger than it may be.
+    /// A crack, logged or inspected, or another inspected damage exceeds its limit.
     Crack,
     /// A sensor failed.
     Sensor,
@@ -33,33 +33,34 @@ impl AlarmSort {
     }
 }
 
-/// An alarm that nobody has answered.
+/// An open alarm.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, serde::Serialize)]
 pub struct OpenAlarm {
-    /// Of what sort.
+    /// Its kind.
     pub sort: AlarmSort,
-    /// The day that confirmed it; the last survey, of a tilt or crack.
+    /// The day that confirmed it; for a tilt or crack the last survey.
     pub date: String,
-    /// What tells it from every other alarm of the structure.
+    /// Its key among the alarms of the structure.
     pub key: String,
 }
 
 impl OpenAlarm {
-    /// Whether somebody must look at the structure, not at a sensor.
+    /// Whether the structure needs an inspection, not only a sensor.
     pub fn is_of_structure(&self) -> bool {
         self.sort != AlarmSort::Sensor
     }
 }
 
 impl WatchAnswer {
-    /// How many alarms of the structure nobody has answered: those of [`open_alarms`], sensors passed over.
+    /// Number of open alarms of the structure: [`open_alarms`] without those of sensors.
     pub fn open_alarms(&self) -> usize {
         let all = open_alarms(self);
         all.iter().filter(|alarm| alarm.is_of_structure()).count()
     }
 }
 
-/// The alarms that nobody has answered: one for each day on which frequencies confirmed any, one for each earthquake, and one each for a tilt and a crack beyond its limit, until a work or
+/// The open alarms: one for each day that confirmed changes of frequencies, one for each earthquake, and one each for a tilt and a crack beyond
+/// its limit, until the file has a later work or inspection; and one for each failing sensor.
 /// an inspection is entered; one for each sensor that fails.
 pub fn open_alarms(answer: &WatchAnswer) -> Vec<OpenAlarm> {
     let name = |survey: usize| answer.surveys.get(survey).map(|survey| survey.name.as_str());

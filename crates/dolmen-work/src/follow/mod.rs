@@ -1,4 +1,4 @@
-//! Records of a structure as they come: when each was taken, the survey that is made of it, and what the history says of it.
+//! Records of a watched folder: their time, the survey made of each, and its place in the history.
 
 mod alarms;
 mod taken;

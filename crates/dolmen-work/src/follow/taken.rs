@@ -1,4 +1,4 @@
-//! A record that came by itself: read as the latest survey of its project says, and identified.
+//! A record of a watched folder: read with the settings of the project's latest survey, and identified.
 
 use super::when::{RecordTime, record_time};
 use crate::air::air_temperature_c;
@@ -17,22 +17,22 @@ use dolmen_records::{FileError, Files, Log};
 use dolmen_words::message::Both;
 use std::sync::Arc;
 
-/// The folder of a project in which records that came by themselves lie once it is exported.
+/// Folder for records of a watched folder in an exported project.
 const FOLDER: &str = "followed";
-/// Most letters of an ending of a file that is kept.
+/// Longest file ending that is kept, in letters.
 const ENDING_MOST: usize = 8;
 
-/// The survey whose settings records that come have.
+/// The survey whose settings apply to such records.
 #[derive(Clone, Debug)]
 pub struct Pattern {
     opened: Opened,
     survey: String,
 }
 
-/// A file that came.
+/// A file of the watched folder.
 #[derive(Clone, Debug)]
 pub struct RecordFile<'a> {
-    /// What it is called.
+    /// Its name.
     pub name: &'a str,
     /// Its bytes.
     pub bytes: &'a [u8],
@@ -40,22 +40,22 @@ pub struct RecordFile<'a> {
     pub modified_s: f64,
 }
 
-/// What a record gave.
+/// Results of a record.
 #[derive(Debug)]
 pub struct Taken {
-    /// When it was taken.
+    /// Its time.
     pub time: RecordTime,
-    /// How long it is, s.
+    /// Its length, s.
     pub duration_s: f64,
-    /// What was seen wrong with its channels.
+    /// Faults of its channels.
     pub faults: Vec<ChannelFault>,
-    /// What its sensors say against each other.
+    /// Contradictions between its sensors.
     pub doubts: Vec<SensorDoubt>,
-    /// Channels that were left out, since nothing is identified with them.
+    /// Channels left out because of their faults.
     pub left_out: Vec<String>,
-    /// The earthquake that it holds; its modes are then none of an ambient survey, and none are kept.
+    /// The earthquake in it. Its modes then do not count as those of an ambient survey and are not stored.
     pub earthquake: Option<Earthquake>,
-    /// Strong shaking that it holds, which may have been traffic; its modes are those of the rest of the record.
+    /// Strong shaking in it, perhaps traffic; its modes are those of the rest of the record.
     pub shaking: Option<Earthquake>,
     /// Its modes, or why there are none.
     pub modes: Result<Modes, WorkError>,
@@ -63,20 +63,20 @@ pub struct Taken {
     ending: Option<String>,
 }
 
-/// A survey that was made of a record.
+/// A survey made from a record.
 #[derive(Clone, Debug)]
 pub struct TakenSurvey {
     /// Its name.
     pub name: String,
-    /// Where its record lies in the folder of the project.
+    /// Path of its record in the folder of the project.
     pub path: String,
-    /// Its table as a project file writes it, to be put behind the text.
+    /// Its table, as text to append to the project file.
     pub own_text: String,
     /// The project with it.
     pub opened: Opened,
 }
 
-/// One file, as it is called.
+/// Source of a single file by its name.
 struct OneFile<'a> {
     name: &'a str,
     bytes: &'a [u8],
@@ -98,7 +98,7 @@ impl Files for OneFile<'_> {
 }
 
 impl Pattern {
-    /// The latest survey of a project with its record in one file: by date, else the last in the file.
+    /// The latest survey of a project with its record in one file: by date, otherwise the last in the file.
     ///
     /// # Errors
     /// [`WorkError::NoneToFollow`].
@@ -131,7 +131,7 @@ impl Pattern {
         &self.opened
     }
 
-    /// The project with a survey of its own settings; and the text of that survey.
+    /// The project with a survey under its own settings, and the text of that survey.
     fn with(&self, settings: &LikeSurvey<'_>, files: &dyn Files) -> Result<(Opened, String), WorkError> {
         let own = survey_like(&self.opened.text, &self.survey, settings);
         let own = own.ok_or(WorkError::NoneToFollow)?;
@@ -140,10 +140,11 @@ impl Pattern {
         Ok((opened, own))
     }
 
-    /// Reads a record as the survey's and seeks its modes; `rest` gives the other files of the project, and `now_s` is the clock, s from 1970.
+    /// Reads a record with the settings of the survey and identifies its modes; `rest` gives the other files of the project, and `now_s` the
+    /// clock, s from 1970.
     ///
     /// # Errors
-    /// It cannot be read as those of the survey are. One that gives no modes is no error.
+    /// If the record cannot be read with these settings. A record without modes is no error.
     pub fn take(&self, file: &RecordFile<'_>, rest: &dyn Files, now_s: f64) -> Result<Taken, WorkError> {
         const UNNAMED: &str = "arriving";
         let came_as = plain(file.name);
@@ -158,7 +159,7 @@ impl Pattern {
             };
             self.with(&own, rest)
         };
-        // a file whose ending says nothing is read as the record of the survey is
+        // a file without a known ending is read in the format of the survey's record
         let own = ending(file.name);
         let (opened, ending) = match with(own.as_deref()) {
             Ok((opened, _)) => (opened, own),
@@ -180,7 +181,7 @@ impl Pattern {
         let faults = read.faults.clone();
         let mut found = identify::of_opened(&source, read, &Silent);
         let mut left_out = Vec::new();
-        // a sensor that fails must not blind the others
+        // a failing sensor must not stop the others
         while let Some(failed) = found.as_ref().err().and_then(|why| without(why, &mut source)) {
             left_out.extend(failed);
             found = identify::of_opened(&source, record::record_to_identify(&source, &files)?, &Silent);
@@ -220,7 +221,7 @@ impl Pattern {
         ending(&source.file)
     }
 
-    /// The survey that is made of a record: named for its time, with a number behind it where others of that name are there.
+    /// The survey made from a record: named by its time, with a number after it if the name exists.
     ///
     /// # Errors
     /// The project cannot be read with it.
@@ -272,14 +273,15 @@ impl TakenSurvey {
 }
 
 impl Taken {
-    /// The temperature of the air while it was taken, from a log of that, °C to a tenth: the mean of its time, or of its day where only that is known,
+    /// The air temperature during the record, from a log, °C to a tenth: the mean over its time, or over its day where only that is known,
+    /// otherwise the nearest reading within an hour; `None` without a plausible reading.
     /// else the nearest reading within an hour; `None` where there is none that can be believed.
     pub fn temperature_c(&self, log: &Log) -> Option<f64> {
         let is_moment = self.time.name.contains('T');
         air_temperature_c(log, self.time.at_s, is_moment.then_some(self.duration_s))
     }
 
-    /// Its modes as a store gives them back.
+    /// Its modes in the form in which a store returns them.
     pub fn observed(&self) -> Option<Vec<ObservedMode>> {
         let mut all = ObservedMode::all(self.modes.as_ref().ok()?, 0);
         for point in all.iter_mut().flat_map(|mode| &mut mode.shape) {
@@ -294,7 +296,7 @@ impl Taken {
     }
 }
 
-/// A name without what steers a terminal or breaks a line.
+/// Removes control characters and line breaks from a name.
 fn plain(name: &str) -> String {
     const MOST: usize = 120;
     let steers = |sign: char| {

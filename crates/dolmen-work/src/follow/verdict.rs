@@ -1,42 +1,42 @@
-//! What a history says of the survey that a record became.
+//! The place of a new survey in the history.
 
 use crate::survey_dates::day_of_a_record;
 use crate::watched::WatchAnswer;
 use dolmen::monitoring::{NotJudged, SensorChange};
 
-/// What a history says of a survey: of its day, where several are of one day.
+/// Result for a survey in its history, or for its day if the day has several.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Verdict {
-    /// It confirms an alarm that nobody has answered.
+    /// It confirms an open alarm.
     Alarm {
         /// Frequencies of the modes, Hz.
         frequencies_hz: Vec<f64>,
     },
     /// It holds an earthquake.
     Earthquake,
-    /// A mode is outside of what those before it predict: no alarm yet.
+    /// A mode is outside the prediction: no alarm yet.
     Outside {
-        /// Frequency of the mode that is farthest out, Hz.
+        /// Frequency of the mode farthest outside, Hz.
         frequency_hz: f64,
         /// Its score, 0 as predicted.
         score: f64,
     },
     /// As predicted.
     AsPredicted {
-        /// Modes that were judged.
+        /// Number of modes compared.
         modes: usize,
-        /// The score that is farthest from 0.
+        /// The score farthest from 0.
         score: f64,
     },
-    /// No mode was judged.
+    /// No mode was compared.
     NotJudged(NotJudged),
-    /// None of the modes that are followed was found.
+    /// None of the followed modes was found.
     NoMode,
-    /// There are too few surveys to say anything.
+    /// There are too few surveys.
     TooFew {
-        /// How many have modes.
+        /// Number of surveys with modes.
         given: usize,
-        /// How many it takes.
+        /// Number needed.
         least: usize,
     },
 }
@@ -44,20 +44,20 @@ pub enum Verdict {
 /// Scores beyond this are outside: one in 370.
 const OUTSIDE: f64 = 3.0;
 
-/// Place of the survey, or of its day, in a history.
+/// Index of the survey, or of its day, in a history.
 fn place(answer: &WatchAnswer, survey: &str) -> Option<usize> {
     let day = day_of_a_record(survey);
     let is_it = |name: &str| name == survey || day.is_some_and(|day| name == day);
     answer.surveys.iter().position(|of| is_it(&of.name))
 }
 
-/// The sensor that was turned, moved or exchanged before a survey, by its shapes.
+/// The sensor that was turned, moved or exchanged before a survey, found from its shapes.
 pub fn sensor_change<'a>(answer: &'a WatchAnswer, survey: &str) -> Option<&'a SensorChange> {
     let at = place(answer, survey)?;
     answer.watched.tracked.sensors.iter().find(|of| of.survey == at)
 }
 
-/// What a history says of one of its surveys.
+/// The result for one survey of a history.
 pub fn verdict(answer: &WatchAnswer, survey: &str) -> Verdict {
     let Some(at) = place(answer, survey) else {
         return Verdict::NoMode;

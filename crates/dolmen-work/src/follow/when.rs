@@ -1,17 +1,17 @@
-//! When a record was taken: as it says itself, else as the name of its file says, else when the file was last written.
+//! The time of a record: from the record itself, otherwise from the name of its file, otherwise from the file's modification time.
 
 use crate::survey_dates::day_of_a_record;
 use dolmen_project::date_of;
 use dolmen_records::{start_of_text, time_text};
 
-/// Starts before 1990 and later than the clock by a day are not believed, s: a logger whose clock was reset says 1970 or 1980. Chosen here.
+/// Starts before 1990, or later than the clock by a day, are rejected, s: a logger with a reset clock writes 1970 or 1980. Chosen here.
 const BELIEVED_FROM_S: f64 = 631_152_000.0;
 const AHEAD_MOST_S: f64 = 86_400.0;
 /// Characters of a date and of a date with its time: "2026-11-25", "2026-11-25 10:00:00".
 const DATE: usize = 10;
 const DATE_AND_TIME: usize = 19;
 
-/// What says when a record was taken.
+/// Source of the time of a record.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum TimeSource {
@@ -23,23 +23,24 @@ pub enum TimeSource {
     FileTime,
 }
 
-/// When a record was taken.
+/// The time of a record.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RecordTime {
     /// "2026-11-25T10:00:00"; "2026-11-25" where only the day is known.
     pub name: String,
     /// The same, s from 1 January 1970; the start of a day.
     pub at_s: f64,
-    /// What says so.
+    /// Its source.
     pub source: TimeSource,
-    /// What the record says, s from 1970, where that is not believed.
+    /// The time in the record, s from 1970, if it was rejected.
     pub not_believed_s: Option<f64>,
 }
 
-/// When a record was taken: `begins_s` is what it says, s from 1 January 1970, `modified_s` when its file was last written and `now_s` the clock.
+/// The time of a record: `begins_s` is that in the record, s from 1 January 1970, `modified_s` when its file was last written, and `now_s` the
+/// clock.
 pub fn record_time(begins_s: Option<f64>, file_name: &str, modified_s: f64, now_s: f64) -> RecordTime {
     let is_believed = |at: f64| (BELIEVED_FROM_S..=now_s + AHEAD_MOST_S).contains(&at);
-    // small numbers are seconds of a clock of the logger's own, and no dates
+    // small numbers are seconds of the logger's own clock, not dates
     const YEAR_S: f64 = 3.2e7;
     let said = begins_s.filter(|at| at.abs() >= YEAR_S);
     let not_believed_s = said.filter(|at| !is_believed(*at));
@@ -58,13 +59,13 @@ pub fn record_time(begins_s: Option<f64>, file_name: &str, modified_s: f64, now_
     }
 }
 
-/// "2026-11-25T10:00:00" of seconds from 1970; parts of a second are passed over.
+/// "2026-11-25T10:00:00" from seconds since 1970; fractions of a second are dropped.
 fn moment(at_s: f64) -> String {
     let text: String = time_text(at_s.floor()).chars().take(DATE_AND_TIME).collect();
     text.replacen(' ', "T", 1)
 }
 
-/// The moment that a survey of a record has its name from, s from 1 January 1970; of a day its start.
+/// The time in the name of a record's survey, s from 1 January 1970; for a day its start.
 pub fn moment_of(survey: &str) -> Option<f64> {
     let day = day_of_a_record(survey)?;
     let whole = survey.get(..DATE_AND_TIME).and_then(start_of_text);
@@ -104,7 +105,7 @@ fn written_date(signs: &[char], is_believed: &impl Fn(f64) -> bool) -> Option<(S
     let date = format!("{year:04}-{month:02}-{day:02}");
     let at_s = |time: &str| {
         let at = start_of_text(&format!("{date} {time}"))?;
-        // 30 February is none
+        // 30 February does not exist
         (moment(at).starts_with(&date) && is_believed(at)).then_some(at)
     };
     let time = text.split_once('일').and_then(|(_, rest)| korean_time(rest));
@@ -160,7 +161,7 @@ fn date_at(signs: &[char], is_believed: &impl Fn(f64) -> bool) -> Option<(String
         });
         (!read.is_digit()).then(|| format!("{hour}{minute}{second}"))
     })();
-    let is_day = |at: &f64| moment(*at).starts_with(&format!("{year}-{month}-{day}")); // 30 February is none
+    let is_day = |at: &f64| moment(*at).starts_with(&format!("{year}-{month}-{day}")); // 30 February does not exist
     let at_s = |time: &str| {
         let at = start_of_text(&format!("{year}{month}{day}{time}"))?;
         (is_day(&at) && is_believed(at)).then_some(at)
@@ -173,7 +174,7 @@ fn date_at(signs: &[char], is_believed: &impl Fn(f64) -> bool) -> Option<(String
     Some((moment(at).chars().take(DATE).collect(), at))
 }
 
-/// Reads digits one group after the other.
+/// Reads groups of digits one after the other.
 #[derive(Clone, Copy)]
 struct Digits<'a> {
     signs: &'a [char],

@@ -1,24 +1,24 @@
-//! A simulated frame beside what a survey measured above the same ground.
+//! Compares a simulated frame with the measurement of a survey above the same ground.
 
 use crate::motion::{MeasuredChannel, MotionAnswer};
 use dolmen::dynamics::{FrameHistory, FrictionFrame};
 use dolmen::signal::{Component, SeriesBeside, series_beside};
 
-/// Share of the height by which a sensor may stand above the top level.
+/// Largest height of a sensor above the top level, as a share of the height.
 const ABOVE_TOP: f64 = 0.02;
 
-/// A direction of a frame beside what was measured along it.
+/// A direction of a frame compared with the measurement along it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FrameBeside {
     /// The survey.
     pub survey: String,
-    /// Whether an earthquake stands out of the record.
+    /// Whether the record contains an earthquake.
     pub stands_out: bool,
-    /// Between samples, s.
+    /// Time between samples, s.
     pub step_s: f64,
-    /// Each sensor, the highest last.
+    /// Each sensor, ordered by height.
     pub sensors: Vec<SensorBeside>,
-    /// Channels that have no place in the model, or no known direction.
+    /// Channels without a place in the model, or without a known direction.
     pub left_out: Vec<String>,
 }
 
@@ -31,20 +31,20 @@ pub struct SensorBeside {
     pub height_m: f64,
     /// Measured absolute acceleration, m/s².
     pub measured_m_s2: Vec<f64>,
-    /// That of the model, m/s².
+    /// Absolute acceleration of the model, m/s².
     pub simulated_m_s2: Vec<f64>,
-    /// How alike they are.
+    /// Their agreement.
     pub beside: SeriesBeside,
 }
 
 impl SensorBeside {
-    /// Correlation from which on, and share of the measured peak within which, a model moves as the structure did. Chosen here: a frequency that is off
-    /// by 5 % brings the correlation below it in ten periods.
+    /// Smallest correlation, and largest relative difference of the peaks, for which model and structure agree. Chosen here: an error of 5 % in
+    /// a frequency brings the correlation below it within ten periods.
     pub const CORRELATION_LEAST: f64 = 0.9;
     /// See [`SensorBeside::CORRELATION_LEAST`].
     pub const PEAK_WITHIN: f64 = 0.2;
 
-    /// Whether the model moved here as the structure did.
+    /// Whether model and structure agree here.
     pub fn follows(&self) -> bool {
         let of = &self.beside;
         let off = (of.peak_simulated / of.peak_measured - 1.0).abs();
@@ -53,18 +53,18 @@ impl SensorBeside {
 }
 
 impl FrameBeside {
-    /// Sensors at which the model moved the other way, else alike: they may be turned.
+    /// Sensors at which the model moves the opposite way but otherwise alike: they may be turned.
     pub fn turned(&self) -> impl Iterator<Item = &SensorBeside> {
         let is_turned = |of: &&SensorBeside| of.beside.correlation <= -SensorBeside::CORRELATION_LEAST;
         self.sensors.iter().filter(is_turned)
     }
 
-    /// Whether the model moved as the structure did at every sensor.
+    /// Whether model and structure agree at every sensor.
     pub fn follows(&self) -> bool {
         !self.sensors.is_empty() && self.sensors.iter().all(SensorBeside::follows)
     }
 
-    /// Whether the model moved otherwise at a sensor.
+    /// Whether they disagree at a sensor.
     pub fn differs(&self) -> bool {
         !self.sensors.iter().all(SensorBeside::follows)
     }
@@ -75,7 +75,8 @@ impl FrameBeside {
     }
 }
 
-/// The run of one direction beside what was measured along it; `None` where the motion is of no survey, or was changed, or the direction is not that of the
+/// The run of one direction compared with the measurement along it; `None` where the motion is not from a survey, was changed, or has another
+/// direction.
 /// component.
 pub(super) fn beside(
     (motion, component): (&MotionAnswer, Component),
@@ -141,7 +142,7 @@ pub(super) fn beside(
     })
 }
 
-/// Samples at a time, on the line between neighbours; the last one behind them.
+/// Interpolates samples linearly at given times; after the end the last sample.
 fn at(time_s: &[f64], samples: &[f64], t: f64) -> f64 {
     let next = time_s.partition_point(|of| *of < t);
     match (next.checked_sub(1), samples.get(next)) {

@@ -9,7 +9,7 @@ use dolmen::assess::check_frame;
 use dolmen::stability::frame_stability;
 use dolmen_project::{FramePart, Pick};
 
-/// What is known of a frame in each direction, each input with the value that `pick` chooses.
+/// Checks a frame in each direction, with the value of each input that `pick` chooses.
 pub(crate) fn check(part: &FramePart, pick: Pick<'_>) -> Result<Vec<DirectionCheck>, WorkError> {
     let frame = part.build(pick)?;
     let mut checks = Vec::new();
@@ -39,7 +39,7 @@ pub(crate) fn load_factor(part: &FramePart, pick: Pick<'_>) -> Result<Option<f64
     let mut least: Option<f64> = None;
     for direction in &part.directions {
         let Some(stiffness) = part.stiffness_n_m(&direction.name, pick) else {
-            return Ok(None); // a direction that is not known is not a direction that stands
+            return Ok(None); // an unknown direction does not count as standing
         };
         let factor = frame_stability(&frame, &stiffness)?.load_factor;
         least = Some(least.map_or(factor, |other| other.min(factor)));
@@ -47,7 +47,7 @@ pub(crate) fn load_factor(part: &FramePart, pick: Pick<'_>) -> Result<Option<f64
     Ok(least)
 }
 
-/// The load factor `stuck`, or that of the frame while its joints slip if it is less.
+/// The smaller of the load factor `stuck` and that of the frame with slipping joints.
 pub(crate) fn least_load_factor(part: &FramePart, stuck: f64, pick: Pick<'_>) -> Result<f64, WorkError> {
     let frame = part.build(pick)?;
     let mut least = stuck;

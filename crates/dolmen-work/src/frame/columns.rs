@@ -1,4 +1,4 @@
-//! What the free-standing columns of a frame hold.
+//! Resistance of the free-standing columns of a frame.
 
 use crate::error::WorkError;
 use dolmen::stability::{ColumnPoint, ColumnStanding, FreeColumns};
@@ -15,7 +15,7 @@ const SWINGS: [f64; 6] = [0.01, 0.05, 0.1, 0.25, 0.5, 0.75];
 pub struct StoreyColumns {
     /// The storey, from 1 at the bottom.
     pub storey: usize,
-    /// How many columns.
+    /// Number of columns.
     pub count: usize,
     /// N, the axial force of the storey, N.
     pub axial_n: f64,
@@ -27,9 +27,9 @@ pub struct StoreyColumns {
     pub least_bed_stiffness_n_m3: f64,
     /// Stiffness that the beds give the storey at small drift, N/m; `None` on a rigid bed.
     pub bed_stiffness_n_m: Option<f64>,
-    /// How they stand by their weight alone; `None` if they do not.
+    /// Their resistance under their weight alone; `None` if they do not stand.
     pub standing: Option<ColumnStanding>,
-    /// What is beside them.
+    /// The springs beside them.
     pub springs: Springs,
     /// Their force against drift, from upright to the fall; empty if they do not stand.
     pub curve: Vec<ColumnPoint>,
@@ -40,18 +40,18 @@ pub struct StoreyColumns {
 /// The springs of a storey beside its columns.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Springs {
-    /// The stiffness of the storey is not known.
+    /// The stiffness of the storey is unknown.
     Unknown,
     /// The bed is rigid: a finite stiffness of the storey cannot be divided into springs and columns.
     RigidBed,
     /// The stiffness of the storey acts on the displacement from the ground, the columns on drift.
     Grounded,
-    /// The stiffness of the storey less what the beds give it at small drift, N/m.
+    /// The stiffness of the storey less that of the beds at small drift, N/m.
     Beside {
-        /// Of the joints, walls and braces, N/m.
+        /// Stiffness of joints, walls and braces, N/m.
         stiffness_n_m: f64,
     },
-    /// The beds alone would give more than the whole stiffness of the storey.
+    /// The beds alone would be stiffer than the whole storey.
     LessThanBeds {
         /// Stiffness given, N/m.
         stiffness_n_m: f64,
@@ -65,11 +65,11 @@ pub struct ColumnSwing {
     pub at: ColumnPoint,
     /// Frequency on the columns alone, Hz.
     pub columns_hz: f64,
-    /// Frequency with the springs beside them, Hz; `None` where those are not known.
+    /// Frequency with the springs beside them, Hz; `None` where those are unknown.
     pub with_springs_hz: Option<f64>,
 }
 
-/// The columns of each storey that has some, in a direction whose storeys have `stiffness_n_m` in all.
+/// The columns of each storey with columns, in a direction whose total storey stiffness is `stiffness_n_m`.
 pub(super) fn columns(
     part: &FramePart,
     frame: &Frame,
@@ -105,8 +105,8 @@ pub(super) fn columns(
     Ok(all)
 }
 
-/// Drift over height at which the columns of each storey resist most, where they are all that holds it in a direction; `None` of other storeys. On springs as
-/// stiff as their beds nothing beyond it can be told.
+/// Drift over height of the largest resistance of the columns of each storey, where columns alone hold it in a direction; `None` for other
+/// storeys. Beyond it springs equal to the beds no longer represent the columns.
 pub(super) fn alone_most(
     part: &FramePart,
     direction: &str,

@@ -4,18 +4,18 @@ use crate::error::WorkError;
 use dolmen::dynamics::{Rocking, RockingBlock, RockingHistory, RockingOutcome, TimeFunction, rock_block};
 use dolmen_project::{FramePart, Pick};
 
-/// What a simulation says of the free-standing columns of a frame.
+/// Result of a simulation for the free-standing columns of a frame.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ColumnsInMotion {
     /// There are none.
     Absent,
     /// There are some, but the frame has several storeys.
     SeveralStoreys,
-    /// There are some, but their beds give way: a motion of rigid columns would stand too long.
+    /// There are some, but their beds give way: rigid columns would stand too long.
     OnBeds,
-    /// There are some, but the ground moves along x and along y: columns that roll on a corner or around their edge are not followed.
+    /// There are some, but the ground moves along x and along y: rolling on a corner or around the edge is not modelled.
     BothComponents,
-    /// How the frame moves on them alone.
+    /// The motion of the frame on them alone.
     Alone(Box<ColumnsAlone>),
 }
 
@@ -28,9 +28,9 @@ pub struct ColumnsAlone {
     pub width_m: f64,
     /// h, their height, m.
     pub height_m: f64,
-    /// The rocking block of the same equation: α, p̂ and r are those of the frame.
+    /// The equivalent rocking block with the same equation: α, p̂ and r are those of the frame.
     pub rocks_like: RockingBlock,
-    /// What happened.
+    /// The history.
     pub history: RockingHistory,
 }
 
@@ -52,7 +52,7 @@ impl ColumnsAlone {
     }
 }
 
-/// The frame on its columns alone, for as long as the frame itself was moved; no ground where two components act.
+/// The frame on its columns alone, for the duration of the run of the frame itself; no run where two components act.
 pub(super) fn columns_in_motion(
     part: &FramePart,
     ground: Option<&TimeFunction>,
@@ -76,7 +76,7 @@ pub(super) fn columns_in_motion(
         return Ok(ColumnsInMotion::OnBeds);
     }
     let (width_m, height_m) = (pick(columns.foot.width()), pick(&storey.height));
-    // what the columns weigh is not in the file, as in the check: all mass is in the beam
+    // the file does not give the weight of the columns; as in the check, all mass is in the beam
     let rocks_like = RockingBlock::frame_on_columns(width_m, height_m, f64::INFINITY, part.gravity_m_s2)?;
     let options = Rocking {
         duration_s: Some(duration_s),

@@ -10,16 +10,16 @@ use dolmen_project::{DirectionPart, FramePart, Pick};
 /// A direction of a frame that leans as surveyed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DirectionLean {
-    /// The tilt that was measured, horizontal over vertical.
+    /// The measured tilt, horizontal over vertical.
     pub tilt: f64,
-    /// Lean of each storey at rest under its weight, lowest first: the larger of joints that stick and that slip.
+    /// Lean of each storey at rest under its weight, lowest first: the larger of sticking and slipping joints.
     pub at_rest: Vec<f64>,
-    /// Lean at which each storey counts as fallen: small drifts tell of no more, or its free-standing columns fall.
+    /// Lean at which each storey counts as fallen: the limit of small drifts, or the fall of its free-standing columns.
     pub most: Vec<f64>,
 }
 
 impl DirectionLean {
-    /// Of a direction with what its columns hold; `None` where it takes no tilt over, is not known, or falls upright.
+    /// The lean in a direction; `None` where it has no tilt, is unknown, or falls upright.
     pub(super) fn of(
         part: &FramePart,
         frame: &Frame,
@@ -42,7 +42,7 @@ impl DirectionLean {
         }))
     }
 
-    /// The storey nearest to its fall, 0 the lowest, and its lean over that.
+    /// The storey nearest to its fall, 0 the lowest, and its lean over the limit.
     pub fn worst(&self) -> (usize, f64) {
         let shares = self
             .at_rest
@@ -54,7 +54,7 @@ impl DirectionLean {
     }
 }
 
-/// Lean of each storey at rest in a direction, the larger of joints that stick and that slip; `None` where it takes no tilt over, is not known, or falls.
+/// Lean of each storey at rest in a direction, the larger of sticking and slipping joints; `None` where it has no tilt, is unknown, or falls.
 pub(super) fn leaning(
     part: &FramePart,
     frame: &Frame,

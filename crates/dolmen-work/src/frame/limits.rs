@@ -1,4 +1,4 @@
-//! Storeys of a frame against their allowable drift.
+//! Storey drifts of a frame compared with their allowable drift.
 
 use super::FrameSimulation;
 use super::columns::alone_most;
@@ -12,8 +12,8 @@ use dolmen::assess::demand::{DriftLimit, SiteDemand, frame_drifts_by_spectrum};
 use dolmen::structure::Frame;
 use dolmen_project::{DirectionPart, FramePart, Quantity};
 
-/// The elastic drifts by the spectrum of the site, in each direction that stands: with every joint stuck, every joint slipping, or every tenon
-/// bearing, whichever drifts further; the lean as surveyed, at rest, of all directions together, takes its part of what is allowed.
+/// The elastic drifts under the spectrum of the site, in each direction that stands: with every joint stuck, every joint slipping, or every
+/// tenon bearing, whichever is largest. The surveyed lean at rest, of all directions together, reduces the allowable drift.
 pub(crate) fn by_spectrum(
     part: &FramePart,
     site: &SiteDemand,
@@ -52,7 +52,7 @@ pub(crate) fn by_spectrum(
     Ok(compared)
 }
 
-/// How far each storey leans at rest, all directions together: a drift in any of them comes on top.
+/// Lean of each storey at rest, all directions together, to which a drift in any direction is added.
 fn resultant_lean(part: &FramePart, frame: &Frame) -> Result<Vec<f64>, WorkError> {
     let mut squares = vec![0.0; frame.storeys().len()];
     for direction in &part.directions {
@@ -103,7 +103,8 @@ fn drifts(
 }
 
 impl FrameSimulation {
-    /// Each storey against its allowable drift, of which the lean as surveyed takes its part; under two components also both directions together.
+    /// The drift of each storey compared with its allowable drift, reduced by the surveyed lean; under two components also both directions
+    /// together.
     pub fn parts(&self) -> Vec<PartLimit> {
         let limit = self.drift_limit.as_ref();
         let tilt = self.lean.as_ref().map_or(0.0, |lean| lean.together);

@@ -12,7 +12,7 @@ use dolmen::stability::{FramePush, FreeColumns, frame_stability, frame_under_loa
 use dolmen::structure::{Frame, lowest_frequency_hz};
 use dolmen_project::{CombinationPart, DirectionPart, FramePart, LoadPart, LoadsPart, Pick, Quantity};
 
-/// What wind and static loads do to a frame; `None` if there are none.
+/// The response of a frame to wind and static loads; `None` without any.
 pub(crate) fn loads(
     part: &FramePart,
     given: &LoadsPart,
@@ -123,8 +123,8 @@ fn under(
     Ok(found)
 }
 
-/// Lean of each storey at rest under static loads as they are, the larger of joints that stick and that slip, of a direction whose lean without them is given;
-/// `None` where it does not bear them.
+/// Lean of each storey at rest under static loads as given, the larger of sticking and slipping joints, in a direction whose lean without them
+/// is given; `None` where it does not bear them.
 pub(super) fn with_loads(
     part: &FramePart,
     frame: &Frame,
@@ -158,7 +158,7 @@ pub(super) fn with_loads(
     Ok(Some(leans))
 }
 
-/// What forces of static loads add to the lean of each storey at rest; infinite where it does not bear them.
+/// The additional lean of each storey at rest by forces of static loads; infinite where it does not bear them.
 pub(super) fn static_drifts(part: &FramePart, direction: &str) -> Result<Vec<f64>, WorkError> {
     let none = vec![0.0; part.storeys.len()];
     let Some(own) = part.directions.iter().find(|own| own.name == direction) else {
@@ -175,7 +175,7 @@ pub(super) fn static_drifts(part: &FramePart, direction: &str) -> Result<Vec<f64
     })
 }
 
-/// Each storey in the worse of two cases; of equals as it was.
+/// Each storey in the worse of two cases; in the first if they are equal.
 fn worse(storeys: &mut Vec<LoadedStorey>, others: Vec<LoadedStorey>) {
     if storeys.is_empty() {
         *storeys = others;
@@ -198,7 +198,7 @@ fn columns(part: &FramePart, frame: &Frame, pick: Pick<'_>) -> Result<Vec<Option
     Ok(each.collect::<Result<_, _>>()?)
 }
 
-/// Forces of static loads on each level in a direction, lowest first, N: what pushes columns between levels is shared by both ends.
+/// Forces of static loads on each level in a direction, lowest first, N; both ends of columns share a force between levels.
 pub(super) fn forces_on_levels(
     part: &FramePart,
     direction: &DirectionPart,

@@ -18,14 +18,14 @@ use dolmen::dynamics::{FrameHistory, FrictionFrame, StoreyFriction, simulate_fra
 use dolmen::signal::Component;
 use dolmen_project::{FramePart, Quantity};
 
-/// How a frame is run.
+/// Options of a run.
 pub(crate) struct FrameOptions<'a> {
     pub(crate) direction: Option<&'a str>,
     pub(crate) duration_s: Option<f64>,
     pub(crate) output_step_s: f64,
 }
 
-/// Each direction of known stiffness, or the one that is wished.
+/// Runs each direction of known stiffness, or the requested one.
 pub(crate) fn simulate(
     version: &Version<'_>,
     part: &FramePart,
@@ -81,7 +81,7 @@ pub(crate) fn simulate(
         .measured
         .as_ref()
         .map_or(options.output_step_s, |of| options.output_step_s.min(of.step_s));
-    // of a ground that a survey measured, a direction can be looked at by itself
+    // under ground motion from a survey, one direction can be run alone
     let alone = motion.measured.is_some() && options.direction.is_some();
     let in_plan = has_both(&motion.motion) && !alone;
     if in_plan {
@@ -174,7 +174,7 @@ pub(crate) fn simulate(
     Ok(found)
 }
 
-/// The component that acts in a direction: of a ground that a survey measured, that of its own name.
+/// The component that acts in a direction; from a survey's ground motion that of the same name.
 fn component_of(motion: &MotionAnswer, direction: &str) -> Result<Component, WorkError> {
     let named = [Component::X, Component::Y]
         .into_iter()
@@ -185,10 +185,10 @@ fn component_of(motion: &MotionAnswer, direction: &str) -> Result<Component, Wor
     }
 }
 
-/// A direction with the component that acts along it, and what is run.
+/// A direction, the component along it, and its frame.
 type Acting = ((String, Component), Plane);
 
-/// What is run in a direction; `None` if its stiffness is not known.
+/// The frame and load of a direction; `None` if its stiffness is unknown.
 fn plane(
     part: &FramePart,
     (direction, component): (&str, Component),

@@ -1,4 +1,4 @@
-//! What `dolmen simulate` found of a frame, with what went in.
+//! The simulation of a frame, with its input.
 
 use super::beside::FrameBeside;
 use super::{ColumnsInMotion, FrameTogether};
@@ -23,11 +23,11 @@ pub struct FrameSimulation {
     pub variant_title: Option<Names>,
     /// The direction of the frame.
     pub direction: String,
-    /// Directions that were not run, whose stiffness is not known.
+    /// Directions that were not run because their stiffness is unknown.
     pub without_stiffness: Vec<String>,
-    /// What both directions do together, in each of the two; `None` of one component.
+    /// The response of both directions together, in each of the two; `None` for one component.
     pub together: Option<FrameTogether>,
-    /// How a survey found it to lean, from which the run starts.
+    /// The surveyed lean at the start of the run.
     pub lean: Option<FrameLean>,
     /// That lean in the direction, horizontal over vertical.
     pub tilt: f64,
@@ -39,32 +39,33 @@ pub struct FrameSimulation {
     pub motion: MotionAnswer,
     /// The component of the motion that acts along the direction.
     pub component: Component,
-    /// That it ran without viscous damping and friction; `None` if it has some.
+    /// A note that the run has no viscous damping and friction; `None` if it has some.
     pub undamped: Option<Undamped>,
-    /// The free-standing columns of the file: their restoring moment is not in the motion, but may be moved alone.
+    /// The free-standing columns of the file: their restoring moment is not in this motion, but they may move alone.
     pub columns: ColumnsInMotion,
-    /// What its static loads weigh, N: it swings with them.
+    /// Weight of its static loads, N, which moves with it.
     pub carried_n: f64,
-    /// Drift over height at which columns that are all that holds a storey resist most; `None` of other storeys.
+    /// Drift over height of the largest resistance of columns that alone hold a storey; `None` for other storeys.
     pub columns_most: Vec<Option<f64>>,
-    /// Drift of each storey over its height by forces of static loads at rest, which they take of what is allowed; infinite where it does not bear them.
+    /// Drift of each storey over its height by forces of static loads at rest, by which the allowable drift is reduced; infinite where it does
+    /// not bear them.
     pub static_drifts: Vec<f64>,
-    /// Whether the file has wind, or forces of static loads, which do not act in the run.
+    /// Whether the file has wind, or forces of static loads, that do not act in the run.
     pub loads_left_out: bool,
-    /// A surveyed tilt that the run does not start from.
+    /// A surveyed tilt that is not in the start of the run.
     pub tilt_left_out: Option<TiltLeftOut>,
     /// Options of the run.
     pub options: FrameRun,
     /// Allowable drift of storeys; `None` where the file gives none.
     pub drift_limit: Option<DriftLimit>,
-    /// The run beside what a survey measured above the same ground.
+    /// The run compared with the measurement of a survey above the same ground.
     pub beside: Option<FrameBeside>,
-    /// What happened.
+    /// The history.
     pub history: FrameHistory,
 }
 
 impl FrameSimulation {
-    /// What both directions do together, once: in that along y.
+    /// The response of both directions together, stored once: in the run along y.
     pub fn together_once(&self) -> Option<&FrameTogether> {
         self.together.as_ref().filter(|_| self.component == Component::Y)
     }
@@ -74,19 +75,19 @@ impl FrameSimulation {
         self.motion.motion.component_peak_m_s2(self.component)
     }
 
-    /// Whether a storey leaned beyond what the model can tell of.
+    /// Whether a storey leaned beyond the validity of the model.
     pub fn falls(&self) -> bool {
         matches!(self.history.outcome, FrameOutcome::DriftLimit { .. })
     }
 
-    /// When the run ended, s, if that is before the motion did and no storey leaned too far: there is no verdict.
+    /// End of the run, s, if it is before that of the motion and no storey leaned too far: there is no verdict.
     pub fn ended_before_the_motion_s(&self) -> Option<f64> {
         let end_s = self.options.duration_s?;
         let is_open = matches!(self.history.outcome, FrameOutcome::Finished);
         self.motion.cut_at_s(end_s).filter(|_| is_open)
     }
 
-    /// Whether the run came to its end.
+    /// Whether the run is complete.
     pub fn is_whole(&self) -> bool {
         !matches!(self.history.outcome, FrameOutcome::Stopped { .. })
             && self.ended_before_the_motion_s().is_none()

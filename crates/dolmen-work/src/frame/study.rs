@@ -14,23 +14,23 @@ use dolmen::signal::{Component, GroundMotion};
 use dolmen_project::{FramePart, Pick, StudyPart};
 use dolmen_words::message::Both;
 
-/// Time between the samples that a run is judged by, s.
+/// Time between the samples that decide a run, s.
 const SAMPLE_S: f64 = 0.02;
 
-/// A frame in the direction that is shaken.
+/// A frame and its directions of motion.
 pub(crate) struct FrameModel {
-    /// In that direction; where the study names none of two, in that along x.
+    /// In that direction; of two directions without a choice in the study, that along x.
     pub(crate) first: Leaning,
-    /// In the direction along y, where both are shaken.
+    /// In the direction along y, if both move.
     across: Option<Leaning>,
-    /// How it leans in both directions together.
+    /// Its lean in both directions together.
     together: f64,
     directions: [String; 2],
     pub(crate) storeys: Vec<String>,
     heights_m: Vec<f64>,
 }
 
-/// The frame of a study, or why it cannot be.
+/// The frame of a study, or why it is refused.
 pub(crate) fn model(study: &StudyPart, part: &FramePart, pick: Pick<'_>) -> Result<FrameModel, Both> {
     let known = part
         .directions
@@ -79,8 +79,8 @@ pub(crate) fn model(study: &StudyPart, part: &FramePart, pick: Pick<'_>) -> Resu
     })
 }
 
-/// Runs a frame; `None` if it was stopped. Where both of its directions are shaken, x acts along the first and y along the second; a motion of
-/// one component acts in each by itself, and the worse run counts.
+/// Runs a frame; `None` if it was stopped. Where both of its directions move, x acts along the first and y along the second; a motion with one
+/// component acts in each separately, and the worse run counts.
 pub(crate) fn row(
     study: &StudyPart,
     run: Run,
@@ -90,7 +90,7 @@ pub(crate) fn row(
     row_and_rest(study, run, model, acting).map(|(run, _)| run)
 }
 
-/// The same with how it ended.
+/// The same, with the end of the run.
 pub(crate) fn row_and_rest(
     study: &StudyPart,
     run: Run,
@@ -205,7 +205,7 @@ fn joined([a, b]: [Run; 2], model: &FrameModel, together: Option<&FrameTogether>
     worse
 }
 
-/// What a history in a direction of this tilt says; `None` if it was stopped.
+/// The results of a history in a direction with this tilt; `None` if it was stopped.
 fn measured(mut run: Run, (model, tilt): (&FrameModel, f64), history: &FrameHistory) -> Option<Run> {
     match history.outcome {
         FrameOutcome::Finished => run.outcome = RunOutcome::Stood,

@@ -1,4 +1,4 @@
-//! Tenons with slack in a check: what the storeys hold before they bear, and after.
+//! Tenons with slack in a check: resistance of the storeys before and after they bear.
 
 use crate::error::WorkError;
 use dolmen::assess::{FrameCheck, check_frame};
@@ -6,7 +6,7 @@ use dolmen::dynamics::Tenon;
 use dolmen::structure::Frame;
 use dolmen_project::{FramePart, Pick};
 
-/// Drift over height at which a secant stiffness is given: what codes allow most timber frames. Chosen here.
+/// Drift over height for secant stiffness: what codes allow for most timber frames. Chosen here.
 pub const SECANT_DRIFT_RATIO: f64 = 0.02;
 
 /// The tenons of a storey of a frame.
@@ -28,7 +28,7 @@ impl StoreyTenons {
         self.within_slack_n_m + self.tenon.stiffness_n_m
     }
 
-    /// Secant stiffness of the storey at [`SECANT_DRIFT_RATIO`] of its height, N/m, nothing crushed before.
+    /// Secant stiffness of the storey at [`SECANT_DRIFT_RATIO`] of its height, N/m, without earlier crushing.
     pub fn secant_n_m(&self) -> f64 {
         self.within_slack_n_m
             + self
@@ -43,16 +43,16 @@ impl StoreyTenons {
     }
 }
 
-/// What a frame is in one direction before and after its tenons bear.
+/// A frame in one direction before and after its tenons bear.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TenonsCheck {
-    /// The storeys that have some.
+    /// The storeys with tenons.
     pub storeys: Vec<StoreyTenons>,
     /// The frame with all of them bearing.
     pub bearing: FrameCheck,
 }
 
-/// The tenons of a direction; `None` without any, or where the stiffness within the slack is not known.
+/// The tenons of a direction; `None` without any, or where the stiffness within the slack is unknown.
 pub(crate) fn tenons(
     part: &FramePart,
     frame: &Frame,

@@ -1,10 +1,10 @@
-//! The surveyed tilt of a frame against that at which it would count as fallen.
+//! The surveyed tilt of a frame compared with that at which it counts as fallen.
 
 use super::lean::DirectionLean;
 use crate::state::{DirectionCheck, TiltCheck};
 use dolmen_project::FramePart;
 
-/// The tilts of a frame against those at which it would count as fallen, each direction and both together.
+/// Tilts of a frame compared with those at which it counts as fallen, in each direction and together.
 pub(crate) fn tilts(part: &FramePart, checks: &[DirectionCheck]) -> Vec<TiltCheck> {
     let Some(lean) = &part.lean else {
         return Vec::new();
@@ -33,7 +33,7 @@ pub(crate) fn tilts(part: &FramePart, checks: &[DirectionCheck]) -> Vec<TiltChec
         let shares = storeys.map(|((a, b), most)| a.hypot(*b) / most);
         let share = shares.fold(0.0, f64::max);
         let direction = format!("{}+{}", first.direction, second.direction);
-        // tilts of directions that the frame has not lie whole in each
+        // tilts in directions that the frame does not have count fully in each
         let tilt = first.tilt.hypot(second.tilt).min(lean.together);
         let share = share * tilt / first.tilt.hypot(second.tilt);
         all.push(held_against(direction, tilt, Some(share)));

@@ -1,4 +1,4 @@
-//! Both directions of a frame under one motion: which component acts where, and what they do together.
+//! Both directions of a frame under one motion: the component in each, and their joint response.
 
 use super::columns::alone_most;
 use crate::error::WorkError;
@@ -13,7 +13,7 @@ use dolmen::dynamics::{
 use dolmen::signal::{Component, GroundMotion};
 use dolmen_project::{FramePart, Pick, StudyPart};
 
-/// What two directions of a frame do together under two components.
+/// The joint response of two directions of a frame under two components.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FrameTogether {
     /// The directions, that along x first.
@@ -22,22 +22,22 @@ pub struct FrameTogether {
     pub storeys: Vec<FrameResultant>,
     /// Largest displacement of the top, both directions together, at the samples, m.
     pub top_m: f64,
-    /// Storeys that rub in both directions, 0 the lowest.
+    /// Storeys with friction in both directions, 0 the lowest.
     pub rubbing: Vec<usize>,
-    /// How the run was stepped where some do; `None` where the directions are apart, and each is exact.
+    /// Steps of the run with such storeys; `None` where the directions are independent, and each is exact.
     pub shared: Option<SharedFriction>,
-    /// The storey whose resultant is the largest of its height, 0 the lowest.
+    /// The storey with the largest resultant over its height, 0 the lowest.
     pub worst: usize,
     /// Its drift in each direction at the samples, m.
     pub path_m: [Vec<f64>; 2],
 }
 
-/// What a tilt leaves of the drift over its height at which a storey counts as fallen: both come to it.
+/// The part of the drift limit that a tilt leaves: both add up to the drift at which a storey counts as fallen.
 fn left(most: f64, tilt: f64) -> f64 {
     (most - tilt.abs()).max(f64::MIN_POSITIVE)
 }
 
-/// Two planes that move together: the tilt of both together takes its part of the drift at which either counts as fallen.
+/// Two directions that move together: their joint tilt reduces the drift at which either counts as fallen.
 pub(crate) fn lean_together(planes: [(&mut Plane, f64); 2], together: f64) {
     let most = |(plane, tilt): &(&mut Plane, f64)| plane.run.drift_ratio_most + tilt.abs();
     let most = most(&planes[0]).min(most(&planes[1]));
@@ -59,7 +59,7 @@ pub(crate) struct Leaning {
     pub(crate) frame: FrictionFrame,
     /// How it leans there, horizontal over vertical.
     pub(crate) tilt: f64,
-    /// Drift over height beyond which the frame tells of nothing.
+    /// Drift over height up to which the frame is valid.
     pub(crate) drift_ratio_most: f64,
 }
 
@@ -145,7 +145,7 @@ pub(crate) fn both_directions(part: &FramePart) -> Result<[&str; 2], WorkError> 
     }
 }
 
-/// Whether a study shakes a frame in both of its directions: it names none, maps none, and each has a known stiffness.
+/// Whether a study moves both directions of a frame: it names none, maps none, and both have a known stiffness.
 pub(crate) fn is_in_plan(study: &StudyPart, part: &FramePart) -> bool {
     let is_known = |direction: &str| {
         let mut own = part.directions.iter();

@@ -1,18 +1,18 @@
-//! How bad a judgement is.
+//! Colours of a judgement.
 
 /// Green, amber, red, from the best to the worst.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Colour {
     /// Nothing to act on was found.
     Green,
-    /// To be looked at: little in hand, not known, not decided, or contradicted by a survey.
+    /// Needs attention: a small margin, unknown, not decided, or contradicted by a survey.
     Amber,
     /// Unstable, below demand, fallen, beyond its room or strength, or damaged to state 3.
     Red,
 }
 
 impl Colour {
-    /// The worst of several; green of none.
+    /// The worst of several; green for none.
     pub fn worst(colours: impl IntoIterator<Item = Colour>) -> Colour {
         colours.into_iter().max().unwrap_or(Colour::Green)
     }

@@ -1,4 +1,4 @@
-//! Earthquake: does it meet what the code or the given motion asks?
+//! Earthquake: does the structure meet the demand of the code or the given motion?
 
 use super::colour::Colour;
 use crate::building::RowStroke;
@@ -13,67 +13,67 @@ use dolmen_words::Language;
 pub enum Earthquake {
     /// The file has no site, and no motion was given.
     NotAsked,
-    /// It has at least [`DemandVerdict::NEAR_BELOW`] times what is asked.
+    /// Its capacity is at least [`DemandVerdict::NEAR_BELOW`] times the demand.
     Above,
-    /// It has what is asked, and little more.
+    /// Its capacity meets the demand with a small margin.
     Near,
-    /// Something is asked that was not compared, or the run has no verdict.
+    /// There is a demand without a comparison, or the run has no verdict.
     NotDecided,
-    /// It has less than is asked.
+    /// Its capacity is below the demand.
     BelowDemand,
 }
 
-/// What decided a word.
+/// The quantity that decided a word.
 #[derive(Clone, Debug, PartialEq)]
 pub enum DecidedBy {
-    /// Capacity against the demand of a code at the site.
+    /// Capacity against the demand of the code at the site.
     CodeDemand,
     /// Whether it fell.
     Fall,
     /// The state of damage, 0 to 4.
     DamageState(u8),
-    /// The worst state of damage of runs with differences that nobody can measure.
+    /// The worst state of damage over runs with immeasurably small differences.
     DamageOfRuns {
         /// The state, 0 to 4.
         state: u8,
-        /// How many runs reached it.
+        /// Number of runs that reached it.
         runs: usize,
-        /// Of how many.
+        /// Number of runs.
         all: usize,
     },
-    /// The drift of a storey over that up to which its model holds.
+    /// The drift of a storey over the limit of its model.
     Drift,
     /// A tie that broke.
     Strength,
     /// A joint at the edge of its bed.
     BedEdge,
-    /// A bed that stood on its edge in a run in which nothing fell: it bears no more than that, whatever is asked.
+    /// A bed that stood on its edge in a run without a fall: it carries no more than that, whatever the demand.
     StoodOnEdge,
     /// The stroke of a damper over its room.
     Room,
-    /// Nothing: there is no limit to hold the answer against.
+    /// Nothing: there is no limit.
     NoLimit,
     /// Nothing: no response to the spectrum of the site could be computed.
     NoResponse,
-    /// Nothing: the bed of a joint is not known.
+    /// Nothing: the bed of a joint is unknown.
     BedUnknown,
-    /// Nothing: the stiffness is not known, at least in one direction.
+    /// Nothing: the stiffness is unknown, at least in one direction.
     StiffnessUnknown,
     /// A side post with a gap may close.
     LoosePost,
-    /// Nothing: a survey contradicts the stiffness that the comparison rests on; the ratio is that of the model if it were right.
+    /// Nothing: a survey contradicts the stiffness; the ratio is that of the model if it were right.
     Contradicted,
-    /// Nothing: supports moved, and the comparison is of the shape before; the ratio is that one.
+    /// Nothing: supports moved, and the comparison is for the shape before, with that ratio.
     SupportsMoved,
-    /// Nothing: static loads without mass hold the stones while they are shaken.
+    /// Nothing: static loads without mass hold the stones during the shaking.
     HeldByLoads,
     /// Nothing: it does not stand without shaking.
     DoesNotStand,
-    /// Nothing: the run was stopped, or ended before it could tell.
+    /// Nothing: the run was stopped, or ended without a verdict.
     Unfinished,
 }
 
-/// A word, what decided it, and under what.
+/// A word, the quantity that decided it, and the demand.
 #[derive(Clone, Debug, PartialEq)]
 pub struct EarthquakeFinding {
     /// The word.
@@ -84,12 +84,12 @@ pub struct EarthquakeFinding {
     pub motion: Option<String>,
     /// The part that decided it; `None` for the whole.
     pub part: Option<String>,
-    /// Capacity over demand; `None` where that is not what decided.
+    /// Capacity over demand; `None` where another quantity decided.
     pub ratio: Option<f64>,
 }
 
 impl EarthquakeFinding {
-    /// A word of the whole, without a ratio.
+    /// A word for the whole structure, without a ratio.
     pub(super) fn new(word: Earthquake, decided_by: DecidedBy, motion: Option<&str>) -> Self {
         EarthquakeFinding {
             word,
@@ -102,7 +102,7 @@ impl EarthquakeFinding {
 }
 
 impl EarthquakeFinding {
-    /// The same where a survey contradicts the stiffness that it rests on: what would be enough is not known to be. What is too little even so stays.
+    /// The same where a survey contradicts the stiffness: enough capacity is then not certain; too little capacity stays too little.
     pub(super) fn if_model_were_right(self) -> Self {
         match self.word {
             Earthquake::Above | Earthquake::Near => EarthquakeFinding {
@@ -116,7 +116,8 @@ impl EarthquakeFinding {
 }
 
 impl EarthquakeFinding {
-    /// The same of a stack whose supports moved, where it is of the shape before: what was enough there is not known to be. What was too little stays.
+    /// The same for a stack whose supports moved, if computed for the shape before: enough capacity there is not certain; too little stays too
+    /// little.
     pub(super) fn before_supports_moved(self) -> Self {
         let is_of_code = self.word == Earthquake::BelowDemand && self.decided_by == DecidedBy::CodeDemand;
         let of_before = self.not_known_to_be_enough(DecidedBy::SupportsMoved);
@@ -129,7 +130,7 @@ impl EarthquakeFinding {
         }
     }
 
-    /// The same of a stack that loads without mass press together.
+    /// The same for a stack that loads without mass press together.
     pub(super) fn held_by_loads(self) -> Self {
         self.not_known_to_be_enough(DecidedBy::HeldByLoads)
     }
@@ -153,7 +154,7 @@ impl Earthquake {
         words.max().unwrap_or(Earthquake::NotAsked)
     }
 
-    /// The word for capacity over demand; NaN decides nothing.
+    /// The word for capacity over demand; NaN is not decided.
     pub fn of_ratio(ratio: f64) -> Earthquake {
         Earthquake::of_demand(DemandVerdict::of_ratio(ratio))
     }
@@ -168,7 +169,7 @@ impl Earthquake {
         }
     }
 
-    /// The word for a state of damage: DS3 and worse is below what the motion asks, DS2 near it.
+    /// The word for a state of damage: DS3 and worse is below demand, DS2 near it.
     pub fn of_damage(state: DamageState) -> Earthquake {
         match state {
             DamageState::None | DamageState::Begun => Earthquake::Above,
@@ -225,7 +226,7 @@ impl DecidedBy {
     }
 }
 
-/// What the site asks of one version of a structure; empty without a site.
+/// Results for the demand of the site on one version of a structure; empty without a site.
 pub(super) fn of_site(state: &State) -> Vec<EarthquakeFinding> {
     let Some(demand) = &state.demand else {
         return Vec::new();
@@ -249,7 +250,7 @@ pub(super) fn of_site(state: &State) -> Vec<EarthquakeFinding> {
     found
 }
 
-/// A direction that was not compared: nothing is decided, whatever the others have.
+/// A direction without a comparison: not decided, whatever the others have.
 fn of_none(of: &NotCompared) -> EarthquakeFinding {
     let decided_by = match of.why {
         WhyNotCompared::StiffnessUnknown => DecidedBy::StiffnessUnknown,
@@ -262,8 +263,8 @@ fn of_none(of: &NotCompared) -> EarthquakeFinding {
     }
 }
 
-/// Parts against their limits: the worst storey, the worst joint, every damper; a joint whose bed is not known; where nothing could be
-/// compared, that.
+/// Parts compared with their limits: the worst storey, the worst joint, every damper; a joint with an unknown bed; without any comparison, the
+/// reason.
 pub(super) fn of_parts(parts: &[PartLimit], motion: Option<&str>) -> Vec<EarthquakeFinding> {
     let dampers = parts.iter().filter(|part| part.limited == Limited::Room);
     let worst = [Limited::Drift, Limited::BedEdge].map(|limited| worst_part(parts, limited));
@@ -277,7 +278,7 @@ pub(super) fn of_parts(parts: &[PartLimit], motion: Option<&str>) -> Vec<Earthqu
             ..EarthquakeFinding::new(Earthquake::NotDecided, DecidedBy::BedUnknown, motion)
         });
     }
-    // storeys that nothing limits are not decided by the room of a damper
+    // storeys without a limit are not decided by the room of a damper
     let drifts = || parts.iter().filter(|part| part.limited == Limited::Drift);
     let is_unlimited =
         drifts().next().is_some() && drifts().all(|part| part.capacity.is_none() && !part.falls());
@@ -304,7 +305,7 @@ fn of_part(part: &PartLimit, motion: Option<&str>) -> EarthquakeFinding {
     }
 }
 
-/// The stroke of a damper of a comparison against its room.
+/// The stroke of a damper of a comparison compared with its room.
 pub(super) fn of_row(row: &RowStroke) -> EarthquakeFinding {
     let part = PartLimit {
         part: Part::Damper(row.damper.clone()),

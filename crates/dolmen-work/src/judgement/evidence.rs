@@ -1,4 +1,4 @@
-//! Evidence: is the model the structure? Frequencies of a survey against those of the model.
+//! Evidence: does the model represent the structure? Frequencies of a survey compared with those of the model.
 
 use super::colour::Colour;
 use crate::building::BuildingAnswer;
@@ -9,7 +9,7 @@ use dolmen_project::{Evidence as Source, ModeKind, Project, Quantity, Survey, Su
 use dolmen_words::Language;
 use dolmen_words::number::significant;
 
-/// Standard deviations of a measured frequency within which a model may differ from it. Chosen here: 1 in 400 by chance.
+/// Number of standard deviations within which a measured frequency agrees with the model. Chosen here: 1 in 400 by chance.
 const DEVIATIONS_MOST: f64 = 3.0;
 
 /// The fixed words.
@@ -20,35 +20,35 @@ pub enum Evidence {
         /// The survey.
         survey: String,
     },
-    /// The latest survey has another frequency than the model.
+    /// A frequency of the latest survey contradicts the model.
     Contradicted(MeasuredFrequency),
-    /// The latest survey has another frequency than the model, with so much scatter that it may be the same.
+    /// A frequency of the latest survey differs from the model, but its scatter is too large to tell.
     TooRough(MeasuredFrequency),
-    /// A survey has records of vibration whose modes were not sought here.
+    /// A survey has vibration records whose modes were not identified here.
     Unread {
         /// The survey.
         survey: String,
     },
-    /// A survey measured frequencies, but the model has none to hold against them: its stiffness is not known.
+    /// A survey measured frequencies, but the model has none because its stiffness is unknown.
     NotCompared {
         /// The survey.
         survey: String,
     },
-    /// Surveys have frequencies that the file marks as assumed, so that they are no evidence.
+    /// The frequencies of surveys are marked as assumed in the file, so they are no evidence.
     MarkedAssumed {
         /// The latest of them.
         survey: String,
-        /// Of each direction that of the latest survey beside that of the model, the farthest apart; `None` where the model has none.
+        /// Of the latest frequency in each direction, the one farthest from that of the model; `None` where the model has none.
         farthest: Option<MeasuredFrequency>,
     },
-    /// No survey measured what the model can be compared with, or that one is what its stiffness was identified from.
+    /// No survey measured a comparable quantity, or only the one from which the stiffness was identified.
     NotMeasured {
         /// The survey that the stiffness was identified from.
         calibrated_to: Option<String>,
     },
 }
 
-/// A measured frequency beside that of the model.
+/// A measured frequency and that of the model.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MeasuredFrequency {
     /// The survey.
@@ -57,14 +57,14 @@ pub struct MeasuredFrequency {
     pub direction: String,
     /// Lowest measured frequency of translation, Hz.
     pub measured_hz: f64,
-    /// Its standard deviation, Hz; `None` where none was measured.
+    /// Its standard deviation, Hz; `None` if unknown.
     pub sd_hz: Option<f64>,
     /// Lowest frequency of the model, Hz.
     pub computed_hz: f64,
 }
 
 impl MeasuredFrequency {
-    /// ln of the larger over the smaller: 0 where they are the same.
+    /// ln of the larger over the smaller: 0 where they are equal.
     fn apart(&self) -> f64 {
         (self.measured_hz / self.computed_hz).ln().abs()
     }
@@ -74,20 +74,20 @@ impl MeasuredFrequency {
         self.apart() > FREQUENCY_RATIO_MOST.ln()
     }
 
-    /// Whether they differ by more than [`FREQUENCY_RATIO_MOST`] but by no more than three standard deviations: neither is shown.
+    /// Whether they differ by more than [`FREQUENCY_RATIO_MOST`] but by no more than three standard deviations, which proves neither.
     pub fn is_too_rough(&self) -> bool {
         let within = |sd_hz: f64| (self.measured_hz - self.computed_hz).abs() <= DEVIATIONS_MOST * sd_hz;
         self.differs() && self.sd_hz.is_some_and(within)
     }
 
-    /// Whether they are not of one structure. NaN is not.
+    /// Whether they contradict each other. False for NaN.
     pub fn contradicts(&self) -> bool {
         let is_same = self.apart() <= FREQUENCY_RATIO_MOST.ln();
         !is_same && !self.is_too_rough()
     }
 }
 
-/// A frequency that the records of a survey gave, and that nobody wrote into the file.
+/// A frequency from the records of a survey that is not written in the file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RecordFrequency {
     /// The survey.
@@ -101,15 +101,16 @@ pub struct RecordFrequency {
 }
 
 impl Evidence {
-    /// What surveys say of a model, in the worst direction; of each direction the latest that measured a frequency in it.
+    /// Evidence of surveys for a model, in the worst direction; for each direction the latest survey with a frequency counts.
     ///
     /// Surveys whose names begin with a date come after those without, and of the same date the last of the file is the latest.
-    /// A survey that stiffness was identified from says nothing for it where it agrees, and contradicts it like any other where it does not.
+    /// A survey from which stiffness was identified does not confirm the model where it agrees, and contradicts it like any other where it does
+    /// not.
     pub fn of(project: &Project, check: &Check) -> Evidence {
         Evidence::with_records(project, check, &[])
     }
 
-    /// The same with what records gave.
+    /// The same, with results of records.
     pub(crate) fn with_records(project: &Project, check: &Check, found: &[RecordFrequency]) -> Evidence {
         let mut measured = measured_frequencies(&project.surveys, check);
         let is_made_up = |name: &str| {
@@ -139,7 +140,7 @@ impl Evidence {
         }
     }
 
-    /// Where nothing can be held against the model: why.
+    /// Why there is no comparison.
     fn without(project: &Project, check: &Check) -> Evidence {
         let has_modes = |survey: &&Survey| {
             survey
@@ -177,7 +178,7 @@ impl Evidence {
         }
     }
 
-    /// What the frequencies of the latest surveys say.
+    /// Evidence of the frequencies of the latest surveys.
     fn of_frequencies(measured: Vec<MeasuredFrequency>) -> Evidence {
         let rough = measured.iter().find(|of| of.is_too_rough()).cloned();
         let agreeing = measured
@@ -280,7 +281,7 @@ impl Evidence {
                 format!("{word} (calibrated to {survey})"),
                 format!("{word}({survey} 조사에 보정)"),
             ),
-            // of each direction its lowest alone is compared
+            // only the lowest frequency of each direction is compared
             Evidence::Agrees { .. } => language.pick(
                 format!("{word} (lowest frequencies)"),
                 format!("{word}(최저 고유진동수)"),
@@ -290,7 +291,7 @@ impl Evidence {
     }
 }
 
-/// Of each direction what its latest survey measured, in the order of the surveys.
+/// The measurements of the latest survey in each direction, in the order of the surveys.
 fn latest(project: &Project, measured: Vec<MeasuredFrequency>) -> Vec<MeasuredFrequency> {
     let when = |of: &MeasuredFrequency| {
         let place = project.surveys.iter().position(|survey| survey.name == of.survey);
@@ -308,12 +309,12 @@ fn latest(project: &Project, measured: Vec<MeasuredFrequency>) -> Vec<MeasuredFr
     all
 }
 
-/// Of each direction of the model what the latest survey that states it measured.
+/// For each direction of the model the measurement of the latest survey that states it.
 pub fn latest_frequencies(project: &Project, check: &Check) -> Vec<MeasuredFrequency> {
     latest(project, measured_frequencies(&project.surveys, check))
 }
 
-/// The later survey that measured the direction too, of a frequency that a survey measured.
+/// The later survey that also measured the direction of a measured frequency.
 pub(crate) fn superseded_by(
     project: &Project,
     all: &[MeasuredFrequency],
@@ -324,12 +325,12 @@ pub(crate) fn superseded_by(
     (last.survey != of.survey).then_some(last.survey)
 }
 
-/// The lowest measured frequency of every survey and direction that the model has a frequency for, in the order of the file.
+/// The lowest measured frequency of every survey and direction for which the model has one, in the order of the file.
 pub fn measured_frequencies(surveys: &[Survey], check: &Check) -> Vec<MeasuredFrequency> {
     frequencies(surveys, check, |frequency| !frequency.is_assumed())
 }
 
-/// The same of the frequencies that count.
+/// The same for the frequencies that count.
 fn frequencies(
     surveys: &[Survey],
     check: &Check,
@@ -361,7 +362,7 @@ fn frequencies(
     compared.collect()
 }
 
-/// The lowest mode of translation whose frequency was measured.
+/// The lowest measured mode of translation.
 pub fn lowest_measured(modes: &[SurveyMode]) -> Option<&SurveyMode> {
     let is_measured = |mode: &&SurveyMode| mode.kind == ModeKind::Translation && !mode.frequency.is_assumed();
     modes.iter().find(is_measured)
@@ -370,9 +371,9 @@ pub fn lowest_measured(modes: &[SurveyMode]) -> Option<&SurveyMode> {
 /// Lowest frequency of a model in a direction, Hz.
 fn first_frequency(check: &Check, direction: &str) -> Option<f64> {
     match check {
-        // chains and frames do not twist
+        // chains and frames have no torsion
         Check::Chain(_) if direction == "torsion" => None,
-        // what hangs there swings too
+        // the weights of loads move as well
         Check::Chain(chain) if chain.loaded.is_some() => {
             let loaded = chain.loaded.as_ref()?;
             match (&chain.across, direction) {
@@ -402,7 +403,7 @@ fn first_frequency(check: &Check, direction: &str) -> Option<f64> {
     }
 }
 
-/// Frequency of a building with its dampers, which a survey measures, Hz: without dampers that of [`first_sway`].
+/// Frequency of a building with its dampers, as a survey measures it, Hz; without dampers that of [`first_sway`].
 fn of_whole(answer: &BuildingAnswer, direction: &str) -> Option<f64> {
     let standing = answer.stands.as_ref()?;
     match standing.dampers.is_empty() {
@@ -414,8 +415,8 @@ fn of_whole(answer: &BuildingAnswer, direction: &str) -> Option<f64> {
     }
 }
 
-/// Frequency, Hz, and damping ratio, without dampers, of the mode of a building that has the most mass along "x" or "y", or the most moment of inertia:
-/// "torsion".
+/// Frequency, Hz, and damping ratio of the building's own mode, without dampers, that has the most mass along "x" or "y", or the most moment of
+/// inertia for "torsion".
 pub fn first_sway(answer: &BuildingAnswer, direction: &str) -> Option<(f64, f64)> {
     let standing = answer.stands.as_ref()?;
     let at = largest_in(answer, direction)?;
@@ -423,7 +424,7 @@ pub fn first_sway(answer: &BuildingAnswer, direction: &str) -> Option<(f64, f64)
     Some((frequency_hz, *standing.damping_ratios.get(at)?))
 }
 
-/// Which of its own modes that is.
+/// Index of that mode.
 fn largest_in(answer: &BuildingAnswer, direction: &str) -> Option<usize> {
     let axis = match direction {
         "x" => 0,

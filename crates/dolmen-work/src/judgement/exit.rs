@@ -6,7 +6,7 @@ use super::colour::Colour;
 const BAD_INPUT: u8 = 2;
 /// Exit status of a red judgement.
 const RED: u8 = 1;
-/// Exit status of a run that was asked for and did not finish or converge.
+/// Exit status of a requested run that did not finish or converge.
 const UNFINISHED: u8 = 3;
 
 /// The verbs whose exit status follows from an answer.
@@ -18,23 +18,23 @@ pub enum Verb {
     Simulate,
     /// `report`, by judgement.
     Report,
-    /// `study`, done or not.
+    /// `study`, by completion.
     Study,
-    /// `tune`, done or not.
+    /// `tune`, by completion.
     Tune,
-    /// `score`, done or not.
+    /// `score`, by completion.
     Score,
-    /// `rank`, done or not.
+    /// `rank`, by completion.
     Rank,
-    /// `identify`, done or not.
+    /// `identify`, by completion.
     Identify,
-    /// `compare`, done or not.
+    /// `compare`, by completion.
     Compare,
-    /// `watch`, red on a confirmed alarm that nobody answered.
+    /// `watch`, red with an open confirmed alarm.
     Watch,
 }
 
-/// The exit status of a verb: 1 for red where the verb judges, 3 where a run did not finish, else 0.
+/// The exit status of a verb: 1 for red where the verb judges, 3 where a run did not finish, otherwise 0.
 pub fn exit_status(verb: Verb, colour: Colour, is_done: bool) -> u8 {
     let judges = matches!(verb, Verb::Check | Verb::Simulate | Verb::Report | Verb::Watch);
     match (judges && colour == Colour::Red, is_done) {
@@ -44,7 +44,7 @@ pub fn exit_status(verb: Verb, colour: Colour, is_done: bool) -> u8 {
     }
 }
 
-/// The status that several parts of one run end with: 2 before 1 before 3 before 0.
+/// The status of a run with several parts: 2 before 1 before 3 before 0.
 pub fn first_status(statuses: impl IntoIterator<Item = u8>) -> u8 {
     let urgency = |status: &u8| match *status {
         BAD_INPUT => 3,

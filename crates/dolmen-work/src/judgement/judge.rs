@@ -23,9 +23,9 @@ use dolmen::damper::Choice;
 pub struct Judgement {
     /// The structure as it is first, then its variants in the order of the file.
     pub versions: Vec<VersionJudgement>,
-    /// Whether every run that was asked for came to its end.
+    /// Whether every requested run is complete.
     pub is_done: bool,
-    /// Whether its surveys over the years leave an alarm open, or a tilt or crack beyond its limit.
+    /// Whether its surveys over the years have an open alarm, or a tilt or crack beyond its limit.
     pub is_alarming: bool,
 }
 
@@ -48,7 +48,7 @@ impl Judgement {
         judgement
     }
 
-    /// Runs of one version each; a structure that does not stand without any shaking is unstable.
+    /// Runs of one version each; a structure that does not stand even without shaking is unstable.
     fn add_runs(&mut self, simulated: &SimulateAnswer) {
         for run in &simulated.simulations {
             self.add_run(run, simulated);
@@ -64,13 +64,13 @@ impl Judgement {
     fn add_run(&mut self, run: &Simulation, of: &SimulateAnswer) {
         let (mut found, is_done) = of_simulation(run);
         let is_as_it_is = run.variant().is_none();
-        // what a check of the same structure found stands, too
+        // the results of a check of the same structure count as well
         let checked = self.versions.iter().find(|version| version.variant.is_none());
         let checked = checked.map(|version| version.evidence.clone());
         let evidence = &checked
             .filter(Evidence::is_contradicted)
             .unwrap_or_else(|| of.evidence.clone());
-        // a run rests on stiffness, that of a stack, too; a variant has no survey of its own
+        // runs depend on stiffness, those of stacks too; a variant has no survey of its own
         if evidence.is_contradicted() && is_as_it_is {
             let of_model = found.into_iter();
             found = of_model.map(EarthquakeFinding::if_model_were_right).collect();
@@ -104,14 +104,14 @@ impl Judgement {
             if is_contradicted {
                 version.evidence = evidence.clone();
             }
-            // a chain that falls without any shaking is unstable, whatever the motion did
+            // a chain that falls without any shaking is unstable, whatever happens under the motion
             version.weight = match run {
                 Simulation::Chain(run) if run.falls_by_itself() => {
                     version.governed_by = of.without_shaking.as_ref().and_then(|of| of.governed_by.clone());
                     Some(Weight::Unstable)
                 }
                 Simulation::Supports(run) => Some(Weight::of_supports(run, version.weight)),
-                // what speaks against a model never makes its judgement better
+                // evidence against a model never improves its judgement
                 _ if version.weight.is_none() => {
                     let found = of.without_shaking.as_ref();
                     let found = found.filter(|of| !is_contradicted || of.weight == Weight::Unstable);
@@ -124,13 +124,13 @@ impl Judgement {
         self.is_done &= is_done;
     }
 
-    /// The worst colour of all versions: that of banner, index and exit.
+    /// The worst colour of all versions, for banner, index and exit status.
     pub fn colour(&self) -> Colour {
         let alarm = self.is_alarming.then_some(Colour::Red);
         Colour::worst(self.versions.iter().map(VersionJudgement::colour).chain(alarm))
     }
 
-    /// The version that the headline judges: the structure as it is, else the first that was judged.
+    /// The version in the headline: the structure as it is, otherwise the first one.
     pub fn headline(&self) -> Option<&VersionJudgement> {
         let mut versions = self.versions.iter();
         let as_it_is = versions.find(|version| version.variant.is_none());
@@ -144,12 +144,12 @@ impl Judgement {
         variants.filter(move |version| headline.is_none_or(|of| version.is_worse_than(of)))
     }
 
-    /// The exit status of a verb that answered so.
+    /// The exit status of a verb with this judgement.
     pub fn exit_status(&self, verb: Verb) -> u8 {
         exit_status(verb, self.colour(), self.is_done)
     }
 
-    /// Adds what was found of a version, if it is one of those judged.
+    /// Adds a finding for a version, if the judgement has it.
     fn add(&mut self, variant: Option<&str>, found: Vec<EarthquakeFinding>) {
         let version = self
             .versions
@@ -186,7 +186,7 @@ pub fn judge(answers: &[Answer]) -> Judgement {
         match answer {
             Answer::Simulate(simulated) => judgement.add_runs(simulated),
             Answer::Tune(tuned) => {
-                // one of several dampers by itself is not the structure of the file
+                // one of several dampers alone is not the structure of the file
                 for of in tuned.tunings.iter().filter(|of| of.others == 0) {
                     judgement.add(of.variant.as_deref(), of_tuned(of));
                 }
@@ -198,7 +198,7 @@ pub fn judge(answers: &[Answer]) -> Judgement {
                 let line = InventoryLine::watched(String::new(), watched);
                 judgement.is_alarming |= line.is_alarming();
             }
-            // judged above, or no verdict on a structure
+            // included above, or without a verdict on the structure
             Answer::Check(_)
             | Answer::Identify(_)
             | Answer::Compare(_)
@@ -211,7 +211,7 @@ pub fn judge(answers: &[Answer]) -> Judgement {
     judgement
 }
 
-/// Both motions, where the second acted on what the first left.
+/// Names of both motions, where the second acted after the first.
 fn after_motion(of: &SimulateAnswer) -> Option<AfterMotion> {
     let after = of.after.as_ref()?;
     after.second.began_at_rest().map(|_| AfterMotion {
@@ -220,7 +220,7 @@ fn after_motion(of: &SimulateAnswer) -> Option<AfterMotion> {
     })
 }
 
-/// The versions of a check, each with its weight and what its site asks.
+/// The versions of a check, each with its weight and its demand.
 fn of_check(checked: &CheckAnswer, found: &[RecordFrequency]) -> Vec<VersionJudgement> {
     let as_it_is = checked.state.as_ref().map(|state| {
         // a survey belongs to the structure as it is
@@ -270,7 +270,7 @@ pub fn judge_stack_run(run: &StackSimulation) -> Judgement {
     Judgement::of_run(run.variant.as_deref(), of_stack(run), is_done)
 }
 
-/// The damper as in the file against its room under the motions of the file and its site.
+/// The damper as in the file compared with its room under the motions of the file and its site.
 fn of_tuned(tuned: &TuneAnswer) -> Vec<EarthquakeFinding> {
     let row = |row: usize| tuned.comparison.rows.get(row).map(|row| row.choice);
     let given = tuned
@@ -281,7 +281,7 @@ fn of_tuned(tuned: &TuneAnswer) -> Vec<EarthquakeFinding> {
     given.map(of_row).collect()
 }
 
-/// The same of all dampers at once.
+/// The same for all dampers together.
 fn of_together(tuned: &TogetherAnswer) -> Vec<EarthquakeFinding> {
     let row = |row: usize| tuned.rows.get(row).map(|row| &row.choice);
     let given = tuned

@@ -1,4 +1,4 @@
-//! What simulated motions say of an earthquake, by kind of structure.
+//! Words for the earthquake from simulated motions, by kind of structure.
 
 use super::earthquake::{DecidedBy, Earthquake, EarthquakeFinding, of_parts};
 use crate::building::BuildingSimulation;
@@ -10,24 +10,24 @@ use crate::stack::{Repeats, StackRuns, StackSimulation};
 use dolmen::assess::{DamageState, JointDamage};
 use dolmen::blocks::Outcome;
 
-/// How a run came to its end.
+/// End of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Ending {
-    /// It fell, or leaned beyond its model.
+    /// It fell, or went beyond its model.
     Fell,
-    /// It was stopped, cut short or ended undecided.
+    /// It was stopped, cut short, or ended without a verdict.
     Open,
-    /// Nothing of the run can be used.
+    /// The run is unusable.
     Lost,
-    /// It came to its end.
+    /// It is complete.
     Whole,
 }
 
-/// A simulation of any kind, and whether it came to its end or to a fall.
+/// A simulation of any kind, and its end.
 pub(super) fn of_simulation(run: &Simulation) -> (Vec<EarthquakeFinding>, bool) {
     match run {
         Simulation::Stack(runs) => of_stack_runs(runs),
-        // supports that move are no earthquake
+        // moving supports are not an earthquake
         Simulation::Supports(run) => (Vec::new(), run.is_whole()),
         Simulation::Frame(run) => (of_frame(run), run.falls() || run.is_whole()),
         Simulation::Chain(run) => (of_chain(run), run.falls() || run.is_whole()),
@@ -37,7 +37,7 @@ pub(super) fn of_simulation(run: &Simulation) -> (Vec<EarthquakeFinding>, bool) 
     }
 }
 
-/// A stack by each law of contact that was run, and again with small differences: the worst one decides.
+/// The runs of a stack by each law of contact, and their repeats with small differences: the worst one decides.
 pub(super) fn of_stack_runs(runs: &StackRuns) -> (Vec<EarthquakeFinding>, bool) {
     let is_stopped = runs.repeats.as_ref().is_some_and(|repeats| repeats.is_stopped);
     let is_done = !is_stopped && runs.each().all(|run| run.falls() || run.is_whole());
@@ -70,7 +70,7 @@ fn of_repeats(repeats: &Repeats, motion: &str) -> Option<EarthquakeFinding> {
     Some(EarthquakeFinding::new(word, decided_by, Some(motion)))
 }
 
-/// Whether a run of a stack is worse than another: by its word, of equal words by its damage.
+/// Whether a run of a stack is worse than another: by its word, then by its damage.
 pub(crate) fn is_worse_stack_run(run: &StackSimulation, other: &StackSimulation) -> bool {
     let rank = |run: &StackSimulation| {
         let word = Earthquake::worst(&of_stack(run));
@@ -106,7 +106,7 @@ fn has_nan(joint: &JointDamage) -> bool {
     .any(|number| number.is_nan())
 }
 
-/// Damage that a run shows counts although the run is open: what it shows has happened.
+/// Damage in a run without an end still counts: it has happened.
 fn of_damage(
     ending: Ending,
     state: DamageState,
@@ -150,7 +150,7 @@ pub(super) fn of_chain(run: &ChainSimulation) -> Vec<EarthquakeFinding> {
             all.extend(of_beds(ending, &run.parts(), name));
             all
         }
-        // a push alone is no earthquake: that it stands says nothing of one
+        // a push alone is not an earthquake
         None => {
             let counted = found.into_iter().filter(|(word, _)| *word != Earthquake::Above);
             findings(None, counted.collect())
@@ -158,11 +158,11 @@ pub(super) fn of_chain(run: &ChainSimulation) -> Vec<EarthquakeFinding> {
     }
 }
 
-/// Share of the moment at the edge of a bed, less which a run is off by: a bed that opens bears no more than that moment.
+/// Relative error of the moment at the edge of a bed: an opening bed carries no more than that moment.
 const AT_THE_EDGE: f64 = 0.99;
 
-/// A bed that came near its edge, or stood on it, although nothing fell: the same share counts as near that counts for storeys. A bed
-/// of no known width was taken as unable to open: that nothing fell says nothing of it then.
+/// A bed near its edge or on it, in a run without a fall; "near" is the same share as for storeys. A bed of unknown width was taken as unable to
+/// open, so a run without a fall proves nothing for it.
 fn of_beds(ending: Ending, parts: &[PartLimit], motion: &str) -> Vec<EarthquakeFinding> {
     if ending != Ending::Whole {
         return Vec::new();
@@ -209,7 +209,7 @@ pub(super) fn of_frame(run: &FrameSimulation) -> Vec<EarthquakeFinding> {
     found
 }
 
-/// A storey beyond its limit counts although the run is open: what it shows has happened.
+/// A storey beyond its limit in a run without an end still counts: it has happened.
 fn of_storeys(ending: Ending, parts: &[PartLimit], motion: &str) -> Vec<EarthquakeFinding> {
     let mut found = of_parts(parts, Some(motion));
     match ending {
@@ -328,7 +328,7 @@ mod tests {
                 Colour::Amber,
             ),
             (Ending::Whole, vec![storey(0.016, limit)], Colour::Red),
-            // without a limit nothing is decided, but that a storey falls
+            // without a limit nothing is decided, except by the fall of a storey
             (Ending::Whole, vec![storey(0.005, None)], Colour::Amber),
             (Ending::Whole, vec![storey(0.11, None)], Colour::Red),
             (Ending::Fell, vec![storey(0.099, None)], Colour::Red),

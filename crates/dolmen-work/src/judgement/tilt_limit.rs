@@ -1,4 +1,4 @@
-//! A measured tilt against the limit that the file sets.
+//! A measured tilt compared with the limit in the file.
 
 use crate::survey_dates::date;
 use dolmen_project::{Project, Structure, Survey};
@@ -6,7 +6,7 @@ use dolmen_project::{Project, Structure, Survey};
 /// Limit over tilt below which a tilt is near its limit. Chosen here, as for a demand.
 const NEAR_BELOW: f64 = 1.25;
 
-/// A measured tilt against the limit of the file.
+/// A measured tilt and the limit of the file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TiltAgainstLimit {
     /// The survey.
@@ -31,7 +31,7 @@ impl TiltAgainstLimit {
     }
 }
 
-/// The tilt held against `tilt_limit`, if it is beyond it.
+/// The comparison with `tilt_limit`, if the tilt is beyond it.
 pub fn tilt_beyond_limit(project: &Project) -> Option<TiltAgainstLimit> {
     tilt_against_limit(project).filter(TiltAgainstLimit::is_beyond)
 }
@@ -41,7 +41,7 @@ pub(crate) fn is_tilt_beyond(project: &Project) -> bool {
     tilt_beyond_limit(project).is_some() || is_beyond_drift(project)
 }
 
-/// Whether a frame leans as far, before any earthquake, as its storeys may drift in one.
+/// Whether the lean of a frame, before any earthquake, already uses up the drift that an earthquake may cause.
 fn is_beyond_drift(project: &Project) -> bool {
     let is_frame = matches!(project.structure, Structure::Frame(_));
     let limit = project.drift_limit.as_ref().filter(|_| is_frame);
@@ -49,7 +49,7 @@ fn is_beyond_drift(project: &Project) -> bool {
     limit.zip(tilt).is_some_and(|(limit, tilt)| tilt >= limit.ratio())
 }
 
-/// The tilt of [`last_tilt`] against `tilt_limit`; `None` without either.
+/// The comparison of [`last_tilt`] with `tilt_limit`; `None` without either.
 pub fn tilt_against_limit(project: &Project) -> Option<TiltAgainstLimit> {
     let limit = project.watch.tilt_limit?;
     let (survey, tilt) = last_tilt(project)?;
@@ -61,8 +61,8 @@ pub fn tilt_against_limit(project: &Project) -> Option<TiltAgainstLimit> {
     })
 }
 
-/// The last dated survey that states a tilt, or one without a date where that is larger, and the tilt by all directions together, horizontal /
-/// vertical. When a survey without a date was made is not known: it may be the last.
+/// The latest dated survey with a tilt, or one without a date if its tilt is larger, and its resultant tilt, horizontal / vertical. A survey
+/// without a date may be the latest.
 pub fn last_tilt(project: &Project) -> Option<(&Survey, f64)> {
     let tilted = || project.surveys.iter().filter(|survey| !survey.tilt.is_empty());
     let dated = tilted().filter_map(|survey| Some((date(&survey.name)?, survey)));

@@ -18,39 +18,39 @@ use dolmen_words::message::Both;
 pub struct VersionJudgement {
     /// The variant; `None`: the structure as it is.
     pub variant: Option<String>,
-    /// Does it stand; `None` where no model was checked.
+    /// Its stability under weight; `None` where no model was checked.
     pub weight: Option<Weight>,
-    /// What of wind and static loads makes the word for weight what it is, and the combination; `None` if its weight alone does.
+    /// The wind or static loads that govern the word for weight, and the combination; `None` if the weight alone does.
     pub governed_by: Option<Governing>,
-    /// Whether the word for weight is that under wind or static loads too.
+    /// Whether the word for weight includes wind or static loads.
     pub with_loads: bool,
     /// Whether the word for weight is worse because edges of stones crush.
     pub crushes: bool,
-    /// The share of samples that falls or is brought to a limit; `None` without samples, or where none does.
+    /// The share of samples that fall or reach a limit; `None` without samples, or where none does.
     pub falling_share: Option<f64>,
-    /// What an earthquake asks of it, one a demand, motion and part; empty where nothing is asked.
+    /// Results for earthquakes, one for each demand, motion and part; empty without a demand.
     pub earthquake: Vec<EarthquakeFinding>,
-    /// What its wind makes of it against what the file allows, of a building; empty where nothing is limited.
+    /// Results for the wind on a building, compared with the limits of the file; empty without limits.
     pub wind: Vec<WindFinding>,
-    /// Is the model the structure.
+    /// Whether the model represents the structure.
     pub evidence: Evidence,
-    /// What the site asks by: the code and the return period, years, if one was chosen; `None` without a site.
+    /// The code of the site and the return period, years, if one was chosen; `None` without a site.
     pub demand_source: Option<(String, Option<u32>)>,
-    /// A measured tilt that the model does not have.
+    /// A measured tilt that is not in the model.
     pub tilt_left_out: Option<TiltLeftOut>,
-    /// Whether the last measured tilt is beyond the limit that the file sets.
+    /// Whether the latest measured tilt is beyond the limit of the file.
     pub tilt_beyond_limit: bool,
-    /// The measured tilt with which the model leans in what was judged, if it does.
+    /// The measured tilt in the model, if there is one.
     pub leans: Option<Leaning>,
-    /// The motion that had acted before, where the earthquake is the second of two.
+    /// The motion before, where the earthquake is the second of two.
     pub after: Option<AfterMotion>,
-    /// Which of several solutions of the stiffness that the file leaves to its surveys it is; `None` where there is one at most.
+    /// Which of several solutions for an identified stiffness it is; `None` with one at most.
     pub solution: Option<Solution>,
-    /// How many inputs nobody has measured.
+    /// Number of assumed inputs.
     pub inputs: AssumedInputs,
     /// Surveys of the file that nobody measured.
     pub made_up_surveys: Vec<String>,
-    /// Damage of inspections that the model has.
+    /// Inspected damage in the model.
     pub damage: Vec<ModelDamage>,
 }
 
@@ -74,7 +74,7 @@ impl Solution {
     }
 }
 
-/// Two motions of which the second was judged, on what the first left.
+/// Two motions, of which the second acted after the first and was judged.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct AfterMotion {
     /// The first.
@@ -83,7 +83,7 @@ pub struct AfterMotion {
     pub second: String,
 }
 
-/// A measured tilt that a model takes over.
+/// A measured tilt in a model.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Leaning {
     /// The survey.
@@ -163,8 +163,8 @@ impl VersionJudgement {
         Colour::worst(weight.into_iter().chain(others).chain(beyond).chain(left_out))
     }
 
-    /// Whether its colour is worse than that of another version, or that of one question is: a structure that is below demand may have a variant
-    /// that does not even stand.
+    /// Whether its overall colour or the colour of one question is worse than that of another version: a structure below demand may have a
+    /// variant that does not even stand.
     pub fn is_worse_than(&self, other: &VersionJudgement) -> bool {
         let each = |of: &VersionJudgement| {
             [
@@ -190,8 +190,8 @@ impl VersionJudgement {
         }
     }
 
-    /// The headline: the fixed words, the worst first, of equals in the order of the questions. It says nothing of an earthquake
-    /// that nobody asked for, nor of evidence that does not contradict.
+    /// The headline: the fixed words, the worst first, then in the order of the questions. It leaves out an earthquake without a demand, and
+    /// evidence that does not contradict.
     pub fn words(&self, language: Language) -> Vec<String> {
         let earthquake = self.earthquake_word();
         let mut words = Vec::new();
@@ -236,7 +236,7 @@ fn crushes(state: &State) -> bool {
         .is_some_and(|of| answer.check.verdict > of.uncrushed_verdict && of.verdict > of.uncrushed_verdict)
 }
 
-/// What a check found of a version.
+/// Adds the results of a check to a version.
 pub(super) fn version(
     (variant, project): (Option<&str>, &Project),
     state: &State,
@@ -246,7 +246,7 @@ pub(super) fn version(
     let weight = Weight::of(state, is_contradicted);
     let mut version = VersionJudgement::new(variant, Some(weight), evidence);
     version.earthquake = of_site(state);
-    // a stack rests on shapes and friction
+    // a stack depends on shapes and friction
     if is_contradicted && !matches!(state.check, Check::Stack(_)) {
         let found = version.earthquake.into_iter();
         version.earthquake = found.map(EarthquakeFinding::if_model_were_right).collect();
@@ -271,7 +271,7 @@ pub(super) fn version(
             Structure::Frame(part) => part.lean.as_ref().map(of_frame_lean),
             _ => None,
         },
-        // its beds are held against its tilt, where their widths are known
+        // its beds are compared with its tilt, where their widths are known
         Check::Chain(_) => match &project.structure {
             Structure::Chain(part) if state.tilts.iter().any(|tilt| tilt.uplift_tilt.is_some()) => {
                 part.lean.as_ref().map(of_chain_lean)
@@ -293,7 +293,7 @@ pub(super) fn version(
     version
 }
 
-/// What makes the word for weight what it is: wind and static loads, or the worse of two directions.
+/// What governs the word for weight: wind and static loads, or the worse of two directions.
 pub(crate) fn governing(state: &State, weight: Weight) -> Option<Governing> {
     let loads = state.governing_loads().map(Governing::of);
     let is_short = matches!(weight, Weight::Unstable | Weight::Marginal);
@@ -301,7 +301,7 @@ pub(crate) fn governing(state: &State, weight: Weight) -> Option<Governing> {
     loads.or(direction.map(Governing::Direction))
 }
 
-/// The measured tilt with which a run starts.
+/// The measured tilt at the start of a run.
 pub(super) fn leaning(run: &Simulation) -> Option<Leaning> {
     match run {
         Simulation::Stack(runs) => runs.deciding.lean.as_ref().map(of_stack_lean),

@@ -1,4 +1,4 @@
-//! Weight: does it stand as it is, under its own weight and the static loads in the file?
+//! Weight: does the structure stand under its own weight and the static loads in the file?
 
 use super::colour::Colour;
 use crate::stack::SupportsSimulation;
@@ -10,27 +10,27 @@ use dolmen_words::number::beside_one;
 
 /// Digits of a load factor in a headline.
 const DIGITS: usize = 3;
-/// Share of the samples that fall from which on nothing is called stable: codes ask for a thousand times less of a year.
+/// Share of falling samples from which nothing is called stable: codes require a thousandth of that in a year.
 const FALLING_SHARE_MOST: f64 = 0.01;
 
 /// The fixed words.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Weight {
-    /// It stands with enough in hand.
+    /// It stands with a sufficient margin.
     Stable,
-    /// It stands with little in hand.
+    /// It stands with a small margin.
     Marginal,
     /// It does not stand.
     Unstable,
-    /// Something needed is not known, or a survey contradicts the model that the verdict rests on.
+    /// A necessary input is unknown, or a survey contradicts the model.
     Unknown {
-        /// The load factor of the model, where a survey contradicts it.
+        /// The load factor of the model that a survey contradicts.
         load_factor_if_right: Option<f64>,
     },
 }
 
 impl Weight {
-    /// The word for one version of a structure, beside the survey that contradicts it or none.
+    /// The word for one version of a structure, given the survey that contradicts it, if any.
     pub fn of(state: &State, is_contradicted: bool) -> Weight {
         let stuck = state.load_factor();
         let least = match state.slipping_load_factor() {
@@ -62,7 +62,7 @@ impl Weight {
         };
         match (&state.check, is_nan) {
             (_, true) => Weight::of_verdict(Verdict::Unknown, least, false),
-            // a stack keeps its word: it rests on shapes and friction, and its springs alone are contradicted
+            // a stack keeps its word: it depends on shapes and friction, and only its springs are contradicted
             (Check::Stack(_), false) => Weight::of_verdict(verdict, None, false),
             _ => Weight::of_verdict(verdict, least, is_contradicted),
         }
@@ -84,8 +84,8 @@ impl Weight {
             .unwrap_or(Weight::Stable)
     }
 
-    /// The word for a verdict that rests on stiffness. A contradicted model is not known to stand; one that falls stays
-    /// unstable: what speaks against a model never makes its judgement better.
+    /// The word for a verdict that depends on stiffness. A contradicted model is not certain to stand; one that falls stays unstable, because
+    /// evidence against a model never improves its judgement.
     fn of_verdict(verdict: Verdict, load_factor: Option<f64>, is_contradicted: bool) -> Weight {
         let load_factor_if_right = load_factor.filter(|factor| is_contradicted && factor.is_finite());
         match verdict {
@@ -115,7 +115,7 @@ impl Weight {
         }
     }
 
-    /// The word, with what it would rest on: "unknown (1.95 if this model were right)".
+    /// The word, with the value of the contradicted model: "unknown (1.95 if this model were right)".
     pub fn words(self, language: Language) -> String {
         let word = self.word(language);
         match self {

@@ -1,4 +1,4 @@
-//! Wind and static loads: does it move no more than the user allows?
+//! Wind and static loads: is the motion within the limits of the user?
 
 use super::colour::Colour;
 use crate::building::{StandingBuilding, WindSimulation};
@@ -15,13 +15,13 @@ pub enum WindWord {
     NotAsked,
     /// Everything stays within its limit.
     Within,
-    /// There is a limit, but the motion is not known; or no limit.
+    /// There is a limit, but the motion is unknown; or there is no limit.
     NotDecided,
-    /// Something is beyond its limit.
+    /// A quantity is beyond its limit.
     Beyond,
 }
 
-/// What is limited.
+/// The limited quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum WindLimit {
     /// Peak acceleration of the top floor.
@@ -34,7 +34,7 @@ pub enum WindLimit {
     NotGiven,
 }
 
-/// What moves it.
+/// The load.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MovedBy {
     /// Wind.
@@ -45,14 +45,14 @@ pub enum MovedBy {
     Both,
 }
 
-/// A word, what decided it, and by how much.
+/// A word, the quantity that decided it, and the ratio.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WindFinding {
     /// The word.
     pub word: WindWord,
-    /// What moves it.
+    /// The load.
     pub by: MovedBy,
-    /// What is limited; `None`: nothing could be compared.
+    /// The limited quantity; `None` without a comparison.
     pub limit: Option<WindLimit>,
     /// The floor above the storey, or the damper.
     pub part: Option<String>,
@@ -94,7 +94,7 @@ impl WindLimit {
 }
 
 impl WindFinding {
-    /// The finding that decides: of the worst word that with the least in hand.
+    /// The finding that decides: of the worst word the one with the smallest margin.
     pub fn deciding(all: &[WindFinding]) -> Option<&WindFinding> {
         let word = all.iter().map(|of| of.word).max()?;
         let in_hand = |of: &&WindFinding| of.ratio.unwrap_or(f64::INFINITY);
@@ -102,7 +102,7 @@ impl WindFinding {
         worst.min_by(|a, b| in_hand(a).total_cmp(&in_hand(b)))
     }
 
-    /// A wind that nothing limits: what moves in it is not judged.
+    /// A wind without limits: its motion is not judged.
     fn without_limit() -> Self {
         WindFinding {
             word: WindWord::NotDecided,
@@ -117,7 +117,7 @@ impl WindFinding {
         WindFinding {
             word: match ratio >= 1.0 {
                 true => WindWord::Within,
-                false => WindWord::Beyond, // and where it is not a number
+                false => WindWord::Beyond, // also where it is not a number
             },
             by: MovedBy::Wind,
             limit: Some(limit),
@@ -127,11 +127,11 @@ impl WindFinding {
     }
 }
 
-/// The motion of a building in its wind, and of a frame under wind and static loads, against what the file allows; empty where it allows what it may, and of
-/// other kinds.
+/// The motion of a building in its wind, and of a frame under wind and static loads, compared with the limits of the file; empty without limits,
+/// and for other kinds.
 pub(super) fn of_wind(project: &Project, state: &State, is_contradicted: bool) -> Vec<WindFinding> {
     if let (Structure::Frame(part), Some(loads)) = (&project.structure, &state.loads) {
-        // a gust as given says nothing of how it makes a soft frame swing
+        // a given gust contains no resonance of a soft frame
         let is_in_doubt = is_contradicted || loads.lacks_resonance_at_hz().is_some();
         return if_model_is_right(of_frame(part, project, loads), is_in_doubt);
     }
@@ -160,8 +160,8 @@ pub(super) fn of_wind(project: &Project, state: &State, is_contradicted: bool) -
     if_model_is_right(all, is_contradicted)
 }
 
-/// The lean of each storey of a frame under each combination against the drift that the file allows as a number, the least in hand of each combination; a limit
-/// of a code is for earthquakes. Empty without one.
+/// The lean of each storey of a frame under each combination compared with the drift limit that the file gives as a number, the smallest margin
+/// of each combination; limits of codes are for earthquakes. Empty without such a limit.
 fn of_frame(part: &FramePart, project: &Project, loads: &LoadsAnswer) -> Vec<WindFinding> {
     let Some(limit @ DriftLimit::Given { .. }) = &project.drift_limit else {
         return Vec::new();
@@ -216,8 +216,8 @@ fn of_frame(part: &FramePart, project: &Project, loads: &LoadsAnswer) -> Vec<Win
     all
 }
 
-/// What is allowed over what the loads add to the lean of a storey, the lean without them taken off; 0 where it does not bear them, `None` where nothing
-/// pushes it.
+/// The allowable drift, less the lean without the loads, over the additional lean by the loads; 0 where the storey does not bear them, `None`
+/// without loads.
 fn in_hand(storey: &LoadedStorey, allowed: f64) -> Option<f64> {
     if storey.under.shear_n == 0.0 {
         return None;
@@ -232,8 +232,9 @@ fn in_hand(storey: &LoadedStorey, allowed: f64) -> Option<f64> {
     })
 }
 
-/// Histories against the same limits: the mean of their peaks, or the mean square where that is larger, so that there is one answer to one question. A
-/// damper that meets its stops in one of them, which they do not have, and histories shorter than the wind that the limits are of, leave nothing within.
+/// Histories compared with the same limits: the mean of their peaks, or the mean square where that is larger, so that both verbs agree. If a
+/// damper meets its stops in a history (the model has none), or the histories are shorter than the time for which the limits hold, nothing
+/// counts as within.
 pub(super) fn of_wind_histories(run: &WindSimulation, is_contradicted: bool) -> Vec<WindFinding> {
     let mut all = Vec::new();
     if let Some(limit) = run.acceleration_limit_m_s2 {
@@ -262,7 +263,7 @@ pub(super) fn of_wind_histories(run: &WindSimulation, is_contradicted: bool) -> 
     if_model_is_right(all, is_contradicted || !run.is_as_long_as_its_wind())
 }
 
-/// What is not of the structure, or not of its wind, leaves nothing within its limit.
+/// Results that are not of the structure, or not of its wind, leave nothing within its limit.
 fn if_model_is_right(mut all: Vec<WindFinding>, is_in_doubt: bool) -> Vec<WindFinding> {
     if is_in_doubt {
         let within = all.iter_mut().filter(|of| of.word == WindWord::Within);

@@ -1,4 +1,4 @@
-//! What was done to a store.
+//! Results of actions on a store.
 
 use super::survey::KeptEarthquake;
 use dolmen_words::message::Both;
@@ -14,37 +14,37 @@ pub struct Unidentified {
     pub why: Both,
 }
 
-/// Keys and values of JSON never follow the language.
+/// Keys and values in JSON are the same in every language.
 fn in_english<S: Serializer>(why: &Both, to: S) -> Result<S::Ok, S::Error> {
     why.english.serialize(to)
 }
 
-/// What `add` did, once it is on disk.
+/// Result of `add`, once it is on disk.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Added {
     /// The structure.
     pub structure: String,
     /// BLAKE3 over the text of the project and its files.
     pub project: String,
-    /// Whether this state of the project was not there yet.
+    /// Whether this state of the project is new.
     pub is_new_state: bool,
     /// Surveys of the project.
     pub surveys: usize,
-    /// Surveys that were not there yet, or not in this form.
+    /// New or changed surveys.
     pub new_surveys: usize,
     /// Files of the project.
     pub files: usize,
-    /// Files whose bytes were not there yet.
+    /// Number of new files.
     pub new_files: usize,
-    /// Analyses that were not there yet.
+    /// Number of new analyses.
     pub new_analyses: usize,
     /// Surveys whose records gave no modes.
     pub unidentified: Vec<Unidentified>,
-    /// Surveys that the state before had under the same name with other content.
+    /// Surveys whose content differs from that of the same name in the previous state.
     pub changed_surveys: Vec<String>,
-    /// Surveys that the state before had, and this one has not.
+    /// Surveys of the previous state that this one lacks.
     pub gone_surveys: Vec<String>,
-    /// Earthquakes that the structure felt, those that came by themselves among them.
+    /// Earthquakes at the structure, including those from watched folders.
     pub earthquakes: Vec<AddedEarthquake>,
 }
 
@@ -53,25 +53,25 @@ pub struct Added {
 pub struct AddedEarthquake {
     /// The survey.
     pub survey: String,
-    /// What is known of it.
+    /// Its data.
     #[serde(flatten)]
     pub of: KeptEarthquake,
-    /// Whether a repair or an inspection was entered since.
+    /// Whether a repair or an inspection followed.
     pub is_answered: bool,
 }
 
-/// What `import` did, once it is on disk.
+/// Result of `import`, once it is on disk.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Imported {
     /// Structures of the source.
     pub structures: usize,
-    /// Rows that were not there yet.
+    /// Number of new rows.
     pub new_rows: usize,
-    /// Raw files that were not there yet.
+    /// Number of new raw files.
     pub new_files: usize,
 }
 
-/// One thing that is wrong.
+/// One fault.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[serde(tag = "fault", rename_all = "snake_case")]
 pub enum Fault {
@@ -80,12 +80,12 @@ pub enum Fault {
         /// Its hash.
         hash: String,
     },
-    /// A raw file does not have the bytes that it was kept for.
+    /// The bytes of a raw file have changed.
     Changed {
         /// Its hash.
         hash: String,
     },
-    /// A row says something else than its name.
+    /// The contents of a row do not fit its key.
     Row {
         /// The table.
         table: String,
@@ -94,12 +94,12 @@ pub enum Fault {
     },
     /// The database itself is damaged, or a row refers to one that is not there.
     Database {
-        /// What it says.
+        /// Message of the database.
         why: String,
     },
 }
 
-/// What `verify` found.
+/// Result of `verify`.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Verified {
     /// Structures.
@@ -112,10 +112,10 @@ pub struct Verified {
     pub raw_files: i64,
     /// Their bytes, uncompressed.
     pub raw_bytes: i64,
-    /// Files in the folder that no row names: left by a process that was killed, and harmless.
+    /// Files in the folder that no row names: left by a killed process, and harmless.
     pub unnamed_files: i64,
-    /// BLAKE3 over all rows: two stores with the same one hold the same.
+    /// BLAKE3 over all rows: equal for stores with equal contents.
     pub content: String,
-    /// What is wrong.
+    /// The faults.
     pub faults: Vec<Fault>,
 }

@@ -1,9 +1,9 @@
-//! Why a store cannot answer.
+//! Faults of a store.
 
-/// Why a store cannot answer.
+/// Why a store fails.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum StoreFault {
-    /// The user names no store.
+    /// No store was named.
     Unnamed,
     /// There is no file.
     NoStore {
@@ -31,18 +31,18 @@ pub enum StoreFault {
     },
     /// Another process is writing.
     Locked,
-    /// It may only be read.
+    /// The store is read-only.
     ReadOnly,
     /// The file cannot be opened.
     Unopenable,
-    /// There is no room.
+    /// The disk is full.
     DiskFull,
-    /// Its bytes are not those that were written.
+    /// The file is damaged.
     Damaged {
         /// What is wrong.
         why: String,
     },
-    /// A raw file cannot be had as it was kept.
+    /// A raw file is missing or changed.
     Raw {
         /// Its hash.
         hash: String,
@@ -58,7 +58,7 @@ pub enum StoreFault {
     NoStructure {
         /// The name.
         name: String,
-        /// One that is alike.
+        /// A similar name.
         nearest: Option<String>,
     },
     /// There is no such survey.
@@ -68,27 +68,27 @@ pub enum StoreFault {
         /// The last ones that are there.
         known: String,
     },
-    /// A name that cannot be kept.
+    /// A name that is not allowed.
     Name {
         /// "structure", "path", "who".
         what: &'static str,
-        /// It, what steers a terminal left out.
+        /// The name without control characters.
         shown: String,
     },
-    /// Two projects of one name that are not of one kind.
+    /// Two projects with the same name but different kinds.
     OtherKind {
         /// The structure.
         name: String,
-        /// Its kind so far.
+        /// The kind in the store.
         kept: String,
         /// The kind of the project.
         given: String,
     },
-    /// The address of a server where this program knows none.
+    /// The address of a server in a build without servers.
     NoPostgres,
     /// The address of a server cannot be read.
     ServerUrl {
-        /// What cannot be read: "port", or the name of a parameter; never a value, which may be a password.
+        /// The unreadable part: "port", or the name of a parameter; never a value, which may be a password.
         part: String,
     },
     /// The address asks for encryption.
@@ -96,12 +96,12 @@ pub enum StoreFault {
         /// What it asks for.
         mode: String,
     },
-    /// The server is another machine, and the address does not say that what goes there may be read on the way.
+    /// The server is another machine, and the address does not allow an unencrypted connection.
     ServerClear {
         /// The machine.
         host: String,
     },
-    /// Nothing answers, or nothing that could be talked to.
+    /// Nothing answers, or the answer is not that of a server.
     ServerDown {
         /// The address without its password.
         shown: String,
@@ -128,7 +128,7 @@ pub enum StoreFault {
         /// The address without its password.
         shown: String,
     },
-    /// The database keeps text in an encoding that lacks signs.
+    /// The encoding of the database lacks characters.
     ServerEncoding {
         /// The address without its password.
         shown: String,
@@ -145,7 +145,7 @@ pub enum StoreFault {
         /// The address without its password.
         shown: String,
     },
-    /// The role lacks a right, or the server only gives and takes nothing.
+    /// The role lacks a right, or the server is read-only.
     ServerRights {
         /// The address without its password.
         shown: String,
@@ -155,12 +155,12 @@ pub enum StoreFault {
         /// The address without its password.
         shown: String,
     },
-    /// A text with a zero byte, which PostgreSQL has no place for.
+    /// A text with a zero byte, which PostgreSQL cannot store.
     ZeroByte {
-        /// It, what steers a terminal left out.
+        /// The text without control characters.
         shown: String,
     },
-    /// Something else went wrong.
+    /// Another error.
     Failed {
         /// What the database says.
         why: String,

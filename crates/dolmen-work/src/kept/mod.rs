@@ -1,4 +1,4 @@
-//! What a store of surveys keeps and gives back: structures, their surveys over years, what was done and what is wrong.
+//! Data of a store of surveys: structures, their surveys over years, actions and faults.
 
 mod done;
 mod fault;

@@ -18,7 +18,7 @@ pub struct ListedStructure {
     pub latitude_deg: Option<f64>,
     /// Degrees east.
     pub longitude_deg: Option<f64>,
-    /// How many surveys it has.
+    /// Number of surveys.
     pub surveys: i64,
     /// Date of the first survey that has one.
     pub first_survey: Option<String>,
@@ -26,7 +26,7 @@ pub struct ListedStructure {
     pub last_survey: Option<String>,
     /// When its project was last stored, s since 1970 (UTC).
     pub stored_s: f64,
-    /// By whom.
+    /// Name of the person.
     pub who: String,
     /// Whether it is out of use.
     pub is_removed: bool,
@@ -77,19 +77,19 @@ pub struct KeptLog {
     pub who: String,
     /// "add", "import", "remove".
     pub verb: String,
-    /// With what result.
+    /// Its result.
     pub detail: String,
 }
 
-/// A structure with all that is kept of it.
+/// A structure with all its data in the store.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct KeptStructure {
-    /// As it is listed.
+    /// Its line in the list.
     pub structure: ListedStructure,
     /// The surveys of its latest state, in the order of the file.
     pub surveys: Vec<KeptSurvey>,
     /// States of its project, the latest first.
     pub states: Vec<KeptState>,
-    /// What was done, the latest first.
+    /// The log, the latest line first.
     pub log: Vec<KeptLog>,
 }

@@ -12,7 +12,7 @@ pub struct KeptRecord {
     pub hash: String,
     /// Its size.
     pub bytes: i64,
-    /// Channels that the project names; 0: all columns.
+    /// Number of channels that the project names; 0 for all columns.
     pub channels: i64,
 }
 
@@ -40,7 +40,7 @@ pub struct KeptMode {
     pub damping_ratio: Option<f64>,
     /// Its standard deviation.
     pub damping_ratio_sd: Option<f64>,
-    /// Whether the user insists on it though a test refused it.
+    /// Whether the user accepted it although a test refused it.
     pub accepted: bool,
 }
 
@@ -82,26 +82,26 @@ impl From<EarthquakePart> for KeptEarthquake {
     }
 }
 
-/// One thing that an inspection found.
+/// An entry of an inspection.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct KeptInspection {
     /// The part.
     pub part: String,
-    /// What it is, in English.
+    /// Its kind, in English.
     pub what: String,
-    /// What tells it from others of its kind at the part.
+    /// Its name among others of its kind at the part.
     pub name: Option<String>,
     /// Its size, m.
     pub size_m: Option<f64>,
     /// Standard deviation of that by the error of reading, m.
     pub size_sd_m: Option<f64>,
-    /// The size that must not be reached, m.
+    /// Its limit, m.
     pub limit_m: Option<f64>,
     /// "slight", "moderate", "severe".
     pub severity: Option<String>,
     /// The file of a photograph.
     pub photo: Option<String>,
-    /// Anything that was added.
+    /// A note.
     pub note: Option<String>,
 }
 
@@ -114,7 +114,7 @@ pub struct KeptSurvey {
     pub date: Option<String>,
     /// Air temperature, °C.
     pub temperature_c: Option<f64>,
-    /// What levels and tilts refer to.
+    /// The datum of levels and tilts.
     pub datum: Option<String>,
     /// Its records.
     pub records: Vec<KeptRecord>,
@@ -122,7 +122,7 @@ pub struct KeptSurvey {
     pub tilts: Vec<KeptTilt>,
     /// Modes that the file states.
     pub stated_modes: Vec<KeptMode>,
-    /// What an inspection found, in the order of the file.
+    /// Entries of an inspection, in the order of the file.
     pub inspections: Vec<KeptInspection>,
     /// Whether nobody measured it.
     pub is_made_up: bool,

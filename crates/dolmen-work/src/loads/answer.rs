@@ -4,27 +4,27 @@ use dolmen::assess::StackUnderLoads;
 use dolmen::stability::{ChainUnderLoads, StoreyUnderLoads, Verdict};
 use dolmen::structure::wind::{Resonance, WindError};
 
-/// Natural frequency below which gusts near it add to what a gust as given says, Hz: 5 Hz in EN 1991-1-4, 1 Hz in KDS 41 12 00.
+/// Natural frequency below which resonance adds to a given gust, Hz: 5 Hz in EN 1991-1-4, 1 Hz in KDS 41 12 00.
 const RESONANCE_BELOW_HZ: f64 = 1.0;
 
-/// What loads beside the weight do.
+/// The response to loads other than the weight.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LoadsAnswer {
     /// Whether the file gives a wind.
     pub has_wind: bool,
     /// Whether it gives static loads.
     pub has_loads: bool,
-    /// The wind as it meets the structure; why it is not known; `None` without wind.
+    /// The wind on the structure, or why it is unknown; `None` without wind.
     pub wind: Option<Result<WindMet, WindError>>,
-    /// The same blowing across a chain of two directions; `None` of others, and where `wind` is not known.
+    /// The same across a chain of two directions; `None` for others, and where `wind` is unknown.
     pub wind_across: Option<WindMet>,
-    /// The wind along each direction of a frame; empty of others, and where `wind` is not known.
+    /// The wind along each direction of a frame; empty for others, and where `wind` is unknown.
     pub frame_winds: Vec<FrameWind>,
-    /// A chain with what its static loads weigh; `None` if they weigh nothing, or its stiffness is not known.
+    /// A chain with the weights of its static loads; `None` if they weigh nothing, or its stiffness is unknown.
     pub carried: Option<Carried>,
-    /// Tilt as surveyed that is counted with every combination, rad.
+    /// Surveyed tilt in every combination, rad.
     pub tilt_rad: f64,
-    /// Each combination; empty where the wind is not known.
+    /// Each combination; empty where the wind is unknown.
     pub combinations: Vec<CombinationAnswer>,
 }
 
@@ -35,14 +35,14 @@ pub struct FrameWind {
     pub direction: String,
     /// The wind; its links are the storeys.
     pub met: WindMet,
-    /// Force that reaches each level, lowest first, N: what meets a storey is shared by the levels above and below it.
+    /// Force on each level, lowest first, N: the levels above and below a storey share the wind on it.
     pub levels_n: Vec<f64>,
 }
 
-/// A chain with the weight of its static loads as they are.
+/// A chain with the weights of its static loads.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Carried {
-    /// What they weigh, N.
+    /// The weights, N.
     pub weight_n: f64,
     /// Factor on the weight of all at which it falls.
     pub load_factor: f64,
@@ -57,18 +57,18 @@ impl Carried {
     }
 }
 
-/// Wind as it meets a structure, without a factor of a combination.
+/// Wind on a structure, without the factor of a combination.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct WindMet {
     /// Peak velocity pressure at the top, with the factor for size and resonance, Pa.
     pub pressure_at_top_pa: f64,
     /// c_s c_d or G_D; 1 for a gust as given.
     pub response_factor: f64,
-    /// What it says of resonance.
+    /// Whether it includes resonance.
     pub resonance: Resonance,
     /// Lowest natural frequency, Hz; `None` where it is not known.
     pub frequency_hz: Option<f64>,
-    /// What each link takes, lowest first; none of a stack.
+    /// The wind on each link, lowest first; empty for a stack.
     pub links: Vec<WindOnLink>,
     /// Whole force, N.
     pub force_n: f64,
@@ -76,7 +76,7 @@ pub struct WindMet {
     pub moment_n_m: f64,
 }
 
-/// What one link takes.
+/// The wind on one link.
 #[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize)]
 pub struct WindOnLink {
     /// Area, m², banners and signs included.
@@ -90,7 +90,7 @@ pub struct WindOnLink {
 /// One combination.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CombinationAnswer {
-    /// Its name in the file; `None`: everything as it is.
+    /// Its name in the file; `None` for all loads as given.
     pub name: Option<String>,
     /// Factors on weight, wind and static loads.
     pub weight: f64,
@@ -98,22 +98,22 @@ pub struct CombinationAnswer {
     pub wind: f64,
     /// On static loads.
     pub loads: f64,
-    /// What it does.
+    /// Its result.
     pub of: Combined,
 }
 
-/// What a combination does, by kind of structure.
+/// Result of a combination, by kind of structure.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Combined {
-    /// To a chain.
+    /// For a chain.
     Chain(Box<ChainCombination>),
-    /// To a stack, with the wind from its worst side.
+    /// For a stack, with the wind from its worst side.
     Stack(Box<StackUnderLoads>),
-    /// To a frame, a direction at a time.
+    /// For a frame, one direction at a time.
     Frame(Box<FrameCombination>),
 }
 
-/// A frame under a combination, each storey in the worse of the two ways of the wind, joints sticking or slipping.
+/// A frame under a combination; each storey with the worse direction of the wind, joints sticking or slipping.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FrameCombination {
     /// Each direction whose stiffness is known.
@@ -133,14 +133,14 @@ pub struct DirectionUnderLoads {
     pub storeys: Vec<LoadedStorey>,
 }
 
-/// A storey of a frame in the worst of its cases.
+/// A storey of a frame in its worst case.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct LoadedStorey {
-    /// What it bears.
+    /// The factor that it bears.
     pub under: StoreyUnderLoads,
     /// Its height, m.
     pub height_m: f64,
-    /// How it leans as surveyed, horizontal over vertical; the loads push that way.
+    /// Its surveyed lean, horizontal over vertical; the loads act in that direction.
     pub tilt: f64,
     /// Whether the wind blows against the positive direction of the static loads.
     pub wind_reversed: bool,
@@ -184,7 +184,7 @@ impl FrameCombination {
             .map_or(Verdict::Unknown, Verdict::of_load_factor)
     }
 
-    /// By the factors on loads and on weight; a direction that is not known leaves it unknown, unless another falls.
+    /// From the factors on loads and on weight; unknown if a direction is unknown, unless another falls.
     pub fn verdict(&self) -> Verdict {
         let by_loads = match self.factor() {
             Some(f64::INFINITY) => Verdict::Stable,
@@ -210,7 +210,7 @@ pub struct ChainCombination {
     pub wind_reversed: bool,
     /// Factor on the weight of the combination, static loads included, at which it falls; `None` without stiffness.
     pub weight_factor: Option<f64>,
-    /// Across, of a chain of two directions; then the factors on loads are those of both together.
+    /// Across, for a chain of two directions; the factors on loads are then those of both together.
     pub across: Option<AcrossCombination>,
 }
 
@@ -248,7 +248,7 @@ impl CombinationAnswer {
         }
     }
 
-    /// Least factor on wind and loads at which a joint reaches its limit, stones move, or a storey falls; `None` where no limit is known.
+    /// Smallest factor on wind and loads at which a joint reaches its limit, stones move, or a storey falls; `None` where no limit is known.
     pub fn factor(&self) -> Option<f64> {
         match &self.of {
             Combined::Chain(chain) => chain.under.factor,
@@ -257,7 +257,7 @@ impl CombinationAnswer {
         }
     }
 
-    /// By the factors on loads and on weight; unknown where a limit or the stiffness is not known, unless it overturns all the same.
+    /// From the factors on loads and on weight; unknown where a limit or the stiffness is unknown, unless it overturns in any case.
     pub fn verdict(&self) -> Verdict {
         match &self.of {
             Combined::Chain(chain) => chain.verdict(),
@@ -296,7 +296,7 @@ impl ChainCombination {
 }
 
 impl LoadsAnswer {
-    /// The combination with the worst verdict, of equals that with the least factor.
+    /// The combination with the worst verdict, then with the smallest factor.
     pub fn worst(&self) -> Option<&CombinationAnswer> {
         self.combinations.iter().min_by(|a, b| {
             let severity = |of: &CombinationAnswer| match of.verdict() {
@@ -312,7 +312,7 @@ impl LoadsAnswer {
         })
     }
 
-    /// The worst verdict; unknown where the wind is not known, or where gusts make it swing and the wind does not hold that.
+    /// The worst verdict; unknown where the wind is unknown, or does not include the resonance of the structure.
     pub fn verdict(&self) -> Verdict {
         if self.falls_as_it_hangs() {
             return Verdict::Unstable;
@@ -327,12 +327,12 @@ impl LoadsAnswer {
         }
     }
 
-    /// Whether it falls under its weight and that of its static loads as they hang, whatever factors its combinations have.
+    /// Whether it falls under its weight and the weights of its static loads, with factors of 1.
     pub fn falls_as_it_hangs(&self) -> bool {
         self.carried.is_some_and(|of| of.verdict() == Verdict::Unstable)
     }
 
-    /// The lowest natural frequency, Hz, of a structure that gusts make swing under a wind that does not hold that.
+    /// The lowest natural frequency, Hz, of a structure with resonance that the wind does not include.
     pub fn lacks_resonance_at_hz(&self) -> Option<f64> {
         let along = self.wind.as_ref()?.as_ref().ok()?;
         let blows = self.combinations.iter().any(|of| of.wind != 0.0);

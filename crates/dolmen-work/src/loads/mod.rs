@@ -1,4 +1,4 @@
-//! Wind, static loads and their combinations: what they ask of each joint, and which combination is the worst.
+//! Wind, static loads and their combinations: the moments in each joint, and the worst combination.
 
 mod answer;
 mod words;

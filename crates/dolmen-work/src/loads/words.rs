@@ -24,7 +24,7 @@ messages! {
     }
 }
 
-/// What of wind and static loads decides a word, or which direction.
+/// The wind, static loads or direction that govern a word.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Governing {
     /// Wind.

@@ -1,40 +1,40 @@
-//! A motion that is ready to act, and where it came from.
+//! A motion ready to act, with its origin.
 
 use super::measured_response::MeasuredResponse;
 use dolmen::signal::{Component, GroundMotion, last_and_peak_displacement_m};
 use std::sync::Arc;
 
-/// The motion of the base and where it came from.
+/// The motion of the base and its origin.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MotionAnswer {
-    /// The motion as it acts: read, then changed as its history says.
+    /// The motion: read, then changed as its history says.
     pub motion: GroundMotion,
     /// The file of each component.
     pub files: Vec<(Component, String)>,
     /// Largest absolute acceleration of each component as read, m/s².
     pub peaks_read_m_s2: Vec<(Component, f64)>,
-    /// The angle it was turned by, rad, where one was typed.
+    /// The angle of rotation on the command line, rad, if given.
     pub turned_rad: Option<f64>,
-    /// What the structure did above it, where a survey's record measured both and nothing was changed since.
+    /// The response of the structure above it, where a survey's record has both and the motion was not changed.
     pub measured: Option<Arc<MeasuredResponse>>,
 }
 
-/// A base line drifts where the last displacement is more than this part of the largest, and that more than this, m. Chosen here.
+/// Limits of a drifting base line: the last displacement exceeds this fraction of the largest, and this length, m. Chosen here.
 const DRIFT_LEAST: f64 = 0.5;
 const DRIFT_LEAST_M: f64 = 0.01;
 
-/// Whether a component of a motion ends near its largest displacement: a base line that drifts, or ground that moved for good.
+/// Whether a component of a motion ends near its largest displacement: the base line drifts, or the ground moved permanently.
 pub fn base_line_drifts([last_m, peak_m]: [f64; 2]) -> bool {
     last_m.abs() > DRIFT_LEAST * peak_m && peak_m > DRIFT_LEAST_M
 }
 
 impl MotionAnswer {
-    /// When a run ends, s, if that is before the motion does.
+    /// End of a run, s, if it is before that of the motion.
     pub fn cut_at_s(&self, end_s: f64) -> Option<f64> {
         (end_s < self.motion.duration_s() * (1.0 - 1e-9)).then_some(end_s)
     }
 
-    /// How a run that ended before the motion is announced, before what it showed until then.
+    /// Introduction to the results of a run that ended before the motion.
     pub fn cut_words(&self, end_s: f64) -> String {
         format!(
             "ENDED BEFORE THE MOTION: {end_s:.2} of its {:.2} s were run; no verdict. Until then: ",
@@ -42,7 +42,7 @@ impl MotionAnswer {
         )
     }
 
-    /// Components whose base line drifts, and how far away the ground ends, m.
+    /// Components with a drifting base line, and the displacement at their end, m.
     pub fn drifting_m(&self) -> Vec<(Component, f64)> {
         let given = Component::ALL
             .into_iter()

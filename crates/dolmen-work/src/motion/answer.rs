@@ -1,34 +1,33 @@
-//! What `dolmen motion` found.
+//! Results of `dolmen motion`.
 
 use dolmen::signal::{
     Component, GroundMotion, IntensityMeasures, MatchedMotion, SpectralOrdinate, SpectrumMisfit,
 };
 use dolmen_records::motions::ComponentReading;
 
-/// One series of accelerations with all that is known of it.
+/// One series of accelerations and its properties.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MotionSeries {
-    /// What it is called: "x", or the name of the channel.
+    /// Its name: "x", or the name of the channel.
     pub name: String,
     /// The motion that it is part of.
     pub motion: GroundMotion,
-    /// Which direction of it.
+    /// Its direction in that motion.
     pub component: Component,
     /// Its measures.
     pub measures: IntensityMeasures,
-    /// Its response spectrum, if one was asked for.
+    /// Its response spectrum, if requested.
     pub spectrum: Vec<SpectralOrdinate>,
 }
 
 /// A motion matched to a demand.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MatchAnswer {
-    /// What the demand is: the code with its year and parameters.
+    /// Description of the demand: the code with its year and parameters.
     pub demand: String,
-    /// What came out.
+    /// The matched motion.
     pub matched: MatchedMotion,
-    /// How far the spectrum is from the demand below the shortest and above the longest period that is matched: nothing is done to it
-    /// there.
+    /// Difference between spectrum and demand below the shortest and above the longest matched period, where nothing was matched.
     pub outside: [SpectrumMisfit; 2],
     /// Damping ratio of the spectra.
     pub damping_ratio: f64,
@@ -37,12 +36,12 @@ pub struct MatchAnswer {
 }
 
 impl MatchAnswer {
-    /// Root mean square of the misfit up to which a motion is called matched.
+    /// Largest root mean square of the misfit of a matched motion.
     pub const MISFIT_MOST: f64 = 0.025;
-    /// Share by which no ordinate may fall short.
+    /// Largest relative shortfall of an ordinate.
     pub const SHORT_MOST: f64 = 0.1;
 
-    /// Whether the motion is matched within both.
+    /// Whether the motion meets both limits.
     pub fn is_close(&self) -> bool {
         let after = &self.matched.after;
         after.root_mean_square <= Self::MISFIT_MOST && after.lowest >= -Self::SHORT_MOST

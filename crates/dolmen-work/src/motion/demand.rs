@@ -1,4 +1,4 @@
-//! The demand that motions are brought to, and over which periods.
+//! Demand spectra for motions, and the periods of a match.
 
 use super::error::MotionRequestError;
 use crate::error::WorkError;
@@ -7,7 +7,7 @@ use dolmen::assess::demand::{
     kds_17_effective_acceleration_g,
 };
 
-/// A demand spectrum: of Eurocode 8 where it has a ground acceleration, else of KDS 17 10 00.
+/// A demand spectrum: of Eurocode 8 if it has a ground acceleration, otherwise of KDS 17 10 00.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Demand {
     /// S1 to S5 (KDS), A to E (Eurocode 8), in any case.
@@ -22,19 +22,19 @@ pub struct Demand {
     pub spectrum_type: u8,
 }
 
-/// The periods over which motions are brought to a demand where none are given, s. Chosen here.
+/// Default periods of a match, s. Chosen here.
 pub const RANGE_S: [f64; 2] = [0.1, 3.0];
-/// Shortest and longest period that may be asked for, s. Chosen here: records of earthquakes tell nothing beyond.
+/// Shortest and longest period allowed, s. Chosen here: records of earthquakes do not resolve others.
 const RANGE_ALLOWED_S: [f64; 2] = [0.02, 10.0];
-/// The periods for a structure, over its own: 0.2 T1 to 2 T1. Dolmen's own rule.
+/// Periods of a match for a structure, over its own period: 0.2 T1 to 2 T1. Dolmen's own rule.
 const OF_STRUCTURE: [f64; 2] = [0.2, 2.0];
 
-/// The periods over which motions are brought to a demand for a structure of the period `t1_s`.
+/// Periods of a match for a structure of the period `t1_s`.
 pub fn range_of_structure(t1_s: f64) -> [f64; 2] {
     OF_STRUCTURE.map(|share| share * t1_s)
 }
 
-/// A range of periods that can be.
+/// Checks a range of periods.
 pub(super) fn range(given_s: [f64; 2]) -> Result<[f64; 2], WorkError> {
     let [least_s, most_s] = given_s;
     let [allowed_least_s, allowed_most_s] = RANGE_ALLOWED_S;

@@ -1,63 +1,63 @@
-//! What looks wrong with a motion: its unit, its step or its angle.
+//! Signs that a motion has a wrong unit, step or angle.
 
 use super::acting::MotionAnswer;
 use dolmen::known::STANDARD_GRAVITY_M_S2;
 use dolmen::signal::{Component, GroundMotion};
 use dolmen_project::looks_like_radians;
 
-/// A probable slip of a motion that may be right.
+/// A probable mistake in a motion.
 #[derive(Clone, Debug, PartialEq)]
 pub enum MotionDoubt {
-    /// A file holds a peak that hardly any record has.
+    /// A file has a peak larger than that of almost any record.
     ReadStrong {
         /// The component.
         component: Component,
         /// Its peak, g.
         peak_g: f64,
     },
-    /// A file holds a peak that nobody would feel.
+    /// A file has a peak that nobody would feel.
     ReadWeak {
         /// The component.
         component: Component,
         /// Its peak, g.
         peak_g: f64,
     },
-    /// What acts is stronger than hardly any record.
+    /// The acting motion is stronger than almost any record.
     ActsStrong {
         /// Its peak, g.
         peak_g: f64,
     },
-    /// What acts would not be felt.
+    /// The acting motion would not be felt.
     ActsWeak {
         /// Its peak, g.
         peak_g: f64,
     },
-    /// Its time step makes it swing too slowly or too fast for an earthquake.
+    /// With its time step it oscillates too slowly or too fast for an earthquake.
     Step {
         /// The component.
         component: Component,
         /// The step, s.
         step_s: f64,
-        /// Swings through zero and back a second, Hz.
+        /// Number of oscillations a second.
         swings_hz: f64,
     },
-    /// It is turned by a round part of π, in degrees.
+    /// Its angle in degrees is a round multiple of π.
     TurnRadians {
         /// The angle, degrees.
         degrees: f64,
     },
 }
 
-/// Peak above which a motion is doubted, g. Chosen here: fewer than one in a thousand records of damaging earthquakes exceed it.
+/// Peak above which a motion is suspicious, g. Chosen here: fewer than one in a thousand records of damaging earthquakes exceed it.
 const STRONG_G: f64 = 1.5;
-/// Peak of a file below which its unit is doubted, and of what acts, g. Chosen here: people feel 0.003 g.
+/// Peak of a file, and of an acting motion, below which it is suspicious, g. Chosen here: people feel 0.003 g.
 const READ_WEAK_G: f64 = 0.004;
 const ACTS_WEAK_G: f64 = 0.0005;
-/// Mean frequency of swinging through zero, Hz. Chosen here: records of earthquakes have 0.5 to 25.
+/// Range of the mean frequency of zero crossings, Hz. Chosen here: records of earthquakes have 0.5 to 25.
 const SWINGS_HZ: [f64; 2] = [0.1, 32.0];
 
 impl MotionAnswer {
-    /// What looks wrong with it, each with the numbers that say so.
+    /// The suspicions, each with its numbers.
     pub fn doubts(&self) -> Vec<MotionDoubt> {
         let mut doubts: Vec<MotionDoubt> = self
             .peaks_read_m_s2

@@ -1,9 +1,9 @@
-//! Why a motion that is asked for cannot be had.
+//! Errors of a requested motion.
 
 use dolmen::signal::Component;
 use dolmen_words::message::Both;
 
-/// Why a motion that is asked for cannot be had.
+/// Why a requested motion is not available.
 #[derive(Clone, Debug, PartialEq)]
 pub enum MotionRequestError {
     /// There is no such motion.
@@ -13,67 +13,67 @@ pub enum MotionRequestError {
         /// Those there are.
         known: String,
     },
-    /// There is no such motion among those that Dolmen carries.
+    /// There is no such built-in motion.
     NoBuiltInMotion {
         /// The name.
         name: String,
         /// Those there are.
         known: String,
     },
-    /// No motion is asked for.
+    /// No motion was requested.
     NoMotion {
         /// Those there are.
         known: String,
     },
-    /// A flag that says how files are read, and there are none: the motion is carried along.
+    /// A flag for reading files with a built-in motion.
     OfFilesNotCarried {
         /// The flag, without the dashes.
         flag: &'static str,
         /// The motion.
         name: String,
     },
-    /// A flag that says how files are read, and there are none: the motion is of a survey, whose record the project says how to read.
+    /// A flag for reading files with a survey's motion, whose record the project describes.
     OfFilesNotSurvey {
         /// The flag, without the dashes.
         flag: &'static str,
         /// The motion.
         name: String,
     },
-    /// A survey's motion is asked for without its project.
+    /// A survey's motion was requested without a project.
     SurveyWithoutProject {
         /// The survey.
         name: String,
     },
-    /// A survey has no record with a measured ground.
+    /// A survey without a record of the ground.
     NoMeasuredGround {
         /// The survey.
         survey: String,
     },
-    /// An input of a survey's record is no acceleration along an axis.
+    /// An input of a survey's record that is not an acceleration along an axis.
     NoGroundAcceleration {
         /// The survey.
         survey: String,
         /// The channel.
         channel: String,
     },
-    /// A flag that says how files are read, and there are none: the motion is made.
+    /// A flag for reading files with a made motion.
     OfFilesNotMade {
         /// The flag, without the dashes.
         flag: &'static str,
     },
-    /// What is left after all changes is no ground motion.
+    /// The motion after all changes is not possible for the ground.
     Acts {
         /// Its peak, g.
         peak_g: f64,
         /// The largest allowed, g.
         most_g: f64,
     },
-    /// A factor that is typed for all components is not above 0.
+    /// A factor for all components that is not positive.
     ScaleTyped {
         /// It.
         given: f64,
     },
-    /// A peak that is typed is not above 0.
+    /// A peak that is not positive.
     PeakTyped {
         /// It.
         given: String,
@@ -87,45 +87,45 @@ pub enum MotionRequestError {
         /// The longest, s.
         most_s: f64,
     },
-    /// Two files are of one component.
+    /// Two files for one component.
     ComponentTwice {
         /// The component.
         component: Component,
     },
-    /// A column is of a component that has no file.
+    /// A column for a component without a file.
     ColumnWithoutFile {
         /// The component.
         component: Component,
         /// The column.
         column: String,
     },
-    /// A text is no acceleration.
+    /// A text that is not an acceleration.
     NoAcceleration {
         /// The text.
         given: String,
     },
-    /// An acceleration has no unit.
+    /// An acceleration without a unit.
     AccelerationWithoutUnit {
         /// The text.
         given: String,
         /// Its number.
         value: f64,
     },
-    /// A site is no ground of Eurocode 8.
+    /// A site that is not a ground type of Eurocode 8.
     NoEurocodeGround {
         /// The text.
         given: String,
     },
-    /// A site is none of KDS 17 10 00.
+    /// A site that is not one of KDS 17 10 00.
     NoKoreanSite {
         /// The text.
         given: String,
     },
-    /// Nothing is there to be matched.
+    /// There is no channel to match.
     NothingToMatch,
-    /// Several channels could be matched.
+    /// Several channels, of which one must be chosen for a match.
     SeveralToMatch,
-    /// A range of periods cannot be.
+    /// A range of periods that is not allowed.
     Range {
         /// The shorter, s.
         least_s: f64,
@@ -136,12 +136,12 @@ pub enum MotionRequestError {
         /// The longest allowed, s.
         allowed_most_s: f64,
     },
-    /// No file of a suite holds a horizontal record.
+    /// No file of a suite has a horizontal record.
     NoRecords {
         /// Files that were looked at.
         files: usize,
     },
-    /// No file of a suite can be used.
+    /// No file of a suite is usable.
     NoneReadable {
         /// Files that were looked at.
         files: usize,

@@ -12,22 +12,22 @@ use dolmen::signal::{
 };
 use dolmen_records::motions::read_channels;
 
-/// Periods of a spectrum: so many, evenly spaced in their logarithm, s. Chosen here.
+/// Number of periods of a spectrum, evenly spaced in their logarithm, and their range, s. Chosen here.
 const PERIODS: usize = 200;
 const PERIODS_S: [f64; 2] = [0.02, 4.0];
-/// Periods on each side of the matched ones at which the answer gives the misfit.
+/// Number of periods on each side of the matched ones for the misfit in the answer.
 const OUTSIDE: usize = 40;
-/// They go at least so many times as far.
+/// Factor by which they extend beyond the matched ones.
 const OUTSIDE_LEAST: f64 = 4.0 / 3.0;
-/// The same of those that were matched: four times as close as those fitted. Chosen here.
+/// The number among the matched ones: four times as dense as in the fit. Chosen here.
 const INSIDE: usize = 600;
 
-/// What is to be measured, and of which motion.
+/// Options of `dolmen motion`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MotionOptions {
-    /// The motion, unless one is made; what is to be done to it.
+    /// The motion and its changes, unless one is made.
     pub request: MotionRequest,
-    /// A motion to make instead; its peak is that of the request.
+    /// A motion to make instead; the request holds its peak.
     pub made: Option<MadeMotion>,
     /// Whether the response spectrum is computed.
     pub spectrum: bool,
@@ -35,7 +35,7 @@ pub struct MotionOptions {
     pub damping_ratio: f64,
     /// The demand spectrum that the first component is matched to.
     pub matched: Option<Demand>,
-    /// The periods that it is matched over, s.
+    /// The periods of the match, s.
     pub range_s: [f64; 2],
 }
 
@@ -82,7 +82,7 @@ struct Named {
     component: Component,
 }
 
-/// Measures, spectra and matches of the motions that are asked for.
+/// Measures, spectra and matches of the requested motions.
 ///
 /// # Errors
 /// [`WorkError`], where a file cannot be read, a step cannot be done, or the motion cannot be matched.
@@ -94,7 +94,7 @@ pub fn motion(options: &MotionOptions) -> Result<MotionReport, WorkError> {
     };
     let mut motions: Vec<Named> = Vec::new();
     if let Some(wanted) = &options.made {
-        // its step is given as that of samples
+        // its step is the given step of samples
         let rest = MotionRequest {
             sample_step_s: None,
             ..options.request.clone()
@@ -139,7 +139,7 @@ pub fn motion(options: &MotionOptions) -> Result<MotionReport, WorkError> {
     Ok(report)
 }
 
-/// The files with their channels, and the motions that they are: one of x, y, z, or each channel for itself.
+/// The files with their channels, and the motions in them: one of x, y, z, or each channel alone.
 fn read(
     request: &MotionRequest,
     report: &mut MotionReport,
@@ -247,14 +247,14 @@ fn matched(
         period_most_s,
         ..SpectrumMatch::default()
     };
-    demand.acceleration_m_s2(told.period_least_s, damping_ratio)?; // refuses the damping ratio
+    demand.acceleration_m_s2(told.period_least_s, damping_ratio)?; // checks the damping ratio
     let target = |period_s: f64| {
         demand
             .acceleration_m_s2(period_s, damping_ratio)
             .unwrap_or(f64::NAN)
     };
     let mut matched = match_spectrum(motion, component, &target, &told)?;
-    // between the fitted periods too
+    // between the fitted periods as well
     let fitted = [told.period_least_s, told.period_most_s];
     let between = misfit(
         &matched.motion,
@@ -300,7 +300,7 @@ fn matched(
     Ok(())
 }
 
-/// How far a spectrum is from a demand, over some periods.
+/// Difference of a spectrum from a demand over some periods.
 pub(super) fn misfit(
     motion: &GroundMotion,
     component: Component,

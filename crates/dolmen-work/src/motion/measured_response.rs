@@ -1,17 +1,17 @@
-//! What the structure above a measured ground did.
+//! The measured response of a structure above a measured ground.
 
 use dolmen::signal::Component;
 
-/// What the channels above a measured ground did.
+/// The channels above a measured ground.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MeasuredResponse {
     /// The survey.
     pub survey: String,
-    /// From the first sample of the record to the first one here, s.
+    /// Time of the first sample here, s from the first sample of the record.
     pub from_s: f64,
-    /// Whether an earthquake stands out of the record; else all of it acts, and the structure may have been moving when it began.
+    /// Whether the record contains an earthquake. Otherwise the whole record acts, and the structure may have been moving at its start.
     pub stands_out: bool,
-    /// Between samples, s.
+    /// Time between samples, s.
     pub step_s: f64,
     /// Channels that measured accelerations at a known place along a known axis.
     pub channels: Vec<MeasuredChannel>,
@@ -26,7 +26,7 @@ pub struct MeasuredChannel {
     pub name: String,
     /// Its height, m.
     pub height_m: f64,
-    /// The axis that it points along.
+    /// Its axis.
     pub component: Component,
     /// Its acceleration along that, m/s².
     pub acceleration_m_s2: Vec<f64>,

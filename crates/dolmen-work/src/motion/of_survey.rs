@@ -1,4 +1,4 @@
-//! The ground as a survey's record measured it, and what the structure above it did.
+//! The ground motion in a survey's record, and the response of the structure above it.
 
 use super::acting::MotionAnswer;
 use super::error::MotionRequestError;
@@ -11,18 +11,18 @@ use dolmen_project::{Project, Survey};
 use dolmen_records::Files;
 use std::sync::Arc;
 
-/// What stands before the name of a survey where a motion is asked for.
+/// Prefix of the name of a survey in the name of a motion.
 pub(crate) const SURVEY: &str = "survey:";
-/// Seconds before the earthquake in a record and behind it that act as well. Chosen here.
+/// Seconds of the record before and after the earthquake that also act. Chosen here.
 const BEFORE_S: f64 = 2.0;
 const BEHIND_S: f64 = 5.0;
-/// Least cosine between a channel and the axis that it points along: 2.5°.
+/// Smallest cosine between a channel and its axis: 2.5°.
 const ALONG: f64 = 0.999;
 
-/// The motion of the ground that a survey's record measured.
+/// The ground motion measured in a survey's record.
 ///
 /// # Errors
-/// No such survey, no record of one file with inputs, inputs that are no horizontal accelerations of known direction.
+/// No such survey, no record in one file with inputs, or inputs that are not horizontal accelerations of known direction.
 pub(super) fn of_survey(name: &str, project: &Project, files: &dyn Files) -> Result<MotionAnswer, WorkError> {
     let Some(survey) = project.surveys.iter().find(|survey| survey.name == name) else {
         let names: Vec<&str> = project.surveys.iter().map(|of| of.name.as_str()).collect();
@@ -105,7 +105,7 @@ fn mean(x: &[f64]) -> f64 {
     x.iter().sum::<f64>() / x.len().max(1) as f64
 }
 
-/// The channels that are no inputs: those that can be set beside a model, and the names of the others.
+/// The channels that are not inputs: those comparable with a model, and the names of the others.
 fn above(
     part: &Record,
     inputs: &[usize],
@@ -129,7 +129,7 @@ fn above(
     (channels, left_out)
 }
 
-/// The axis that an accelerometer points along, and whether against it.
+/// The axis of an accelerometer, and whether it is reversed.
 fn axis_of(channel: &Channel) -> Option<(Component, f64)> {
     let direction = channel
         .direction

@@ -1,4 +1,4 @@
-//! Ground motions as they were asked for: carried along or read from files, then changed step by step.
+//! Prepares requested ground motions: built-in or from files, then changed step by step.
 
 use super::acting::MotionAnswer;
 use super::error::MotionRequestError;
@@ -16,18 +16,18 @@ use dolmen_records::{FileError, Files, MOTION_BYTES_MOST};
 use std::borrow::Cow;
 use std::path::Path;
 
-/// The motions that the command carries with it: name, file as it is called in `data/`, and its bytes.
+/// The built-in motions: name, file name in `data/`, and bytes.
 const CARRIED: [(&str, &str, &[u8]); 1] = [(
     "el-centro-1940-ns",
     "el_centro_1940_ns.csv",
     include_bytes!("../../../../data/el_centro_1940_ns/el_centro_1940_ns.csv"),
 )];
 
-/// Largest peak of a motion that acts, g. Chosen here: more than twice the 4.1 g of Ichinoseki on 14 June 2008 (Aoi, Kunugi and Fujiwara,
-/// Science 322, 2008), the largest ever recorded.
+/// Largest peak of an acting motion, g. Chosen here: more than twice the 4.1 g of Ichinoseki on 14 June 2008 (Aoi, Kunugi and Fujiwara, Science
+/// 322, 2008), the largest ever recorded.
 const ACTS_MOST_G: f64 = 10.0;
 
-/// What is to be read and done: the file's words, with what was typed in their place.
+/// The settings of the project file, replaced by those of the request where it has them.
 struct Wanted {
     from: From,
     unit: Option<String>,
@@ -35,17 +35,18 @@ struct Wanted {
     keep_first_s: Option<f64>,
     taper_s: Option<f64>,
     turn_rad: Option<f64>,
-    /// Whether a structure moves under it.
+    /// Whether the motion is for a structure.
     acts: bool,
-    /// Scaled before it is turned, as studies do for what moves in plan: turning then leaves the strength of the shaking as it is.
+    /// Whether to scale before the rotation, as studies do for structures that move in plan: the rotation then leaves the strength of the
+    /// shaking unchanged.
     is_sized_first: bool,
     size: Option<MotionSize>,
-    /// What else the options say of the files, and what is done to what they hold: typed only.
+    /// Further options, of the request only.
     read: MotionOptions,
     x_azimuth_deg: Option<f64>,
     baseline: Option<usize>,
     high_pass_hz: Option<f64>,
-    /// Where complaints about what the project file says belong.
+    /// Place for errors about the project file.
     part: Option<String>,
 }
 
@@ -55,11 +56,10 @@ enum From {
     Files(Vec<WantedFile>),
 }
 
-/// The project that a motion is for, and the files that it names.
+/// The project of a motion, and the files that it names.
 type Of<'a> = (&'a Project, &'a dyn Files);
 
-/// The motion that was asked for, ready to act: of the project file, carried along, or from files. What is asked for goes before
-/// what the project file says.
+/// The requested motion, ready to act: from the project file, built-in, or from files. The request overrides the project file.
 pub(crate) fn prepared(request: &MotionRequest, project: Of<'_>) -> Result<MotionAnswer, WorkError> {
     ready(request, Some(project))
 }
@@ -69,7 +69,7 @@ pub(crate) fn motion_alone(request: &MotionRequest) -> Result<MotionAnswer, Work
     ready(request, None)
 }
 
-/// A motion changed as it was typed, but for its size, which it was made with.
+/// A made motion with the changes of the request, except for its peak, with which it was made.
 pub(crate) fn changed_alone(
     motion: GroundMotion,
     request: &MotionRequest,
@@ -113,7 +113,7 @@ fn ready(request: &MotionRequest, project: Option<Of<'_>>) -> Result<MotionAnswe
     {
         answer.motion = answer.motion.renamed(own);
     }
-    // what is changed is no more what the structure felt
+    // a changed motion is not the one of the structure's measured response
     answer.measured = answer.measured.filter(|_| !request.is_changed());
     answer.turned_rad = request.turn_deg.map(f64::to_radians);
     Ok(answer)
@@ -195,7 +195,7 @@ fn wanted(options: &MotionRequest, project: Option<Of<'_>>) -> Result<Wanted, Wo
     })
 }
 
-/// The size that is typed; unlike that of a project file it may not turn a record about, which looks like a slip of the keys.
+/// The size in the request. Unlike a project file it may not invert a record, which looks like a typing mistake.
 fn typed_size(options: &MotionRequest) -> Result<Option<MotionSize>, WorkError> {
     match (options.scale, &options.peak) {
         (Some(given), _) if given > 0.0 => Ok(Some(MotionSize::Scale(given))),
@@ -211,7 +211,7 @@ fn typed_size(options: &MotionRequest) -> Result<Option<MotionSize>, WorkError> 
     }
 }
 
-/// The motions there are: those of the project file, then those carried along.
+/// The available motions: those of the project file, then the built-in ones.
 fn names(own: &[MotionPart]) -> String {
     let own = own.iter().map(|part| part.name.as_str());
     own.chain(CARRIED.map(|(name, ..)| name))
@@ -253,7 +253,7 @@ fn of_files(motion: GroundMotion, files: Vec<(Component, String)>) -> MotionAnsw
     }
 }
 
-/// What the request says of the files.
+/// The settings of the request for the files.
 pub(crate) fn motion_options(options: &MotionRequest) -> Result<MotionOptions, WorkError> {
     Ok(MotionOptions {
         unit: match &options.unit {
@@ -337,7 +337,7 @@ fn from_files(
             .iter()
             .map(|file| (file.component, file.name.clone()))
             .collect(),
-        // turned: every direction comes from all files
+        // rotated: every direction comes from all files
         Some(_) => {
             let given = Component::ALL
                 .into_iter()
@@ -348,7 +348,8 @@ fn from_files(
     Ok(of_files(motion, of_each))
 }
 
-/// Cut, base line taken off, filtered, tapered, scaled and turned, in this order: for what moves in one plane turned, then scaled to what acts there.
+/// Cuts, corrects the base line, filters, tapers, scales and rotates, in this order; for structures that move in one plane it rotates first and
+/// scales the acting component.
 fn changed(mut motion: GroundMotion, wanted: &Wanted) -> Result<GroundMotion, WorkError> {
     let place = |flag: &'static str, key: &str| match &wanted.part {
         Some(part) => format!("{flag}, {part}.{key}"),
@@ -401,7 +402,7 @@ fn changed(mut motion: GroundMotion, wanted: &Wanted) -> Result<GroundMotion, Wo
     }
 }
 
-/// Refuses ground that stands still, or moves as no ground has.
+/// Refuses ground that does not move, or moves as no ground can.
 fn plausible(motion: GroundMotion) -> Result<GroundMotion, WorkError> {
     let peaks = Component::ALL.map(|component| motion.component_peak_m_s2(component));
     let peak_g = peaks.into_iter().fold(0.0, f64::max) / Unit::Gravity.si();
@@ -415,7 +416,7 @@ fn plausible(motion: GroundMotion) -> Result<GroundMotion, WorkError> {
     }
 }
 
-/// The horizontal component of the larger peak; the vertical one if there is no other.
+/// The horizontal component with the larger peak; the vertical one if there is no other.
 fn largest_component(motion: &GroundMotion) -> Component {
     let horizontal = [Component::X, Component::Y];
     let largest = horizontal.into_iter().max_by(|a, b| {

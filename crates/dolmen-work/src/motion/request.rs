@@ -1,44 +1,44 @@
-//! Which motion is asked for, and what is to be done to it.
+//! A request for a motion, with its changes.
 
 use dolmen::signal::Component;
 
-/// A motion that is asked for: of the project file, one that Dolmen carries with it, or files; what is given here goes before
-/// what the project file says. The default asks for none.
+/// A requested motion: of the project file, a built-in one, or files. Settings here override those of the project file. The default requests
+/// none.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MotionRequest {
-    /// A motion of the project file, or one that Dolmen carries with it.
+    /// A motion of the project file, or a built-in one.
     pub name: Option<String>,
-    /// Files instead of a name, at most one a component.
+    /// Files instead of a name, at most one for each component.
     pub files: Vec<GivenFile>,
     /// Unit of the numbers in the files where they do not say it.
     pub unit: Option<String>,
     /// Time between the samples of the files where they do not say it, s.
     pub sample_step_s: Option<f64>,
-    /// The channel to read of a file of several, by name or number.
+    /// The channel to read from a file with several, by name or number.
     pub channel: Option<String>,
-    /// The column or channel of each component, by name or number, where the one file, or that of the component, holds several.
+    /// The column or channel of each component, by name or number, for files with several.
     pub columns: Vec<(Component, String)>,
-    /// What the numbers are multiplied by to be in the unit.
+    /// Factor from the numbers to the unit.
     pub factor: f64,
     /// Cut components that begin at one time to the shortest.
     pub shortest: bool,
-    /// Pass over the peak that a header states where it is not that of the samples.
+    /// Ignore the peak in a header if it differs from that of the samples.
     pub ignore_stated_peak: bool,
-    /// Turn channels that say which way they point so that x points this way, degrees from north, clockwise.
+    /// Azimuth for x, degrees clockwise from north, for channels with a stated direction.
     pub x_azimuth_deg: Option<f64>,
-    /// Degree of the polynomial that is taken off.
+    /// Degree of the polynomial to subtract.
     pub baseline_degree: Option<usize>,
-    /// What lies below this frequency is taken off, Hz.
+    /// Corner of the high-pass filter, Hz.
     pub high_pass_hz: Option<f64>,
-    /// Only the first seconds are kept.
+    /// Length to keep from the start, s.
     pub keep_first_s: Option<f64>,
-    /// Brought to zero within so many seconds at both ends.
+    /// Length of the tapers at both ends, s.
     pub taper_s: Option<f64>,
-    /// Turned by so many degrees from x towards y.
+    /// Rotation from x towards y, degrees.
     pub turn_deg: Option<f64>,
     /// Factor on all components.
     pub scale: Option<f64>,
-    /// Largest horizontal peak that all components are scaled to: "0.3 g".
+    /// Largest horizontal peak, to which all components are scaled: "0.3 g".
     pub peak: Option<String>,
 }
 
@@ -78,7 +78,7 @@ impl Default for MotionRequest {
 }
 
 impl MotionRequest {
-    /// A motion by its name, nothing done to it.
+    /// A motion by its name, without changes.
     pub fn named(name: &str) -> Self {
         MotionRequest {
             name: Some(name.to_owned()),
@@ -86,12 +86,12 @@ impl MotionRequest {
         }
     }
 
-    /// Whether a motion is asked for.
+    /// Whether a motion was requested.
     pub fn is_given(&self) -> bool {
         self.name.is_some() || !self.files.is_empty()
     }
 
-    /// The first flag given that says how files are read, without its dashes: of no effect on a motion that is not in a file.
+    /// The first given flag for reading files, without its dashes; it has no effect on a motion that is not in a file.
     pub fn of_files(&self) -> Option<&'static str> {
         [
             (self.unit.is_some(), "unit"),
@@ -107,7 +107,7 @@ impl MotionRequest {
         .find_map(|(is_given, flag)| is_given.then_some(flag))
     }
 
-    /// Whether something is to be done to it.
+    /// Whether there are changes.
     pub fn is_changed(&self) -> bool {
         let numbers = [self.keep_first_s, self.taper_s, self.turn_deg, self.scale];
         let base_line = self.baseline_degree.is_some() || self.high_pass_hz.is_some();

@@ -4,7 +4,7 @@ use super::acting::MotionAnswer;
 use crate::error::WorkError;
 use dolmen::signal::{Component, GroundMotion, motion_sequence};
 
-/// Both motions as one, with the ground still between them for `still_s` or up to a sample more: how long, s, stands beside it.
+/// Both motions as one, with still ground between them for at least `still_s`, and that time, s, rounded up to a sample.
 ///
 /// # Errors
 /// Motions whose steps have no common one.
@@ -19,12 +19,12 @@ pub(crate) fn in_sequence(
         files: [first.files, second.files].concat(),
         peaks_read_m_s2: [first.peaks_read_m_s2, second.peaks_read_m_s2].concat(),
         turned_rad: first.turned_rad,
-        measured: None, // what was measured beside one of them is not beside both
+        measured: None, // a measured response to one motion is not that to both
     };
     Ok((answer, both.still_s))
 }
 
-/// Refuses two motions of other horizontal components for what moves in planes, each of which meets one component.
+/// Refuses two motions with different horizontal components for structures that move in planes, each with one component.
 ///
 /// # Errors
 /// [`WorkError::ThenComponents`].

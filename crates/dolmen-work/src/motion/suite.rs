@@ -1,4 +1,4 @@
-//! `dolmen motion --suite`: records of a folder chosen and scaled so that their mean spectrum follows a demand.
+//! `dolmen motion --suite`: chooses and scales records of a folder so that their mean spectrum follows a demand.
 
 use super::demand::{Demand, demand, range};
 use super::error::MotionRequestError;
@@ -15,60 +15,60 @@ use dolmen_records::{Files, MOTION_BYTES_MOST};
 use dolmen_words::message::Both;
 use std::collections::BTreeSet;
 
-/// Periods at which the mean spectrum is held against the demand, evenly spaced in their logarithm; as many as the matcher has.
+/// Number of periods at which the mean spectrum is compared with the demand, evenly spaced in their logarithm; as for matching.
 const PERIODS: usize = 150;
 /// Longest name of a member. Chosen here.
 const NAME_MOST: usize = 40;
 
-/// Which suite is wanted.
+/// Options of a suite.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SuiteOptions {
-    /// How the files are read, and what is done to each record before it is scaled.
+    /// How to read the files, and the changes to each record before scaling.
     pub request: MotionRequest,
     /// The demand.
     pub demand: Demand,
-    /// The periods over which the mean follows it, s.
+    /// The periods of the comparison, s.
     pub range_s: [f64; 2],
     /// Damping ratio of the spectra.
     pub damping_ratio: f64,
-    /// How many records, and within which limits.
+    /// Number of records, and the rules of the choice.
     pub rule: SuiteRule,
-    /// Whether each member is matched to the demand after it is scaled.
+    /// Whether to match each member to the demand after scaling.
     pub matched: bool,
 }
 
 /// A record of a suite.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SuiteMember {
-    /// What it is called in a project file: small letters, digits and hyphens.
+    /// Its name in a project file: small letters, digits and hyphens.
     pub name: String,
     /// Its file.
     pub file: String,
-    /// The channel of it; "" of the only one without a name.
+    /// Its channel; "" for a single channel without a name.
     pub channel: String,
-    /// Which way it points, if the file says it.
+    /// Its direction, if the file states it.
     pub orientation: Option<Orientation>,
-    /// Its earthquake and station, if the file says them.
+    /// Its earthquake and station, if the file states them.
     pub origin: Origin,
-    /// What it is multiplied by.
+    /// Its factor.
     pub factor: f64,
-    /// The record along x before it is multiplied; matched, if it was.
+    /// The record along x before scaling; matched, if it was.
     pub motion: GroundMotion,
-    /// How it was matched after it was multiplied.
+    /// Result of the match after scaling.
     pub matched: Option<MatchedMotion>,
-    /// Its pseudo-acceleration at the periods as it acts, m/s².
+    /// Its pseudo-acceleration at the periods, scaled, m/s².
     pub acceleration_m_s2: Vec<f64>,
-    /// How far that is from the demand.
+    /// Its misfit.
     pub misfit: SpectrumMisfit,
 }
 
 impl SuiteMember {
-    /// Largest acceleration as it acts, m/s².
+    /// Largest acceleration, scaled, m/s².
     pub fn peak_m_s2(&self) -> f64 {
         self.motion.component_peak_m_s2(Component::X) * self.remaining_factor()
     }
 
-    /// What the motion is still to be multiplied by: nothing where it was matched.
+    /// The remaining factor on the motion: 1 if it was matched.
     pub fn remaining_factor(&self) -> f64 {
         match self.matched {
             Some(_) => 1.0,
@@ -77,19 +77,19 @@ impl SuiteMember {
     }
 }
 
-/// Why a file or a channel has no part in a suite.
+/// Why a file or a channel is not in a suite.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NotTaken {
-    /// It is no motion that can be read.
+    /// It cannot be read as a motion.
     Refused {
         /// Why.
         why: Both,
     },
     /// It is vertical.
     Vertical,
-    /// It is a record before it again: the same samples, or scaled, turned over, cut or sampled anew.
+    /// It is a copy of an earlier record: the same samples, or scaled, inverted, cut or resampled.
     CopyOf {
-        /// The file of that one.
+        /// The file of the earlier record.
         file: String,
     },
 }
@@ -101,11 +101,11 @@ pub struct SuiteAnswer {
     pub demand: String,
     /// Damping ratio of the spectra.
     pub damping_ratio: f64,
-    /// How it was chosen.
+    /// The rules of the choice.
     pub rule: SuiteRule,
-    /// Horizontal records that could be taken.
+    /// Number of horizontal records.
     pub candidates: usize,
-    /// Records whose file does not say which way they point: taken as horizontal.
+    /// Number of records without a stated direction, taken as horizontal.
     pub without_direction: usize,
     /// The periods, s.
     pub periods_s: Vec<f64>,
@@ -113,13 +113,13 @@ pub struct SuiteAnswer {
     pub target_m_s2: Vec<f64>,
     /// The mean spectrum of the suite at each, m/s².
     pub mean_m_s2: Vec<f64>,
-    /// How far the mean is from the demand.
+    /// Misfit of the mean.
     pub misfit: SpectrumMisfit,
-    /// The period at which the mean is lowest against the demand, s.
+    /// The period at which the mean is lowest relative to the demand, s.
     pub worst_s: f64,
-    /// The records taken.
+    /// The chosen records.
     pub members: Vec<SuiteMember>,
-    /// Files and channels that have no part, each with its reason.
+    /// Files and channels left out, each with its reason.
     pub not_taken: Vec<(String, NotTaken)>,
 }
 
@@ -130,7 +130,7 @@ impl SuiteAnswer {
     }
 }
 
-/// A record that may be taken.
+/// A record that can be chosen.
 struct Found {
     file: String,
     reading: ComponentReading,
@@ -142,8 +142,8 @@ struct Found {
 /// Chooses records of files for a suite, and scales them.
 ///
 /// # Errors
-/// [`WorkError`] where the demand, the periods or the rule cannot be, no file holds a record, no suite keeps within the rule, or a member cannot be matched.
-/// A file that cannot be read has no part, and the answer says why.
+/// [`WorkError`] if the demand, the periods or the rules are not allowed, no file holds a record, no suite fits the rules, or a member cannot be
+/// matched. A file that cannot be read is left out, and the answer says why.
 pub fn suite(options: &SuiteOptions, names: &[String], files: &dyn Files) -> Result<SuiteAnswer, WorkError> {
     let [least_s, most_s] = range(options.range_s)?;
     let demand = demand(&options.demand)?;
@@ -358,7 +358,7 @@ fn member(
     })
 }
 
-/// How far a spectrum is from the demand.
+/// Misfit of a spectrum.
 fn against(found_m_s2: &[f64], target_m_s2: &[f64]) -> SpectrumMisfit {
     let off: Vec<f64> = found_m_s2
         .iter()
@@ -372,7 +372,7 @@ fn against(found_m_s2: &[f64], target_m_s2: &[f64]) -> SpectrumMisfit {
     }
 }
 
-/// A name for a table of a project file from that of a file: "rsn6-impvall-i-elc180".
+/// The name of a table in a project file, from a file name: "rsn6-impvall-i-elc180".
 fn named(file: &str) -> String {
     let stem = file.rsplit(['/', '\\']).next().unwrap_or_default();
     let stem = stem.rsplit_once('.').map_or(stem, |(stem, _)| stem);
@@ -391,7 +391,7 @@ fn named(file: &str) -> String {
     }
 }
 
-/// The name, or with a number behind it where it is taken.
+/// The name, with a number after it if it exists.
 fn unique(name: &str, taken: &mut BTreeSet<String>) -> String {
     let mut tried = name.to_owned();
     let mut number = 1;

@@ -1,4 +1,4 @@
-//! The files of a motion, each with the component that it holds and the column that is it.
+//! The files of a motion, each with its component and column.
 
 use super::error::MotionRequestError;
 use super::request::GivenFile;
@@ -12,11 +12,11 @@ pub(super) struct WantedFile {
     pub(super) name: String,
     /// Its column or channel, if given.
     pub(super) channel: Option<String>,
-    /// Its bytes if they are here already; else the project's files have them.
+    /// Its bytes if they are given; otherwise the project's files have them.
     pub(super) bytes: Option<Vec<u8>>,
 }
 
-/// The files that were given, each with its component.
+/// The given files, each with its component.
 pub(super) fn given_files(given: &[GivenFile]) -> Result<Vec<WantedFile>, WorkError> {
     let mut named: Vec<WantedFile> = Vec::new();
     for (position, file) in given.iter().enumerate() {
@@ -39,7 +39,7 @@ pub(super) fn column_of(columns: &[(Component, String)], component: Component) -
     own.map(|(_, column)| column.clone())
 }
 
-/// The files with the columns that were typed in the place of those that the project file names: of one file all components, of several each its own.
+/// The files, with columns from the request instead of those in the project file: for one file all components, for several one each.
 pub(super) fn typed_columns(
     mut files: Vec<WantedFile>,
     columns: &[(Component, String)],

@@ -1,4 +1,4 @@
-//! A ranked portfolio: what is known of each structure, its place, and why it stands there.
+//! A ranked portfolio: the data of each structure, its rank, and the reasons.
 
 use super::state_words::state_words;
 use crate::study::{CombinationFragility, StudyAnswer};
@@ -11,55 +11,55 @@ use dolmen_words::Language;
 use dolmen_words::message::Both;
 use dolmen_words::number::significant;
 
-/// β of a state that no motion, or every one, reached: that of rocking blocks over peak acceleration, .37 to .48 under the far-field set of FEMA
-/// P-695 (docs/fragility.md).
+/// β of a state that no motion, or every motion, reached: that of rocking blocks over peak acceleration, 0.37 to 0.48 under the far-field set of
+/// FEMA P-695 (docs/fragility.md).
 const BETA_OF_BOUNDS: f64 = 0.4;
 
-/// A factor that lowers ln θ by less is no reason: half a per cent. Chosen here.
+/// A factor that lowers ln θ by less than this, half a per cent, is not a reason. Chosen here.
 const REASON_LEAST: f64 = 0.005;
 
-/// What the capacity of a structure rests on.
+/// Source of the capacity of a structure.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Basis {
     /// Its own study.
     Study {
         /// The study.
         name: String,
-        /// Scans that can be used.
+        /// Number of usable scans.
         scans: usize,
-        /// How many of them are of samples that fall under their own weight.
+        /// Number of those whose samples fall under their own weight.
         fell_alone: usize,
     },
     /// The six-factor score.
     Score {
-        /// What each factor adds to ln θ of the state ranked by, against the mean of the designs.
+        /// Contribution of each factor to ln θ of the state of the ranking, relative to the mean of the designs.
         reasons: [f64; 6],
-        /// Factors outside the range trained.
+        /// Factors outside the training range.
         outside: Vec<Factor>,
-        /// How it differs from the designs in all but its factors.
+        /// Differences from the designs other than in its factors.
         unlike: Vec<Unlike>,
     },
 }
 
-/// One structure with what is known of it.
+/// One structure and its data.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PortfolioEntry {
     /// Its name.
     pub name: String,
-    /// What its capacity rests on.
+    /// Source of its capacity.
     pub basis: Basis,
     /// Each state, the mildest first: DS1 to DS3, falls.
     pub states: [Option<KnownCapacity>; 4],
-    /// Which states structures of its kind have: a frame has no DS2 and DS3.
+    /// States of structures of its kind: a frame has no DS2 and DS3.
     pub has: [bool; 4],
-    /// How often the ground shakes where it stands.
+    /// Hazard at its site.
     pub hazard: Option<Hazard>,
-    /// Whether the table gave the hazard although the project has its own.
+    /// Whether the hazard comes from the table although the project has its own.
     pub hazard_replaced: bool,
 }
 
 impl PortfolioEntry {
-    /// The factor that takes most from the capacity of a pagoda known by its score, with what it takes from ln θ (negative).
+    /// The factor that lowers the capacity of a scored pagoda most, with its contribution to ln θ (negative).
     pub fn worst_factor(&self) -> Option<(Factor, f64)> {
         let Basis::Score { reasons, .. } = &self.basis else {
             return None;
@@ -70,7 +70,7 @@ impl PortfolioEntry {
     }
 }
 
-/// A structure that has no place, and why.
+/// A structure without a rank, and the reason.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LeftOut {
     /// Its name.
@@ -79,34 +79,34 @@ pub struct LeftOut {
     pub why: Both,
 }
 
-/// Everything `dolmen rank` found.
+/// Results of `dolmen rank`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PortfolioAnswer {
     /// The table or folder, as the user named it.
     pub source: String,
-    /// The state ranked by, 0 to 3.
+    /// The state of the ranking, 0 to 3.
     pub state: usize,
-    /// Structures that have a place; the others are in `left_out`.
+    /// Structures with a rank; the others are in `left_out`.
     pub entries: Vec<PortfolioEntry>,
     /// Their order by the state.
     pub ranked: Ranked,
-    /// Their places by falls alone, by entry; `None` where nothing is known of falls.
+    /// Ranks by falls alone, by entry; `None` where no falls are known.
     pub by_falls: Vec<Option<usize>>,
     /// Structures without a place.
     pub left_out: Vec<LeftOut>,
-    /// Designs behind the score.
+    /// Number of designs behind the score.
     pub designs: usize,
-    /// Draws behind the intervals of places.
+    /// Number of draws for the intervals of ranks.
     pub draws: usize,
     /// Gravity that turns accelerations into g, m/s².
     pub gravity_m_s2: f64,
 }
 
 impl PortfolioAnswer {
-    /// Ranks entries by a state, 0 to 3; those without it are left out.
+    /// Ranks entries by a state, 0 to 3; entries without it are left out.
     ///
     /// # Errors
-    /// [`AssessError::NothingToRank`] if none is left: ask [`PortfolioAnswer::without_place`] why.
+    /// [`AssessError::NothingToRank`] if none is left; [`PortfolioAnswer::without_place`] gives the reasons.
     pub fn of(
         source: String,
         state: usize,
@@ -139,7 +139,7 @@ impl PortfolioAnswer {
         })
     }
 
-    /// Of structures that could be read, those that nothing is known of in a state, each with the reason.
+    /// Structures without data for a state, each with the reason.
     pub fn without_place(entries: &[PortfolioEntry], state: usize) -> Vec<LeftOut> {
         let lacking = entries.iter().filter(|entry| entry.states[state].is_none());
         let left_out = lacking.map(|entry| LeftOut {
@@ -158,7 +158,7 @@ impl PortfolioAnswer {
     }
 }
 
-/// Why nothing is known of a state, and what is.
+/// Why there are no data for a state, and which data there are.
 fn why_no_place(entry: &PortfolioEntry, state: usize) -> Both {
     if let Basis::Study {
         scans, fell_alone, ..
@@ -210,10 +210,10 @@ fn candidates(entries: &[PortfolioEntry], state: usize) -> Vec<Candidate> {
     known.collect()
 }
 
-/// A structure known by a study of its own: of one combination of inputs.
+/// A structure ranked by its own study, with one combination of inputs.
 ///
 /// # Errors
-/// What to do, in words, if the study has several combinations, no scan that can be used, or something missing.
+/// A sentence with the remedy if the study has several combinations, no usable scan, or something missing.
 pub fn of_study(name: String, answer: &StudyAnswer, hazard: Option<Hazard>) -> Result<PortfolioEntry, Both> {
     if let Some(after) = &answer.study.after {
         return Err(CaseRefused::AfterMotion {
@@ -310,7 +310,7 @@ fn of_bound(bound: &FragilityBound) -> Option<KnownCapacity> {
     })
 }
 
-/// A pagoda known by its six factors: `models` of the states, the mildest first; `unlike` is what else sets it apart from the designs.
+/// A pagoda ranked by its six factors: `models` of the states, the mildest first; `unlike` lists its other differences from the designs.
 ///
 /// # Errors
 /// Those of [`ScoreModel::score`].

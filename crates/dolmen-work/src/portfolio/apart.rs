@@ -1,18 +1,18 @@
-//! What of a ranking must not be overlooked.
+//! Warnings about a ranking.
 
 use super::answer::PortfolioAnswer;
 
-/// Places by which falls alone must differ to be spoken of: a third of all. Chosen here.
+/// Difference of ranks by falls alone that is reported: a third of all. Chosen here.
 const PART_APART: f64 = 1.0 / 3.0;
 
-/// A structure whose place by falls alone is far from its place by the state.
+/// A structure whose rank by falls alone is far from its rank by the state.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FallsApart<'a> {
     /// Its name.
     pub name: &'a str,
-    /// Its place by the state.
+    /// Its rank by the state.
     pub rank: usize,
-    /// Its place by falls alone.
+    /// Its rank by falls alone.
     pub by_falls: usize,
 }
 
@@ -23,7 +23,7 @@ impl FallsApart<'_> {
     }
 }
 
-/// Structures without a hazard, by name, where others have one: why rates do not order them. Empty if all have one, or none.
+/// Structures without a hazard, by name, where others have one, so that rates do not order them. Empty if all have one, or none.
 pub fn without_hazard(answer: &PortfolioAnswer) -> Vec<&str> {
     let lacking = answer.entries.iter().filter(|entry| entry.hazard.is_none());
     let lacking: Vec<&str> = lacking.map(|entry| entry.name.as_str()).collect();
@@ -33,7 +33,7 @@ pub fn without_hazard(answer: &PortfolioAnswer) -> Vec<&str> {
     }
 }
 
-/// Structures, by name, whose hazard the table gave although their project has its own.
+/// Structures, by name, whose hazard comes from the table although their project has its own.
 pub fn hazards_replaced(answer: &PortfolioAnswer) -> Vec<&str> {
     let replaced = answer.entries.iter().filter(|entry| entry.hazard_replaced);
     replaced.map(|entry| entry.name.as_str()).collect()

@@ -7,7 +7,7 @@ use crate::study::{Column, ColumnValues};
 use dolmen::assess::{KnownCapacity, Place};
 use dolmen_words::Language;
 
-/// Everything that was found, the worst structure first; what has no place stands below with the reason and no numbers.
+/// All results, the worst structure first; structures without a rank stand below, with the reason and without numbers.
 pub fn ranking_columns(answer: &PortfolioAnswer) -> Vec<Column> {
     let rows: Vec<(&Place, &PortfolioEntry)> =
         answer.rows().map(|(place, entry, _)| (place, entry)).collect();

@@ -1,4 +1,4 @@
-//! Many structures: the table that names them, and the order in which they should be looked at.
+//! Rankings of many structures, and their table.
 
 mod answer;
 mod apart;

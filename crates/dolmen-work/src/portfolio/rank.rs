@@ -1,4 +1,4 @@
-//! `dolmen rank`: many structures in the order in which they should be looked at.
+//! `dolmen rank`: many structures in order of priority.
 
 use super::answer::{LeftOut, PortfolioAnswer, PortfolioEntry, of_score, of_study};
 use super::table::{PortfolioRow, PortfolioTable, RowSource};
@@ -14,21 +14,21 @@ use dolmen_records::Files;
 use dolmen_words::message::Both;
 use rayon::prelude::*;
 
-/// Reasons that are given where nothing can be ranked.
+/// Number of reasons given where no structure can be ranked.
 const REASONS_MOST: usize = 10;
 
-/// How structures are ranked.
+/// Options of a ranking.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RankOptions {
     /// Damage state to rank by, 0 to 3.
     pub state: usize,
-    /// Also pagodas with factors outside the range trained.
+    /// Whether to rank pagodas with factors outside the training range.
     pub extrapolate: bool,
-    /// Draws of what is not known, behind the intervals of the places.
+    /// Number of draws for the intervals of the ranks.
     pub draws: usize,
 }
 
-/// A project of a portfolio, with what it names and the journals of its studies.
+/// A project of a portfolio, with its files and the journals of its studies.
 pub struct FoundProject {
     /// The project.
     pub opened: Opened,
@@ -38,16 +38,16 @@ pub struct FoundProject {
     pub journals: Vec<StudyJournals>,
 }
 
-/// Where the projects of a portfolio are found.
+/// Access to the projects of a portfolio.
 pub trait Projects: Send + Sync {
-    /// The project at `path`, as the table names it.
+    /// The project at `path`, as written in the table.
     ///
     /// # Errors
     /// [`WorkError`], where there is none or it cannot be read.
     fn open(&self, path: &str) -> Result<FoundProject, WorkError>;
 }
 
-/// The models of the four states, and by which to rank.
+/// The models of the four states, and the state of the ranking.
 struct Scores<'a> {
     models: [Option<ScoreModel>; 4],
     options: &'a RankOptions,
@@ -160,7 +160,7 @@ fn entry(
                     .into());
                 }
             }
-            // what another motion left is no capacity of the structure as it stands
+            // capacity after another motion is not that of the structure as it stands
             let is_own = |one: &StudyAnswer| study.is_some() || one.study.after.is_none();
             found.retain(|one| one.study.scan.is_some() && is_own(one));
             let mut entry = match found.as_slice() {

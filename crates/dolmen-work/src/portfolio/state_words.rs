@@ -1,8 +1,8 @@
-//! What the damage states are called.
+//! Names of the damage states.
 
 use dolmen_words::Language;
 
-/// What a damage state is called, 0 to 3.
+/// Name of a damage state, 0 to 3.
 pub fn state_words(state: usize, language: Language) -> &'static str {
     match state {
         0 => "DS1",

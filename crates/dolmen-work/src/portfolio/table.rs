@@ -1,4 +1,4 @@
-//! The table of a portfolio (CSV): a row a structure.
+//! The table of a portfolio (CSV), one row for each structure.
 
 use crate::wrong::{RowLacks, RowNeeds};
 use dolmen::assess::demand::KoreanSite;
@@ -7,7 +7,7 @@ use dolmen::structure::stack::{PagodaFactors, PagodaSlenderness};
 use dolmen_records::utf8;
 use dolmen_words::message::Both;
 
-/// Every column; all but `name` may be missing.
+/// Every column; all except `name` are optional.
 pub(crate) const COLUMNS: [&str; 11] = [
     "name",
     "storeys",
@@ -22,8 +22,8 @@ pub(crate) const COLUMNS: [&str; 11] = [
     "soil",
 ];
 
-/// tan α may differ from that of the pagoda that λ makes by this factor either way: eaves and bodies of real ones differ, and farther off
-/// the score, trained where both agree, gives reasons that are none. Chosen here.
+/// Factor by which tan α may differ from that of the pagoda that λ implies, either way: eaves and bodies of real pagodas differ. Beyond it the
+/// score, trained where both agree, gives wrong reasons. Chosen here.
 const SLENDERNESS_APART_MOST: f64 = 1.1;
 
 /// Columns of the factors of a pagoda: one of each is needed.
@@ -36,13 +36,13 @@ const NEEDED: [&[&str]; 5] = [
 ];
 /// Height of the body over its width from which a decimal point is missing. Chosen here: pagodas have 1.5 to 6.
 const BODY_SLENDERNESS_MOST: f64 = 15.0;
-/// Height of the body of a pagoda, m: none of stone is higher. Above it mm were meant.
+/// Largest height of the body of a stone pagoda, m; a larger number is probably in mm.
 const BODY_MOST_M: f64 = 100.0;
 
-/// The column that a head in Korean stands for; another head as it is.
+/// The column of a Korean heading; other headings stay as they are.
 fn column_of(head: &str) -> &str {
     let (name, unit) = head.split_once(['(', '[']).unwrap_or((head, ""));
-    // a head in another unit is no column
+    // a heading with another unit is not a column
     if !matches!(
         unit.trim_end_matches([')', ']']).trim(),
         "" | "m" | "도" | "°" | "deg" | "g"
@@ -74,7 +74,7 @@ pub enum PortfolioError {
     },
     /// The table has no column `name`.
     NoName,
-    /// A column that means nothing.
+    /// An unknown column.
     Column {
         /// Which.
         column: String,
@@ -98,10 +98,10 @@ pub enum PortfolioError {
         column: &'static str,
         /// What is there.
         given: String,
-        /// What may be.
+        /// Allowed values.
         allowed: Both,
     },
-    /// Factors that no pagoda has, or a site that the code does not have.
+    /// Impossible factors of a pagoda, or a site that is not in the code.
     Refused {
         /// Line in the file, from 1.
         line: usize,
@@ -110,7 +110,7 @@ pub enum PortfolioError {
         /// What the science says.
         why: Box<AssessError>,
     },
-    /// Two numbers that no pagoda has both.
+    /// Two numbers that contradict each other.
     TwoPagodas {
         /// Line in the file, from 1.
         line: usize,
@@ -120,7 +120,7 @@ pub enum PortfolioError {
         slenderness_angle: f64,
         /// λ as given.
         body_slenderness: f64,
-        /// tan α of the pagoda that λ makes.
+        /// tan α of the pagoda that λ implies.
         made: f64,
     },
     /// Two rows have one name.
@@ -134,7 +134,7 @@ pub enum PortfolioError {
     },
 }
 
-/// Where the capacity of a row comes from.
+/// Source of the capacity of a row.
 #[derive(Clone, Debug, PartialEq)]
 pub enum RowSource {
     /// The six factors: the score.
@@ -155,18 +155,18 @@ pub struct PortfolioRow {
     pub line: usize,
     /// Name of the structure.
     pub name: String,
-    /// Where its capacity comes from.
+    /// Source of its capacity.
     pub source: RowSource,
-    /// How often the ground shakes where it stands, by the zone and soil of KDS 17 10 00; intensities in m/s².
+    /// Hazard at its site, by the zone and soil of KDS 17 10 00; intensities in m/s².
     pub hazard: Option<Hazard>,
 }
 
-/// A table: its rows, and what is wrong with others.
+/// A table: its rows, and the faults of others.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PortfolioTable {
-    /// Rows that can be taken.
+    /// Usable rows.
     pub rows: Vec<PortfolioRow>,
-    /// Rows that cannot, each with its structure.
+    /// Faulty rows, each with its structure.
     pub refused: Vec<(String, PortfolioError)>,
 }
 
@@ -177,7 +177,7 @@ pub struct PortfolioTable {
 pub fn read_portfolio(bytes: &[u8]) -> Result<PortfolioTable, PortfolioError> {
     let table = |why: csv::Error| PortfolioError::Table { why: why.to_string() };
     let bytes = utf8(bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes));
-    // Excel of some countries separates by semicolons, and writes decimals with a comma
+    // Excel in some countries separates by semicolons, and writes decimals with a comma
     let mut lines = bytes.split(|byte| *byte == b'\n');
     let first = lines.find(|line| !line.starts_with(b"#")).unwrap_or_default();
     let is_by_semicolons = first.contains(&b';') && !first.contains(&b',');
@@ -356,8 +356,7 @@ impl Cells<'_> {
         .map_err(|why| self.science(why))
     }
 
-    /// Both slendernesses as they were measured, if the pagoda that λ makes has about the angle given: the score was trained
-    /// on such pagodas alone.
+    /// Both slendernesses as measured, if the pagoda that λ implies has about the given angle: the score was trained only on such pagodas.
     fn of_one_pagoda(&self, given: SixFactors) -> Result<SixFactors, PortfolioError> {
         let made = SixFactors::of_pagoda(&PagodaFactors {
             storeys: given.storeys,

@@ -1,4 +1,4 @@
-//! What stands in the cells of a ranking, in English and Korean.
+//! Cells of a ranking, in English and Korean.
 
 use super::answer::{Basis, PortfolioEntry};
 use crate::study::YEARS;
@@ -6,7 +6,7 @@ use dolmen::assess::{Factor, Known, KnownCapacity, Unlike};
 use dolmen_words::Language;
 use dolmen_words::number::significant;
 
-/// What a factor is called, with its unit.
+/// Name of a factor, with its unit.
 pub fn factor_words(factor: Factor, language: Language) -> &'static str {
     match factor {
         Factor::Storeys => language.pick("storeys", "층수"),
@@ -23,7 +23,7 @@ pub fn probability_in_years(annual_rate: f64) -> f64 {
     -(-annual_rate * YEARS).exp_m1()
 }
 
-/// How a capacity is known, as a word of tables.
+/// Source of a capacity, as a word for tables.
 pub fn known_word(known: Known) -> &'static str {
     match known {
         Known::Found => "found",
@@ -32,7 +32,7 @@ pub fn known_word(known: Known) -> &'static str {
     }
 }
 
-/// What a capacity rests on.
+/// Source of a capacity.
 pub fn basis_words(entry: &PortfolioEntry, language: Language) -> String {
     match &entry.basis {
         Basis::Study {
@@ -71,7 +71,7 @@ pub fn basis_words(entry: &PortfolioEntry, language: Language) -> String {
     }
 }
 
-/// The median of all that may be in g, those that fall by themselves among them, with the sign of a bound.
+/// The median over all in g, including those that fall under their own weight, with the sign of a bound.
 pub fn capacity_words(capacity: &KnownCapacity, gravity_m_s2: f64) -> String {
     let theta = capacity.fragility.theta();
     let g = significant(capacity.median(theta).unwrap_or(theta) / gravity_m_s2, 2);
@@ -82,7 +82,7 @@ pub fn capacity_words(capacity: &KnownCapacity, gravity_m_s2: f64) -> String {
     }
 }
 
-/// The factor that lowers the capacity most, and by how much.
+/// The factor that lowers the capacity most, and its contribution.
 pub fn reason_words(entry: &PortfolioEntry, language: Language) -> String {
     match entry.worst_factor() {
         Some((factor, share)) => {
@@ -94,7 +94,7 @@ pub fn reason_words(entry: &PortfolioEntry, language: Language) -> String {
     }
 }
 
-/// How a pagoda differs from the designs of the score in all but its factors.
+/// Differences of a pagoda from the designs of the score other than in its factors.
 pub fn unlike_words(unlike: &Unlike, language: Language) -> String {
     let korean = match unlike {
         Unlike::Quantity {
@@ -116,7 +116,7 @@ pub fn unlike_words(unlike: &Unlike, language: Language) -> String {
     language.pick(unlike.to_string(), korean)
 }
 
-/// What [`Unlike::Quantity`] names in English.
+/// Korean name of an [`Unlike::Quantity`].
 fn quantity_korean(quantity: &str) -> &str {
     match quantity {
         "friction" => "마찰계수",

@@ -1,4 +1,4 @@
-//! What is asked of a scan, and what comes of it.
+//! Options and results of cutting a scan.
 
 use crate::opened::Opened;
 use dolmen::structure::stack::Sliced;
@@ -38,7 +38,7 @@ impl ScanUnit {
     }
 }
 
-/// A scan, and where it is to be cut.
+/// A scan and its cuts.
 #[derive(Clone, Debug)]
 pub struct ScanRequest<'a> {
     /// Name of its file.
@@ -71,11 +71,11 @@ pub struct ScanAnswer {
     pub file: String,
     /// The unit it was read in.
     pub unit: ScanUnit,
-    /// Whether the unit was recognised by the height of the mesh, not given.
+    /// Whether the unit was recognised from the height of the mesh.
     pub is_unit_recognised: bool,
     /// Height of the mesh in the unit of the file.
     pub height_in_file: f64,
-    /// By how much the stones were moved, m: the ground to 0, and what lies far off to the middle.
+    /// Displacement of the stones, m: the ground to 0, and a distant origin to the middle.
     pub moved_m: [f64; 3],
     /// The cuts.
     pub sliced: Sliced,
@@ -83,6 +83,6 @@ pub struct ScanAnswer {
     pub stones: Vec<ScannedStone>,
     /// Meshes by their file names, then the project file.
     pub files: Vec<(String, Vec<u8>)>,
-    /// The project as it will be read.
+    /// The project, as it will be read.
     pub opened: Opened,
 }

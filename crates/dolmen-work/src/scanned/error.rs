@@ -1,4 +1,4 @@
-//! Why a scan gives no stones.
+//! Errors of cutting a scan.
 
 use dolmen::structure::stack::SliceError;
 use dolmen_records::meshes::MeshError;
@@ -16,7 +16,7 @@ pub enum ScanError {
         /// Height of the mesh in the unit of its file.
         height: f64,
     },
-    /// No tower is so high.
+    /// No tower has this height.
     Height {
         /// Height of the mesh, m.
         height_m: f64,

@@ -4,13 +4,13 @@ use super::answer::{ScanUnit, ScannedStone};
 use dolmen::structure::stack::SlicedBed;
 use std::fmt::Write as _;
 
-/// What the file is written from.
+/// Data for the text of the file.
 pub(super) struct Cut<'a> {
     /// Name of the file of the scan.
     pub(super) file: &'a str,
     /// Its unit.
     pub(super) unit: ScanUnit,
-    /// By how much the stones were moved, m.
+    /// Displacement of the stones, m.
     pub(super) moved_m: [f64; 3],
     /// The beds in the coordinates of the scan.
     pub(super) beds: &'a [SlicedBed],
@@ -18,7 +18,7 @@ pub(super) struct Cut<'a> {
     pub(super) stones: &'a [ScannedStone],
 }
 
-/// The project file of the stones of a scan: what is assumed in it says so.
+/// The project file for the stones of a scan; it marks assumed values as such.
 pub(super) fn project_text(cut: &Cut<'_>) -> String {
     let file = one_line(cut.file);
     let beds: Vec<String> = cut.beds.iter().map(|bed| metres(bed.at_m)).collect();
@@ -64,7 +64,7 @@ fn metres(value: f64) -> String {
     }
 }
 
-/// A name as it can stand in a comment and in a string.
+/// A name that can stand in a comment and in a string.
 fn one_line(name: &str) -> String {
     let plain = |c: char| match c {
         '"' | '\\' => '_',

@@ -14,20 +14,20 @@ use dolmen_records::meshes::{Mesh, mesh_ply, read_mesh};
 /// A mesh without a unit is in metres up to this height, and in millimetres from [`MILLIMETRES_FROM`] on. Chosen here.
 const METRES_TO: f64 = 30.0;
 const MILLIMETRES_FROM: f64 = 300.0;
-/// Heights of towers, m. Chosen here: lower ones are models, higher ones are in another unit.
+/// Heights of towers, m. Chosen here: lower ones are models, higher ones have another unit.
 const LEAST_M: f64 = 0.1;
 const MOST_M: f64 = 100.0;
-/// Beyond this the middle of the scan is moved to x = y = 0, m: coordinates of a country lose digits.
+/// Distance from which the middle of the scan is moved to x = y = 0, m: national coordinates lose digits.
 const FAR_M: f64 = 100.0;
-/// Ground within this of 0 stays where it is, m.
+/// Ground within this distance of 0 is not moved, m.
 const GROUND_M: f64 = 1e-3;
-/// The lowest vertex of a noisy foot lies below its plane by so many standard deviations.
+/// Number of standard deviations by which the lowest vertex of a noisy foot lies below its plane.
 const LOWEST_NOISE: f64 = 3.0;
 
-/// Cuts a scan into stones and writes a project of them, which is read and built before it is handed on.
+/// Cuts a scan into stones and writes a project of them, which it reads and builds as a check.
 ///
 /// # Errors
-/// [`WorkError::Scan`] for a mesh that cannot be read or cut, and what the stack of its stones is refused for.
+/// [`WorkError::Scan`] for a mesh that cannot be read or cut, and errors of the stack of its stones.
 pub fn stones_of_scan(request: &ScanRequest<'_>) -> Result<ScanAnswer, WorkError> {
     let mesh = read_mesh(request.bytes).map_err(ScanError::from)?.merged();
     let height_in_file = height(&mesh);
@@ -110,7 +110,7 @@ fn height(mesh: &Mesh) -> f64 {
     high - low
 }
 
-/// The unit that was given, or that the height gives away.
+/// The given unit, or the one that the height implies.
 fn unit(given: Option<ScanUnit>, height: f64) -> Result<ScanUnit, ScanError> {
     let unit = match given {
         Some(unit) => unit,
@@ -130,7 +130,7 @@ fn unit(given: Option<ScanUnit>, height: f64) -> Result<ScanUnit, ScanError> {
     }
 }
 
-/// By how much the stones are moved.
+/// Displacement of the stones.
 fn moved(mesh: &Mesh, sliced: &Sliced) -> [f64; 3] {
     let ground_m = sliced.span_m[0] + LOWEST_NOISE * sliced.noise_m;
     let up_m = if ground_m.abs() <= GROUND_M {

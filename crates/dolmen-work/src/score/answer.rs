@@ -1,4 +1,4 @@
-//! What the score says of one pagoda, and what the score is worth.
+//! The score of one pagoda, and the quality of the score.
 
 use super::designs::ScoreDesigns;
 use dolmen::assess::{
@@ -8,9 +8,9 @@ use dolmen::assess::{
 use dolmen::numeric::Interval;
 use dolmen_project::Names;
 
-/// Parts that designs are dealt to for the order of those not seen. Chosen here.
+/// Number of parts of a cross-validation. Chosen here.
 const PARTS: usize = 5;
-/// Random halves of the intervals of the weights, and their seed. Chosen here.
+/// Number of random halves for the intervals of the weights, and their seed. Chosen here.
 const HALVES: usize = 100;
 const SEED: u64 = 1;
 
@@ -19,9 +19,9 @@ const SEED: u64 = 1;
 pub struct StateScore {
     /// The state, 0 to 3.
     pub state: usize,
-    /// Designs that have a curve for it.
+    /// Number of designs with a curve for it.
     pub designs: usize,
-    /// What the score says.
+    /// The score.
     pub score: PagodaScore,
     /// 90 % interval of θ, m/s².
     pub interval_m_s2: Interval,
@@ -36,13 +36,13 @@ pub struct ScoreAnswer {
     pub name: Names,
     /// Its factors.
     pub factors: SixFactors,
-    /// The range of each factor trained.
+    /// The training range of each factor.
     pub trained: [Interval; 6],
-    /// How it differs from the designs in all but its factors; empty unless that was allowed.
+    /// Differences from the designs other than in its factors; empty unless allowed.
     pub unlike: Vec<Unlike>,
-    /// Designs of the table.
+    /// Number of designs in the table.
     pub designs: usize,
-    /// What the score says of each state that has one.
+    /// The score for each state that has one.
     pub states: Vec<StateScore>,
     /// Gravity that turns accelerations into g, m/s².
     pub gravity_m_s2: f64,
@@ -81,24 +81,24 @@ impl ScoreAnswer {
     }
 }
 
-/// Differences from the designs in words.
+/// Differences from the designs, in words.
 pub fn unlike_words(unlike: &[Unlike]) -> String {
     let words: Vec<String> = unlike.iter().map(Unlike::to_string).collect();
     words.join("; ")
 }
 
-/// What the score of one state is worth.
+/// The quality of the score for one state.
 #[derive(Clone, Debug)]
 pub struct ScoreQuality {
     /// The state, 0 to 3.
     pub state: usize,
-    /// Designs with a curve.
+    /// Number of designs with a curve.
     pub designs: usize,
     /// Weights of the factors.
     pub shares: FactorShares,
-    /// What each factor alone does to the middle design.
+    /// Effect of each factor alone on the middle design.
     pub effects: Vec<FactorEffect>,
-    /// The order of designs not seen.
+    /// The order of designs in a cross-validation.
     pub held_out: HeldOut,
     /// Correlation of λ with tan α in the designs.
     pub slenderness_correlation: f64,
@@ -125,7 +125,7 @@ impl ScoreQuality {
     }
 }
 
-/// Pearson's.
+/// Pearson's coefficient.
 fn correlation(pairs: &[[f64; 2]]) -> f64 {
     let n = pairs.len() as f64;
     let mean = |axis: usize| pairs.iter().map(|pair| pair[axis]).sum::<f64>() / n;
@@ -139,8 +139,8 @@ mod tests {
     use super::*;
     use dolmen::assess::{EffectVerdict, Factor};
 
-    /// Signs of Fig. 19 of Kim, Koo and Hong (2018), who looked at falls under one motion: more storeys, a slenderer body and more taper are
-    /// worse, size is better. Of the base see docs/score.md.
+    /// Signs from Fig. 19 of Kim, Koo and Hong (2018), for falls under one motion: more storeys, a slenderer body and more taper are worse, size
+    /// is better. For the base see docs/score.md.
     #[test]
     fn published_signs_of_the_factors_that_the_table_confirms() {
         let designs = ScoreDesigns::shipped().unwrap();

@@ -1,4 +1,4 @@
-//! Simulated designs that a score is trained on, as a table (CSV).
+//! A table (CSV) of simulated designs for the training of a score.
 
 use super::designs_error::ScoreDesignsError;
 use crate::fingerprint::fingerprint;
@@ -11,15 +11,15 @@ use std::fmt::Write as _;
 /// The states of a design, the mildest first, as columns and options name them.
 pub const SCORE_STATES: [&str; 4] = ["ds1", "ds2", "ds3", "falls"];
 
-/// The designs that come with the program: data/pagoda_score says how they were made.
+/// The designs that come with the program: data/pagoda_score describes how they were made.
 const SHIPPED: &str = include_str!("../../../../data/pagoda_score/designs.csv");
 
-/// A simulated pagoda with what was found for each state.
+/// A simulated pagoda and its results for each state.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ScoreDesign {
     /// Its factors.
     pub factors: SixFactors,
-    /// Fragility over peak ground acceleration, m/s², a state each; `None` where the motions gave no curve.
+    /// Fragility over peak ground acceleration, m/s², for each state; `None` where the motions gave no curve.
     pub states: [Option<Fragility>; 4],
 }
 
@@ -28,9 +28,9 @@ pub struct ScoreDesign {
 pub struct ScoreDesigns {
     /// The designs.
     pub designs: Vec<ScoreDesign>,
-    /// Motions that shook every design, if the table says it.
+    /// Number of motions for each design, if the table gives it.
     pub motions: Option<usize>,
-    /// How the surface of each state was chosen, if the table says it: DS1 to DS3, falls.
+    /// Choice of the surface for each state, if the table gives it: DS1 to DS3, falls.
     pub settings: [Option<SurfaceSettings>; 4],
 }
 
@@ -38,7 +38,7 @@ impl ScoreDesigns {
     /// Those that come with the program.
     ///
     /// # Errors
-    /// None for the table as it is shipped: a test reads it.
+    /// None for the table as shipped: a test reads it.
     pub fn shipped() -> Result<Self, ScoreDesignsError> {
         ScoreDesigns::read(SHIPPED.as_bytes())
     }
@@ -108,7 +108,7 @@ impl ScoreDesigns {
         Ok(found)
     }
 
-    /// The table: a row a design, θ in m/s², empty where there is none.
+    /// The table: one row for each design, θ in m/s², empty where there is none.
     pub fn csv(&self) -> String {
         let mut out: Vec<String> = Factor::ALL
             .iter()
@@ -137,7 +137,7 @@ impl ScoreDesigns {
         out
     }
 
-    /// Lines before the table: motions, and settings of the surfaces with what they were found for.
+    /// Lines before the table: motions, and settings of the surfaces with the key of their designs.
     fn remarks(&self) -> String {
         let mut out = String::new();
         if let Some(motions) = self.motions {
@@ -162,7 +162,7 @@ impl ScoreDesigns {
         out
     }
 
-    /// Takes what those lines say; settings found for other designs are left out.
+    /// Reads those lines; settings for other designs are left out.
     fn read_remarks(&mut self, text: &str) {
         for line in text.lines().map_while(|line| line.strip_prefix('#')) {
             match line.split_whitespace().collect::<Vec<_>>().as_slice() {
@@ -186,7 +186,7 @@ impl ScoreDesigns {
         }
     }
 
-    /// Tells designs of a state apart from others.
+    /// Key of the designs of a state.
     fn print_of(&self, state: usize) -> String {
         let of = |design: &TrainedDesign| -> Vec<u8> {
             let theta = design.fragility.theta();

@@ -1,4 +1,4 @@
-//! The six-factor score: simulated designs as a table, and what the score says of a pagoda.
+//! The six-factor score: simulated designs as a table, and the score of a pagoda.
 
 mod answer;
 mod designs;

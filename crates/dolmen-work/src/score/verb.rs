@@ -1,4 +1,4 @@
-//! `dolmen score`: the six-factor score of a pagoda, what it is worth, and designs to train it on.
+//! `dolmen score`: the six-factor score of a pagoda, its quality, and designs for its training.
 
 use super::answer::{ScoreAnswer, ScoreQuality};
 use super::designs::ScoreDesigns;
@@ -15,7 +15,7 @@ use rayon::prelude::*;
 /// Slope from which a pagoda counts as leaning. Chosen here.
 const LEANS: f64 = 0.01;
 
-/// Refuses a pagoda that is unlike those that the score was trained on, unless `outside_too`.
+/// Refuses a pagoda that is unlike the training designs, unless `outside_too`.
 pub(crate) fn check_alike(project: &Project, outside_too: bool) -> Result<Vec<Unlike>, WorkError> {
     let Structure::Stack(part) = &project.structure else {
         return Ok(Vec::new());
@@ -42,7 +42,7 @@ pub(crate) fn check_alike(project: &Project, outside_too: bool) -> Result<Vec<Un
     Ok(unlike)
 }
 
-/// The six factors of the pagoda of a project; `None` if it has another structure, or blocks.
+/// The six factors of the pagoda of a project; `None` for another structure, or one given by blocks.
 pub(crate) fn factors(project: &Project) -> Result<Option<SixFactors>, WorkError> {
     let Structure::Stack(part) = &project.structure else {
         return Ok(None);
@@ -55,10 +55,10 @@ pub(crate) fn factors(project: &Project) -> Result<Option<SixFactors>, WorkError
     )?))
 }
 
-/// The score of a pagoda; `extrapolate` also for factors outside the range trained.
+/// The score of a pagoda; with `extrapolate` also for factors outside the training range.
 ///
 /// # Errors
-/// A project without a pagoda of six factors, a pagoda unlike those trained on, designs too few.
+/// A project without a pagoda of six factors, a pagoda unlike the designs, too few designs.
 pub fn score(opened: &Opened, designs: &ScoreDesigns, extrapolate: bool) -> Result<ScoreAnswer, WorkError> {
     let project = &opened.project;
     let Some(factors) = factors(project)? else {
@@ -80,7 +80,7 @@ pub fn score(opened: &Opened, designs: &ScoreDesigns, extrapolate: bool) -> Resu
     })
 }
 
-/// What the score is worth, state by state.
+/// The quality of the score for each state.
 ///
 /// # Errors
 /// Too few designs.

@@ -1,84 +1,85 @@
-//! What `dolmen sensors` answers.
+//! The answer of `dolmen sensors`.
 
 use super::sites::Site;
 use dolmen_project::Project;
 use std::sync::Arc;
 
-/// A mode that the sensors shall see.
+/// A mode to be measured.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlannedMode {
     /// Frequency of the model, Hz; `None` where only the shape is known.
     pub frequency_hz: Option<f64>,
-    /// The direction of a frame; `None` of others.
+    /// The direction of a frame; `None` for other kinds.
     pub direction: Option<String>,
-    /// The parts of its kinetic energy in motion along x, y and z, what is left turns; `None` of a mode in a plane.
+    /// Shares of its kinetic energy in motion along x, y and z; the rest is rotation. `None` for a mode in a plane.
     pub along: Option<[f64; 3]>,
     /// The largest displacement at a channel over that at any site.
     pub seen_ratio: f64,
-    /// The mode most like it at the sensors, from 0, and how alike (MAC).
+    /// The most similar mode at the sensors, from 0, and its MAC.
     pub most_alike: Option<(usize, f64)>,
 }
 
-/// Below this share of its largest motion a mode is hardly seen: a channel at the right place would have five times the signal. Chosen here.
+/// Share of its largest motion below which a mode is hardly measured: a channel at the right place would have five times the signal. Chosen
+/// here.
 const SEEN_LEAST: f64 = 0.2;
-/// From this MAC two shapes count as one (Pastor, Binda & Harčarik 2012): at these sensors the modes cannot be told apart.
+/// MAC from which two shapes count as the same (Pastor, Binda & Harčarik 2012): these sensors cannot distinguish the modes.
 const ALIKE_FROM: f64 = 0.9;
 
 impl PlannedMode {
-    /// Whether the sensors stand where it hardly moves.
+    /// Whether the mode hardly moves at the sensors.
     pub fn is_hardly_seen(&self) -> bool {
         self.seen_ratio < SEEN_LEAST
     }
 
-    /// The mode that it is taken for at these sensors.
+    /// The mode with the same shape at these sensors.
     pub fn taken_for(&self) -> Option<(usize, f64)> {
         self.most_alike
             .filter(|(_, alike)| *alike >= ALIKE_FROM && !self.is_hardly_seen())
     }
 }
 
-/// A sensor where it shall stand.
+/// A planned sensor.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlannedSensor {
-    /// Where.
+    /// Its site.
     pub site: Site,
-    /// The setup in which it stands there, from 0; `None`: it stays.
+    /// Its setup, from 0; `None` for a reference sensor, which stays.
     pub setup: Option<usize>,
 }
 
-/// What the shapes of the modes rest on.
+/// The stiffness behind the shapes of the modes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SensorsOf {
     /// Stiffness that the file gives.
     Given,
-    /// Joints of equal stiffness, twice what stability needs: the file gives none.
+    /// Joints of equal stiffness, twice what stability needs, because the file gives none.
     EqualJoints,
-    /// Storeys of equal stiffness in some direction: the file gives none.
+    /// Storeys of equal stiffness in some direction, because the file gives none.
     EqualStoreys,
 }
 
-/// Where sensors stand best.
+/// The best places of sensors.
 #[derive(Clone, Debug)]
 pub struct SensorsAnswer {
     /// The project file.
     pub file: String,
     /// The project.
     pub project: Arc<Project>,
-    /// The modes that they shall see, lowest first.
+    /// The modes to be measured, lowest first.
     pub modes: Vec<PlannedMode>,
-    /// Sites that were looked at.
+    /// Number of candidate sites.
     pub sites: usize,
-    /// Axes of each sensor.
+    /// Number of axes of each sensor.
     pub axes: usize,
     /// No sensor is higher than this above the ground, m.
     pub up_to_m: Option<f64>,
-    /// Setups.
+    /// Number of setups.
     pub setups: usize,
-    /// The sensors: of one setup the one that says most first; of several those that stay, then setup by setup.
+    /// The sensors: for one setup the most informative first; for several the reference sensors, then setup by setup.
     pub sensors: Vec<PlannedSensor>,
-    /// What the shapes rest on.
+    /// The stiffness behind the shapes.
     pub of: SensorsOf,
-    /// How alike each two modes are at all sensors (MAC).
+    /// MAC of each two modes at all sensors.
     pub likeness: Vec<Vec<f64>>,
     /// Dampers of the structure: the shapes are those without them.
     pub without_dampers: Vec<String>,

@@ -5,11 +5,11 @@ use dolmen_words::sentences;
 /// Why sensors cannot be planned.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SensorsError {
-    /// The project has surveys alone.
+    /// The project has only surveys.
     NoModel,
     /// It falls under its own weight.
     Falls,
-    /// Nothing is low enough.
+    /// No place is low enough.
     NoSites {
         /// How high a sensor may stand, m.
         up_to_m: f64,

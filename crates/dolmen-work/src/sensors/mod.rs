@@ -1,4 +1,4 @@
-//! `dolmen sensors`: where a few sensors see the modes of a structure best, and what they leave unseen.
+//! `dolmen sensors`: where a few sensors measure the modes of a structure best, and which modes they miss.
 
 mod answer;
 mod error;
@@ -16,20 +16,20 @@ use crate::wrong::Place;
 use dolmen::modal::{PlacedSensors, SensorPlacement};
 use model::{Model, model};
 
-/// What is asked of the plan.
+/// Options of the plan.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SensorsOptions {
-    /// Sensors that record at once; a few, as there are places, if not given.
+    /// Number of sensors recording together; by default a few, as places allow.
     pub count: Option<usize>,
-    /// Axes of each: 1, 2 (both horizontal) or 3.
+    /// Number of axes of each: 1, 2 (both horizontal) or 3.
     pub axes: usize,
     /// No sensor higher than this above the ground, m.
     pub up_to_m: Option<f64>,
-    /// How many modes they shall tell apart, the lowest; a few if not given.
+    /// Number of modes to distinguish, from the lowest; by default a few.
     pub modes: Option<usize>,
-    /// How many times the sensors are moved on: setups.
+    /// Number of setups.
     pub setups: usize,
-    /// Sensors that stay where they are in all setups.
+    /// Number of reference sensors, which stay in all setups.
     pub references: usize,
 }
 
@@ -46,13 +46,13 @@ impl Default for SensorsOptions {
     }
 }
 
-/// Sensors where no count is given.
+/// Default number of sensors.
 const COUNT: usize = 4;
-/// Modes asked for if the file of options does not say: as many as channels, within these.
+/// Default number of modes: as many as channels, within these limits.
 const MODES_LEAST: usize = 3;
 const MODES_MOST: usize = 6;
 
-/// Where sensors stand best on a structure, by the modes of its model.
+/// The best places of sensors on a structure, for the modes of its model.
 ///
 /// # Errors
 /// [`WorkError`] of a survey without a model, one that does not stand, and counts that do not go together.
@@ -104,7 +104,7 @@ pub fn sensors(opened: &Opened, options: &SensorsOptions) -> Result<SensorsAnswe
         };
         how.place(&kept_rows).within(|| Place::SensorsPlaced)
     };
-    // those that stay must see every mode by themselves: they bring the setups to one scale
+    // reference sensors must measure every mode by themselves, because they bring the setups to one scale
     let references = match options.references {
         0 => Vec::new(),
         count => place(count, Vec::new())?.sites,
@@ -133,7 +133,7 @@ pub fn sensors(opened: &Opened, options: &SensorsOptions) -> Result<SensorsAnswe
     })
 }
 
-/// The sensors that move on are set from the top down, setup by setup, so that each setup stands in one place of the structure.
+/// Assigns the moving sensors from the top down, setup by setup, so that each setup is in one part of the structure.
 fn in_setups(
     placed: &PlacedSensors,
     sites: &[Site],

@@ -1,4 +1,4 @@
-//! Places for sensors on a structure of each kind, and how its modes move them.
+//! Sites of sensors on a structure of each kind, and their motion in its modes.
 
 use super::answer::{PlannedMode, SensorsOf};
 use super::error::SensorsError;
@@ -11,7 +11,7 @@ use dolmen_project::{
     BuildingPart, ChainAxis, ChainPart, FramePart, LoadsPart, Project, Quantity, StackPart, Structure,
 };
 
-/// What a plan is made of.
+/// Data for a plan.
 pub(super) struct Model {
     pub(super) modes: Vec<PlannedMode>,
     pub(super) sites: Vec<Site>,
@@ -53,7 +53,7 @@ fn part_name(name: Option<&String>, index: usize) -> String {
     name.cloned().unwrap_or_else(|| (index + 1).to_string())
 }
 
-/// The tops of the links, in the direction of motion; what is hung on the chain swings with it.
+/// The tops of the links, in the direction of motion; loads on the chain move with it.
 fn chain(part: &ChainPart, loads: &LoadsPart, wanted: usize) -> Result<Planned, WorkError> {
     let chain = part.build_loaded(ChainAxis::Along, loads, &mut Quantity::nominal)?;
     let given = part.stiffness_n_m_rad(&mut Quantity::nominal);
@@ -111,7 +111,7 @@ fn frame(part: &FramePart, wanted: usize) -> Result<Planned, WorkError> {
     }
     match of {
         SensorsOf::Given => all.sort_by(|a, b| a.2.frequency_hz.total_cmp(&b.2.frequency_hz)),
-        // the first of every direction before the second of any
+        // the first mode of every direction before the second of any
         SensorsOf::EqualJoints | SensorsOf::EqualStoreys => {
             all.sort_by_key(|(number, order, _, _)| (*order, *number))
         }
@@ -141,7 +141,8 @@ fn frame(part: &FramePart, wanted: usize) -> Result<Planned, WorkError> {
     Ok((modes.collect(), candidates, of))
 }
 
-/// Stiffness of storeys that are not known, over the largest that the weight takes: far enough above it that the shape does not depend on it.
+/// Assumed stiffness of storeys of unknown stiffness, over the largest reduction by the weight: large enough that the shape does not depend on
+/// it.
 const EQUAL_STOREYS: f64 = 20.0;
 
 /// The free sides of the stones.
@@ -176,7 +177,7 @@ fn stack(part: &StackPart, wanted: usize) -> Result<Planned, WorkError> {
     Ok((modes.collect(), candidates, SensorsOf::Given))
 }
 
-/// The corners of the floors, or where floors have no outline, their middles and two places a radius of gyration beside them.
+/// The corners of the floors, or, for floors without an outline, their middles and two places a radius of gyration beside them.
 fn building(part: &BuildingPart, wanted: usize) -> Result<Planned, WorkError> {
     let Some(vibrating) = part.as_written() else {
         return Err(SensorsError::Falls.into());

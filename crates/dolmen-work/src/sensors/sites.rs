@@ -1,12 +1,12 @@
-//! Where a sensor can stand, and how it moves there.
+//! Sites of sensors, and their motion.
 
 use dolmen::structure::stack::{Solid, Stack};
 
-/// Distance that counts as none, m: rounding of coordinates.
+/// Distance below which two points are the same, m: rounding of coordinates.
 const ROUNDING_M: f64 = 1e-9;
-/// Nearer to another stone than this a place is taken, m.
+/// Distance to another stone below which a place is not free, m.
 const FREE_M: f64 = 0.03;
-/// A stone's side is where a line from its centroid leaves it.
+/// The side of a stone is where a line from its centroid leaves it.
 const WAYS: [(Side, [f64; 2]); 4] = [
     (Side::Right, [1.0, 0.0]),
     (Side::Left, [-1.0, 0.0]),
@@ -31,7 +31,7 @@ pub enum Side {
     Corner(usize),
 }
 
-/// What a sensor reads.
+/// The axis of a sensor.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Axis {
     /// Along x.
@@ -47,7 +47,7 @@ pub enum Axis {
 }
 
 impl Axis {
-    /// As the file writes it; `None` of the plane of a model.
+    /// As written in the file; `None` for the plane of a model.
     pub fn key(&self) -> Option<&str> {
         match self {
             Axis::X => Some("x"),
@@ -64,7 +64,7 @@ impl Axis {
 pub struct Site {
     /// The part.
     pub part: String,
-    /// Where on it.
+    /// The side.
     pub side: Side,
     /// x, y, z, m.
     pub position_m: [f64; 3],
@@ -74,7 +74,7 @@ pub struct Site {
     pub(super) ground_m: f64,
 }
 
-/// A place with all axes that it may have, and the displacement along each in each mode.
+/// A place with all its possible axes, and the displacement along each in each mode.
 pub(super) struct CandidatePlace {
     pub(super) part: String,
     pub(super) side: Side,
@@ -82,7 +82,7 @@ pub(super) struct CandidatePlace {
     pub(super) channels: Vec<(Axis, Vec<f64>)>,
 }
 
-/// Sensors of so many axes at the spots: of one axis each direction is a site, of two both horizontal ones together.
+/// Sensors with the given number of axes at the places: with one axis each direction is a site, with two both horizontal ones together.
 pub(super) fn sites(candidates: Vec<CandidatePlace>, axes: usize) -> (Vec<Site>, Vec<Vec<Vec<f64>>>) {
     let ground_m = candidates
         .iter()
@@ -121,7 +121,7 @@ pub(super) fn sites(candidates: Vec<CandidatePlace>, axes: usize) -> (Vec<Site>,
     (sites, rows)
 }
 
-/// The sides of every stone that nothing stands against, and the tops that bear nothing.
+/// The sides of every stone that are free, and the tops that bear nothing.
 pub(super) fn free_sides(stack: &Stack) -> Vec<(usize, Side, [f64; 3])> {
     let solids: Vec<&Solid> = stack.blocks().iter().map(|block| &block.solid).collect();
     let mut free = Vec::new();
@@ -168,7 +168,7 @@ fn planes(solid: &Solid) -> impl Iterator<Item = ([f64; 3], [f64; 3])> + '_ {
     })
 }
 
-/// How far a line from the centroid runs inside.
+/// Length of a line from the centroid inside the solid.
 fn leaves_after(solid: &Solid, way: [f64; 3]) -> Option<f64> {
     let centre = solid.centroid_m();
     let lengths = planes(solid).filter_map(|(point, normal)| {
@@ -179,7 +179,7 @@ fn leaves_after(solid: &Solid, way: [f64; 3]) -> Option<f64> {
     lengths.min_by(f64::total_cmp).filter(|length| length.is_finite())
 }
 
-/// Whether a point is inside, or on the surface but for rounding: it may lie where two stones meet.
+/// Whether a point is inside, or on the surface within rounding: it may lie where two stones meet.
 fn holds(solid: &Solid, at: [f64; 3]) -> bool {
     let [least, most] = solid.bounds_m();
     let in_bounds = (0..3).all(|i| at[i] >= least[i] - ROUNDING_M && at[i] <= most[i] + ROUNDING_M);

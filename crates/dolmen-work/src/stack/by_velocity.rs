@@ -1,4 +1,4 @@
-//! A rocking part against the spectral velocity of a site: Housner's balance of energies, and the published forms of it.
+//! A rocking part under the spectral velocity of a site: Housner's energy balance, and its published forms.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -22,7 +22,7 @@ pub struct SpectralVelocity {
     pub period_s: f64,
 }
 
-/// A part that rocks as one block, against the spectral velocity of a site.
+/// A part that rocks as one block, under the spectral velocity of a site.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct VelocityDemand {
     /// S_v.
@@ -83,7 +83,7 @@ fn spectral_velocity(spectrum: &DesignSpectrum, damping_ratio: f64) -> Result<Sp
     Ok(most)
 }
 
-/// A part that rocks as one block against the site.
+/// A part that rocks as one block, under the demand of the site.
 ///
 /// ```text
 /// α_crit = S_v p/g = (S_v/√(g R)) √(M R²/I₀)

@@ -8,7 +8,7 @@ use dolmen::blocks::beside_in_small_motion;
 use dolmen::structure::stack::Stack;
 use dolmen_project::{Pick, StackPart};
 
-/// What is known of a stack, each input with the value that `pick` chooses.
+/// Checks a stack, with the value of each input that `pick` chooses.
 pub(crate) fn check(part: &StackPart, pick: Pick<'_>) -> Result<StackAnswer, WorkError> {
     let (stack, check) = check_stack_with_gaps(part.build(pick)?, &StackCheckOptions::default())?;
     let check = with_settle_run(&stack, check);
@@ -39,7 +39,7 @@ pub(crate) fn first_motion_m_s2(part: &StackPart, pick: Pick<'_>) -> Result<Opti
     Ok(check.capacity.map(|first| first.acceleration_m_s2))
 }
 
-/// A stack with the gaps of its joints open, as a check takes them.
+/// A stack with open gaps in its joints, as used in a check.
 pub(crate) fn with_gaps(stack: Stack) -> Result<Stack, WorkError> {
     match stack.joints_drawn_open().is_empty() {
         true => Ok(stack),

@@ -11,11 +11,11 @@ use dolmen::blocks::{
 use dolmen::structure::{LeftOut, directional_modes};
 use dolmen_project::{ModeKind, Quantity, StackPart, Survey};
 
-/// What a survey of a stack leads to.
+/// Result of a survey of a stack.
 pub(crate) enum FromModes {
     /// Factors.
     Factors(Box<FactorsAnswer>),
-    /// Why none are sought.
+    /// Why no factors are computed.
     Without(WithoutStiffness),
 }
 
@@ -95,7 +95,7 @@ pub(crate) fn factors(
     )
 }
 
-/// How a mode of a survey moves; `None` of one in a direction that a stack does not sway along.
+/// Direction of a mode in a survey; `None` for a direction without sway of a stack.
 fn motion(direction: &str, kind: ModeKind) -> Option<StackMotion> {
     match (kind, direction) {
         (ModeKind::Torsion, _) | (_, "torsion") => Some(StackMotion::Torsion),
@@ -105,12 +105,12 @@ fn motion(direction: &str, kind: ModeKind) -> Option<StackMotion> {
     }
 }
 
-/// Those that are in another direction than x and than y: left out of both.
+/// Modes in a direction other than x and y, which are left out of both.
 fn once(left_out: Vec<LeftOut>) -> Vec<LeftOut> {
     let mut kept: Vec<LeftOut> = Vec::new();
     for (at, one) in left_out.iter().enumerate() {
         let said = match one {
-            // a mode along y is no news where x is asked for
+            // a mode along y tells nothing about x
             LeftOut::OtherDirection { frequency_hz, .. } => left_out[..at].iter().any(
                 |other| matches!(other, LeftOut::OtherDirection { frequency_hz: hz, .. } if hz == frequency_hz),
             ),

@@ -1,10 +1,10 @@
-//! What the modes of a survey say of the springs of a stack's joints.
+//! Factors on the springs of a stack's joints, from the modes of a survey.
 
 use dolmen::blocks::{BesideInSmallMotion, JointFactors, StiffnessOf};
 use dolmen::structure::LeftOut;
 use dolmen::structure::stack::{Body, Stack};
 
-/// What the modes of a survey say of the springs of a stack's joints.
+/// Factors on the springs of a stack's joints, from the modes of a survey.
 #[derive(Clone, Debug)]
 pub struct FactorsAnswer {
     /// The stack as the file has it.
@@ -13,16 +13,16 @@ pub struct FactorsAnswer {
     pub found: JointFactors,
     /// Modes of the survey's records that are not along x or y.
     pub left_out: Vec<LeftOut>,
-    /// How each side support takes part: as a spring that no factor multiplies, or not at all.
+    /// The role of each side support: a spring without a factor, or none.
     pub beside: Vec<BesideInSmallMotion>,
-    /// Directions of the survey that a stack does not sway along.
+    /// Directions of the survey without sway of a stack.
     pub other_directions: Vec<String>,
-    /// Whether modes of records are among them: counted from the lowest that the record shows.
+    /// Whether modes of records are among them, counted from the lowest in the record.
     pub is_from_record: bool,
 }
 
 impl FactorsAnswer {
-    /// What lies on what, of a factor of one joint; of a bed the stones that lie on it.
+    /// The stones of a factor's joint, or for a bed the stones on it.
     pub fn names(&self, factor: usize) -> [Vec<&str>; 2] {
         let joints = self.found.factors.get(factor).map_or(&[][..], |of| &of.joints);
         let joints = joints.iter().filter_map(|&joint| self.stack.joints().get(joint));
@@ -51,7 +51,7 @@ impl FactorsAnswer {
         joints.iter().all(|joint| of(joint) == first).then_some(first)
     }
 
-    /// Whether a factor is of all joints of a bed.
+    /// Whether a factor is common to all joints of a bed.
     pub fn is_of_beds(&self) -> bool {
         self.found.of == StiffnessOf::Bed
     }

@@ -1,4 +1,4 @@
-//! Natural frequencies of a stack beside those that surveys measured.
+//! Natural frequencies of a stack compared with those of surveys.
 
 use crate::error::WorkError;
 use crate::judgement::lowest_measured;
@@ -12,10 +12,10 @@ use dolmen::stability::Verdict;
 use dolmen::structure::stack::Stack;
 use dolmen_project::Survey;
 
-/// How a joint is made of springs: exact for small motion of faces that stay closed.
+/// The springs of a joint: exact for small motion of faces that stay closed.
 pub(crate) const RULE: ContactRule = ContactRule::Four;
 
-/// Modes that are found at least, of many stones: more than are shown, and of a tower the first that sway either way. Chosen here.
+/// Fewest modes computed for many stones: more than are shown, and for a tower the first ones that sway in each direction. Chosen here.
 const MODES_LEAST: usize = 24;
 
 /// Frequencies of a stack that stands.
@@ -38,7 +38,7 @@ pub(crate) fn of(stack: &Stack, check: &StackCheck) -> Option<StackFrequencies> 
     }
 }
 
-/// All modes of a stack without its side supports, as demands take it, of which a check finds the lowest alone where there are many; `None` if it knows
+/// All modes of a stack without its side supports, for demands; with many stones a check computes only the lowest. `None` if they are unknown.
 /// them not.
 pub(crate) fn all_modes(answer: &StackAnswer) -> Option<Vec<StackMode>> {
     let known = answer.frequencies_of_demand()?.modes()?;

@@ -1,4 +1,4 @@
-//! The first frequency of pagodas made as that of the file, of other heights and storeys.
+//! The first frequency of pagodas with the factors of the file, for other heights and storeys.
 
 use dolmen::blocks::{ContactRule, first_sway, lowest_stack_modes};
 use dolmen::structure::stack::Stack;
@@ -7,15 +7,15 @@ use dolmen_project::{PagodaPart, Quantity, StackPart};
 /// Heights of the body, m, and numbers of storeys: those of Fig. 17 and section 4.3 of Kim, Koo and Hong (2018).
 const HEIGHTS_M: [f64; 9] = [3.0, 3.75, 4.5, 5.25, 6.0, 6.75, 7.5, 8.25, 9.0];
 const STOREYS: [u32; 3] = [3, 5, 7];
-/// Modes sought of each; the first that sways is among the lowest.
+/// Number of modes computed for each; the first that sways is among the lowest.
 const MODES: usize = 8;
 
-/// Pagodas of one number of storeys.
+/// Pagodas with the same number of storeys.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FrequencyByHeight {
     /// Storeys.
     pub storeys: u32,
-    /// Height of the body, m, height of the whole, m, and first frequency of swaying, Hz; heights at which no such pagoda can be are missing.
+    /// Height of the body, m, total height, m, and first frequency of swaying, Hz; impossible heights are left out.
     pub points: Vec<HeightAndFrequency>,
 }
 
@@ -30,7 +30,7 @@ pub struct HeightAndFrequency {
     pub frequency_hz: f64,
 }
 
-/// The grid of a file made of factors; empty of any other.
+/// The grid for a file with factors; empty for any other.
 pub(crate) fn grid(part: &StackPart, rule: ContactRule) -> Vec<FrequencyByHeight> {
     let Some(pagoda) = &part.pagoda else {
         return Vec::new();

@@ -11,12 +11,12 @@ use dolmen_project::{LoadsPart, Pick, WindGiven};
 
 /// Height below which EN 1991-1-4, 6.2 (1) a, takes c_s c_d as 1, m.
 const LOW_M: f64 = 15.0;
-/// Frequency from which a low stack counts as stiff there, Hz. Chosen here: what sways more slowly is no building.
+/// Frequency from which a low stack counts as stiff there, Hz. Chosen here: a structure that sways more slowly is not like a building.
 const SWAYS_HZ: f64 = 1.0;
 /// A frequency at which EN 1991-1-4 takes c_s c_d as 1, Hz.
 const STIFF_HZ: f64 = 10.0;
 
-/// What wind and static loads do to a stack; `None` if there are none.
+/// The response of a stack to wind and static loads; `None` without any.
 pub(crate) fn loads(
     given: &LoadsPart,
     answer: &StackAnswer,
@@ -85,7 +85,7 @@ fn lowest_hz(answer: &StackAnswer) -> Option<f64> {
     modes.first().map(|mode| mode.frequency_hz)
 }
 
-/// The pressure by height on the whole.
+/// The pressure by height on the whole stack.
 fn pressure_on(wind: &WindGiven, answer: &StackAnswer, pick: Pick<'_>) -> Result<WindPressure, WindError> {
     let stack = &answer.stack;
     let height_m = stack.height_m() - ground_m(stack);
@@ -108,7 +108,7 @@ fn pressure_on(wind: &WindGiven, answer: &StackAnswer, pick: Pick<'_>) -> Result
     })
 }
 
-/// How the wind meets the stones.
+/// The wind on the stones.
 fn surfaces(wind: &WindGiven, stack: &Stack, pick: Pick<'_>) -> WindSurfaces {
     let force_coefficient = pick(&wind.force_coefficient);
     let mut surfaces = WindSurfaces {
@@ -143,7 +143,7 @@ fn surfaces(wind: &WindGiven, stack: &Stack, pick: Pick<'_>) -> WindSurfaces {
     surfaces
 }
 
-/// The wind as it meets the stack from the side that is the worst for the worst combination.
+/// The wind on the stack from the side that is worst for the worst combination.
 fn met(
     answer: &StackAnswer,
     (pressure, surfaces): (&WindPressure, &WindSurfaces),

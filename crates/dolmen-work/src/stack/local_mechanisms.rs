@@ -1,4 +1,4 @@
-//! Local mechanisms of a stack as codes want them, each way.
+//! Local mechanisms of a stack as codes require, in each direction.
 
 use crate::state::LocalMechanismRow;
 use dolmen::assess::StackCheck;
@@ -7,9 +7,10 @@ use dolmen::stability::Verdict;
 use dolmen::stability::stack::local_mechanisms;
 use dolmen::structure::stack::Stack;
 
-/// Stones up to which all directions are looked at; of more only that of the first motion. Chosen here: a wall of 200 takes a second.
+/// Largest number of stones for which all directions are examined; with more only that of the first motion. Chosen here: a wall of 200 takes a
+/// second.
 const STONES_MOST: usize = 400;
-/// Directions nearer to each other than this are one, as a sine. Chosen here.
+/// Directions count as the same if the sine of the angle between them is below this. Chosen here.
 const SAME: f64 = 1e-3;
 
 /// The mechanism of the first motion, then those along both senses of x and y; none of a stack that does not stand.
@@ -29,7 +30,7 @@ pub(crate) fn of(stack: &Stack, check: &StackCheck) -> Vec<LocalMechanismRow> {
     ways.into_iter()
         .map(|direction| LocalMechanismRow {
             direction,
-            // a programme that is not solved leaves that direction unknown; the verdict does not rest on it
+            // without a solution of the programme that direction is unknown; the verdict does not depend on it
             capacity: found
                 .next()
                 .and_then(|found| found.ok().flatten())

@@ -1,4 +1,4 @@
-//! A stack whose supports move slowly, run by each law of contact.
+//! A stack with slowly moving supports, simulated by each law of contact.
 
 use super::check::check;
 use super::simulate::{Law, StackOptions, law_of};
@@ -14,11 +14,11 @@ use dolmen::stability::stack::{
 };
 use dolmen_project::{Quantity, StackPart};
 
-/// How far beyond the movement at which no forces balance the weight the supports go on. Chosen here: friction and inertia may let a stack stand a little
-/// longer.
+/// Factor by which the supports continue beyond the movement at which no forces balance the weight. Chosen here: friction and inertia may keep a
+/// stack standing a little longer.
 const BEYOND: f64 = 1.1;
 
-/// What came of a stack whose supports are to move.
+/// Result for a stack with moving supports.
 pub(crate) enum Supported {
     /// It was simulated.
     Moved(Box<SupportsSimulation>),
@@ -75,7 +75,7 @@ pub(crate) fn supports(
         let law = law_of(options, *is_rigid, &found.stack);
         match run(&found, law.clone(), progress) {
             Ok(run) => found.runs.push(run),
-            // of a law that nobody asked for
+            // of a law that was not requested
             Err(why) if options.law == Law::AsKnown => {
                 let why = told(&why);
                 found.left_out.push(RefusedRun { law, why });

@@ -1,4 +1,4 @@
-//! A stack under a motion again and again, with differences too small to be measured.
+//! Repeats the run of a stack under a motion with immeasurably small differences.
 
 use super::StackSimulation;
 use super::simulation::came_to_its_end;
@@ -13,26 +13,26 @@ use dolmen::structure::stack::{SmallDifferences, Stack};
 
 /// Seed of the differences: the same in every run. Chosen here.
 const SEED: u64 = 1;
-/// Runs in all where nobody said how many. Chosen here.
+/// Default number of runs. Chosen here.
 const AS_NEEDED: usize = 8;
 
-/// Updates of contact points up to which a run is repeated without being asked for. Chosen here: some five seconds.
+/// Largest number of updates of contact points for repeats by default. Chosen here: some five seconds.
 const REPEAT_UPDATES_MOST: f64 = 1e9;
 
-/// How often the run of a stack that decides is made in all, each time but the first with differences that nobody can measure.
+/// Number of runs of the deciding law, all except the first with immeasurably small differences.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Repeating {
-    /// Eight times where one run shows damage that is not the worst: small differences may make it worse.
+    /// Eight if one run shows damage that is not the worst, because small differences may make it worse.
     AsNeeded {
-        /// Updates of contact points up to which it is.
+        /// Largest number of updates of contact points.
         updates_most: f64,
     },
-    /// So often.
+    /// This number.
     Times(usize),
 }
 
 impl Repeating {
-    /// As needed, if that takes no more than seconds.
+    /// As needed, if that takes only seconds.
     pub const QUICK: Repeating = Repeating::AsNeeded {
         updates_most: REPEAT_UPDATES_MOST,
     };
@@ -41,7 +41,7 @@ impl Repeating {
         updates_most: f64::INFINITY,
     };
 
-    /// How often a run is made in all.
+    /// Number of runs.
     pub(super) fn times(self, run: &StackSimulation) -> usize {
         match self {
             Repeating::Times(times) => times,
@@ -58,7 +58,7 @@ impl Repeating {
     }
 }
 
-/// What one run with small differences found.
+/// Result of one run with small differences.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Repeat {
     /// The state of damage.
@@ -67,31 +67,31 @@ pub struct Repeat {
     pub peak_opening_m: f64,
     /// Largest slip of any joint, m.
     pub peak_slip_m: f64,
-    /// Largest slip left in any joint, m.
+    /// Largest residual slip of any joint, m.
     pub residual_slip_m: f64,
 }
 
 /// Runs of one law with small differences, the first as given.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Repeats {
-    /// How large the differences are.
+    /// Size of the differences.
     pub differences: SmallDifferences,
-    /// Whether edges of beds differ too.
+    /// Whether edges of beds differ as well.
     pub moves_edges: bool,
-    /// Seed they were drawn from.
+    /// Seed of the differences.
     pub seed: u64,
-    /// Runs that came to a verdict.
+    /// Runs with a verdict.
     pub runs: Vec<Repeat>,
-    /// Whether it was stopped before all were made.
+    /// Whether it was stopped before all runs.
     pub is_stopped: bool,
-    /// Runs that did not: stopped, without a solution, or refused.
+    /// Number of runs without a verdict: stopped, without a solution, or refused.
     pub undecided: usize,
 }
 
-/// Least, median and largest value.
+/// Smallest, median and largest value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spread {
-    /// The least.
+    /// The smallest.
     pub least: f64,
     /// The middle one, or the mean of both.
     pub median: f64,
@@ -100,7 +100,7 @@ pub struct Spread {
 }
 
 impl Repeats {
-    /// Least, median and largest of a value; `None` without a run.
+    /// Smallest, median and largest of a value; `None` without a run.
     pub fn spread(&self, of: impl Fn(&Repeat) -> f64) -> Option<Spread> {
         let values: Vec<f64> = self.runs.iter().map(of).collect();
         let at = |probability: f64| quantile(&values, probability).ok();
@@ -108,7 +108,7 @@ impl Repeats {
         Some(Spread { least, median, most })
     }
 
-    /// Every state of damage that a run found, from the least, with the number of its runs.
+    /// The states of damage of the runs, mildest first, with the number of runs of each.
     pub fn states(&self) -> Vec<(DamageState, usize)> {
         let mut states: Vec<DamageState> = self.runs.iter().map(|run| run.state).collect();
         states.sort_by_key(|state| state.number());
@@ -123,7 +123,7 @@ impl Repeats {
     }
 }
 
-/// The run again, so often in all, each but the first with small differences.
+/// Repeats the run up to this number, all except the first with small differences.
 pub(super) fn repeats(
     run: &StackSimulation,
     count: usize,

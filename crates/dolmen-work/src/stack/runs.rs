@@ -6,36 +6,36 @@ use dolmen::assess::DamageState;
 /// Every run of a stack under one motion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StackRuns {
-    /// The run that decides word and exit status: the worse one of two laws.
+    /// The run that decides word and exit status: the worse of two laws.
     pub deciding: StackSimulation,
     /// The run of the other law of contact.
     pub other: Option<StackSimulation>,
-    /// Why one of two laws was not run although no joint stiffness is measured.
+    /// Why the second law was not run although no joint stiffness is measured.
     pub left_out: Option<LeftOut>,
-    /// The run that decides again and again with small differences, if that was asked for.
+    /// The repeats of the deciding run with small differences, if requested.
     pub repeats: Option<Repeats>,
-    /// The sliding model beside it, if that was asked for. It decides nothing: its blocks cannot rock.
+    /// The sliding model, if requested. It decides nothing, because its blocks cannot rock.
     pub sliding: Option<SlidingRun>,
 }
 
 /// Why a law of contact was left out.
 #[derive(Clone, Debug, PartialEq)]
 pub enum LeftOut {
-    /// It is slow: estimated updates of contact points, the points of all joints times the steps.
+    /// It would be slow: estimated updates of contact points, the points of all joints times the steps.
     TooLong {
-        /// How many it would take.
+        /// The estimate.
         updates: f64,
-        /// How many are run without being asked for.
+        /// The limit without a request.
         most: f64,
     },
-    /// It does not know what this stack has.
+    /// It does not support a property of this stack.
     Refused {
-        /// Why, with what can be done.
+        /// The reason, with the remedy.
         why: String,
     },
-    /// It found no solution, and what it showed until then is no worse than what the springs show.
+    /// It found no solution, and its results until then are no worse than those of the springs.
     NoSolution {
-        /// When, s.
+        /// Time of that, s.
         at_s: f64,
     },
 }
@@ -52,12 +52,12 @@ impl StackRuns {
         }
     }
 
-    /// The runs, that which decides first.
+    /// The runs, the deciding one first.
     pub fn each(&self) -> impl Iterator<Item = &StackSimulation> {
         std::iter::once(&self.deciding).chain(&self.other)
     }
 
-    /// The states of damage that count, of deciding and other law, if they differ.
+    /// The states of damage of the deciding and the other law, if they differ.
     pub fn differing_states(&self) -> Option<[DamageState; 2]> {
         let states = [
             self.deciding.counted_damage(),

@@ -1,14 +1,14 @@
-//! Heights that mean nothing changed by themselves: those of stones that carry one stone together.
+//! Heights without an independent meaning: those of stones that carry one stone together.
 
 use dolmen::structure::stack::{Body, Joint};
 use dolmen_project::{Quantity, StackPart};
 use std::collections::BTreeSet;
 
-/// Least rise of the normal of a bed, as cosine: what is steeper is a side.
+/// Smallest cosine of the normal of a bed: a steeper face is a side.
 const BED_RISE: f64 = 0.7;
 
-/// Paths of the heights of all stones that stand beside others under a stone that both carry: one of them higher by itself leaves the bed
-/// of the others, or lifts the stone off them.
+/// Paths of the heights of all stones that carry a stone together with others: if only one of them becomes higher, the stone lifts off the
+/// others.
 pub(crate) fn heights_that_others_share(part: &StackPart) -> BTreeSet<String> {
     let Ok(stack) = part.build(&mut Quantity::nominal) else {
         return BTreeSet::new();
@@ -33,7 +33,7 @@ pub(crate) fn heights_that_others_share(part: &StackPart) -> BTreeSet<String> {
     paths
 }
 
-/// What a block stands on, each once.
+/// The blocks under a block, without duplicates.
 fn lowers(joints: &[Joint], upper: usize) -> Vec<Body> {
     let beds = joints.iter().filter(|joint| joint.axes[2][2].abs() > BED_RISE);
     let mut all: Vec<Body> = Vec::new();
@@ -45,7 +45,7 @@ fn lowers(joints: &[Joint], upper: usize) -> Vec<Body> {
     all
 }
 
-/// A block and all that it stands on, down to the ground.
+/// A block and all blocks under it, down to the ground.
 fn column(joints: &[Joint], top: usize) -> BTreeSet<usize> {
     let mut column = BTreeSet::new();
     let mut reached = vec![top];

@@ -18,14 +18,14 @@ use dolmen::stability::stack::{StackLimitStates, StackLimits, Standing, stack_li
 use dolmen::structure::stack::Stack;
 use dolmen_project::{Quantity, StackPart};
 
-/// Updates of contact points, their number times that of the steps, up to which the rigid law is run without being asked for. Chosen here: about a
-/// minute where stones slide on each other.
+/// Largest number of updates of contact points (points times steps) for the rigid law by default. Chosen here: about a minute where stones slide
+/// on each other.
 const RIGID_UPDATES_MOST: f64 = 3e7;
 
-/// The law of contact, or both.
+/// The choice of laws of contact.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Law {
-    /// Springs, and rigid contact beside them where the stiffness of the joints is not measured.
+    /// Springs, and the rigid law as well where the stiffness of the joints is not measured.
     #[default]
     AsKnown,
     /// Springs, dashpots, friction.
@@ -38,7 +38,7 @@ pub enum Law {
     Sliding,
 }
 
-/// How a stack is run.
+/// Options of a run.
 pub(crate) struct StackOptions {
     pub(crate) law: Law,
     pub(crate) contact_rule: ContactRule,
@@ -50,7 +50,7 @@ pub(crate) struct StackOptions {
     pub(crate) repeats: Repeating,
 }
 
-/// What came of a stack that was to be shaken.
+/// Result for a stack under a motion.
 pub(crate) enum Shaken {
     /// It was simulated.
     Simulated(Box<StackRuns>),
@@ -118,7 +118,7 @@ pub(crate) fn simulate(
     Ok(Shaken::Simulated(Box::new(runs)))
 }
 
-/// Why stones that share their load do not stand, where they would if no edge crushed: runs crush none.
+/// Why stones that share their load do not stand although they would without crushing edges: runs do not include crushing.
 pub(super) fn crushes_together(
     stack: &Stack,
     limits: &StackLimitStates,
@@ -135,7 +135,7 @@ pub(super) fn crushes_together(
     }))
 }
 
-/// A stack and what shakes it.
+/// A stack and its motion.
 struct Shakable<'a> {
     version: &'a Version<'a>,
     part: &'a StackPart,
@@ -172,7 +172,7 @@ impl Shakable<'_> {
         })
     }
 
-    /// Rigid contact beside the run on springs.
+    /// The run by the rigid law beside that on springs.
     fn beside(
         &self,
         springs: StackSimulation,
@@ -244,7 +244,7 @@ pub(super) fn law_of(options: &StackOptions, is_rigid: bool, stack: &Stack) -> C
         false => AfterFall::Stop,
     };
     if is_rigid {
-        // a step that is given is that of the law that was asked for
+        // a given step is that of the requested law
         let given = options.step_s.filter(|_| options.law == Law::Rigid);
         return ContactLaw::Rigid(Rigid {
             contact_rule,

@@ -1,4 +1,4 @@
-//! What `dolmen simulate` found of a stack, with what went in.
+//! The simulation of a stack, with its input.
 
 use crate::motion::MotionAnswer;
 use crate::tilt_left_out::TiltLeftOut;
@@ -9,12 +9,12 @@ use dolmen::stability::stack::StackLimitStates;
 use dolmen::structure::stack::{Body, Stack, WidestGap};
 use dolmen_project::{Names, SurveyedLean};
 
-/// Joints of a stack that are drawn with a gap, and how they were run.
+/// Gaps in the joints of a stack as drawn, and their state in the run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DrawnGaps {
-    /// The widest, and how many there are.
+    /// The widest, and their number.
     pub gap: WidestGap,
-    /// Whether those are open in the run without which every stone is still carried.
+    /// Whether the gaps that carry no stone are open in the run.
     pub are_open: bool,
 }
 
@@ -35,23 +35,23 @@ pub struct StackSimulation {
     pub loosened: Vec<String>,
     /// Whether the file gives a wind, which does not blow during a motion.
     pub without_wind: bool,
-    /// A measured tilt that the runs do not start from.
+    /// A measured tilt that is not in the start of the runs.
     pub tilt_left_out: Option<TiltLeftOut>,
-    /// Joints that are drawn with a gap.
+    /// Joints with a gap as drawn.
     pub gaps: Option<DrawnGaps>,
     /// The motion of its base.
     pub motion: MotionAnswer,
     /// The law of contact, with the options of the run.
     pub law: ContactLaw,
-    /// What happened.
+    /// The history.
     pub history: StackHistory,
-    /// At what it begins to move.
+    /// The acceleration at which it begins to move.
     pub limits: StackLimitStates,
-    /// How far it is damaged, by the usual thresholds.
+    /// The state of damage, by the usual thresholds.
     pub damage: StackDamage,
 }
 
-/// Whether stones rest, or one fell.
+/// Whether the stones are at rest, or one fell.
 pub(super) fn came_to_its_end(outcome: &Outcome) -> bool {
     !matches!(
         outcome,
@@ -63,7 +63,7 @@ pub(super) fn came_to_its_end(outcome: &Outcome) -> bool {
 }
 
 impl StackSimulation {
-    /// When the run ended, s, if that is before the motion did and no stone had fallen: there is no verdict.
+    /// End of the run, s, if it is before that of the motion and no stone had fallen: there is no verdict.
     pub fn ended_before_the_motion_s(&self) -> Option<f64> {
         let motion_s = self.motion.motion.duration_s();
         let end_s = self.law.run_length_s(motion_s);
@@ -74,7 +74,7 @@ impl StackSimulation {
         self.motion.cut_at_s(end_s).filter(|_| is_open)
     }
 
-    /// The joint with the largest slip left over its width, if that is at least the offset of DS2.
+    /// The joint with the largest residual slip over its width, if that is at least the offset of DS2.
     pub fn shifted(&self) -> Option<(usize, &JointDamage)> {
         let DamageThresholds {
             offset_ratio,
@@ -108,12 +108,12 @@ impl StackSimulation {
         matches!(self.history.outcome, Outcome::Fell { .. })
     }
 
-    /// Whether the run came to its end, at rest or by falling.
+    /// Whether the run is complete, at rest or by a fall.
     pub fn is_whole(&self) -> bool {
         self.ended_before_the_motion_s().is_none() && came_to_its_end(&self.history.outcome)
     }
 
-    /// The state of damage that counts. What is left of a slip is not known before the end; how far a joint rocked is.
+    /// The state of damage. Residual slip is known only at the end, but rocking at any time.
     pub fn counted_damage(&self) -> DamageState {
         let severe = DamageThresholds::default().severe_rocking_ratio;
         let mut joints = self.damage.joints.iter();
@@ -159,7 +159,7 @@ impl StackSimulation {
         highest.map_or(0, |(block, _)| block)
     }
 
-    /// Displacement of a block's centroid from the stack at rest, in the frame of the ground, m: one a sample.
+    /// Displacement of a block's centroid from the stack at rest, in the frame of the ground, m, at each sample.
     pub fn displacement_m(&self, block: usize) -> Vec<[f64; 3]> {
         let at = |sample: usize| self.poses(sample).get(block).map_or([0.0; 3], |p| p.centroid_m);
         let rest = at(0);

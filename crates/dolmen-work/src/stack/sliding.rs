@@ -1,4 +1,4 @@
-//! The sliding model of a pile beside its simulation by contact: blocks that slide and twist, and do not rock.
+//! The sliding model of a pile beside its simulation by contact: blocks slide and twist, and do not rock.
 
 use crate::error::WorkError;
 use crate::progress::{Progress, simulating};
@@ -6,15 +6,15 @@ use dolmen::blocks::{Sliding, SlidingHistory, SlidingOutcome, simulate_sliding};
 use dolmen::signal::GroundMotion;
 use dolmen::structure::stack::Stack;
 
-/// Slip of a bed from which it counts as sliding, m. Chosen here: a hundred times what the run is exact to.
+/// Slip from which a bed counts as sliding, m. Chosen here: a hundred times the accuracy of the run.
 const SLIP_LEAST_M: f64 = 1e-6;
-/// Turn of a bed from which it counts as twisting, rad. Chosen here, likewise for a bed a metre wide.
+/// Rotation from which a bed counts as twisting, rad. Chosen here, likewise for a bed a metre wide.
 const TURN_LEAST_RAD: f64 = 1e-6;
 
-/// What a bed did: the modes of Hwang & Kim (2002). The fifth, a jump, ends the run.
+/// The mode of a bed after Hwang & Kim (2002). The fifth, a jump, ends the run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SlidingMode {
-    /// It never let go.
+    /// It stuck.
     Stick,
     /// It slid.
     Slide,
@@ -27,12 +27,12 @@ pub enum SlidingMode {
 /// A run of the sliding model.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SlidingRun {
-    /// What happened.
+    /// The history.
     pub history: SlidingHistory,
 }
 
 impl SlidingRun {
-    /// What the bed of a joint did.
+    /// The mode of the bed of a joint.
     pub fn mode(&self, joint: usize) -> SlidingMode {
         let Some(of) = self.history.joints.get(joint) else {
             return SlidingMode::Stick;
@@ -45,20 +45,20 @@ impl SlidingRun {
         }
     }
 
-    /// How long the bed of a joint moved, s.
+    /// Time in motion of the bed of a joint, s.
     pub fn moving_s(&self, joint: usize) -> f64 {
         let own = self.history.spells.iter().filter(|spell| spell.joint == joint);
         own.map(|spell| spell.to_s - spell.from_s).sum()
     }
 
-    /// The bed that slipped farthest, if any let go.
+    /// The bed that slipped farthest, if any moved.
     pub fn farthest(&self) -> Option<usize> {
         let moved = (0..self.history.joints.len()).filter(|joint| self.mode(*joint) != SlidingMode::Stick);
         let slip = |joint: &usize| self.history.joints[*joint].peak_slip_m;
         moved.max_by(|a, b| slip(a).total_cmp(&slip(b)))
     }
 
-    /// How many beds let go.
+    /// Number of beds that moved.
     pub fn moved(&self) -> usize {
         let joints = 0..self.history.joints.len();
         joints
@@ -66,7 +66,7 @@ impl SlidingRun {
             .count()
     }
 
-    /// Whether it reached its end.
+    /// Whether the run is complete.
     pub fn is_whole(&self) -> bool {
         matches!(self.history.outcome, SlidingOutcome::Stuck | SlidingOutcome::Slid)
     }
@@ -75,7 +75,7 @@ impl SlidingRun {
 /// The pile under the motion by the sliding model.
 ///
 /// # Errors
-/// [`WorkError`] for a stack that is no single pile of dry level beds.
+/// [`WorkError`] for a stack that is not a single pile of dry level beds.
 pub(super) fn sliding(
     stack: &Stack,
     motion: &GroundMotion,

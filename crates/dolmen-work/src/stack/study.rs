@@ -14,9 +14,9 @@ use dolmen::stability::stack::StackLimitStates;
 use dolmen::structure::stack::{Body, Joint, Stack};
 use dolmen_project::{LawPart, StudyPart};
 
-/// Runs a batch; `each` gets the place of a run in it and its history, in the order in which they end. Each is the same
-/// in any batch. Ctrl-C stops those that are under way. On springs they go side by side; under the rigid law, which takes its points and
-/// its rest from the same options, one after another.
+/// Runs a batch; `each` receives the index of a run and its history, in the order in which runs end. The result of a run does not depend on its
+/// batch. Ctrl-C stops the current runs. Runs on springs go side by side; those by the rigid law, which uses the same points and time to rest,
+/// one after another.
 pub(crate) fn run_stacks(
     law: LawPart,
     batch: &[StackRun<'_>],
@@ -38,7 +38,7 @@ pub(crate) fn run_stacks(
     }
 }
 
-/// How a study runs its stacks.
+/// Options for the runs of a study.
 pub(crate) fn springs(study: &StudyPart) -> Springs {
     let usual = Springs::default();
     Springs {
@@ -53,7 +53,7 @@ pub(crate) fn springs(study: &StudyPart) -> Springs {
     }
 }
 
-/// The row of a stack by itself, with how its run ended; `None` if it was stopped.
+/// The row of a stack and the end of its run; `None` if it was stopped.
 pub(crate) fn row_and_rest(
     study: &StudyPart,
     run: Run,
@@ -74,7 +74,7 @@ pub(crate) fn row_and_rest(
     found
 }
 
-/// What lies on what.
+/// The stones of each joint.
 pub(crate) fn joint_words(stack: &Stack, joint: &Joint) -> String {
     format!(
         "{} on {}",

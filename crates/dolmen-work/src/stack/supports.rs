@@ -1,4 +1,4 @@
-//! What becomes of a stack whose supports move slowly, in time, by each law of contact.
+//! The simulation of a stack with slowly moving supports, by each law of contact.
 
 use dolmen::blocks::{ContactLaw, MovedInTime, Outcome};
 use dolmen::stability::Verdict;
@@ -6,12 +6,12 @@ use dolmen::stability::stack::{MovedSupports, MovementEnding};
 use dolmen::structure::stack::{Stack, SupportMovement};
 use dolmen_project::{Names, SurveyedLean};
 
-/// One law of contact.
+/// The run by one law of contact.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SupportsRun {
     /// The law, with the options of the run.
     pub law: ContactLaw,
-    /// What happened.
+    /// The history.
     pub moved: MovedInTime,
 }
 
@@ -28,13 +28,13 @@ pub struct SupportsSimulation {
     pub lean: Option<SurveyedLean>,
     /// The stack as drawn, with its movements.
     pub stack: Stack,
-    /// What the check says of it, its supports moved.
+    /// The check, with its supports moved.
     pub verdict: Verdict,
-    /// From equilibrium to equilibrium, as the check follows it.
+    /// The sequence of equilibria in the check.
     pub followed: MovedSupports,
-    /// Factor on the movements up to which the supports move.
+    /// Factor on the movements at which the supports stop.
     pub factor_most: f64,
-    /// One run a law, springs first.
+    /// One run for each law, springs first.
     pub runs: Vec<SupportsRun>,
     /// Laws that could not be run.
     pub left_out: Vec<RefusedRun>,
@@ -45,12 +45,12 @@ pub struct SupportsSimulation {
 pub struct RefusedRun {
     /// The law.
     pub law: ContactLaw,
-    /// Why, with what can be done.
+    /// The reason, with the remedy.
     pub why: String,
 }
 
 impl SupportsRun {
-    /// Whether it came to its end, at rest or by falling.
+    /// Whether the run is complete, at rest or by a fall.
     pub fn is_whole(&self) -> bool {
         match self.moved.history.outcome {
             Outcome::Fell { .. } => true,
@@ -72,14 +72,14 @@ impl SupportsRun {
         }
     }
 
-    /// The factor on the movements from which it was on its way down; `None` if it did not fall.
+    /// The factor on the movements from which it fell; `None` if it did not fall.
     pub fn falls_at(&self) -> Option<f64> {
         self.moved.gave_way.map(|gave_way| gave_way.factor)
     }
 }
 
 impl SupportsSimulation {
-    /// Least factor on the movements at which it falls, by any run or by the check; `None` if it falls by none.
+    /// Smallest factor on the movements at which it falls, in any run or in the check; `None` if it does not fall.
     pub fn falls_at(&self) -> Option<f64> {
         let of_check = self.followed_falls().then_some(self.followed.last.factor);
         let each = self.runs.iter().filter_map(SupportsRun::falls_at).chain(of_check);
@@ -91,12 +91,12 @@ impl SupportsSimulation {
         matches!(self.followed.ending, MovementEnding::Falls { .. })
     }
 
-    /// Whether there are runs, and every one came to its end.
+    /// Whether there are runs, and all are complete.
     pub fn is_whole(&self) -> bool {
         !self.runs.is_empty() && self.runs.iter().all(SupportsRun::is_whole)
     }
 
-    /// How far the ground moves that moves farthest, at a factor, m.
+    /// Largest displacement of the ground at a factor, m.
     pub fn length_m(&self, factor: f64) -> f64 {
         let each = self.stack.support_movements().iter();
         factor * each.map(SupportMovement::length_m).fold(0.0, f64::max)

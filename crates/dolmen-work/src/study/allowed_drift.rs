@@ -1,30 +1,30 @@
-//! The allowable drift of the file beside the scans of a study: its damage states begin elsewhere.
+//! The allowable drift of the file compared with the scans of a study, whose damage states begin at other drifts.
 
 use super::answer::StudyAnswer;
 use super::measures::RunMeasures;
 use super::run::Run;
 use std::collections::BTreeSet;
 
-/// Scans against the allowable drift of a storey.
+/// Comparison of scans with the allowable drift of a storey.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AllowedDrift {
     /// The allowable drift over the height of the storey.
     pub limit: f64,
-    /// What the lean as surveyed takes of it, at most; 0 where the structure takes no tilt over.
+    /// Its largest reduction by the surveyed lean; 0 for a structure without one.
     pub lean: f64,
-    /// Scans in which the motion before drifts beyond it already, not among the others.
+    /// Number of scans in which the earlier motion already exceeds it; they are not among the others.
     pub before: usize,
-    /// Scans of which a drift is known.
+    /// Number of scans with a known drift.
     pub scans: usize,
-    /// How many of them drift farther in some run, the lean as surveyed counted, or fall under their own weight.
+    /// Number of those that exceed it in some run, including the surveyed lean, or fall under their own weight.
     pub beyond: usize,
-    /// The least peak of the ground at which one that stands does, m/s²; `None` where none does.
+    /// The smallest peak of the ground at which a standing structure exceeds it, m/s²; `None` where none does.
     pub least_m_s2: Option<f64>,
     /// The largest peak that was tried, m/s².
     pub largest_m_s2: f64,
 }
 
-/// What a run takes of the allowable drift over the height of a storey: of a frame that leans as surveyed its lean, too.
+/// The share of a run in the allowable drift over the height of a storey; for a frame that leans as surveyed including its lean.
 fn drift(measures: &RunMeasures) -> Option<f64> {
     match measures {
         RunMeasures::Frame(of) => Some(of.peak_lean_ratio),
@@ -33,7 +33,7 @@ fn drift(measures: &RunMeasures) -> Option<f64> {
     }
 }
 
-/// What of that is the lean as surveyed.
+/// The share of the surveyed lean.
 fn lean(run: &Run) -> f64 {
     match run.measures {
         RunMeasures::Frame(of) => of.peak_lean_ratio - of.peak_drift_ratio,
@@ -42,7 +42,7 @@ fn lean(run: &Run) -> f64 {
 }
 
 impl StudyAnswer {
-    /// The scans against the allowable drift of the file; `None` where it sets none, varies it, or nothing was run.
+    /// Compares the scans with the allowable drift of the file; `None` where it gives none, varies it, or nothing was run.
     pub fn allowed_drift(&self) -> Option<AllowedDrift> {
         let limit = self.drift_limit?;
         let is_beyond = |drift: f64| drift > limit || drift.is_nan();

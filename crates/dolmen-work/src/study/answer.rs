@@ -1,4 +1,4 @@
-//! A study as it is answered: inputs, runs, levels and trends.
+//! The answer of a study: inputs, runs, levels and trends.
 
 use super::earthquake_of::EarthquakeOf;
 use super::fitted::Fitted;
@@ -14,7 +14,7 @@ use dolmen_project::{ExpectedTrend, HazardPart, ModelDamage, Names, Scan, StudyP
 use dolmen_words::message::Both;
 use std::collections::BTreeMap;
 
-/// One input of the runs: varied, or drawn.
+/// One varied or random input of the runs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct InputColumn {
     /// Its path in the project file.
@@ -25,7 +25,7 @@ pub struct InputColumn {
     pub unit: String,
     /// Whether its values are numbers.
     pub is_number: bool,
-    /// Whether it is drawn, not varied.
+    /// Whether it is random, not varied.
     pub is_drawn: bool,
 }
 
@@ -34,13 +34,13 @@ pub struct InputColumn {
 pub struct CaseInputs {
     /// The variant; `None` for the file as it is.
     pub variant: Option<String>,
-    /// One value an input, in SI; `None` where it is no number or was refused.
+    /// One value for each input, in SI; `None` where it is not a number or was refused.
     pub values: Vec<Option<f64>>,
-    /// The same as they are written.
+    /// The same values as written.
     pub texts: Vec<String>,
 }
 
-/// A study with everything that was run.
+/// A study with all its runs.
 #[derive(Clone, Debug)]
 pub struct StudyAnswer {
     /// The project file, as the user named it.
@@ -49,58 +49,58 @@ pub struct StudyAnswer {
     pub name: Names,
     /// The study.
     pub study: StudyPart,
-    /// What is studied.
+    /// The kind of structure.
     pub kind: StudyKind,
     /// Gravity that turns accelerations into g, m/s².
     pub gravity_m_s2: f64,
-    /// The allowable drift of a storey over its height that the file sets for a frame or a building.
+    /// The allowable drift of a storey over its height in the file, for a frame or a building.
     pub drift_limit: Option<f64>,
-    /// How often the ground shakes at the site, if that is known.
+    /// The hazard at the site, if known.
     pub hazard: Option<HazardPart>,
     /// Version of the program.
     pub version: String,
-    /// What is to be known of the project file: values that it does not give, and others.
+    /// Warnings about the project file: missing values and others.
     pub notes: Vec<Both>,
-    /// Damage of inspections that the model of the structure as it is has; that of a variant may differ.
+    /// Inspected damage in the model of the structure as it is; a variant may differ.
     pub model_damage: Vec<ModelDamage>,
-    /// What the runs leave out of what the file gives.
+    /// Properties of the file that the runs leave out.
     pub left_out_of_runs: Vec<Both>,
-    /// Motions that are others again.
+    /// Motions that are copies of others.
     pub copies: Vec<MotionCopy>,
     /// Inputs, the varied ones first.
     pub inputs: Vec<InputColumn>,
     /// Cases: samples of the first combination, then of the next.
     pub cases: Vec<CaseInputs>,
-    /// Of a stack, by combination: its joints, what lies on what; none where its inputs were refused.
+    /// For a stack, by combination: the stones of its joints; empty where its inputs were refused.
     pub joints: Vec<Vec<String>>,
-    /// What measures of shaking rest on.
+    /// Data for measures of shaking.
     pub shaking: ShakingScales,
     /// Motions, by name.
     pub motions: Vec<String>,
-    /// What is known of the earthquake of each motion; empty where motions are themselves varied.
+    /// Data of the earthquake of each motion; empty where motions are varied.
     pub earthquakes: Vec<EarthquakeOf>,
-    /// The record of each motion, by the number of the first motion that is of it.
+    /// The record of each motion, as the index of the first motion from it.
     pub records: Vec<usize>,
-    /// The state in which the motion before the runs leaves each case; empty without one.
+    /// The state of each case after the earlier motion; empty without one.
     pub before: Vec<StateBefore>,
     /// Runs by job and scale.
     pub runs: Vec<Run>,
     /// Scans that are not done.
     pub missing: Vec<usize>,
-    /// Of a frame: maps and releases by case.
+    /// For a frame: maps and releases by case.
     pub maps: Vec<ResponseMaps>,
-    /// What was fitted to the runs so far.
+    /// Curves fitted to the runs so far.
     pub fitted: Fitted,
 }
 
 /// The verdict on an expected trend.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TrendVerdict {
-    /// Seen, beyond chance.
+    /// Significant.
     Holds,
-    /// Neither it nor its opposite is seen beyond chance.
+    /// Neither it nor its opposite is significant.
     NotSeen,
-    /// The opposite is seen beyond chance.
+    /// The opposite is significant.
     Contradicted,
 }
 
@@ -115,21 +115,21 @@ impl TrendVerdict {
     }
 }
 
-/// The trend of the capacity with one input, all else equal.
+/// The trend of the capacity with one input, with all others equal.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TrendAnswer {
     /// The input, an index.
     pub input: usize,
-    /// Of pairs within one motion, direction and sample.
+    /// From pairs within one motion, direction and sample.
     pub of_pairs: Trend,
-    /// τ of each motion, direction and sample by itself.
+    /// τ of each motion, direction and sample.
     pub of_each: Vec<f64>,
-    /// What was expected of it, with the verdict on that.
+    /// The expected trend and its verdict.
     pub expected: Option<(ExpectedTrend, TrendVerdict)>,
 }
 
 impl TrendAnswer {
-    /// Of how many motions, directions and samples τ goes this way.
+    /// Number of motions, directions and samples whose τ has this sign.
     pub fn same_way(&self, direction: Direction) -> usize {
         let goes = |tau: &&f64| match direction {
             Direction::Rising => **tau > 0.0,
@@ -140,12 +140,12 @@ impl TrendAnswer {
 }
 
 impl StudyAnswer {
-    /// Scans in all: cases × motions × directions.
+    /// Number of scans: cases × motions × directions.
     pub fn jobs(&self) -> usize {
         self.cases.len() * self.replicates()
     }
 
-    /// Scans a case: motions × directions.
+    /// Number of scans of a case: motions × directions.
     fn replicates(&self) -> usize {
         self.motions.len() * self.study.turns_rad.len()
     }
@@ -154,7 +154,7 @@ impl StudyAnswer {
         self.study.samples.unwrap_or(1)
     }
 
-    /// The case of a job, an index.
+    /// The index of the case of a job.
     pub fn case_of(&self, job: usize) -> usize {
         job / self.replicates().max(1)
     }
@@ -164,7 +164,7 @@ impl StudyAnswer {
         &self.cases[self.case_of(job)]
     }
 
-    /// The varied inputs of a job in words, without what is drawn; empty if nothing is varied.
+    /// The varied inputs of a job in words, without random ones; empty if nothing is varied.
     pub fn combination_words(&self, job: usize) -> String {
         let case = self.case(job);
         let several = self.study.variants.len() > 1;
@@ -197,23 +197,23 @@ impl StudyAnswer {
         job % self.replicates().max(1) / self.study.turns_rad.len()
     }
 
-    /// The record that the motion of a job is of, from 0: directions of one record are no more motions.
+    /// The record of a job's motion, from 0: several directions of one record count as one motion.
     pub fn record_index(&self, job: usize) -> usize {
         let motion = self.motion_index(job);
         self.records.get(motion).copied().unwrap_or(motion)
     }
 
-    /// Whether every scan has an answer: a fall is what a study looks for, a scan without an answer is not.
+    /// Whether every scan has an answer; a fall is an answer.
     pub fn is_whole(&self) -> bool {
         self.missing.is_empty() && !(self.study.scan.is_some() && self.left_out() > 0)
     }
 
-    /// The turn of the motion of a job, rad.
+    /// The rotation of the motion of a job, rad.
     pub fn turn_rad(&self, job: usize) -> f64 {
         self.study.turns_rad[job % self.study.turns_rad.len()]
     }
 
-    /// What each scan shows, by job; also those that cannot be used.
+    /// Results of each scan, by job, including unusable ones.
     pub fn capacities(&self) -> Vec<CapacityOf> {
         let mut scans = self.runs.chunk_by(|a, b| a.job == b.job).peekable();
         let each = (0..self.jobs()).map(|job| {
@@ -229,13 +229,13 @@ impl StudyAnswer {
         each.collect()
     }
 
-    /// Scans that cannot be used: refused, with runs lacking below their first fall, or not done.
+    /// Unusable scans: refused, with runs missing below their first fall, or not done.
     pub fn left_out(&self) -> usize {
         let scans = self.capacities();
         scans.iter().filter(|scan| !scan.verdict.is_usable()).count()
     }
 
-    /// How many runs ended each way.
+    /// Number of runs by their end.
     pub fn outcomes(&self) -> BTreeMap<RunOutcome, usize> {
         let mut counts = BTreeMap::new();
         for run in &self.runs {
@@ -244,7 +244,7 @@ impl StudyAnswer {
         counts
     }
 
-    /// Reasons of refusals, each with how many cases have it.
+    /// Reasons of refusals, each with its number of cases.
     pub fn refusals(&self) -> BTreeMap<&str, usize> {
         let mut counts = BTreeMap::new();
         for run in self.runs.iter().filter(|run| run.outcome == RunOutcome::Refused) {
@@ -253,7 +253,7 @@ impl StudyAnswer {
         counts
     }
 
-    /// Scans that can be used and fell at the least size of the study, below which only halving has looked.
+    /// Usable scans that fell at the smallest size of the study, below which only halving has looked.
     pub fn fell_at_the_least(&self) -> usize {
         const ROUNDING: f64 = 1e-9;
         let least = |values: &[f64]| values.iter().copied().fold(f64::INFINITY, f64::min) * (1.0 + ROUNDING);
@@ -311,7 +311,7 @@ impl StudyAnswer {
     /// The trend of the capacity with each varied input of two or more numbers.
     ///
     /// # Errors
-    /// None for runs as they are read: [`AssessError`] for a value that is not a number.
+    /// None for runs as read: [`AssessError`] for a value that is not a number.
     pub fn trends(&self) -> Result<Vec<TrendAnswer>, AssessError> {
         let capacities = self.capacities();
         let mut found = Vec::new();
@@ -370,13 +370,13 @@ impl StudyAnswer {
         Ok(found)
     }
 
-    /// Which motion, direction and sample a job has, all cases alike.
+    /// Key of the motion, direction and sample of a job, equal for all cases.
     fn replicate_of(&self, job: usize) -> usize {
         let replicates = self.replicates().max(1);
         self.sample_of(job) * replicates + job % replicates
     }
 
-    /// (input, result) in groups in which the motion, the variant and all other inputs are equal; infinite where it did not fall.
+    /// (input, result) in groups with equal motion, variant and other inputs; infinite without a fall.
     fn groups(&self, index: usize, results: &[(usize, Reached)]) -> Vec<Vec<(f64, f64)>> {
         let mut groups: BTreeMap<AllElse<'_>, Vec<(f64, Reached)>> = BTreeMap::new();
         for &(job, result) in results {
@@ -396,8 +396,8 @@ impl StudyAnswer {
     }
 }
 
-/// Results by size: what did not fall is larger than all that did. What was tried up to less than another fell at could be smaller or
-/// larger than that one, and is left out.
+/// Order of results by size: without a fall a capacity is larger than all that fell. One tried only up to less than another fell at could be
+/// smaller or larger, and is left out.
 fn ranked(group: Vec<(f64, Reached)>) -> Vec<(f64, f64)> {
     let fell = group.iter().filter(|(_, result)| result.is_reached());
     let largest_fall = fell.map(|(_, result)| result.value()).fold(0.0, f64::max);
@@ -408,7 +408,7 @@ fn ranked(group: Vec<(f64, Reached)>) -> Vec<(f64, f64)> {
     each.collect()
 }
 
-/// What is equal within a group: motion, direction and sample, the variant, and all other inputs as they are written.
+/// Key of a group: motion, direction and sample, the variant, and all other inputs as written.
 type AllElse<'a> = (usize, Option<&'a str>, Vec<&'a str>);
 
 fn level<'c>(

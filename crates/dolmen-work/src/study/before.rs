@@ -1,4 +1,4 @@
-//! The motion that acts before the runs of a study.
+//! The motion before the runs of a study.
 
 use super::model::Model;
 use super::motions::acting_component;
@@ -14,25 +14,25 @@ use dolmen::signal::{Component, GroundMotion, motion_sequence};
 use dolmen_project::StudyPart;
 use dolmen_words::message::Both;
 
-/// What came of the motion before the runs.
+/// Effect of the earlier motion on a case.
 pub(super) enum Before {
-    /// It does not act on this case.
+    /// There is none for this case.
     Unshaken(StateBefore),
-    /// It left the structure at rest.
+    /// The structure is at rest after it.
     Left(Box<RestState>),
     /// The structure fell in it.
     Fell(StateBefore),
-    /// Nothing can follow.
+    /// No run can follow.
     Refused {
-        /// Why.
+        /// The reason.
         why: Both,
-        /// What is known.
+        /// The state so far.
         state: StateBefore,
     },
 }
 
 impl Before {
-    /// What is known of the state.
+    /// The state, where known.
     pub(super) fn state(&self) -> &StateBefore {
         match self {
             Before::Left(left) => &left.state,
@@ -53,7 +53,7 @@ impl Before {
         }
     }
 
-    /// A case that is not shaken before.
+    /// A case without an earlier motion.
     pub(super) fn unshaken(case: usize) -> Self {
         Before::Unshaken(StateBefore::of(case, 0.0, &Run::empty(case)))
     }
@@ -62,7 +62,7 @@ impl Before {
 /// A structure at rest after the first motion.
 pub(super) struct RestState {
     first: GroundMotion,
-    /// Whether one component alone acts.
+    /// Whether only one component acts.
     in_plane: bool,
     state: StateBefore,
 }
@@ -85,7 +85,7 @@ fn along_x(motion: &GroundMotion) -> Result<GroundMotion, WorkError> {
     Ok(GroundMotion::new(motion.name(), motion.time_step_s(), series)?)
 }
 
-/// Shakes a case by the first motion alone, as often longer as it needs to come to rest.
+/// Runs a case under the first motion alone, extended until it is at rest.
 pub(super) fn shaken_before(
     study: &StudyPart,
     model: &Model,
@@ -143,7 +143,7 @@ fn refused(mut state: StateBefore, why: Both) -> Before {
     Before::Refused { why, state }
 }
 
-/// The run under the first motion alone, and how it ended.
+/// The run under the first motion alone, and its end.
 fn alone(
     study: &StudyPart,
     model: &Model,
@@ -162,7 +162,7 @@ fn alone(
     }
 }
 
-/// Why the structure of a case cannot be shaken before.
+/// Why the structure of a case cannot be run under it.
 pub(super) fn why_refused(why: &WorkError) -> Both {
     told_both(why)
 }

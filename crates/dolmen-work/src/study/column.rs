@@ -3,11 +3,11 @@
 /// The values of a column.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ColumnValues {
-    /// Numbers; none where there is none.
+    /// Numbers; `None` for an empty cell.
     Numbers(Vec<Option<f64>>),
     /// Whole numbers.
     Counts(Vec<i64>),
-    /// Words; empty where there are none.
+    /// Words; empty for an empty cell.
     Words(Vec<String>),
 }
 
@@ -16,6 +16,6 @@ pub enum ColumnValues {
 pub struct Column {
     /// Its name, the unit last.
     pub name: String,
-    /// One value a row.
+    /// One value for each row.
     pub values: ColumnValues,
 }

@@ -1,4 +1,4 @@
-//! The fragility of one combination of inputs: the curve of each damage state, by each measure of the shaking.
+//! The fragility of one combination of inputs: the curve of each damage state, over each measure of shaking.
 
 use super::shaking_measure::ShakingMeasure;
 use dolmen::assess::{
@@ -6,30 +6,30 @@ use dolmen::assess::{
     bootstrap_fragility_of_motions, crossing, motions_needed,
 };
 
-/// Years of the probability that the answer gives.
+/// Years of the probability in the answer.
 pub const YEARS: f64 = 50.0;
-/// Standard error of ln θ that counts as enough. Chosen here: a median that is known to a tenth.
+/// Standard error of ln θ that counts as sufficient. Chosen here: the median is then known to a tenth.
 const ERROR_WANTED: f64 = 0.1;
-/// Fewest motions that can be enough: of fewer there is no curve.
+/// Fewest motions that can be sufficient; fewer give no curve.
 const ENOUGH_LEAST: usize = 3;
-/// Motions from which β is known well enough to say how many are needed: to a factor of 1.8 (95 %) from 7. Chosen here.
+/// Number of motions from which β is accurate enough to estimate the number needed: to a factor of 1.8 (95 %) from 7. Chosen here.
 const ENOUGH_SAID_FROM: usize = 7;
-/// Share of resamples without a curve from which a band is not drawn: it would leave out what is least sure. Chosen here.
+/// Share of resamples without a curve from which no band is drawn, because it would leave out the most uncertain part. Chosen here.
 const WITHOUT_CURVE_MOST: f64 = 0.1;
-/// A crossing of two curves matters where both probabilities lie between this and what is left of 1. Chosen here.
+/// A crossing of two curves matters where both probabilities lie between this and 1 minus this. Chosen here.
 const CROSSING_LEAST: f64 = 0.01;
-/// Resamples of a band, and their seed. Chosen here.
+/// Number of resamples of a band, and their seed. Chosen here.
 const RESAMPLES: usize = 200;
 const SEED: u64 = 1;
 
-/// The curve of a state over another measure of the shaking.
+/// The curve of a state over another measure of shaking.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MeasureFit {
     /// The measure.
     pub measure: ShakingMeasure,
-    /// It over the peak acceleration of the ground, of each observation.
+    /// The measure over the peak acceleration of the ground, for each observation.
     pub over_peak: Vec<f64>,
-    /// The curve, or why there is none.
+    /// The curve, or the reason for its absence.
     pub fit: Result<FragilityFit, AssessError>,
 }
 
@@ -38,26 +38,26 @@ pub struct MeasureFit {
 pub struct StateFragility {
     /// The state, 0 to 3: DS1 to DS3, fall.
     pub state: usize,
-    /// What was seen, intensities as peak accelerations of the ground, m/s².
+    /// The observations; intensities are peak accelerations of the ground, m/s².
     pub observations: Vec<Observation>,
-    /// Scans beside them whose structure falls under its own weight: the state is reached without shaking.
+    /// Number of further scans whose structure falls under its own weight, and reaches the state without shaking.
     pub fell_alone: usize,
-    /// The record of each, from 0: turned, in its other directions, or with other samples, it is the same one.
+    /// The record of each, from 0: other directions and samples count as the same record.
     pub motions: Vec<usize>,
-    /// The curve over peak acceleration, m/s², or why there is none; of structures that stand by themselves.
+    /// The curve over peak acceleration, m/s², or the reason for its absence; for structures that stand by themselves.
     pub by_acceleration: Result<FragilityFit, AssessError>,
-    /// The curves over other measures of the shaking, those of [`StudyAnswer::measures`](super::StudyAnswer::measures) that are known of this combination.
+    /// The curves over those other measures of [`StudyAnswer::measures`](super::StudyAnswer::measures) that are known for this combination.
     pub by_measure: Vec<MeasureFit>,
-    /// What β is made of, where inputs are drawn.
+    /// The contributions to β, with random inputs.
     pub scatter: Option<ScatterSplit>,
-    /// How often structures that stand by themselves reach it, if the site has a hazard.
+    /// Annual rate of the state for structures that stand by themselves, if the site has a hazard.
     pub risk: Option<AnnualRisk>,
     /// The annual rate at the ends of both 95 % intervals: θ high and β low, θ low and β high.
     pub rate_interval: Option<[f64; 2]>,
 }
 
 impl StateFragility {
-    /// Bands of the curve over peak acceleration, motions drawn anew; `None` where more than a tenth of the draws have no curve.
+    /// Bands of the curve over peak acceleration by resampling of motions; `None` where more than a tenth of the resamples have no curve.
     ///
     /// # Errors
     /// Those of the curve.
@@ -74,12 +74,12 @@ impl StateFragility {
         by.next()?.fit.as_ref().ok()
     }
 
-    /// How many scans say something of the state.
+    /// Number of scans with information on the state.
     pub fn scans(&self) -> usize {
         self.fell_alone + self.observations.len()
     }
 
-    /// How many scans reached the state, those that fall by themselves among them.
+    /// Number of scans that reached the state, including those that fall by themselves.
     pub fn reached(&self) -> usize {
         let seen = self.observations.iter();
         let reached = seen.filter(|seen| !matches!(seen, Observation::Above(_)));
@@ -94,7 +94,7 @@ impl StateFragility {
         }
     }
 
-    /// The probability that the state is reached, of that of the structures that stand by themselves.
+    /// The probability that the state is reached, from that of the structures that stand by themselves.
     ///
     /// ```text
     /// P = p₀ + (1 − p₀) Φ(ln(x/θ)/β)
@@ -110,20 +110,20 @@ impl StateFragility {
             .map(|risk| self.with_those_alone(risk.probability_in(YEARS)))
     }
 
-    /// The rate of all scans, 1/year; `None` without a hazard, and where some fall by themselves: these have no finite rate.
+    /// The annual rate over all scans, 1/year; `None` without a hazard, and where some fall by themselves, which have no finite rate.
     pub fn annual_rate(&self) -> Option<f64> {
         self.risk
             .filter(|_| self.fell_alone == 0)
             .map(|risk| risk.annual_rate)
     }
 
-    /// Motions that make the standard error of ln θ a tenth; `None` without a curve, or of so few motions that β is not known.
+    /// Number of motions for a standard error of ln θ of a tenth; `None` without a curve, or with so few motions that β is unknown.
     pub fn motions_enough(&self) -> Option<usize> {
         let fit = self.by_acceleration.as_ref().ok()?;
         if fit.motions < ENOUGH_SAID_FROM {
             return None;
         }
-        // what one motion tells, with those that are censored: σ² falls as 1/n
+        // information of one motion, including censored ones: σ² falls as 1/n
         let of_one = fit.ln_theta_error * (fit.motions as f64).sqrt();
         motions_needed(of_one, ERROR_WANTED)
             .ok()
@@ -136,17 +136,17 @@ impl StateFragility {
 pub struct CombinationFragility {
     /// The combination, from 0.
     pub combination: usize,
-    /// One of its jobs, to read its inputs from.
+    /// One of its jobs, from which its inputs are read.
     pub job: usize,
-    /// Scans that say something: those of which only a bracket is known, and those that fall by themselves, among them.
+    /// Number of scans with information, including those with only a bracket, and those that fall by themselves.
     pub usable: usize,
-    /// States that have a name, the mildest first.
+    /// States with a name, the mildest first.
     pub states: Vec<StateFragility>,
 }
 
 impl CombinationFragility {
-    /// Pairs of states whose curves cross where it matters: on one side the worse state is called likelier than the milder one; whether that is
-    /// below the crossing comes last.
+    /// Pairs of states whose curves cross where it matters: on one side the worse state is likelier than the milder one. The last value tells
+    /// whether that is below the crossing.
     pub fn crossings(&self) -> Vec<(usize, usize, Crossing, bool)> {
         let mut found = Vec::new();
         for (i, mild) in self.states.iter().enumerate() {

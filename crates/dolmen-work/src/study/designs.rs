@@ -1,4 +1,4 @@
-//! Simulated designs of a study, for the score.
+//! Simulated designs from a study, for the score.
 
 use super::engine::missing;
 use super::error::StudyError;
@@ -13,7 +13,7 @@ use dolmen_records::Files;
 use rayon::prelude::*;
 use std::collections::BTreeSet;
 
-/// Share of the motions whose scans must be usable for a design to count. Chosen here.
+/// Share of usable scans that a design needs. Chosen here.
 const USABLE_LEAST: f64 = 0.75;
 
 /// Simulated designs of a study.
@@ -21,14 +21,14 @@ const USABLE_LEAST: f64 = 0.75;
 pub struct StudyDesigns {
     /// The designs.
     pub designs: ScoreDesigns,
-    /// Combinations without enough scans that can be used.
+    /// Number of combinations without enough usable scans.
     pub left_out: usize,
 }
 
-/// The pagodas that a study ran with their fragilities, from its journals.
+/// The pagodas of a study with their fragilities, from its journals.
 ///
 /// # Errors
-/// An unknown study, journals of another one, a project that holds no pagoda of six factors.
+/// An unknown study, journals of another one, a project without a pagoda of six factors.
 pub fn study_designs(
     opened: &Opened,
     name: &str,

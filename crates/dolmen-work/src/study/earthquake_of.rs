@@ -1,12 +1,12 @@
-//! What is known of the earthquakes of motions.
+//! Data of the earthquakes of motions.
 
-/// What is known of the earthquake of a motion.
+/// Data of the earthquake of a motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EarthquakeOf {
     /// Its magnitude, where the file says it.
     pub magnitude: Option<f64>,
     /// Its distance, km, where the file says it.
     pub distance_km: Option<f64>,
-    /// Time in which the motion brings 5 to 95 % of its Arias intensity, s.
+    /// Time from 5 to 95 % of the motion's Arias intensity, s.
     pub duration_s: Option<f64>,
 }

@@ -1,5 +1,5 @@
-//! Execution: scans in chunks, each run on whatever thread is free, each written to the journal as it ends. What comes out depends
-//! on the inputs alone.
+//! Execution of a study: scans in chunks, each run on any free thread, each written to the journal as it ends. The results depend only on the
+//! inputs.
 
 use super::before::Before;
 use super::error::StudyError;
@@ -20,12 +20,12 @@ use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// Fewest and most runs handed to a thread at once: they go side by side, some in each lane of the machine's vectors. Chosen here:
-/// more fill the lanes longer, fewer spread over the threads.
+/// Fewest and most runs given to a thread at once: they run side by side, several in the lanes of the machine's vectors. Chosen here: more fill
+/// the lanes longer, fewer spread over the threads.
 const BATCH: [usize; 2] = [8, 64];
-/// Scans prepared at once, a thread. Chosen here: keeps memory small and threads busy.
+/// Scans prepared at once for each thread. Chosen here: keeps memory small and threads busy.
 const CHUNK_A_THREAD: usize = 32;
-/// The damage state of what fell: all four are reached.
+/// The damage state of a fall: all four are reached.
 const ALL_STATES: u8 = 4;
 
 /// A scan in progress.
@@ -39,17 +39,17 @@ struct Job<'p> {
     runs: Vec<Run>,
 }
 
-/// Where the runs of a study go as they end, and who hears of them.
+/// Destination of the runs of a study, and receiver of its progress.
 struct Sink<'a> {
     journal: &'a dyn Journal,
     progress: &'a dyn Progress,
     ended: AtomicUsize,
 }
 
-/// All runs of a shard, those done before among them; fewer if it was asked to stop. Each goes to the journal as it ends.
+/// All runs of a shard, including earlier ones; fewer if it was stopped. Each goes to the journal as it ends.
 ///
 /// # Errors
-/// [`WorkError`], where the journal cannot be written.
+/// [`WorkError`] if the journal cannot be written.
 pub fn run(
     plan: &Plan<'_>,
     shard: (usize, usize),
@@ -99,7 +99,7 @@ pub fn run(
                 journal.append(&run)?;
                 scan.runs.push(run);
             }
-            // what has fallen does not rise: it stands at no size of a second motion
+            // a structure that has fallen stands at no size of a second motion
             if let (Ok(_), true, Some(Before::Fell(state))) = (&scan.model, scan.runs.is_empty(), scan.before)
             {
                 let run = state.fallen(scan.job);
@@ -203,7 +203,7 @@ fn trial(run: &Run) -> ScaleTrial {
     }
 }
 
-/// Scans (indices) and scales to run next: what is missing of the grids; when they are whole, the middle of each bracket.
+/// Scans (indices) and scales to run next: missing points of the grids, and once these are complete, the middle of each bracket.
 fn wanted(plan: &Plan<'_>, scans: &[Job<'_>]) -> Result<Vec<(usize, f64)>, WorkError> {
     let mut wanted = Vec::new();
     let is_shaken = |scan: &Job<'_>| scan.model.is_ok() && !matches!(scan.before, Some(Before::Fell(_)));
@@ -226,7 +226,7 @@ fn wanted(plan: &Plan<'_>, scans: &[Job<'_>]) -> Result<Vec<(usize, f64)>, WorkE
     Ok(wanted)
 }
 
-/// Runs a batch and keeps each of its rows; those that were stopped are missing.
+/// Runs a batch and returns its rows; stopped runs are missing.
 fn run_batch(
     plan: &Plan<'_>,
     scans: &[Job<'_>],

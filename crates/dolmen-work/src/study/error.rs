@@ -1,8 +1,8 @@
-//! Why a study cannot be run, or its runs cannot be used.
+//! Errors of studies.
 
 use dolmen_words::message::Both;
 
-/// Why a study cannot be run, or its runs cannot be used.
+/// Why a study cannot be run, or its results cannot be used.
 #[derive(Clone, Debug, PartialEq)]
 pub enum StudyError {
     /// There is no such study.
@@ -21,41 +21,41 @@ pub enum StudyError {
     },
     /// The file has no study.
     NoStudy,
-    /// What is to be studied falls by itself.
+    /// The structure falls by itself.
     StudyOfWhatFalls {
         /// λ.
         load_factor: f64,
     },
-    /// A survey holds nothing to study.
+    /// A study of a survey, which has no model.
     SurveyStudied,
     /// A study has no motion.
     StudyWithoutMotion,
-    /// A study does not say how the shaking grows.
+    /// A study without sizes of shaking.
     StudyWithoutScan,
-    /// A motion acts before the runs of a building.
+    /// An earlier motion in a study of buildings.
     AfterOfBuilding,
-    /// A motion acts before the runs of a study that shakes nothing.
+    /// An earlier motion in a study without shaking.
     AfterWithoutScan,
     /// A study has too many scans.
     StudyTooLarge {
-        /// How many.
+        /// Their number.
         scans: usize,
         /// The largest number of scans.
         most: usize,
     },
-    /// Maps of harmonic motions have too many points.
+    /// The maps of harmonic motions have too many points.
     MapsTooLarge {
-        /// All of them.
+        /// Their number.
         points: usize,
         /// The largest number.
         most: usize,
     },
-    /// Samples are asked for, but nothing scatters.
+    /// Samples were requested without uncertain inputs.
     StudySamplesNothing {
         /// The samples asked for.
         samples: usize,
     },
-    /// A map of harmonic motions is asked of what has none.
+    /// A map of harmonic motions was requested for a kind without one.
     HarmonicOfOther,
     /// The inputs of every run were refused.
     EveryRunRefused {
@@ -78,12 +78,12 @@ pub enum StudyError {
         /// The factor on its motion.
         scale: f64,
     },
-    /// A study for the score has no pagodas of six factors.
+    /// A study for the score without pagodas of six factors.
     StudyWithoutPagoda {
         /// The study.
         name: String,
     },
-    /// A study that a table names has no results.
+    /// A study named in a table that has no results.
     StudyNotRun {
         /// The study.
         study: String,

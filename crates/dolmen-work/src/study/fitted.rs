@@ -1,4 +1,4 @@
-//! Curves fitted to a study. Each is fitted once, so that tables, text, figures and the report show the same.
+//! Curves fitted to a study, each only once, so that tables, text, figures and the report agree.
 
 use super::combination_fragility::CombinationFragility;
 use super::joint_fragility::JointFragility;

@@ -1,4 +1,4 @@
-//! Fragility of what was studied: one curve a combination of inputs and state, over motions, directions and samples.
+//! Fragility from a study: one curve for each combination of inputs and state, over motions, directions and samples.
 
 use super::answer::{CaseInputs, StudyAnswer};
 use super::column::{Column, ColumnValues};
@@ -16,7 +16,7 @@ use dolmen_words::Language;
 use std::collections::BTreeSet;
 
 impl StudyAnswer {
-    /// Whether a state means anything here: of a frame in which nothing ever slipped, slipping does not.
+    /// Whether a state applies: slipping does not for a frame in which nothing ever slipped.
     pub fn has_state(&self, state: usize) -> bool {
         let is_named = self.kind.states().get(state).is_some_and(|name| *name != "–");
         if self.kind != StudyKind::Frame || state != 0 || !is_named {
@@ -54,7 +54,7 @@ impl StudyAnswer {
         found
     }
 
-    /// What is known of θ where there is no curve, in g.
+    /// The knowledge of θ without a curve, in g.
     pub fn bound_words(&self, why: &AssessError, language: Language) -> String {
         let g = |value: f64| format!("{:.3}", value / self.gravity_m_s2);
         match why {
@@ -96,7 +96,7 @@ impl StudyAnswer {
         }
     }
 
-    /// What the damage states are called, the first state first.
+    /// Names of the damage states, the first state first.
     pub fn state_words(&self, language: Language) -> [&'static str; 4] {
         let words = self.kind.states();
         words.map(|word| match (word, language) {
@@ -169,12 +169,13 @@ impl StudyAnswer {
     }
 }
 
-/// Share of a rate that may come from shaking weaker than any of the hazard. Chosen here: beyond it more than half of the number is a slope that nobody gave.
+/// Share of a rate that may come from shaking weaker than the hazard table. Chosen here: beyond it more than half of the number comes from an
+/// extrapolated slope.
 const BELOW_HAZARD_MOST: f64 = 0.5;
-/// Most rate, 1/year, at which a structure that stands is expected to reach a state. Chosen here: it has stood longer than a year.
+/// Largest annual rate at which a standing structure reaches a state. Chosen here: it has stood longer than a year.
 const RATE_MOST: f64 = 1.0;
 
-/// The upper end of a rate; infinite where the hazard does not tell it.
+/// The upper end of a rate; infinite where the hazard does not determine it.
 fn known_most(risk: &AnnualRisk) -> f64 {
     match risk.share_below_points > BELOW_HAZARD_MOST || risk.annual_rate > RATE_MOST {
         true => f64::INFINITY,
@@ -182,7 +183,7 @@ fn known_most(risk: &AnnualRisk) -> f64 {
     }
 }
 
-/// What each row is of: combination, variant, varied inputs. `rows` are combinations with one of their jobs.
+/// Key of each row: combination, variant, varied inputs. `rows` are combinations with one of their jobs.
 pub(super) fn combination_columns(answer: &StudyAnswer, rows: &[(usize, usize)]) -> Vec<Column> {
     let column = |name: &str, values| Column {
         name: name.to_owned(),
@@ -212,7 +213,7 @@ pub(super) fn combination_columns(answer: &StudyAnswer, rows: &[(usize, usize)])
     columns
 }
 
-/// Every curve, a row a combination and state: inputs, what it rests on, median, dispersion, errors, risk; why where there is none.
+/// Every curve, one row for each combination and state: inputs, data, median, dispersion, errors, risk; the reason where there is none.
 pub fn fragility_columns(answer: &StudyAnswer) -> Vec<Column> {
     let rows: Vec<(&CombinationFragility, &StateFragility)> = answer
         .fragilities()

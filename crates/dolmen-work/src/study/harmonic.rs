@@ -13,7 +13,7 @@ use dolmen::dynamics::{
 use dolmen_words::message::Both;
 use rayon::prelude::*;
 
-/// Maps and releases of every case that can be, in their order.
+/// Maps and releases of every possible case, in their order.
 pub(super) fn maps(plan: &Plan<'_>, progress: &dyn Progress) -> Result<Vec<ResponseMaps>, WorkError> {
     if plan.study.harmonic.is_none() && plan.study.release_m.is_none() {
         return Ok(Vec::new());
@@ -80,7 +80,7 @@ fn mapped(
     Ok(rows.collect::<Result<Vec<_>, _>>()?.concat())
 }
 
-/// The structure of a case, or why it cannot be.
+/// The structure of a case, or the reason for its absence.
 fn case_model(plan: &Plan<'_>, case: usize) -> Result<Result<Model, Both>, WorkError> {
     let project = match plan.project(case / plan.samples()) {
         Ok(project) => project,

@@ -1,4 +1,4 @@
-//! Inputs of the cases: values that are varied, values that are drawn, and the columns they are listed in.
+//! Inputs of the cases: varied values, random values, and their columns.
 
 use super::answer::{CaseInputs, InputColumn};
 use crate::error::WorkError;
@@ -7,7 +7,7 @@ use dolmen_project::{Override, Project, Quantity, StudyPart};
 use dolmen_words::message::Both;
 use std::collections::BTreeMap;
 
-/// Values drawn for one sample, by path.
+/// Random values of one sample, by path.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Drawn {
     values: Vec<(String, &'static str, f64)>,
@@ -15,7 +15,7 @@ pub(super) struct Drawn {
 }
 
 impl Drawn {
-    /// The value of an input: drawn, or its own.
+    /// The value of an input: the random one, or its own.
     pub(super) fn pick(&self, quantity: &Quantity) -> f64 {
         self.by_path
             .get(&quantity.path)
@@ -24,8 +24,7 @@ impl Drawn {
     }
 }
 
-/// Draws the inputs that carry a scatter, in the order of the file: what is drawn depends on the seed and the number of the sample
-/// alone.
+/// Draws the uncertain inputs in the order of the file. The values depend only on the seed and the number of the sample.
 pub(super) fn drawn(project: &Project, seed: u64, sample: u64) -> Result<Drawn, WorkError> {
     let mut random = Random::new(seed, sample);
     let mut drawn = Drawn::default();
@@ -39,13 +38,13 @@ pub(super) fn drawn(project: &Project, seed: u64, sample: u64) -> Result<Drawn, 
     Ok(drawn)
 }
 
-/// What is kept of reading a combination.
+/// Cached results of reading a combination.
 pub(super) struct ReadCombination {
-    /// Fingerprint of all that its model is built from.
+    /// Fingerprint of everything that its model is built from.
     pub(super) model: String,
-    /// What its runs leave out.
+    /// Properties that its runs leave out.
     pub(super) left_out: Vec<Both>,
-    /// What they hold beside the structure.
+    /// Properties that they include besides the structure.
     pub(super) held: Vec<Both>,
     /// The samples drawn.
     pub(super) samples: Vec<Drawn>,
@@ -59,7 +58,7 @@ pub(super) fn value_at(project: Option<&Project>, path: &str) -> Option<(f64, &'
     Some((quantity.value, quantity.unit))
 }
 
-/// The columns of the inputs: what is varied, then what is drawn.
+/// The columns of the inputs: varied ones, then random ones.
 pub(super) fn input_columns(study: &StudyPart, read: &[ReadCombination]) -> Vec<InputColumn> {
     let mut columns = Vec::new();
     for (index, axis) in study.vary.iter().enumerate() {

@@ -1,4 +1,4 @@
-//! Which joint of a stack reaches a damage state at what size of shaking.
+//! The size of shaking at which each joint of a stack reaches a damage state.
 
 use super::answer::StudyAnswer;
 use super::column::{Column, ColumnValues};
@@ -10,10 +10,10 @@ use super::scans::{Seen, first_seen};
 use dolmen::assess::{FragilityFit, Observation, fit_fragility_of_motions};
 use std::collections::BTreeMap;
 
-/// States that joints have curves for: DS1 to DS3. A joint that gave way is counted.
+/// States with curves for joints: DS1 to DS3. A joint that gave way is only counted.
 const STATES: u8 = 3;
 
-/// Share of scans that may be cut short by a fall elsewhere. Chosen here: of more, medians of curves were off by a tenth and more.
+/// Largest share of scans cut short by a fall elsewhere. Chosen here: with more, medians of curves were off by a tenth and more.
 const CUT_SHORT_MOST: f64 = 0.1;
 
 impl StudyAnswer {
@@ -56,7 +56,7 @@ impl StudyAnswer {
     fn joint_state(&self, joint: usize, state: u8, scans: &[&[Run]]) -> JointState {
         let seen = |run: &Run| match run.joint_states.get(joint) {
             Some(own) if *own >= state => Seen::Reached,
-            // what a joint would have come to after a stone fell elsewhere is not known
+            // the state of a joint after a stone fell elsewhere is unknown
             Some(_)
                 if matches!(
                     run.outcome,
@@ -101,14 +101,14 @@ impl StudyAnswer {
     }
 }
 
-/// The lower middle one of an even count, at both ends of all scans: half of them and no fewer.
+/// The lower middle one of an even number, at both ends of all scans: at least half of them.
 fn median(mut values: Vec<f64>) -> Option<f64> {
     values.sort_by(f64::total_cmp);
     values.get(values.len().checked_sub(1)? / 2).copied()
 }
 
 impl JointState {
-    /// The median peak in g, or what is known of it, in words.
+    /// The median peak in g, or its bounds, in words.
     pub fn median_words(&self, answer: &StudyAnswer) -> String {
         let g = |value: f64| format!("{:.3}", value / answer.gravity_m_s2);
         let [low, high] = self.median_between;
@@ -121,7 +121,7 @@ impl JointState {
         }
     }
 
-    /// How many scans reached it, of all that say something.
+    /// Number of scans that reached it, and of all with information.
     pub fn reached(&self) -> usize {
         let reached = self.observations.iter();
         reached
@@ -130,7 +130,7 @@ impl JointState {
     }
 }
 
-/// Every joint and state, a row each: inputs, joint, median, dispersion and their errors, and between what the median lies whatever falls.
+/// Every joint and state, one row each: inputs, joint, median, dispersion and their errors, and the bounds of the median in any case.
 pub fn joint_columns(answer: &StudyAnswer) -> Vec<Column> {
     let rows: Vec<(&JointFragility, &JointState)> = answer
         .joint_fragilities()

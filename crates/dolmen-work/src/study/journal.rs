@@ -1,5 +1,5 @@
-//! The journal of a study: a header, then one line a finished run, only ever appended to. A process that is killed leaves at most
-//! one torn line, the last.
+//! The journal of a study: a header, then one line for each finished run; lines are only appended. A killed process leaves at most one
+//! incomplete line, the last.
 
 use super::journal_error::JournalError;
 use super::kind::StudyKind;
@@ -11,26 +11,26 @@ use crate::wrong::JournalDiffers;
 use dolmen_words::Language;
 use dolmen_words::message::Both;
 
-/// First word of a journal, with the version of its layout.
+/// First word of a journal, with the version of its format.
 const MAGIC: &str = "dolmen-study-journal-4";
 
-/// What decides the results of a study: journals of different ones do not mix.
+/// Everything that determines the results of a study: journals of different studies do not mix.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct JournalHeader {
     /// Name of the study.
     pub study: String,
     /// Version of the program.
     pub version: String,
-    /// Scans of the whole study, over all shards.
+    /// Number of scans of the whole study, over all shards.
     pub jobs: usize,
-    /// Which part of how many, from 1.
+    /// Index and number of shards, from 1.
     pub shard: (usize, usize),
     /// Fingerprints of the inputs, by name.
     pub inputs: Vec<(String, String)>,
 }
 
 impl JournalHeader {
-    /// What differs from another, in words, shards left out; `None` if both are of one study.
+    /// The difference from another header, in words, without shards; `None` if both are of one study.
     pub fn difference(&self, other: &JournalHeader) -> Option<Both> {
         if self.study != other.study {
             return Some(
@@ -66,7 +66,7 @@ impl JournalHeader {
     }
 }
 
-/// An input of a study, as journals name it, in a language.
+/// Name of an input of a study in journals, in a language.
 fn input_word(name: &str, language: Language) -> String {
     let korean = match (name, name.strip_prefix("motion ")) {
         (_, Some(motion)) => format!("지반운동 {motion}"),
@@ -79,27 +79,27 @@ fn input_word(name: &str, language: Language) -> String {
     language.pick(name.to_owned(), korean)
 }
 
-/// Where the runs of a study are kept as they end, from any thread.
+/// Storage for runs as they end, from any thread.
 pub trait Journal: Send + Sync {
-    /// Keeps a run: once this returns it is not lost.
+    /// Stores a run: once this returns it is not lost.
     ///
     /// # Errors
-    /// [`WorkError`], where it cannot be written.
+    /// [`WorkError`] if it cannot be written.
     fn append(&self, run: &Run) -> Result<(), WorkError>;
 }
 
-/// A journal as it was read.
+/// A journal as read.
 #[derive(Clone, Debug)]
 pub struct ReadJournal {
     /// Its header.
     pub header: JournalHeader,
     /// Its runs in the order in which they ended.
     pub runs: Vec<Run>,
-    /// Bytes that are whole lines: what follows was torn as the process died.
+    /// Number of bytes in complete lines; the rest is an incomplete line of a killed process.
     pub whole_bytes: usize,
 }
 
-/// Whether a file that begins so is the journal of a study, of this version or of another.
+/// Whether a file with this beginning is the journal of a study, of this version or of another.
 pub fn is_journal(start: &[u8]) -> bool {
     let word = MAGIC.trim_end_matches(|c: char| c.is_ascii_digit());
     start.starts_with(word.as_bytes())
@@ -140,7 +140,7 @@ pub fn run_line(run: &Run) -> String {
     ])
 }
 
-/// Reads a journal; a torn last line is left out.
+/// Reads a journal; an incomplete last line is ignored.
 ///
 /// # Errors
 /// [`JournalError`] without a header, or with a damaged line before the last.
@@ -230,7 +230,7 @@ fn run_of(cells: &[String], kind: StudyKind) -> Option<Run> {
     })
 }
 
-/// States of joints as a text, a number each.
+/// States of joints as a text, one number each.
 pub(super) fn joint_words(states: &[u8]) -> String {
     let words: Vec<String> = states.iter().map(u8::to_string).collect();
     words.join(" ")
@@ -242,14 +242,14 @@ fn joint_states(text: &str) -> Option<Vec<u8>> {
         .collect()
 }
 
-/// Cells as a line that tells whether it is whole.
+/// Cells as a line with a mark of completeness.
 fn closed(cells: &[String]) -> String {
     let line = cells.join("\t");
     let print = fingerprint(line.as_bytes());
     format!("{line}\t{}\n", &print[16..])
 }
 
-/// Cells of a whole line.
+/// Cells of a complete line.
 fn opened(line: &str) -> Option<Vec<String>> {
     let (line, print) = line.strip_suffix('\n')?.rsplit_once('\t')?;
     (fingerprint(line.as_bytes())[16..] == *print).then(|| line.split('\t').map(str::to_owned).collect())

@@ -1,6 +1,6 @@
-//! The kinds of structures that are studied.
+//! The kinds of structures in studies.
 
-/// What is studied.
+/// The kind of structure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StudyKind {
     /// A stack of stones.
@@ -24,7 +24,7 @@ impl StudyKind {
         }
     }
 
-    /// What the damage states of a run are called, the first state first.
+    /// Names of the damage states of a run, the first state first.
     pub fn states(self) -> [&'static str; 4] {
         match self {
             StudyKind::Stack => ["DS1", "DS2", "DS3", "falls"],

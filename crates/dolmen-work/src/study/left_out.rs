@@ -1,8 +1,8 @@
-//! Studies whose results cannot be used.
+//! Studies with unusable results.
 
 use dolmen_words::message::Both;
 
-/// A study whose results cannot be used.
+/// A study with unusable results.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LeftOutStudy {
     /// The study.

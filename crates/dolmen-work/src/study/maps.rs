@@ -1,4 +1,4 @@
-//! What a study adds: maps of sticking and slipping under harmonic motions, of frames and chains; releases of frames.
+//! Additional results of a study: maps of sticking and slipping under harmonic motions, for frames and chains; releases of frames.
 
 use super::column::{Column, ColumnValues};
 use super::kind::StudyKind;
@@ -9,13 +9,13 @@ use dolmen::dynamics::{AtAmplitude, HarmonicPoint};
 pub struct ResponseMaps {
     /// The case, counted from 0.
     pub case: usize,
-    /// What it is, in words: its variant and inputs; empty if there is only one.
+    /// Its description: variant and inputs; empty if there is only one case.
     pub label: String,
     /// Names of the storeys, or of the links above the joints, lowest first.
     pub parts: Vec<String>,
     /// Points of the map, rows of one frequency; empty without one.
     pub harmonic: Vec<HarmonicPoint>,
-    /// Swings of the release, the largest first; empty without one.
+    /// Cycles of the release, the largest first; empty without one.
     pub release: Vec<AtAmplitude>,
 }
 
@@ -69,7 +69,7 @@ pub fn harmonic_columns(maps: &[ResponseMaps], kind: StudyKind) -> Vec<Column> {
     ]
 }
 
-/// Swings of all releases: one row a case and swing.
+/// Cycles of all releases: one row for each case and cycle.
 pub fn release_columns(maps: &[ResponseMaps]) -> Vec<Column> {
     let mut rows: Vec<(&ResponseMaps, &AtAmplitude)> = Vec::new();
     for map in maps {

@@ -1,8 +1,8 @@
-//! The numbers of a run, by kind of structure, each with its name.
+//! The numbers of a run, by kind of structure, with their names.
 
 use super::kind::StudyKind;
 
-/// Makes a struct of numbers whose fields are also the columns of tables, in their order.
+/// Defines a struct of numbers whose fields are also the columns of tables, in their order.
 macro_rules! measures {
     ($(#[$about:meta])* $name:ident { $($(#[$of:meta])* $field:ident),+ $(,)? }) => {
         $(#[$about])*
@@ -36,19 +36,19 @@ measures! {
         peak_uplift_m,
         /// Largest slip of a joint, m.
         peak_slip_m,
-        /// Largest slip left, m.
+        /// Largest residual slip, m.
         residual_slip_m,
-        /// Largest slip left over the width of its joint, –.
+        /// Largest residual slip over the width of its joint, –.
         residual_slip_ratio,
         /// Largest rocking of a joint over its slenderness angle, –.
         peak_rocking_ratio,
         /// Largest tilt of a stone, rad.
         peak_tilt_rad,
-        /// Largest tilt left, rad.
+        /// Largest residual tilt, rad.
         residual_tilt_rad,
         /// Largest twist of a joint, rad.
         peak_yaw_rad,
-        /// Energy that the integration made, over what went in, –.
+        /// Energy created by the integration, over the input, –.
         energy_made_ratio,
         /// Time step, s.
         time_step_s,
@@ -64,17 +64,17 @@ measures! {
         peak_drift_m,
         /// Largest drift over the height of its storey, –.
         peak_drift_ratio,
-        /// Largest drift over the height of its storey and the lean as surveyed together, –.
+        /// Largest drift over the height of its storey, including the surveyed lean, –.
         peak_lean_ratio,
-        /// Displacement of the top that is left, m.
+        /// Residual displacement of the top, m.
         residual_displacement_m,
-        /// Largest drift left, m.
+        /// Largest residual drift, m.
         residual_drift_m,
         /// Largest share of the time in which a storey slips, –.
         slipping_share,
-        /// Longest way that a storey slipped, m.
+        /// Largest accumulated slip of a storey, m.
         slipped_way_m,
-        /// Energy that the integration left over, –.
+        /// Energy error of the integration, –.
         energy_left_over_ratio,
     }
 }
@@ -90,11 +90,11 @@ measures! {
         peak_joint_rotation_rad,
         /// Largest share of the time in which a joint is open, –.
         open_share,
-        /// Longest way that a joint turned against friction, rad.
+        /// Largest accumulated rotation of a joint against friction, rad.
         slipped_rad,
-        /// Largest rotation left, rad.
+        /// Largest residual rotation, rad.
         residual_rotation_rad,
-        /// Energy that the integration left over, –.
+        /// Energy error of the integration, –.
         energy_left_over_ratio,
     }
 }

@@ -1,4 +1,4 @@
-//! How a study was computed, in words: every result says it.
+//! The method of a study, in words for every result.
 
 use super::answer::StudyAnswer;
 use super::kind::StudyKind;
@@ -9,18 +9,18 @@ use dolmen_project::LawPart;
 use dolmen_words::Language;
 use dolmen_words::number::trimmed;
 
-/// Time after the motion in which a frame or a chain swings on if the file gives no other, s, in a study and a single
-/// simulation alike: with a damping ratio of 2 % a swing of 1 Hz dies down to a tenth. Chosen here.
+/// Default time after the motion for a frame or a chain, s, in a study and a single simulation alike: with a damping ratio of 2 % a motion of 1
+/// Hz decays to a tenth. Chosen here.
 pub const SWING_REST_S: f64 = 20.0;
 
-/// A direction as it was written: degrees to their ninth decimal, which radians do not keep to the last digit.
+/// A direction as written: degrees to their ninth decimal, which radians do not keep to the last digit.
 pub(super) fn direction_deg(turn_rad: f64) -> f64 {
     (turn_rad.to_degrees() * 1e9).round() / 1e9
 }
 
 impl StudyAnswer {
-    /// Of a building whose dampers have a room: runs in which one needs more than it has, of how many, and the least peak of the ground at which,
-    /// m/s²; `None` if there is no such run. The runs do not know the stops.
+    /// For a building with rooms of dampers: number of runs in which a stroke exceeds its room, number of runs, and the smallest peak of the
+    /// ground of the former, m/s²; `None` if there is no such run. The runs have no stops.
     pub fn beyond_room(&self) -> Option<(usize, usize, f64)> {
         let known = self.runs.iter().filter_map(|run| match run.measures {
             RunMeasures::Building(of) if !of.stroke_over_room.is_nan() => {
@@ -49,13 +49,13 @@ impl StudyAnswer {
         self.study.rest_s.unwrap_or(usual)
     }
 
-    /// "after NAME", of a study of what a motion leaves.
+    /// "after NAME", for a study after an earlier motion.
     pub fn after_words(&self, language: Language) -> Option<String> {
         let motion = &self.study.after.as_ref()?.motion;
         Some(language.pick(format!("after {motion}"), format!("{motion} 이후")))
     }
 
-    /// The contact law of a stack; `None` of what has none.
+    /// The contact law of a stack; `None` for other structures.
     pub fn law(&self) -> Option<&'static str> {
         (self.kind == StudyKind::Stack).then_some(match self.study.law {
             LawPart::Springs => "springs",
@@ -147,7 +147,7 @@ impl StudyAnswer {
     }
 }
 
-/// To what part of a step of the scan so many halvings lead.
+/// The fraction of a step of the scan after this many halvings.
 pub fn part_of_step(halvings: u32) -> String {
     match halvings {
         0 => "the whole".to_owned(),
@@ -155,7 +155,7 @@ pub fn part_of_step(halvings: u32) -> String {
     }
 }
 
-/// An input in words, with its path; in English, and of what has no words here, the path alone.
+/// An input in words, with its path; in English, and for inputs without words, the path alone.
 pub fn input_words(path: &str, language: Language) -> String {
     const WORDS: [(&str, &str); 16] = [
         ("joint.friction", "접합면 마찰계수"),

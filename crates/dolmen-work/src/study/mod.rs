@@ -1,4 +1,4 @@
-//! Studies: their runs, the journal that keeps them, and what they say together.
+//! Studies: their runs, their journal, and their joint results.
 
 mod allowed_drift;
 mod answer;

@@ -1,4 +1,4 @@
-//! Structures of a study, ready to be shaken.
+//! Structures of a study, ready for runs.
 
 use super::inputs::Drawn;
 use crate::check::{falls_by_itself, leans_to_its_fall};
@@ -12,7 +12,7 @@ use dolmen::structure::stack::Stack;
 use dolmen_project::{Project, Quantity, Structure, StudyPart};
 use dolmen_words::message::Both;
 
-/// A structure that is ready to be shaken.
+/// A structure that is ready for runs.
 pub(crate) enum Model {
     Stack(Box<(Stack, StackLimitStates)>),
     Frame(Box<frame::study::FrameModel>),
@@ -20,16 +20,16 @@ pub(crate) enum Model {
     Building(Box<building::study::BuildingModel>),
 }
 
-/// Why a structure cannot be shaken.
+/// Why a structure cannot be run.
 pub(crate) enum NoModel {
     /// Its inputs are refused.
     Refused(Both),
-    /// It falls under its own weight: it stands at no shaking at all.
+    /// It falls under its own weight, at no shaking at all.
     FallsAlone(Both),
 }
 
 impl NoModel {
-    /// Why.
+    /// The reason.
     pub(super) fn why(self) -> Both {
         match self {
             NoModel::Refused(why) | NoModel::FallsAlone(why) => why,
@@ -37,7 +37,7 @@ impl NoModel {
     }
 }
 
-/// A structure ready to be shaken, or why it cannot be.
+/// A structure ready for runs, or the reason for its absence.
 pub(super) fn model_of(study: &StudyPart, project: &Project, sample: &Drawn) -> Result<Model, NoModel> {
     let pick = &mut |quantity: &Quantity| sample.pick(quantity);
     match falls_by_itself(project, pick) {

@@ -1,4 +1,4 @@
-//! Motions of a study: of the file, carried by the command, or made from a seed.
+//! Motions of a study: from the file, built-in, or made from a seed.
 
 use super::error::StudyError;
 use crate::error::WorkError;
@@ -11,12 +11,12 @@ use dolmen::signal::{
 use dolmen_project::{Project, StudyPart};
 use dolmen_records::Files;
 
-/// What motions that are made are called, before their number.
+/// Names of made motions, before their number.
 const MADE: &str = "noise";
-/// Length of a sample of motions that are made, s.
+/// Length of a sample of made motions, s.
 const MADE_STEP_S: f64 = 0.01;
 
-/// A motion as the file has it, with what its size is measured by.
+/// A motion of the file, with the measures of its size.
 #[derive(Clone, Debug)]
 pub(super) struct PreparedMotion {
     pub(super) motion: GroundMotion,
@@ -27,17 +27,17 @@ pub(super) struct PreparedMotion {
     component: Component,
 }
 
-/// A motion of a study that is another again.
+/// A motion of a study that is a copy.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct MotionCopy {
     /// The motion.
     pub motion: String,
-    /// The one before it that it is.
+    /// The earlier motion.
     pub of: String,
 }
 
 impl PreparedMotion {
-    /// Whether a component of it is one of another again: the same samples, or scaled, turned over, cut or sampled anew.
+    /// Whether a component of it is a copy of one of another: the same samples, or scaled, inverted, cut or resampled.
     pub(super) fn is_copy_of(&self, other: &PreparedMotion) -> bool {
         let series = |motion: &'_ GroundMotion| {
             let horizontal = [Component::X, Component::Y].into_iter();
@@ -55,14 +55,14 @@ impl PreparedMotion {
         })
     }
 
-    /// As it acts on what moves in one plane: turned, with its size measured along that plane.
+    /// As it acts on a structure that moves in one plane: rotated, with its size measured along that plane.
     pub(super) fn in_plane(&self, turn_rad: f64) -> Result<Self, WorkError> {
         let motion = self.acting(1.0, turn_rad)?;
         let component = acting_component(&motion);
         measured(motion, component)
     }
 
-    /// The axis that it shakes along if it is turned; `None` if it shakes along more than one.
+    /// Its axis if it shakes along one and is rotated; `None` if it shakes along several.
     pub(super) fn axis(&self, turn_rad: f64) -> Option<[f64; 2]> {
         let (sin, cos) = turn_rad.sin_cos();
         match [Component::X, Component::Y].map(|component| self.motion.has(component)) {
@@ -96,13 +96,13 @@ impl PreparedMotion {
         Ok(each.map(|acceleration| acceleration / self.peak_m_s2).collect())
     }
 
-    /// Time in which that component brings 5 to 95 % of its Arias intensity, s.
+    /// Time from 5 to 95 % of the Arias intensity of that component, s.
     pub(super) fn significant_duration_s(&self) -> Option<f64> {
         let found = intensity_measures(&self.motion, self.component).ok()?;
         Some(found.significant_duration_s)
     }
 
-    /// The motion times a factor, turned.
+    /// The motion with a factor, rotated.
     pub(super) fn acting(&self, scale: f64, turn_rad: f64) -> Result<GroundMotion, WorkError> {
         let scaled = self.motion.clone().scaled(scale)?;
         Ok(if turn_rad == 0.0 {
@@ -113,7 +113,7 @@ impl PreparedMotion {
     }
 }
 
-/// The component that acts on what moves in one plane: x, or y if there is no other.
+/// The component that acts on a structure that moves in one plane: x, or y if there is no other.
 pub(crate) fn acting_component(motion: &GroundMotion) -> Component {
     match (motion.has(Component::X), motion.has(Component::Y)) {
         (false, true) => Component::Y,

@@ -1,4 +1,4 @@
-//! What a study will run: its cases with their inputs, its motions, and the fingerprint of everything that decides the results.
+//! The plan of a study: its cases with their inputs, its motions, and the fingerprint of everything that determines the results.
 
 use super::answer::{CaseInputs, InputColumn, StudyAnswer};
 use super::before::Before;
@@ -42,17 +42,17 @@ pub struct Plan<'o> {
     pub study: &'o StudyPart,
     /// The kind of structure.
     pub kind: StudyKind,
-    /// Motions by name, as the file has them without a case's changes.
+    /// Motions by name, as in the file, without changes of a case.
     pub(super) motions: Vec<(String, PreparedMotion)>,
-    /// The motion that acts before the runs, as the file has it.
+    /// The motion before the runs, as in the file.
     pub(super) first: Option<PreparedMotion>,
-    /// Of each case, what came of it, once that is asked for; empty without one.
+    /// The state of each case after it, computed on first use; empty without one.
     pub(super) before: Vec<OnceLock<Before>>,
     pub(super) inputs: Vec<InputColumn>,
     pub(super) cases: Vec<CaseInputs>,
-    /// Of each combination, the fingerprint of all that its model is built from.
+    /// For each combination, the fingerprint of everything that its model is built from.
     models: Vec<String>,
-    /// What runs leave out of the file, and what they hold beside the structure.
+    /// Properties of the file that runs leave out, and those that they include besides the structure.
     left_out: Vec<Both>,
     held: Vec<Both>,
     fingerprints: Vec<(String, String)>,
@@ -62,8 +62,8 @@ impl<'o> Plan<'o> {
     /// Reads every combination once, and its motions.
     ///
     /// # Errors
-    /// A kind that cannot be studied, motions that cannot be read, a study without shaking, with too many scans, or with samples of
-    /// nothing.
+    /// A kind that cannot be studied, motions that cannot be read, a study without shaking, with too many scans, or with samples but no
+    /// uncertain inputs.
     pub fn of(opened: &'o Opened, study: &'o StudyPart, files: &'o dyn Files) -> Result<Self, WorkError> {
         let kind = match &opened.project.structure {
             Structure::Stack(_) => StudyKind::Stack,
@@ -112,7 +112,7 @@ impl<'o> Plan<'o> {
         Ok(plan)
     }
 
-    /// Reads every combination once: what its inputs are, and whether it can be.
+    /// Reads every combination once: its inputs, and whether it is possible.
     fn read_inputs(&mut self) -> Result<(), WorkError> {
         let samples = self.study.samples.unwrap_or(1);
         let read: Vec<ReadCombination> = (0..self.study.combinations())
@@ -179,19 +179,19 @@ impl<'o> Plan<'o> {
                 motion.fingerprint(),
             ));
         }
-        let cases = format!("{:?}{:?}", self.inputs, self.cases); // files that the project names act here
+        let cases = format!("{:?}{:?}", self.inputs, self.cases); // files named in the project count here
         all.push(("inputs of the cases".to_owned(), fingerprint(cases.as_bytes())));
-        // all that a model is built from, also what no line of the file says: files, and the tilt of a survey
+        // everything that a model is built from, including files and the tilt of a survey
         let models = self.models.join(" ");
         all.push(("the structure as read".to_owned(), fingerprint(models.as_bytes())));
         if self.study.samples.is_some() {
-            // a journal from before samples that fall by themselves were counted says that they were refused
+            // an older journal says that samples which fall by themselves were refused
             all.push(("samples that fall by themselves".to_owned(), "counted".to_owned()));
         }
         Ok(all)
     }
 
-    /// The project of a combination, or why it cannot be, in one line.
+    /// The project of a combination, or the reason for its absence, in one line.
     pub(super) fn project(&self, combination: usize) -> Result<Project, Both> {
         let (variant, _) = self.study.combination(combination);
         let laid: Vec<&Override> = self.study.laid_over(combination);
@@ -205,8 +205,8 @@ impl<'o> Plan<'o> {
         })
     }
 
-    /// The motion of a case by its index: that of the file unless the case changes it; with the turn that is left to be done. A frame or a chain moves
-    /// in one plane: its motion comes turned, with the size of what acts.
+    /// The motion of a case by its index: that of the file unless the case changes it, with the remaining rotation. A frame or a chain moves in
+    /// one plane: its motion is already rotated, with the size of the acting component.
     pub(super) fn motion(
         &self,
         project: &Project,
@@ -220,14 +220,14 @@ impl<'o> Plan<'o> {
             false => prepared(project, self.files, self.study, name)?,
         };
         Ok(match self.kind {
-            // it meets the components along and across
+            // it has components along and across
             StudyKind::Chain | StudyKind::Frame if self.meets_both(project) => (motion, turn_rad),
             StudyKind::Frame | StudyKind::Chain => (motion.in_plane(turn_rad)?, 0.0),
             _ => (motion, turn_rad),
         })
     }
 
-    /// Whether the structure meets the components of a motion along x and along y.
+    /// Whether both components of a motion, along x and along y, act on the structure.
     pub(super) fn meets_both(&self, project: &Project) -> bool {
         match &project.structure {
             Structure::Chain(part) => part.has_two_axes(),
@@ -236,7 +236,7 @@ impl<'o> Plan<'o> {
         }
     }
 
-    /// Factors on a motion, rising.
+    /// Factors on a motion, ascending.
     pub(super) fn scales(&self, motion: &PreparedMotion) -> Vec<f64> {
         match &self.study.scan {
             Some(Scan::Scales(scales)) => scales.clone(),
@@ -245,7 +245,7 @@ impl<'o> Plan<'o> {
         }
     }
 
-    /// Peak of the ground at a factor, m/s²: where the study gives peaks the one that is given, to the last digit.
+    /// Peak of the ground at a factor, m/s²; where the study gives peaks, exactly the given one.
     pub(super) fn peak_at(&self, grid: &[f64], scale: f64, motion: &PreparedMotion) -> f64 {
         let given = match &self.study.scan {
             Some(Scan::Peaks(peaks)) => grid
@@ -279,7 +279,7 @@ impl<'o> Plan<'o> {
         !self.study.variants.is_empty() || paths.any(|path| path.starts_with("motion"))
     }
 
-    /// What measures of the shaking rest on, and names of the joints, by combination.
+    /// Data for measures of shaking, and names of the joints, by combination.
     fn scales_and_joints(&self) -> (ShakingScales, Vec<Vec<String>>) {
         let (periods_s, damping) = (&self.study.spectral_periods_s, self.study.spectral_damping_ratio);
         let turns = &self.study.turns_rad;
@@ -291,7 +291,7 @@ impl<'o> Plan<'o> {
         });
         let spectral: Result<Vec<Vec<f64>>, WorkError> = each.collect();
         let mut shaking = ShakingScales {
-            spectral_over_peak: spectral.unwrap_or_default(), // a period that a record is too coarse for
+            spectral_over_peak: spectral.unwrap_or_default(), // a period too short for a record
             rocking: Vec::new(),
         };
         if self.kind != StudyKind::Stack {
@@ -323,7 +323,7 @@ impl<'o> Plan<'o> {
         self.axis_of_file().filter(|_| !self.varies_motions())
     }
 
-    /// The same of the motions as the file has them, whatever variants change.
+    /// The same for the motions of the file, without changes by variants.
     fn axis_of_file(&self) -> Option<[f64; 2]> {
         let [turn] = self.study.turns_rad.as_slice() else {
             return None;
@@ -333,7 +333,7 @@ impl<'o> Plan<'o> {
         along.all(|other| other == Some(first)).then_some(first)
     }
 
-    /// Scans in all.
+    /// Number of scans.
     pub fn jobs(&self) -> usize {
         self.cases.len() * self.motions.len() * self.study.turns_rad.len()
     }
@@ -342,7 +342,7 @@ impl<'o> Plan<'o> {
         self.study.samples.unwrap_or(1)
     }
 
-    /// What the journal of a shard begins with: everything that decides its results.
+    /// The header of the journal of a shard: everything that determines its results.
     pub fn header(&self, shard: (usize, usize)) -> JournalHeader {
         JournalHeader {
             study: self.study.name.clone(),
@@ -368,7 +368,7 @@ impl<'o> Plan<'o> {
             kind: self.kind,
             gravity_m_s2: self.opened.project.gravity_m_s2,
             drift_limit: self.drift_limit(),
-            // the ground does not shake after another earthquake as often as the hazard of the site says
+            // the hazard of the site does not apply to shaking after another earthquake
             hazard: match &self.study.after {
                 Some(_) => None,
                 None => self
@@ -403,7 +403,7 @@ impl<'o> Plan<'o> {
         limit.map(DriftLimit::ratio)
     }
 
-    /// What is known of the earthquake of each motion, unless motions are varied.
+    /// Data of the earthquake of each motion, unless motions are varied.
     fn earthquakes(&self) -> Vec<EarthquakeOf> {
         let motions = self.motions.iter().filter(|_| !self.varies_motions());
         let each = motions.map(|(name, motion)| {
@@ -417,7 +417,7 @@ impl<'o> Plan<'o> {
         each.collect()
     }
 
-    /// The record of each motion, by the number of the first motion that is of it.
+    /// The record of each motion, as the index of the first motion from it.
     fn records(&self) -> Vec<usize> {
         let own = &self.opened.project.motions;
         let part = |at: usize| own.iter().find(|part| part.name == self.motions[at].0);
@@ -482,7 +482,7 @@ fn size_before(study: &StudyPart, combination: usize) -> Option<(f64, &'static s
     })
 }
 
-/// Sentences in their order, each once.
+/// Sentences in their order, without duplicates.
 fn once_each<'a>(all: impl Iterator<Item = &'a Both>) -> Vec<Both> {
     let mut once: Vec<Both> = Vec::new();
     for said in all {
@@ -493,7 +493,7 @@ fn once_each<'a>(all: impl Iterator<Item = &'a Both>) -> Vec<Both> {
     once
 }
 
-/// Motions that are those before them again, whatever their files are called.
+/// Motions that are copies of earlier ones, whatever the names of their files.
 fn copies(motions: &[(String, PreparedMotion)]) -> Vec<MotionCopy> {
     let each = motions.iter().enumerate().filter_map(|(at, (name, motion))| {
         let mut before = motions[..at].iter();
@@ -506,7 +506,7 @@ fn copies(motions: &[(String, PreparedMotion)]) -> Vec<MotionCopy> {
     each.collect()
 }
 
-/// A problem of a project file with what is allowed and what to do.
+/// A problem of a project file, with what is allowed and the remedy.
 fn in_one_line(problem: &Problem, file: &str, language: Language) -> String {
     let beside = |sign: &str, said: &Option<Both>| {
         let said = said.as_ref().map(|said| format!("{sign}{}", said.text(language)));

@@ -1,4 +1,4 @@
-//! What acts before the runs of a plan: once a case, when it is first asked for.
+//! The motion before the runs of a plan: run once for each case, on first use.
 
 use super::before::{Before, shaken_before, why_refused};
 use super::error::StudyError;
@@ -17,7 +17,7 @@ use rayon::prelude::*;
 use std::sync::OnceLock;
 
 impl Plan<'_> {
-    /// Reads the motion before the runs, and whether each other one can follow it.
+    /// Reads the earlier motion, and checks that each other one can follow it.
     pub(super) fn prepare_before(&mut self) -> Result<(), WorkError> {
         let Some(after) = &self.study.after else {
             return Ok(());
@@ -40,7 +40,7 @@ impl Plan<'_> {
         Ok(())
     }
 
-    /// What came of the motion before the runs of a case; `None` of a study without one.
+    /// The state of a case after the earlier motion; `None` for a study without one.
     pub(super) fn before(&self, case: usize) -> Option<&Before> {
         let after = self.study.after.as_ref()?;
         let known = self.before.get(case)?;
@@ -78,7 +78,7 @@ impl Plan<'_> {
         ))
     }
 
-    /// The motion as a case has it, and whether one component of it acts in a plane.
+    /// The motion of a case, and whether one component of it acts in a plane.
     fn motion_before(
         &self,
         after: &AfterPart,
@@ -92,7 +92,7 @@ impl Plan<'_> {
         })
     }
 
-    /// The state of every case before its runs, those that were asked for before as they are; empty of a study without a motion before.
+    /// The state of every case before its runs, reusing earlier results; empty for a study without an earlier motion.
     pub(super) fn states_before(&self) -> Vec<StateBefore> {
         let each = (0..self.before.len()).into_par_iter();
         let each = each.filter_map(|case| self.before(case).map(|before| before.state().clone()));

@@ -14,7 +14,7 @@ impl Plan<'_> {
         words.join(", ")
     }
 
-    /// A scan in words: what its inputs are.
+    /// A scan in words: its inputs.
     pub fn scan_words(&self, job: usize) -> String {
         let turns = self.study.turns_rad.len();
         let case = self.case_words(job / (self.motions.len() * turns));

@@ -1,4 +1,4 @@
-//! From journals to answers: which studies are meant, what is kept, what is missing, what the runs say together.
+//! From journals to answers: the requested studies, their stored runs, missing runs, and their joint results.
 
 use super::answer::StudyAnswer;
 use super::engine::missing;
@@ -21,13 +21,13 @@ use std::collections::BTreeMap;
 /// A journal as text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct JournalText {
-    /// Its file, as a user would look for it.
+    /// Its file, for the user.
     pub shown: String,
-    /// All of it.
+    /// The text.
     pub text: String,
 }
 
-/// The journals of a study that was run before.
+/// The journals of an earlier study.
 #[derive(Debug)]
 pub struct StudyJournals {
     /// The study.
@@ -36,7 +36,7 @@ pub struct StudyJournals {
     pub journals: Result<Vec<JournalText>, WorkError>,
 }
 
-/// The studies of a project that are meant: those named, or all.
+/// The requested studies of a project: those named, or all.
 ///
 /// # Errors
 /// An unknown name, a file without studies, a structure that falls under its own weight.
@@ -66,7 +66,7 @@ pub fn studies<'o>(opened: &'o Opened, named: &[String]) -> Result<Vec<&'o Study
     Ok(meant)
 }
 
-/// What a journal holds already, for a study that goes on: the bytes of its whole lines, and its runs.
+/// The contents of a journal, for a study that continues: the number of bytes in complete lines, and its runs.
 ///
 /// # Errors
 /// A journal of another study or of another state of this one.
@@ -75,7 +75,7 @@ pub fn resumed(
     kind: StudyKind,
     journal: &JournalText,
 ) -> Result<(usize, Vec<Run>), WorkError> {
-    // a process killed before it had written the header leaves a part of it
+    // a process killed before the header was complete leaves a part of it
     if !journal.text.contains('\n') {
         return Ok((0, Vec::new()));
     }
@@ -83,10 +83,10 @@ pub fn resumed(
     Ok((read.whole_bytes, unique(read.runs, &journal.shown)?))
 }
 
-/// The runs of several journals of one study, each once.
+/// The runs of several journals of one study, without duplicates.
 ///
 /// # Errors
-/// A journal of another study or of another state of this one; a run that is there twice with different results.
+/// A journal of another study or of another state of this one; two different results for one run.
 pub fn merged(plan: &Plan<'_>, journals: &[JournalText]) -> Result<Vec<Run>, WorkError> {
     let header = plan.header((1, 1));
     let mut all = Vec::new();
@@ -108,7 +108,7 @@ fn checked(header: &JournalHeader, kind: StudyKind, journal: &JournalText) -> Re
     }
 }
 
-/// Each run once; two of the same inputs must be the same to the last bit.
+/// The runs without duplicates; two with the same inputs must be equal to the last bit.
 fn unique(runs: Vec<Run>, shown: &str) -> Result<Vec<Run>, WorkError> {
     let mut seen: BTreeMap<(usize, u64), Run> = BTreeMap::new();
     for run in runs {
@@ -131,10 +131,10 @@ fn unique(runs: Vec<Run>, shown: &str) -> Result<Vec<Run>, WorkError> {
     Ok(seen.into_values().collect())
 }
 
-/// What the runs of a study say together, with its maps of harmonic motions.
+/// The joint results of the runs of a study, with its maps of harmonic motions.
 ///
 /// # Errors
-/// Where the inputs of every run were refused, or a map cannot be computed.
+/// If the inputs of every run were refused, or a map cannot be computed.
 pub fn finish(plan: &Plan<'_>, runs: Vec<Run>, progress: &dyn Progress) -> Result<StudyAnswer, WorkError> {
     let answer = answered(plan, runs, progress)?;
     let all_refused = !answer.runs.is_empty() && answer.runs.iter().all(Run::is_refused);
@@ -154,7 +154,7 @@ fn answered(plan: &Plan<'_>, runs: Vec<Run>, progress: &dyn Progress) -> Result<
     Ok(answer)
 }
 
-/// The answers of studies that were run before, from their journals; what is of another state of the file is left out, and named.
+/// The answers of earlier studies, from their journals; those of another state of the file are left out and named.
 pub fn studies_run(
     opened: &Opened,
     journals: Vec<StudyJournals>,

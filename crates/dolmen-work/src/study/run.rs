@@ -1,21 +1,21 @@
-//! One run of a study: what it was and how it ended.
+//! One run of a study: its key and its end.
 
 use super::measures::RunMeasures;
 
-/// How a run ended.
+/// End of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum RunOutcome {
-    /// Nothing moved but within springs; a frame: it came to its end.
+    /// Nothing moved except within springs; for a frame: the run is complete.
     Stood,
     /// Joints opened.
     Uplifted,
     /// A stone lies on the brink.
     Slid,
-    /// A stone or a link fell; a frame: it leaned beyond the drift limit.
+    /// A stone or a link fell; for a frame: it leaned beyond the drift limit.
     Fell,
-    /// It had not come to rest at its end: undecided.
+    /// Still in motion at its end: no verdict.
     StillMoving,
-    /// The run cannot be used.
+    /// The run is unusable.
     Diverged,
     /// Its inputs were refused: nothing was run.
     Refused,
@@ -47,23 +47,24 @@ impl RunOutcome {
 /// One run: a row of the table.
 #[derive(Clone, Debug)]
 pub struct Run {
-    /// Which case, motion and direction, counted from 0: the scan it belongs to.
+    /// Index of the case, motion and direction: its scan.
     pub job: usize,
-    /// Factor on the motion, –; 0 where the inputs were refused, and where the structure falls by itself: nothing was run.
+    /// Factor on the motion, –; 0 where the inputs were refused, and where the structure falls by itself.
     pub scale: f64,
-    /// Largest horizontal peak of the ground, before it is turned, m/s².
+    /// Largest horizontal peak of the ground, before the rotation, m/s².
     pub peak_ground_acceleration_m_s2: f64,
     /// Largest velocity of that component, m/s.
     pub peak_ground_velocity_m_s: f64,
-    /// How it ended.
+    /// Its end.
     pub outcome: RunOutcome,
-    /// 0 to 4 (DS1 to DS4; of a building the limits of drift that are reached); of a frame 1 if it slips and 4 at the drift limit; of a chain 1 if a joint opens or turns against friction.
+    /// 0 to 4: DS1 to DS4. For a building the number of drift limits reached; for a frame 1 if it slips and 4 at the drift limit; for a chain 1
+    /// if a joint opens or turns against friction.
     pub damage_state: u8,
-    /// Of a stack that ran: the damage state of each joint, 0 to 4, in the order of its joints.
+    /// For a stack: the damage state of each joint, 0 to 4, in the order of its joints.
     pub joint_states: Vec<u8>,
-    /// When a stone or a link fell or the limit was reached, s; not a number if none.
+    /// Time at which a stone or a link fell or the limit was reached, s; NaN without one.
     pub at_s: f64,
-    /// The stone that fell or lies on the brink; the link that fell; the storey at its limit.
+    /// The stone that fell or lies on the brink, the link that fell, or the storey at its limit.
     pub part: String,
     /// The joint that gave way.
     pub gave_way: String,
@@ -74,7 +75,7 @@ pub struct Run {
 }
 
 impl Run {
-    /// Of a scan, before anything is known of it.
+    /// The row of a scan without results.
     pub(super) fn empty(job: usize) -> Self {
         Run {
             job,

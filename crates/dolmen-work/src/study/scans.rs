@@ -1,4 +1,4 @@
-//! What scans show: first falls, what is open because runs cannot be used, and capacities at one value of an input.
+//! Results of scans: first falls, gaps by unusable runs, and capacities at one value of an input.
 
 use super::measures::RunMeasures;
 use super::run::{Run, RunOutcome};
@@ -7,19 +7,19 @@ use dolmen::assess::{
 };
 use dolmen_words::Language;
 
-/// Fewest scans of which the answer gives 5 % and 95 %: of fewer they would be the least and the largest. Chosen here.
+/// Fewest scans for 5 % and 95 % quantiles: with fewer they would be the extremes. Chosen here.
 pub const SCANS_OF_TAILS: usize = 20;
 
-/// How far a scan can be used.
+/// Usability of a scan.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ScanVerdict {
     /// Its first fall is known.
     Fell,
     /// It falls under its own weight: its capacity is 0.
     FellAlone,
-    /// It fell at no scale, and none of its runs is lacking.
+    /// It fell at no scale, and no run is missing.
     Beyond,
-    /// A run below its first fall cannot be used: only a bracket is known.
+    /// A run below its first fall is unusable: only a bracket is known.
     Bracketed,
     /// Nothing is known.
     Unusable,
@@ -43,7 +43,7 @@ impl ScanVerdict {
         }
     }
 
-    /// Whether it takes part in quantiles and trends.
+    /// Whether it counts in quantiles and trends.
     pub fn is_usable(self) -> bool {
         matches!(
             self,
@@ -52,22 +52,22 @@ impl ScanVerdict {
     }
 }
 
-/// What one scan shows.
+/// The result of one scan.
 #[derive(Clone, Debug)]
 pub struct CapacityOf {
-    /// Its case, motion and direction.
+    /// Index of its case, motion and direction.
     pub job: usize,
-    /// How far it can be used.
+    /// Its usability.
     pub verdict: ScanVerdict,
-    /// First fall and what was survived, as factors on the motion; `None` where nothing was run.
+    /// First fall and survived scales, as factors on the motion; `None` where nothing was run.
     pub scan: Option<Capacity>,
-    /// Largest horizontal peak of the motion at scale 1, m/s²; not a number where nothing was run.
+    /// Largest horizontal peak of the motion at scale 1, m/s²; NaN where nothing was run.
     pub peak_of_scale_1_m_s2: f64,
     /// Largest velocity of that component at scale 1, m/s.
     pub velocity_of_scale_1_m_s: f64,
-    /// Peak at which DS1, DS2, DS3 are first reached, and the first fall, m/s²; of scans that can be used. 0 of what falls by itself.
+    /// Peak at which DS1, DS2, DS3 and a fall are first reached, m/s², for usable scans; 0 if it falls by itself.
     pub first_m_s2: Option<[Reached; 4]>,
-    /// What is known of when DS1, DS2, DS3 and a fall are first reached, as peaks, m/s²; also of scans of which only a bracket is known.
+    /// Knowledge of the peaks at which DS1, DS2, DS3 and a fall are first reached, m/s², including scans with only a bracket.
     pub seen_m_s2: [Option<Observation>; 4],
 }
 
@@ -77,13 +77,13 @@ impl CapacityOf {
         self.first_m_s2.map(|first| first[3])
     }
 
-    /// Peak up to which every size tried was survived, m/s²; 0 if there is none.
+    /// Peak up to which every size was survived, m/s²; 0 if there is none.
     pub fn survived_m_s2(&self) -> f64 {
         self.in_m_s2(self.scan.as_ref().map(|scan| scan.survived_below))
             .unwrap_or(0.0)
     }
 
-    /// The least peak that it fell at, whatever lies below, m/s².
+    /// The smallest peak at which it fell, whatever lies below, m/s².
     pub fn fell_m_s2(&self) -> Option<f64> {
         self.in_m_s2(self.scan.as_ref().and_then(|scan| scan.first_fall))
     }
@@ -99,8 +99,8 @@ impl CapacityOf {
         scales.map(|scale| scale * self.peak_of_scale_1_m_s2).collect()
     }
 
-    /// The same of a linear building, in which everything is in proportion: the largest of its runs tells exactly when each drift limit is reached, up
-    /// to the largest size that was tried.
+    /// The same for a linear building, where everything is proportional: the largest of its runs gives exactly the peak at which each drift
+    /// limit is reached, up to the largest size.
     pub(super) fn in_proportion(mut self, runs: &[Run], limits: &[f64; 4]) -> Self {
         let ratio = |run: &Run| match run.measures {
             RunMeasures::Building(of) => Some(of.peak_corner_drift_ratio).filter(|ratio| *ratio > 0.0),
@@ -127,13 +127,13 @@ impl CapacityOf {
         self
     }
 
-    /// Whether it fell at the least size that was tried: its first fall is at most that, and may lie below.
+    /// Whether it fell at the smallest size: its first fall is at most that, and may lie below.
     pub fn fell_at_the_least(&self) -> bool {
         let scan = self.scan.as_ref();
         scan.is_some_and(|scan| scan.first_fall.is_some() && scan.survived_below == 0.0)
     }
 
-    /// How many of its runs cannot be used.
+    /// Number of unusable runs.
     pub fn unusable_runs(&self) -> usize {
         self.scan.as_ref().map_or(0, |scan| scan.unknown.len())
     }
@@ -143,21 +143,21 @@ impl CapacityOf {
     }
 }
 
-/// Capacities over everything else at one value of an input.
+/// Capacities over all other inputs, at one value of an input.
 #[derive(Clone, Debug)]
 pub struct LevelRow {
-    /// The input, an index; `None` for the variant.
+    /// The index of the input; `None` for the variant.
     pub input: Option<usize>,
     /// The value as it is written.
     pub text: String,
     /// In SI, if it is a number.
     pub value: Option<f64>,
-    /// Its scans, also those that cannot be used.
+    /// Its scans, including unusable ones.
     pub scans: Vec<CapacityOf>,
 }
 
 impl LevelRow {
-    /// The value as it is shown: of a study that varies nothing "all".
+    /// The value for display; "all" for a study that varies nothing.
     pub fn shown(&self, language: Language) -> &str {
         match (self.input, self.text.as_str()) {
             (None, "all") => language.pick("all", "전체"),
@@ -165,12 +165,12 @@ impl LevelRow {
         }
     }
 
-    /// Scans that can be used.
+    /// Usable scans.
     pub fn usable(&self) -> usize {
         self.scans.iter().filter(|scan| scan.verdict.is_usable()).count()
     }
 
-    /// Scans that cannot.
+    /// Unusable scans.
     pub fn left_out(&self) -> impl Iterator<Item = &CapacityOf> {
         self.scans.iter().filter(|scan| !scan.verdict.is_usable())
     }
@@ -186,7 +186,7 @@ impl LevelRow {
         first
     }
 
-    /// How many fall under their own weight.
+    /// Number of scans that fall under their own weight.
     pub fn fell_alone(&self) -> usize {
         let scans = self.scans.iter();
         scans
@@ -194,7 +194,7 @@ impl LevelRow {
             .count()
     }
 
-    /// How many of those that can be used fell.
+    /// Number of usable scans that fell.
     pub fn fell(&self) -> usize {
         self.first_m_s2(3)
             .iter()
@@ -202,14 +202,14 @@ impl LevelRow {
             .count()
     }
 
-    /// The least first fall, m/s²; the least that was tried where none fell; `None` without a scan that can be used.
+    /// The smallest first fall, m/s²; the smallest size tried where none fell; `None` without a usable scan.
     pub fn least_m_s2(&self) -> Option<Reached> {
         let first = self.first_m_s2(3);
         let fell = first.iter().find(|first| first.is_reached());
         fell.or(first.first()).copied()
     }
 
-    /// Whether the least first fall is only known to lie at or below the least size that its scan tried.
+    /// Whether the smallest first fall is known only to be at or below the smallest size of its scan.
     pub fn least_is_bound(&self) -> bool {
         let least = self.least_m_s2();
         let is_least = |scan: &&CapacityOf| scan.first_fall_m_s2() == least;
@@ -221,8 +221,8 @@ impl LevelRow {
                 .any(CapacityOf::fell_at_the_least)
     }
 
-    /// A quantile of the peaks at which a state is first reached, m/s²; `None` without a scan that can be used, and of tails with fewer
-    /// than [`SCANS_OF_TAILS`].
+    /// A quantile of the peaks at which a state is first reached, m/s²; `None` without a usable scan, and for tails with fewer than
+    /// [`SCANS_OF_TAILS`].
     pub fn quantile_m_s2(&self, state: usize, probability: f64) -> Option<Reached> {
         let is_tail = probability != 0.5;
         if is_tail && self.usable() < SCANS_OF_TAILS {
@@ -231,7 +231,7 @@ impl LevelRow {
         reached_quantile(&self.first_m_s2(state), probability)
     }
 
-    /// Scans that can be used and survived a size above their first fall.
+    /// Usable scans that survived a size above their first fall.
     pub fn survived_above(&self) -> usize {
         let usable = self.scans.iter().filter(|scan| scan.verdict.is_usable());
         usable
@@ -244,16 +244,16 @@ impl LevelRow {
     }
 }
 
-/// What one run says of a state.
+/// Information of one run on a state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Seen {
     Reached,
     NotReached,
-    /// The run cannot be used, or ended before it could be told.
+    /// The run is unusable, or ended too early.
     Unknown,
 }
 
-/// What runs at rising sizes say of when a state is first reached; `None` if they say nothing.
+/// Information of runs at rising sizes on the first time of a state; `None` without any.
 pub(super) fn first_seen(runs: impl Iterator<Item = (f64, Seen)>) -> Option<Observation> {
     let (mut below, mut is_open) = (None, false);
     for (size, seen) in runs {
@@ -272,7 +272,7 @@ pub(super) fn first_seen(runs: impl Iterator<Item = (f64, Seen)>) -> Option<Obse
     below.map(Observation::Above)
 }
 
-/// What the runs of one scan show; `is_whole`: none is lacking.
+/// The result of the runs of one scan; `is_whole`: none is missing.
 pub(super) fn capacity_of(job: usize, runs: &[Run], is_whole: bool) -> CapacityOf {
     let usable: Vec<&Run> = runs.iter().filter(|run| run.scale > 0.0).collect();
     let tried: Vec<ScaleTrial> = usable
@@ -370,7 +370,7 @@ mod tests {
         .collect()
     }
 
-    /// What lies above a run that says nothing cannot be told to be below the state.
+    /// Above a run without information, nothing proves that a size is below the state.
     #[test]
     fn exact_what_runs_say_of_when_a_state_begins() {
         use Seen::{NotReached as No, Reached as Yes, Unknown as Open};

@@ -1,4 +1,4 @@
-//! Measures of the size of shaking beside the peak of the ground, and which of them tells most.
+//! Measures of shaking other than the peak of the ground, and the most informative of them.
 
 use super::answer::StudyAnswer;
 use super::combination_fragility::{CombinationFragility, StateFragility};
@@ -6,7 +6,7 @@ use super::shaking_measure::{MeasureComparison, ShakingMeasure};
 use dolmen::assess::{Observation, fit_fragility_of_motions};
 
 impl StudyAnswer {
-    /// The measures beside the peak acceleration that are known of this study.
+    /// The measures other than the peak acceleration that are known for this study.
     pub fn measures(&self) -> Vec<ShakingMeasure> {
         let mut found = vec![ShakingMeasure::PeakVelocity];
         if !self.shaking.spectral_over_peak.is_empty() {
@@ -19,7 +19,7 @@ impl StudyAnswer {
         found
     }
 
-    /// A measure of the shaking of a job at a peak acceleration, m/s², and a peak velocity, m/s; `None` where it is not known.
+    /// A measure of the shaking of a job at a peak acceleration, m/s², and a peak velocity, m/s; `None` where unknown.
     pub fn intensity(&self, job: usize, measure: ShakingMeasure, [peak, velocity]: [f64; 2]) -> Option<f64> {
         let rocking = || {
             let of = self.shaking.rocking.get(self.combination_of(job));

@@ -1,28 +1,28 @@
-//! By what shaking is measured, and how capacities scatter by it.
+//! Measures of shaking, and the scatter of capacities by each.
 
 use dolmen::assess::RockingScale;
 use dolmen_words::number::trimmed;
 
-/// A measure of the size of shaking. All grow in proportion with a motion.
+/// A measure of shaking. All are proportional to the motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ShakingMeasure {
     /// Peak velocity of the ground, m/s.
     PeakVelocity,
-    /// Pseudo-spectral acceleration of the component that the peak is of, m/s².
+    /// Pseudo-spectral acceleration of the component with the peak, m/s².
     Spectral {
-        /// Its place among the periods of the study.
+        /// Its index among the periods of the study.
         index: usize,
         /// The period, s.
         period_s: f64,
     },
-    /// Peak acceleration over that which lifts the part that lifts first, –.
+    /// Peak acceleration over that at which the first part lifts, –.
     UpliftRatio,
-    /// Peak velocity over that which blocks of the shape and size of that part overturn at, –.
+    /// Peak velocity over that which overturns blocks of the shape and size of that part, –.
     VelocityRatio,
 }
 
 impl ShakingMeasure {
-    /// What it is called.
+    /// Its name.
     pub fn words(self) -> String {
         match self {
             ShakingMeasure::PeakVelocity => "PGV".to_owned(),
@@ -53,25 +53,25 @@ impl ShakingMeasure {
     }
 }
 
-/// What measures of a study's shaking rest on.
+/// Data for measures of a study's shaking.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ShakingScales {
-    /// S_a over the peak of the ground, a row a motion and direction, by the periods of the study; no rows where a motion is itself varied, or its samples
-    /// are too far apart for a period.
+    /// S_a over the peak of the ground, one row for each motion and direction, by the periods of the study; empty where motions are varied, or
+    /// samples too coarse for a period.
     pub spectral_over_peak: Vec<Vec<f64>>,
-    /// Of a stack, by combination, with its mean inputs: the part that lifts first.
+    /// For a stack, by combination, with its mean inputs: the part that lifts first.
     pub rocking: Vec<Option<RockingScale>>,
 }
 
-/// How one state's capacities scatter by the peak of the ground and by the other measures.
+/// Scatter of one state's capacities by the peak of the ground and by the other measures.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MeasureComparison {
     /// The state, 0 to 3.
     pub state: usize,
-    /// Combinations that `within` is of.
+    /// Number of combinations in `within`.
     pub combinations: usize,
-    /// β within a combination, the root of the mean of the squares: by peak acceleration first, then by each of [`StudyAnswer::measures`](super::StudyAnswer::measures); `None`
-    /// where there is no curve.
+    /// β within a combination, root mean square: by peak acceleration first, then by each of
+    /// [`StudyAnswer::measures`](super::StudyAnswer::measures); `None` without a curve.
     pub within: Vec<Option<f64>>,
     /// β of all combinations, one curve for all.
     pub together: Vec<Option<f64>>,

@@ -1,22 +1,22 @@
-//! The state in which the motion before the runs of a study leaves a structure.
+//! The state of a structure after the motion before the runs of a study.
 
 use super::measures::RunMeasures;
 use super::run::{Run, RunOutcome};
 
-/// The state in which the motion before the runs leaves one case.
+/// The state of one case after the earlier motion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StateBefore {
     /// The case, from 0.
     pub case: usize,
-    /// Largest horizontal peak of that motion, m/s²; 0 where the structure was not shaken.
+    /// Largest horizontal peak of that motion, m/s²; 0 without one.
     pub peak_m_s2: f64,
-    /// How the run under it alone ended.
+    /// End of the run under it alone.
     pub outcome: RunOutcome,
     /// 0 to 4.
     pub damage_state: u8,
     /// States of the joints of a stack.
     pub joint_states: Vec<u8>,
-    /// When it fell, s; NaN if it did not.
+    /// Time of the fall, s; NaN without one.
     pub at_s: f64,
     /// The part that fell or lies on the brink.
     pub part: String,
@@ -24,7 +24,7 @@ pub struct StateBefore {
     pub gave_way: String,
     /// The numbers of that run.
     pub measures: RunMeasures,
-    /// How long the ground then stands still, s; NaN where nothing follows.
+    /// Duration of still ground afterwards, s; NaN where nothing follows.
     pub still_s: f64,
     /// Largest speed of any part at the end of that time, m/s; NaN where nothing follows.
     pub speed_m_s: f64,
@@ -50,7 +50,7 @@ impl StateBefore {
         }
     }
 
-    /// The row of a run of what has fallen before it.
+    /// The row of a run of a structure that fell before it.
     pub(super) fn fallen(&self, job: usize) -> Run {
         Run {
             outcome: RunOutcome::Fell,

@@ -1,13 +1,13 @@
-//! Whether measures of the shaking are sufficient: whether capacities by them depend on the earthquake besides.
+//! Sufficiency of measures of shaking: whether capacities also depend on the earthquake.
 
 use super::answer::StudyAnswer;
 use super::earthquake_of::EarthquakeOf;
 use dolmen::assess::{AssessError, Observation, Sufficiency, sufficiency};
 
-/// Share of the scans that may not say between what sizes the state began: those are the strongest and the weakest. Chosen here.
+/// Largest share of scans without a bracket for the state: those are the strongest and the weakest. Chosen here.
 const WITHOUT_BRACKET_MOST: f64 = 0.1;
 
-/// What residuals are held against.
+/// The variable of a regression of residuals.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Predictor {
     /// The magnitude.
@@ -40,20 +40,20 @@ impl Predictor {
     }
 }
 
-/// What capacities of a state depend on beside the measures of the shaking.
+/// Dependence of the capacities of a state on the earthquake, for each measure of shaking.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MeasureSufficiency {
     /// The state, 0 to 3.
     pub state: usize,
-    /// What residuals are held against.
+    /// The variable.
     pub predictor: Predictor,
-    /// By peak acceleration first, then by each of [`StudyAnswer::measures`]; or why there are none.
+    /// By peak acceleration first, then by each of [`StudyAnswer::measures`]; or the reason for its absence.
     pub by_measure: Result<Vec<Sufficiency>, AssessError>,
 }
 
 impl StudyAnswer {
-    /// Whether capacities depend on magnitude and distance besides, each where the file says it of some motion; on the duration where it says neither. Nothing
-    /// of a study whose motions are varied themselves.
+    /// Whether capacities also depend on magnitude and distance, each if the file of some motion states it; on duration if none does. Empty for
+    /// a study with varied motions.
     pub fn sufficiencies(&self) -> Vec<MeasureSufficiency> {
         let has = |predictor: Predictor| self.earthquakes.iter().any(|of| predictor.of(of).is_some());
         let mut predictors: Vec<Predictor> = [Predictor::Magnitude, Predictor::Distance]
@@ -92,7 +92,8 @@ impl StudyAnswer {
             .collect()
     }
 
-    /// ln of the capacities by a measure, the peak acceleration first, less their mean in their combination: the mean of each record, by its first motion.
+    /// ln of the capacities by a measure, the peak acceleration first, minus their mean in their combination: the mean of each record, by its
+    /// first motion.
     fn residuals(&self, state: usize, place: usize) -> Result<Vec<(usize, f64)>, AssessError> {
         let mut sums = vec![(0.0, 0_usize); self.motions.len()];
         let (mut scans, mut without) = (0, 0);
@@ -132,7 +133,7 @@ impl StudyAnswer {
     }
 }
 
-/// The capacity, in the middle of its bracket; `None` where that is open.
+/// The capacity, in the middle of its bracket; `None` for an open one.
 fn middle(seen: &Observation) -> Option<f64> {
     match *seen {
         Observation::At(x) => Some(x),

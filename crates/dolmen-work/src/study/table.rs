@@ -14,7 +14,7 @@ fn number(value: f64) -> Option<f64> {
     value.is_finite().then_some(value)
 }
 
-/// Adds columns one by one, a value a row each.
+/// Adds columns one by one, with one value for each row.
 struct Columns<'r, R> {
     rows: &'r [R],
     found: Vec<Column>,
@@ -121,7 +121,7 @@ pub fn run_columns(answer: &StudyAnswer) -> Vec<Column> {
     columns.found
 }
 
-/// Every scan with its inputs and what it shows.
+/// Every scan with its inputs and results.
 pub fn capacity_columns(answer: &StudyAnswer) -> Vec<Column> {
     let capacities = answer.capacities();
     let mut columns = Columns {
@@ -179,7 +179,7 @@ pub fn table_csv(columns: &[Column]) -> String {
     out
 }
 
-/// A text that may hold anything, as one field of CSV.
+/// Any text as one field of CSV.
 fn field(text: &str) -> String {
     if text.contains([',', '"', '\n', '\r']) {
         format!("\"{}\"", text.replace('"', "\"\""))

@@ -1,4 +1,4 @@
-//! Why a motion, a study or a table that is asked for cannot be used, in both languages.
+//! Errors of a requested motion, study or table, in both languages.
 
 use crate::known::known_beside;
 use crate::motion::MotionRequestError;

@@ -4,7 +4,7 @@ use dolmen_words::message::Both;
 use dolmen_words::messages;
 
 messages! {
-    /// What a flag is for, and what the file has instead.
+    /// The purpose of a flag, and the alternative in the file.
     pub(crate) enum FlagWords in "work.flag" {
         Refused { flag: String, reason: Both } => { en: "--{flag} {reason}", ko: "--{flag}: {reason}" },
         IsFor { kinds: Both } => { en: "is for {kinds}", ko: "{kinds}에 쓴다" },

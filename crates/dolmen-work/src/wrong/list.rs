@@ -1,4 +1,4 @@
-//! Every error of this crate, and of those below it.
+//! All errors of this crate, and of those below it.
 
 use super::flag::FlagWords;
 use super::pieces::{
@@ -46,7 +46,7 @@ pub const ERRORS: [&[Template]; 21] = [
     DesignNeeds::TEMPLATES,
 ];
 
-/// An error of this crate, of a reader, a project file or the science, as what can be said in both languages; `None` for any other.
+/// An error of this crate, of a reader, a project file or the science, as a text in both languages; `None` for any other.
 pub(crate) fn of_work<'e>(error: &'e (dyn Error + 'static)) -> Option<&'e dyn Argument> {
     sayable!(
         error,

@@ -1,4 +1,4 @@
-//! Why verbs cannot answer, in both languages.
+//! Errors of the verbs, in both languages.
 
 mod asked;
 mod flag;

@@ -4,7 +4,7 @@ use dolmen_words::message::Both;
 use dolmen_words::messages;
 
 messages! {
-    /// Names that there are.
+    /// The available names.
     pub(crate) enum KnownNames in "work.known" {
         None => { en: "none", ko: "없음" },
         DidYouMean { known: String, near: String } => {
@@ -15,7 +15,7 @@ messages! {
 }
 
 messages! {
-    /// Where a cause lies.
+    /// The place of a cause.
     pub(crate) enum Place in "work.place" {
         AllSetups => { en: "all setups as one", ko: "하나로 합친 측정 배치" },
         OfLog { name: String, file: String } => { en: "log {name}, {file}", ko: "기록 {name}, {file}" },
@@ -44,7 +44,7 @@ messages! {
 }
 
 messages! {
-    /// Why a structure is not held against its site.
+    /// Why a structure is not compared with its site.
     pub(crate) enum NotHeld in "work.not_held" {
         Falls => {
             en: "it does not stand without shaking",
@@ -58,7 +58,7 @@ messages! {
 }
 
 messages! {
-    /// Why the structure of a case cannot be shaken.
+    /// Why the structure of a case cannot be run.
     pub(crate) enum CaseRefused in "work.case" {
         JointsUnknown => {
             en: "the joints are unknown: `dolmen identify` finds stiffness that measured modes allow; write it into joints, or into a variant that variants names",
@@ -129,7 +129,7 @@ messages! {
 }
 
 messages! {
-    /// What of a file runs on moving ground hold, and what they leave out.
+    /// Properties of a file that runs under ground motion include or leave out.
     pub(crate) enum OfRuns in "work.runs" {
         CrushingLeftOut => {
             en: "edges do not crush in the runs, whatever strength the file gives, which is not on the safe side",
@@ -179,7 +179,7 @@ messages! {
 }
 
 messages! {
-    /// How a journal differs from the study it is asked for.
+    /// The difference between a journal and its study.
     pub(crate) enum JournalDiffers in "work.journal" {
         OtherStudy { study: String } => { en: "it is of the study \"{study}\"", ko: "study \"{study}\"의 것이다" },
         OtherVersion { other: String, own: String } => {
@@ -191,7 +191,7 @@ messages! {
 }
 
 messages! {
-    /// What a row of a table of structures lacks.
+    /// Missing values in a row of a table of structures.
     pub(crate) enum RowLacks in "portfolio.lacks" {
         Factors => {
             en: "it has neither a project nor its factors: fill storeys, body_height_m, taper_deg, body_base_height_ratio, and body_slenderness or slenderness_angle or both",
@@ -213,7 +213,7 @@ messages! {
 }
 
 messages! {
-    /// What a value of a table of structures must be.
+    /// Allowed values in a table of structures.
     pub(crate) enum RowNeeds in "portfolio.needs" {
         Number => { en: "a number, 0 or more, in the unit of the column", ko: "열의 단위로 0 이상인 수" },
         WholeNumber => { en: "a whole number", ko: "정수" },
@@ -228,7 +228,7 @@ messages! {
 }
 
 messages! {
-    /// What a value of a table of designs must be.
+    /// Allowed values in a table of designs.
     pub(crate) enum DesignNeeds in "score-designs.needs" {
         Number => { en: "number", ko: "수" },
         WholeNumber => { en: "whole number", ko: "정수" },

@@ -1,4 +1,4 @@
-//! Why a store cannot answer, in both languages, as a part of another sentence.
+//! Errors of a store, in both languages, as a part of another sentence.
 
 use crate::kept::StoreFault;
 use dolmen_words::sentences;

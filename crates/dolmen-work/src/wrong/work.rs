@@ -1,4 +1,4 @@
-//! Why a verb cannot answer, in both languages.
+//! Errors of the verbs, in both languages.
 
 use crate::change_fault::ChangeFault;
 use crate::error::WorkError;

@@ -4,7 +4,7 @@ use super::{AssessError, CentroidEffect, OneStoneCheck};
 use crate::stability::{ChainLimits, ChainStability, chain_limits, chain_stability};
 use crate::structure::{Chain, NaturalMode, SideSupport};
 
-/// All that can be said of a chain at once.
+/// All results for a chain without a time history.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ChainCheck {
@@ -105,8 +105,8 @@ impl JointOnSoil {
 /// By how much each centre of mass is lowered to show what it does: 20 %, as in Table 3 of Choi (2021).
 pub const CENTROID_CHANGE: f64 = -0.2;
 
-/// Everything that can be said of a chain without a time history: limits from weights and lengths, what lowering
-/// each centre of mass by 20 % does and, if the joints' stiffness is known, stability and natural modes.
+/// All results for a chain without a time history: limits from weights and lengths, the effect of lowering
+/// each centre of mass by 20 % and, if the joints' stiffness is known, stability and natural modes.
 ///
 /// # Errors
 /// [`AssessError::Stability`] if the stiffnesses do not fit the chain, [`AssessError::Stability`].

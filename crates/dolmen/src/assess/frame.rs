@@ -40,7 +40,7 @@ impl fmt::Display for FrameNote {
     }
 }
 
-/// All that can be said of a frame at once.
+/// All results for a frame without a time history.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FrameCheck {
     /// N_i / l_i of each storey, N/m: the least stiffness a storey of columns needs (drift convention).

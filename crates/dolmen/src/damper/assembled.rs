@@ -9,15 +9,15 @@ use std::f64::consts::TAU;
 /// that moves), w of a liquid (relative to its tube), z then w of a liquid column mass.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DampedSystem {
-    /// M, C, K of all of it.
+    /// M, C and K of structure and dampers together.
     pub system: LinearSystem,
     dampers: Vec<AttachedDamper>,
-    first: Vec<usize>, // of each damper's own
+    first: Vec<usize>, // index of each damper's first own degree of freedom
     structure: usize,
 }
 
 impl DampedSystem {
-    /// The structure with these dampers on it.
+    /// Assembles the structure with these dampers.
     ///
     /// ```text
     /// tuned mass      M: m ż²/2                      K, C: k, c of z − z₀
@@ -25,7 +25,7 @@ impl DampedSystem {
     /// ```
     ///
     /// # Errors
-    /// [`DamperError::Row`] for a row of another length; [`DamperError::Argument`] for a damper that cannot be.
+    /// [`DamperError::Row`] for a row of another length; [`DamperError::Argument`] for a damper out of its range.
     pub fn new(structure: &LinearSystem, dampers: &[AttachedDamper]) -> Result<Self, DamperError> {
         let n = structure.degrees_of_freedom();
         let mut size = n;
@@ -50,15 +50,15 @@ impl DampedSystem {
         })
     }
 
-    /// A row over the structure as a row over all degrees of freedom.
+    /// Extends a row over the structure by zeros for the dampers' own degrees of freedom.
     pub fn row(&self, structure_row: &[f64]) -> Vec<f64> {
         let mut row = structure_row.to_vec();
         row.resize(self.system.degrees_of_freedom(), 0.0);
         row
     }
 
-    /// The row that gives the stroke of a damper, numbered from 0: z − z₀ of a mass, w of a liquid column, the
-    /// elongation of a dashpot; `None` if there is no such damper.
+    /// The row whose product with all degrees of freedom is the stroke of a damper (numbered from 0): z − z₀ of a mass, w of a liquid column,
+    /// the elongation of a dashpot. `None` if there is no such damper.
     pub fn stroke_row(&self, damper: usize) -> Option<Vec<f64>> {
         let of = self.dampers.get(damper)?;
         let mut row = self.row(&[0.0].repeat(self.structure));
@@ -76,7 +76,7 @@ impl DampedSystem {
         Some(row)
     }
 
-    /// The strokes of all dampers in order, then the liquids' rise of the columns on springs.
+    /// Rows of the strokes of all dampers in order, then of the liquid rises in columns on springs.
     pub fn stroke_rows(&self) -> Vec<Vec<f64>> {
         let own = (0..self.dampers.len()).filter_map(|damper| self.stroke_row(damper));
         let apart = |k: &usize| matches!(self.dampers[*k].kind, DamperKind::LiquidColumnMass { .. });
@@ -85,7 +85,7 @@ impl DampedSystem {
             .collect()
     }
 
-    /// A load on the structure as a load on all of it: a moving base carries the dampers along.
+    /// Extends a load on the structure to all degrees of freedom: a moving base moves the dampers as well.
     pub fn load(&self, load: &RandomLoad) -> RandomLoad {
         let input = match &load.input {
             RandomInput::Force(force) => RandomInput::Force(self.row(force)),
@@ -97,7 +97,8 @@ impl DampedSystem {
         }
     }
 
-    /// What everything moves by as the base moves by 1: masses on springs go along with their places, liquids stay in their tubes.
+    /// Displacement of each degree of freedom for a base displacement of 1: a mass on a spring moves with its place, a liquid stays at rest in
+    /// its tube.
     pub fn influence(&self, structure: &[f64]) -> Vec<f64> {
         let mut all = self.row(structure);
         for (damper, &at) in self.dampers.iter().zip(&self.first) {
@@ -108,7 +109,7 @@ impl DampedSystem {
         all
     }
 
-    /// The row that gives the rise w of the liquid in a damper, numbered from 0; `None` if it has none.
+    /// The row whose product is the rise w of the liquid in a damper (numbered from 0); `None` if the damper has no liquid.
     pub fn liquid_row(&self, damper: usize) -> Option<Vec<f64>> {
         let at = match self.dampers.get(damper)?.kind {
             DamperKind::LiquidColumn { .. } => self.first[damper],
@@ -120,7 +121,7 @@ impl DampedSystem {
         Some(row)
     }
 
-    /// A response of the structure as one of all of it.
+    /// Extends a response of the structure to all degrees of freedom.
     pub fn response(&self, response: &ResponseRow) -> ResponseRow {
         ResponseRow {
             row: self.row(&response.row),
@@ -152,7 +153,7 @@ fn grown(matrix: &Matrix, size: usize) -> Matrix {
     )
 }
 
-/// a bᵀ times a factor, symmetrically, for sparse a and b.
+/// Adds factor × a aᵀ for sparse a.
 fn outer(matrix: &mut Matrix, a: &[(usize, f64)], factor: f64) {
     for &(i, x) in a {
         for &(j, y) in a {
@@ -166,7 +167,7 @@ fn add([mass, damping, stiffness]: &mut [Matrix; 3], damper: &AttachedDamper, at
         .map(|i| (i, damper.row[i]))
         .filter(|(_, a)| *a != 0.0)
         .collect();
-    // motion of the end of a spring from the place: z − z₀
+    // displacement of the spring's end relative to the place: z − z₀
     let relative = |own: usize| -> Vec<(usize, f64)> {
         let mut all: Vec<(usize, f64)> = place.iter().map(|(i, a)| (*i, -a)).collect();
         all.push((own, 1.0));

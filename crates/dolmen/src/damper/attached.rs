@@ -1,4 +1,4 @@
-//! Dampers on a structure, each on one row: the combination of degrees of freedom that it rides on.
+//! Dampers attached to a structure. Each acts along one row: the combination of degrees of freedom that moves it.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
@@ -12,64 +12,64 @@ use super::DamperError;
 use dolmen_linalg::Complex64;
 use std::f64::consts::TAU;
 
-/// What stands there.
+/// The type of a damper.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum DamperKind {
     /// A mass on a spring and a dashpot.
     TunedMass {
         /// m, kg.
         mass_kg: f64,
-        /// Own frequency √(k/m)/2π, Hz.
+        /// The damper's own frequency √(k/m)/2π, Hz.
         frequency_hz: f64,
-        /// c / (2 m ω) with its own ω.
+        /// Damping ratio c/(2 m ω) with the damper's own ω.
         damping_ratio: f64,
     },
-    /// Liquid in a U-shaped tube of one section, its head loss taken as linear.
+    /// Liquid in a U-shaped tube of constant cross-section, with its head loss linearised.
     LiquidColumn {
-        /// All of the liquid, kg.
+        /// Mass of all the liquid, kg.
         liquid_mass_kg: f64,
         /// α, horizontal length of the column over its total length; in (0, 1].
         length_ratio: f64,
-        /// Own frequency √(2g/L)/2π, Hz.
+        /// The liquid's own frequency √(2g/L)/2π, Hz.
         frequency_hz: f64,
         /// ζ of ẅ + 2ζω ẇ + ω² w = −α z̈₀.
         damping_ratio: f64,
     },
-    /// The same tube, itself on a spring and a dashpot.
+    /// The same tube, mounted on a spring and a dashpot.
     LiquidColumnMass {
-        /// The container without the liquid, kg.
+        /// Mass of the container without the liquid, kg.
         container_mass_kg: f64,
-        /// All of the liquid, kg.
+        /// Mass of all the liquid, kg.
         liquid_mass_kg: f64,
         /// α of the column; in (0, 1].
         length_ratio: f64,
-        /// √(k/(m_c + m_l))/2π of the container with the liquid at rest in it, Hz.
+        /// Frequency √(k/(m_c + m_l))/2π of the container with the liquid at rest in it, Hz.
         frequency_hz: f64,
-        /// c / (2 (m_c + m_l) ω) of the container.
+        /// Damping ratio c/(2 (m_c + m_l) ω) of the container.
         damping_ratio: f64,
-        /// Own frequency of the liquid, Hz.
+        /// The liquid's own frequency, Hz.
         liquid_frequency_hz: f64,
         /// Damping ratio of the liquid.
         liquid_damping_ratio: f64,
     },
-    /// A dashpot between two places of the structure, or one and the ground: its row is the difference of their rows.
+    /// A dashpot between two places of the structure, or between one and the ground: its row is the difference of their rows.
     Viscous {
         /// Force per velocity, N s/m.
         coefficient_n_s_m: f64,
     },
 }
 
-/// A damper and what it rides on.
+/// A damper and the row along which it acts.
 #[derive(Clone, Debug, PartialEq)]
 pub struct AttachedDamper {
-    /// What it is.
+    /// Type and properties.
     pub kind: DamperKind,
-    /// z₀ = row · x, one value a degree of freedom of the structure.
+    /// Row with z₀ = row · x; one value for each degree of freedom of the structure.
     pub row: Vec<f64>,
 }
 
 impl AttachedDamper {
-    /// One mass free to move along two rows: two springs and dashpots alike.
+    /// One mass that is free to move along two rows, on two equal springs and dashpots.
     pub fn two_directions(kind: DamperKind, rows: [Vec<f64>; 2]) -> [AttachedDamper; 2] {
         rows.map(|row| AttachedDamper { kind, row })
     }
@@ -84,7 +84,7 @@ impl AttachedDamper {
 }
 
 impl DamperKind {
-    /// All of its mass, kg.
+    /// Total mass, kg.
     pub fn mass_kg(&self) -> f64 {
         match *self {
             DamperKind::TunedMass { mass_kg, .. } => mass_kg,
@@ -98,7 +98,7 @@ impl DamperKind {
         }
     }
 
-    /// Degrees of freedom of its own.
+    /// Number of its own degrees of freedom.
     pub fn degrees_of_freedom(&self) -> usize {
         match self {
             DamperKind::TunedMass { .. } | DamperKind::LiquidColumn { .. } => 1,
@@ -107,7 +107,7 @@ impl DamperKind {
         }
     }
 
-    /// K(ω) / ω², kg: the mass that the place seems to carry; of a dashpot, which has none, see [`DamperKind::stiffness`].
+    /// Apparent mass K(ω)/ω², kg: the mass that the place seems to carry. A dashpot has none: see [`DamperKind::stiffness`].
     ///
     /// ```text
     /// tuned mass            (k_o + iωc_o) m_o / (k_o + iωc_o − ω² m_o)
@@ -158,7 +158,7 @@ impl DamperKind {
         }
     }
 
-    /// K(ω), N/m: force on the structure per motion of the place.
+    /// Dynamic stiffness K(ω), N/m: force on the structure per displacement of the place.
     pub fn stiffness(&self, angular_frequency_rad_s: f64) -> Complex64 {
         let w = angular_frequency_rad_s;
         match *self {
@@ -167,8 +167,8 @@ impl DamperKind {
         }
     }
 
-    /// What the damper moves from its place, over the absolute acceleration of the place with its sign turned: z − z₀ of a mass, w of a
-    /// liquid column, s²; 0 of a dashpot, which moves as its ends do.
+    /// Stroke per absolute acceleration of the place, with the sign reversed: z − z₀ of a mass, w of a liquid column, s²; 0 for a dashpot, which
+    /// moves as its ends do.
     ///
     /// ```text
     /// tuned mass            1 / (ω_d² − ω² + 2iζω_d ω)
@@ -201,7 +201,7 @@ impl DamperKind {
         }
     }
 
-    /// Own frequencies, Hz: of the mass, then of the liquid; none of a dashpot.
+    /// Own frequencies, Hz: of the mass, then of the liquid. A dashpot has none.
     pub(super) fn own_frequencies_hz(&self) -> Vec<f64> {
         match *self {
             DamperKind::LiquidColumnMass {

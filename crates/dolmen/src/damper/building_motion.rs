@@ -1,4 +1,4 @@
-//! A building with dampers of any kind under moving ground, in time.
+//! A building with dampers of any kind under a moving ground, in time.
 
 use super::{AttachedDamper, DampedSystem, DamperError};
 use crate::dynamics::{
@@ -9,18 +9,19 @@ use crate::signal::GroundMotion;
 use dolmen_linalg::{Matrix, solve};
 use std::f64::consts::TAU;
 
-/// The motion of a building with dampers under a motion of the ground, from rest: liquid columns, columns on springs and dashpots as well
-/// as tuned masses.
+/// The motion of a building with dampers under a ground motion, from rest: liquid columns, columns on springs and dashpots as well as tuned
+/// masses.
 ///
 /// The rows of `coordinates` after those of the floors are the strokes of the dampers in order (z − z₀ of a mass, w of a liquid column,
 /// the elongation of a dashpot), then the liquids' rise w of the liquid column masses.
 ///
 /// # Errors
-/// [`DamperError`] if a damper cannot be; [`DamperError::Dynamics`] as of [`building_history`](crate::dynamics::building_history).
+/// [`DamperError`] if a damper is out of its range; [`DamperError::Dynamics`] as in [`building_history`](crate::dynamics::building_history).
 ///
 /// # Limits
-/// Head loss is linear: the damping ratio stands for one amplitude. Tuned masses alone are faster in `building_history`, mode by mode:
-/// here the matrix exponential steps the whole, 20 storeys with a mass within 1e-9 m of it over 40 s of El Centro.
+/// Head loss is linear: its damping ratio holds for one amplitude. Where all dampers are tuned masses, `building_history` is faster, mode by
+/// mode. Here the matrix exponential steps building and dampers together; for 20 storeys with a mass under 40 s of El Centro both agree to 1e-9
+/// m.
 pub fn damped_building_history(
     building: &VibratingBuilding,
     dampers: &[AttachedDamper],
@@ -59,7 +60,7 @@ pub fn damped_building_history(
     Ok(over.history(&stepping, HistoryMethod::MatrixExponential, &ground))
 }
 
-/// Building and dampers in the coordinates of the building's modes, M = I there, followed by the dampers' own.
+/// Building and dampers in the coordinates of the building's modes (M = I), followed by the dampers' own coordinates.
 pub(super) fn in_modes(
     building: &VibratingBuilding,
     dampers: &[AttachedDamper],

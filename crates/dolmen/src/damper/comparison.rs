@@ -1,4 +1,4 @@
-//! A damper as it is given beside the rule of Hwang, Min & Hong and beside the best: where, how tuned, and what each costs.
+//! Compares a given damper with the rule of Hwang, Min & Hong and with the optimum: place, tuning, and the cost of each choice.
 
 use super::position_map::along_line;
 use super::{Aim, DamperSite};
@@ -9,26 +9,26 @@ use super::{
 };
 use crate::structure::building::nearest_on_side;
 
-/// What is compared, and how finely.
+/// What to compare, and how finely.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ComparisonOptions {
     /// The mode that the damper is for, from 0.
     pub mode: usize,
-    /// That mode's own damping ratio.
+    /// Damping ratio of that mode.
     pub structure_damping_ratio: f64,
-    /// Whether the load is an acceleration of the base: which exact tunings of one mode stand in the table.
+    /// Whether the load is an acceleration of the base. It decides which exact tunings of one mode the table has.
     pub base: bool,
-    /// What is made small; [`Goal::LargestRms`] by default.
+    /// The quantity to minimise; [`Goal::LargestRms`] by default.
     pub goal: Goal,
     /// Places of the map along x and along y; 60 each by default (our choice).
     pub map_places: [usize; 2],
-    /// Places of the line; 61 by default (our choice).
+    /// Places along the line; 61 by default (our choice).
     pub line_places: usize,
-    /// Largest factor that frequencies and damping are off by in the robustness curves: 1 ± it; 0.2 by default (our choice).
+    /// Largest detuning d in the robustness curves, as factors 1 ± d on frequency and damping; 0.2 by default (our choice).
     pub detuning: f64,
-    /// Largest standard deviation of the stroke of what is designed, over that of the damper given; none by default.
+    /// Upper bound on the stroke's standard deviation of designed dampers, as a multiple of that of the given damper; none by default.
     pub stroke_most: Option<f64>,
-    /// How far the frequency of what is designed may be off, relatively: the worst of f (1 − d), f, f (1 + d) is made small; 0 by default.
+    /// Relative error d of the frequency that a design must tolerate: the worst of f (1 − d), f, f (1 + d) is minimised; 0 by default.
     pub off_by: f64,
 }
 
@@ -48,18 +48,18 @@ impl Default for ComparisonOptions {
     }
 }
 
-/// Which damper a row of the comparison shows.
+/// The damper in a row of the comparison.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Choice {
     /// As given.
     Given,
-    /// Where the rule puts it, farthest from the centre of its mode; tuned as given.
+    /// At the place of the rule, farthest from the centre of its mode, with the given tuning.
     Rule,
-    /// Where it is given, tuned best.
+    /// At the given place, with the best tuning.
     TunedBest,
-    /// Where it serves best, tuned as given.
+    /// At the best place, with the given tuning.
     PlacedBest,
-    /// Place and tuning best together.
+    /// Place and tuning optimised together.
     Best,
 }
 
@@ -76,68 +76,68 @@ impl Choice {
     }
 }
 
-/// One damper of the comparison.
+/// One damper of the comparison and its effect.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Compared {
-    /// Which.
+    /// Which damper.
     pub choice: Choice,
     /// The damper.
     pub damper: PlacedDamper,
     /// Standard deviations by assembled matrices.
     pub judged: Judged,
-    /// What the goal is made of at each point: standard deviations, or largest amplitudes under a harmonic load.
+    /// The quantity of the goal at each point: standard deviation, or largest amplitude under a harmonic load.
     pub point_values: Vec<f64>,
-    /// The goal.
+    /// Value of the goal.
     pub cost: f64,
-    /// How a search ended; `None` for what was not searched.
+    /// How the search ended; `None` without a search.
     pub end: Option<DesignEnd>,
 }
 
-/// One row of the table of tunings: of one mode with the mass ratio of the damper at its place.
+/// One row of the table of tunings, for one mode and the mass ratio of the damper at its place.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TuningRow {
     /// The closed form; `None` for the exact optimum of the mode with its own damping.
     pub rule: Option<TuningRule>,
-    /// What the exact one makes small; `None` for a closed form.
+    /// The quantity that the exact optimum minimises; `None` for a closed form.
     pub aim: Option<Aim>,
     /// Frequency and damping.
     pub tuning: Tuning,
-    /// The damper with it, where it is given.
+    /// The damper at its given place with this tuning.
     pub damper: PlacedDamper,
-    /// What the goal is made of at each point, with it.
+    /// The quantity of the goal at each point with this damper.
     pub point_values: Vec<f64>,
-    /// The goal.
+    /// Value of the goal.
     pub cost: f64,
 }
 
-/// All of it.
+/// The whole comparison.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Comparison {
     /// Modal mass of the mode at the damper's place, kg.
     pub modal_mass_kg: f64,
-    /// Damper's mass over it.
+    /// Mass of the damper over that modal mass.
     pub mass_ratio: f64,
-    /// What the goal is made of at each point, without a damper.
+    /// The quantity of the goal at each point without a damper.
     pub without: Vec<f64>,
-    /// The goal without a damper.
+    /// Value of the goal without a damper.
     pub cost_without: f64,
     /// Given, rule, tuned, placed, both.
     pub rows: Vec<Compared>,
     /// Closed forms and exact optima.
     pub tunings: Vec<TuningRow>,
-    /// Places across the damper's direction through its own, tuned as given; none where the goal is a peak.
+    /// Places across the damper's direction through the given place, with the given tuning; none where the goal is a peak.
     pub line_given: Vec<MapCell>,
-    /// The same, tuned best at each.
+    /// The same places, each with its best tuning.
     pub line_best: Vec<MapCell>,
-    /// Places in plan, tuned best at each; without cells where the goal is a peak, which is not mapped.
+    /// Places in plan, each with its best tuning; without cells where the goal is a peak, for which no map is made.
     pub map: PositionMap,
-    /// The given damper and the best one with their frequencies off.
+    /// The given damper and the best one with detuned frequencies.
     pub off_frequency: [Vec<RobustnessPoint>; 2],
-    /// The same with their damping off.
+    /// The same with detuned damping.
     pub off_damping: [Vec<RobustnessPoint>; 2],
-    /// Largest relative difference of standard deviations at the prepared frequencies, by which maps, lines, tunings, robustness curves and
-    /// searches are made, from assembled matrices: over the rows, the ends of the curves and places of the map. From 1e-3 on they are
-    /// rough: structure or damper is damped too lightly.
+    /// Accuracy at the prepared frequencies, which maps, lines, tunings, robustness curves and searches use: the largest relative difference of
+    /// standard deviations from assembled matrices, over the rows, the ends of the curves and places of the map. From 1e-3 on the results are
+    /// rough, because structure or damper is damped too lightly.
     pub apart: f64,
 }
 
@@ -148,21 +148,21 @@ impl Comparison {
     }
 }
 
-/// Frequency ratios and damping of an optimum that is a damper. Our choice.
+/// Range of frequency ratio and damping in which an optimum counts as a damper. Our choice.
 const SENSIBLE: std::ops::RangeInclusive<f64> = 0.2..=2.0;
 const DAMPING_SENSIBLE: f64 = 1.0;
-/// Points of the robustness curves.
+/// Number of points of the robustness curves.
 const DETUNINGS: usize = 21;
-/// Places along each side of the floor that the rule chooses among.
+/// Number of places along each side of the floor among which the rule chooses.
 const SIDE_PLACES: usize = 40;
-/// Two costs this near, relatively, are the same.
+/// Relative difference below which two costs count as equal.
 const SAME: f64 = 1e-6;
 
-/// Compares a damper with the rule and with the best.
+/// Compares a given damper with the rule and with the optimum.
 ///
 /// # Errors
-/// [`DamperError::ModeStill`] if the mode does not move the damper; [`DamperError::MassRatio`] if it is heavier than the mode;
-/// else as [`design`].
+/// [`DamperError::ModeStill`] if the mode does not move the damper; [`DamperError::MassRatio`] if the damper is heavier than the mode; otherwise
+/// as in [`design`].
 pub fn compare(
     plan: &Plan,
     given: &PlacedDamper,
@@ -175,7 +175,7 @@ pub fn compare(
     };
     super::tuning::check(mode.mass_ratio, mode.structure_damping_ratio)?;
     let random = match options.goal {
-        Goal::LargestPeak => Goal::LargestRms, // maps and lines are of standard deviations
+        Goal::LargestPeak => Goal::LargestRms, // maps and lines show standard deviations
         goal => goal,
     };
     let mut over =
@@ -234,7 +234,7 @@ pub fn compare(
     })
 }
 
-/// How far the prepared frequencies are off.
+/// Largest error of the standard deviations at the prepared frequencies.
 fn apart(plan: &Plan, rows: &[Compared], map: &PositionMap) -> Result<f64, DamperError> {
     const CELLS: usize = 5;
     let mut trials: Vec<PlacedDamper> = rows.iter().map(|row| row.damper).collect();
@@ -302,7 +302,7 @@ fn rows(
             ..DesignOptions::default()
         };
         let mut found: Option<Design> = None;
-        // of places as good the one on the line through the damper is preferred, and is looked at first
+        // among equally good places the one on the line through the damper is preferred, so it is tried first
         for start in starts
             .iter()
             .flat_map(|start| [on_line(plan, given, start), *start])
@@ -343,7 +343,7 @@ fn rows(
     ])
 }
 
-/// A damper moved along its direction onto the line across it through where it is given: its own mode of motion is the same there.
+/// The damper, moved along its direction onto the line across that direction through the given place: its mode of motion is the same there.
 fn on_line(plan: &Plan, given: &PlacedDamper, damper: &PlacedDamper) -> PlacedDamper {
     let site = &plan.problem().sites[given.site];
     let [cos, sin, _] = site.coefficients(site.reference_m, given.direction_degrees);
@@ -360,7 +360,7 @@ fn far(a: &PlacedDamper, b: &PlacedDamper) -> f64 {
     (a.place_m[0] - b.place_m[0]).hypot(a.place_m[1] - b.place_m[1])
 }
 
-/// The best place of a map; of those that are as good, the nearest to where the damper is.
+/// The best place of a map; among equally good ones, the nearest to the damper.
 fn best_near<'a>(map: &'a PositionMap, given: &PlacedDamper) -> Option<&'a MapCell> {
     let least = map.best()?.cost;
     let as_good = map
@@ -376,7 +376,7 @@ fn best_near<'a>(map: &'a PositionMap, given: &PlacedDamper) -> Option<&'a MapCe
     )
 }
 
-/// The damper where its mode moves most along it: farthest from the centre of the mode; of places as far, the nearest.
+/// The damper at the place where its mode moves most along it, farthest from the centre of the mode; among equally far places, the nearest.
 fn rule_place(plan: &Plan, given: &PlacedDamper, mode: usize) -> PlacedDamper {
     let site: &DamperSite = &plan.problem().sites[given.site];
     let sides = site.corners_m.iter().zip(site.corners_m.iter().cycle().skip(1));
@@ -403,7 +403,7 @@ fn rule_place(plan: &Plan, given: &PlacedDamper, mode: usize) -> PlacedDamper {
     best.0
 }
 
-/// Places on the floor across the damper's direction through its own, from end to end.
+/// Places across the damper's direction through its own place, from one end of the floor to the other.
 fn line(plan: &Plan, given: &PlacedDamper, places: usize) -> Vec<[f64; 2]> {
     let site = &plan.problem().sites[given.site];
     let [cos, sin, _] = site.coefficients(site.reference_m, given.direction_degrees);
@@ -413,7 +413,7 @@ fn line(plan: &Plan, given: &PlacedDamper, places: usize) -> Vec<[f64; 2]> {
     };
     let [x, y] = site.extent_m();
     let reach = (x[1] - x[0]).hypot(y[1] - y[0]);
-    // of a fine walk both ways, the part on the floor without a gap
+    // of a fine walk both ways, the contiguous part that lies on the floor
     const WALK: i32 = 4000;
     let at = |s: f64| [0, 1].map(|i| given.place_m[i] + s * across[i]);
     let on = |s: f64| site.nearest_m(at(s)).1 < 1e-9 * reach;
@@ -475,7 +475,7 @@ fn tunings(
             mass_ratio: column.mass_ratio,
             structure_damping_ratio: column.frequency_factor * mode.structure_damping_ratio,
         };
-        // none, or one that runs away to a dashpot, is no tuning: the row is left out
+        // no optimum, or one that runs away to a pure dashpot, is not a tuning: the row is left out
         let found = optimal_tuning(&heavier, aim).ok().map(|found| found.tuning);
         let is_damper = |tuning: &Tuning| {
             SENSIBLE.contains(&tuning.frequency_ratio) && tuning.damping_ratio <= DAMPING_SENSIBLE

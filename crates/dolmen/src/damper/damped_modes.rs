@@ -4,7 +4,8 @@
 //! |:--|:--|:--|:--|
 //! | λ_k, φ_k | | complex modes of building and dampers, upper half-plane | rad/s |
 //! | α_k | | φᵀ (2 λ M + C) φ | |
-//! | s_jk | `share` | 2 \|λ_k\| \|φ_jk² / α_k\|: part of mode k in what the building's own mode j answers where it is pushed; 1 without dampers | – |
+//! | s_jk | `share` | 2 \|λ_k\| \|φ_jk² / α_k\|: share of mode k in the response of the building's own mode j to a force on it; 1 without
+//! dampers | – |
 
 use super::building_motion::in_modes;
 use super::{AttachedDamper, DamperError};
@@ -12,9 +13,11 @@ use crate::dynamics::VibratingBuilding;
 use dolmen_linalg::{Complex64, Matrix, eigen, solve};
 use std::f64::consts::TAU;
 
-/// A mode swings if the imaginary part of its λ is more than this part of it: damped to .999 995 of critical. As for spectra.
+/// A mode counts as oscillating if the imaginary part of its λ is more than this fraction of \|λ\|: damping below 0.999 995 of critical. As for
+/// spectra.
 const SWINGS: f64 = 3e-3;
-/// A mode of the whole is seen where its peak is at least this part of the highest that an own mode of the building has become. Chosen here.
+/// A mode of building and dampers counts as visible if its peak is at least this fraction of the highest peak of one of the building's own
+/// modes. Chosen here.
 const SEEN: f64 = 0.5;
 
 /// A mode of a building with its dampers.
@@ -24,17 +27,17 @@ pub struct DampedMode {
     pub frequency_hz: f64,
     /// −Re λ/|λ|.
     pub damping_ratio: f64,
-    /// Its part in each of the building's own modes, lowest first: 1 in one of them without dampers.
+    /// Its share in the response of each of the building's own modes, lowest first: 1 in one of them without dampers.
     pub share: Vec<f64>,
 }
 
-/// The modes of a building with its dampers that swing, lowest first; what is overdamped is none.
+/// The oscillating modes of a building with its dampers, lowest first; overdamped modes are left out.
 ///
 /// # Errors
-/// [`DamperError`] if a damper cannot be, or the eigenvalues are not found.
+/// [`DamperError`] if a damper is out of its range, or the eigenvalues are not found.
 ///
 /// # Limits
-/// Linear dampers, as their coefficients are given: in the small motion of a survey a damper with friction stands still.
+/// Dampers are linear, with the given coefficients. In the small motion of a survey a damper with friction sticks.
 pub fn damped_modes(
     building: &VibratingBuilding,
     dampers: &[AttachedDamper],
@@ -44,7 +47,7 @@ pub fn damped_modes(
     let (size, own) = (system.degrees_of_freedom(), building.modes().modes.len());
     let k = solve(system.mass(), system.stiffness())?;
     let c = solve(system.mass(), system.damping())?;
-    // velocities over a high frequency: else rows of ω² beside rows of 1 lose digits
+    // velocities are scaled by a high frequency; otherwise rows of ω² beside rows of 1 lose digits
     let high = (0..size).map(|i| k[(i, i)].abs().sqrt()).fold(0.0, f64::max);
     let states = Matrix::from_fn(2 * size, 2 * size, |i, j| match (i < size, j < size) {
         (true, true) => 0.0,
@@ -79,8 +82,8 @@ pub fn damped_modes(
     Ok(modes)
 }
 
-/// The lowest mode of the whole whose peak, share over damping ratio, is at least half the highest in one of the building's own modes: a tuned mass makes two
-/// of one, of which a survey reads the lower first.
+/// The lowest mode of building and dampers whose peak (share over damping ratio) is at least half the highest peak of one of the building's own
+/// modes. A tuned mass splits one mode into two, and a survey sees the lower one first.
 pub fn lowest_seen(modes: &[DampedMode], own: usize) -> Option<&DampedMode> {
     let peak = |mode: &DampedMode| {
         mode.share.get(own).copied().unwrap_or(0.0) / mode.damping_ratio.max(f64::MIN_POSITIVE)

@@ -1,11 +1,11 @@
-//! A building with dampers in a response spectrum: complex modes put together by CQC for damping that couples the modes.
+//! The response of a building with dampers to a design spectrum: complex modes combined by CQC for damping that couples the modes.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | λ_k, φ_k | | complex modes of building and dampers, upper half-plane | rad/s |
 //! | ω_k, ζ_k | | \|λ_k\|, −Re λ_k/\|λ_k\| | rad/s, – |
-//! | p_k | `loads` | what the ground adds to mode k: y′ = λ_k y + p_k a | |
-//! | q_k | | q″ + 2 ζ_k ω_k q′ + ω_k² q = −a: an oscillator of the spectrum | m |
+//! | p_k | `loads` | load of the ground on mode k: y′ = λ_k y + p_k a | |
+//! | q_k | | q″ + 2 ζ_k ω_k q′ + ω_k² q = −a: the oscillator of the spectrum | m |
 //! | A_k, B_k | | response = Σ A_k q_k + B_k q′_k,  A = 2 Re(R λ̄), B = −2 Re R, R = (row · φ_k) p_k | 1/s, … |
 //! | D_k | | S_a(T_k, ζ_k)/ω_k² | m |
 
@@ -15,22 +15,23 @@ use crate::dynamics::{DirectionalCombination, SpectralMode, VibratingBuilding};
 use dolmen_linalg::{Complex64, Matrix, eigen, solve};
 use std::f64::consts::TAU;
 
-/// A mode counts as not swinging if the imaginary part of its λ is below this part of it. Our choice: damped to .999 995 of critical.
+/// A mode counts as not oscillating if the imaginary part of its λ is below this fraction of \|λ\|: damping above 0.999 995 of critical. Our
+/// choice.
 const SWINGS: f64 = 3e-3;
-/// The modes must give back the first push of the ground to this part of it, and their parts may cancel by no more than this factor: two
-/// that have become one do neither. Our choice.
+/// The sum of the modes must reproduce the first acceleration of the ground to this fraction, and their terms may cancel by no more than this
+/// factor. Two coinciding modes do neither. Our choice.
 const COMPLETE: f64 = 1e-9;
 const CANCEL_MOST: f64 = 1e6;
 
-/// Largest responses of a building with dampers, to be put together for any quantity.
+/// Largest responses of a building with dampers in each mode, ready to be combined for any quantity.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DampedSpectralAnalysis {
     /// The complex modes in the spectrum, lowest first: period 2π/\|λ\| and damping ratio.
     pub modes: Vec<SpectralMode>,
     damped: DampedSystem,
-    /// Shapes of the building's own modes: rows over the building become rows over them.
+    /// Shapes of the building's own modes, which turn rows over the building into rows over modes.
     building_shapes: Matrix,
-    /// φ of each complex mode, in the building's modes and the dampers.
+    /// φ of each complex mode, in the coordinates of the building's modes and of the dampers.
     shapes: Vec<Vec<Complex64>>,
     lambda: Vec<Complex64>,
     loads: Vec<[Complex64; 2]>,
@@ -46,19 +47,20 @@ pub struct DampedSpectralAnalysis {
 /// with c = 2ζω:  E = (ω_i² − ω_n²)² + (c_i + c_n)(c_n ω_i² + c_i ω_n²)                     white noise, s = E[q_i q′_n] = −E[q′_i q_n]
 /// E[q_i q_n] = (c_i + c_n)/E    s = (ω_i² − ω_n²)/E    E[q′_i q′_n] = (c_n ω_i² + c_i ω_n²)/E;   ρ, σ, τ: over the standard deviations
 /// ```
-/// Without dampers B = 0 and ρ is that of [`spectral_analysis`](crate::dynamics::spectral_analysis): the same to round-off.
+/// Without dampers B = 0, and ρ is that of [`spectral_analysis`](crate::dynamics::spectral_analysis) to round-off.
 ///
 /// # Errors
-/// [`DamperError::Argument`] if some mode does not swing, or two have become one: the spectrum has no such oscillator; [`DamperError`] if a
-/// damper cannot be; what the spectrum refuses, as it says it.
+/// [`DamperError::Argument`] if some mode does not oscillate, or two modes coincide: the spectrum has no such oscillator. [`DamperError`] if a
+/// damper is out of its range. Errors of the spectrum are passed on.
 ///
 /// # Limits
-/// As CQC: shaking of wide band, and one ratio of peak to standard deviation for all modes and for displacement and velocity. For white
-/// noise it is exact in standard deviations, to 1e-9. Beside histories under motions of noise see `docs/dampers.md`. Linear dampers.
+/// The assumptions of CQC: wide-band shaking, and one ratio of peak to standard deviation for all modes, displacements and velocities. Under
+/// white noise the standard deviations are exact to 1e-9. `docs/measured.md` compares them with histories under motions of noise. Dampers are
+/// linear.
 ///
 /// # Source
-/// Igusa, Der Kiureghian & Sackman (1984) Earthquake Engng Struct. Dyn. 12:121-136; Zhou, Yu & Dong (2004) J. Struct. Eng. 130:663-672. The
-/// correlations are derived anew, from Lyapunov's equation of two oscillators.
+/// Igusa, Der Kiureghian & Sackman (1984) Earthquake Engng Struct. Dyn. 12:121-136; Zhou, Yu & Dong (2004) J. Struct. Eng. 130:663-672. Differs
+/// from the source: the correlations are derived from Lyapunov's equation of two oscillators.
 pub fn damped_spectral_analysis<E: From<DamperError>>(
     building: &VibratingBuilding,
     dampers: &[AttachedDamper],
@@ -124,7 +126,7 @@ struct Coupled {
     loads: Vec<[Complex64; 2]>,
 }
 
-/// Complex modes of building and dampers, with what the ground along x and along y adds to each.
+/// Complex modes of building and dampers, with the load of the ground along x and along y on each.
 fn coupled(building: &VibratingBuilding, damped: &DampedSystem) -> Result<Coupled, DamperError> {
     let system = &damped.system;
     let size = system.degrees_of_freedom();
@@ -132,7 +134,7 @@ fn coupled(building: &VibratingBuilding, damped: &DampedSystem) -> Result<Couple
         solve(system.mass(), system.stiffness())?,
         solve(system.mass(), system.damping())?,
     );
-    // velocities over a high frequency: else rows of ω² beside rows of 1 lose digits
+    // velocities are scaled by a high frequency; otherwise rows of ω² beside rows of 1 lose digits
     let high = (0..size).map(|i| k[(i, i)].abs().sqrt()).fold(0.0, f64::max);
     let states = Matrix::from_fn(2 * size, 2 * size, |i, j| match (i < size, j < size) {
         (true, true) => 0.0,
@@ -153,7 +155,7 @@ fn coupled(building: &VibratingBuilding, damped: &DampedSystem) -> Result<Couple
                       history",
         });
     }
-    // the first push of the ground, −e in the velocities, as Σ 2 Re (v p): columns Re v, Im v
+    // the first acceleration of the ground, −e in the velocities, as Σ 2 Re (v p): columns Re v, Im v
     let parts = Matrix::from_fn(2 * size, 2 * size, |i, j| {
         let value = found.vectors[(i, order[j % size])];
         if j < size { value.re } else { value.im }
@@ -192,7 +194,7 @@ fn coupled(building: &VibratingBuilding, damped: &DampedSystem) -> Result<Couple
 }
 
 impl DampedSpectralAnalysis {
-    /// The largest response of what `row` gives from all coordinates of the building.
+    /// The largest response of the quantity that `row` takes from all coordinates of the building.
     pub fn largest(&self, row: &[f64], directional: DirectionalCombination) -> f64 {
         let shapes = &self.building_shapes;
         let along = |j: usize| -> f64 {
@@ -204,8 +206,8 @@ impl DampedSpectralAnalysis {
         directional.of(|axis| self.along(&of_system, axis))
     }
 
-    /// The largest strokes of the dampers in order, m: travel of a mass, rise of a liquid, elongation of a dashpot; then the rise of the
-    /// liquids of columns on springs.
+    /// The largest strokes of the dampers in order, m (relative displacement of a mass, rise of a liquid, elongation of a dashpot), then the
+    /// rises of the liquids of columns on springs.
     pub fn largest_strokes_m(&self, directional: DirectionalCombination) -> Vec<f64> {
         let rows = self.damped.stroke_rows().into_iter();
         rows.map(|stroke| directional.of(|axis| self.along(&stroke, axis)))

@@ -1,14 +1,14 @@
-//! Mass dampers made the best of: their places, frequencies, damping and shares of the mass.
+//! Optimal design of mass dampers: places, frequencies, damping and shares of the mass.
 //!
-//! The unknowns are x and y over the floor's size, ln f and ln ζ, and ln of shares of the mass; places beyond the edge count
-//! as the nearest point of it.
+//! The unknowns are x and y divided by the size of the floor, ln f, ln ζ, and ln of the mass shares. A place beyond the edge counts as the
+//! nearest point on the floor.
 
 use super::damper_slopes::{JudgedSlopes, MovedDampers, pieces_of};
 use super::single_damper::DAMPING_MOST;
 use super::{DamperError, Judged, PlacedDamper, Plan};
 use crate::numeric::{Minimax, Piece, Worst, by_differences, maximum_between, minimax};
 
-/// What is to be made small.
+/// The quantity to minimise.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
@@ -18,14 +18,14 @@ pub enum Goal {
     LargestRms,
     /// The root of the mean of all points' variances.
     MeanSquare,
-    /// The largest amplitude of any point under a harmonic load of amplitude 1 and any frequency, each load by itself.
+    /// The largest amplitude of any point under a harmonic load of amplitude 1 at any frequency, one load at a time.
     LargestPeak,
 }
 
-/// Where a damper may go.
+/// Where the search may move a damper.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Place {
-    /// Nowhere.
+    /// It stays at its place.
     Kept,
     /// Along x.
     AlongX,
@@ -36,7 +36,7 @@ pub enum Place {
     Anywhere,
 }
 
-/// Whether a quantity may change.
+/// Whether the search may change a quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub enum Freedom {
     /// It stays.
@@ -46,27 +46,27 @@ pub enum Freedom {
     Free,
 }
 
-/// How dampers are made the best of.
+/// Options of a design.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DesignOptions {
-    /// What is made small; default the largest standard deviation.
+    /// The quantity to minimise; default: the largest standard deviation.
     pub goal: Goal,
-    /// Importance of each point, multiplied with its motion; 1 each where empty.
+    /// Weight of each point, multiplied with its motion; empty means 1 each.
     pub weights: Vec<f64>,
-    /// Where dampers may go; default anywhere on their floor.
+    /// Where dampers may move; default: anywhere on their floor.
     pub place: Place,
-    /// Their frequencies; default free.
+    /// Whether their frequencies may change; default free.
     pub frequency: Freedom,
-    /// Their damping ratios; default free.
+    /// Whether their damping ratios may change; default free.
     pub damping: Freedom,
-    /// How the sum of their masses is shared; default free, without effect on a single one.
+    /// Whether the shares of their total mass may change; default free, without effect on a single damper.
     pub mass_split: Freedom,
-    /// How far the dampers' frequencies may be off, relatively: the worst of f (1 − d), f and f (1 + d) is made small. Default 0; standard
-    /// deviations only.
+    /// Relative error d of the frequencies that the design must tolerate: the worst of f (1 − d), f and f (1 + d) is minimised. Default 0;
+    /// standard deviations only.
     pub detuning_ratio: f64,
-    /// Largest standard deviation of a damper's stroke, m; none by default.
+    /// Upper bound on the standard deviation of a damper's stroke, m; none by default.
     pub stroke_rms_most_m: Option<f64>,
-    /// Steps of one search; default 200 (our choice).
+    /// Largest number of steps of one search; default 200 (our choice).
     pub iterations_most: usize,
 }
 
@@ -91,39 +91,39 @@ impl Default for DesignOptions {
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum DesignEnd {
-    /// At an optimum: no step of 1e-6 in ln f, ln ζ or of the floor's size brings anything.
+    /// At an optimum: no step of 1e-6 in ln f, in ln ζ or of the floor's size improves the cost.
     Optimum,
-    /// At the lightest or heaviest damping or farthest frequency that a damper may have: less of a damper would be better.
+    /// At the lightest or heaviest damping or the farthest frequency allowed: less of a damper would be better.
     Limit,
-    /// Where no step brought anything, but not to 1e-6: the cost is the least that was seen.
+    /// No step improved the cost, but the steps were longer than 1e-6: the result is the best cost found.
     Stalled,
 }
 
-/// Dampers, and what shows what they do.
+/// Designed dampers, with their effect and the evidence for it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Design {
     /// The dampers.
     pub dampers: Vec<PlacedDamper>,
-    /// What was made small.
+    /// Value of the minimised cost.
     pub cost: f64,
     /// Standard deviations of points and strokes, by assembled matrices.
     pub judged: Judged,
     /// How the search ended.
     pub end: DesignEnd,
-    /// Steps of the search that led here.
+    /// Number of steps of the search that found this design.
     pub iterations: usize,
-    /// The last step that was tried, in the unknowns' logarithms and parts of the floor.
+    /// Length of the last step tried, in the logarithms of the unknowns and in fractions of the floor.
     pub last_step: f64,
 }
 
-/// The dampers that serve the goal best, near those given.
+/// Finds the dampers that minimise the goal, starting from those given.
 ///
 /// # Errors
-/// [`DamperError`] if a damper to start from cannot be, or the search finds nothing.
+/// [`DamperError`] if a given damper is out of its range, or the search finds nothing.
 ///
 /// # Limits
-/// A local optimum: with places free, start from several, such as the best of a `position_map`. What
-/// [`Plan`] was prepared for bounds the accuracy of the cost; `judged` is computed afresh from assembled matrices.
+/// Finds a local optimum: with free places, start from several, such as the best of a `position_map`. The tolerance for which [`Plan`] was
+/// prepared bounds the accuracy of the cost; `judged` is computed afresh from assembled matrices.
 pub fn design(plan: &Plan, start: &[PlacedDamper], options: &DesignOptions) -> Result<Design, DamperError> {
     plan.judge(start)?;
     let points = plan.problem().points.len();
@@ -169,7 +169,7 @@ pub fn design(plan: &Plan, start: &[PlacedDamper], options: &DesignOptions) -> R
     let mut dampers = search.dampers(&least.x);
     let mut at_limit = search.at_limit(&dampers);
     if options.place != Place::Kept {
-        // at the edge of a floor only the tuning is left to settle
+        // at the edge of a floor only the tuning remains to be found
         let there = DesignOptions {
             place: Place::Kept,
             ..options.clone()
@@ -213,7 +213,7 @@ pub fn design(plan: &Plan, start: &[PlacedDamper], options: &DesignOptions) -> R
     })
 }
 
-/// Of a search that ended at an optimum.
+/// Step length of a search that ended at an optimum.
 const LAST_STEP_MOST: f64 = 1e-6;
 
 pub(super) struct Search<'a> {
@@ -223,9 +223,9 @@ pub(super) struct Search<'a> {
     pub(super) weights: Vec<f64>,
 }
 
-/// Frequencies beyond this factor of that at the start are no dampers.
+/// A damper's frequency must stay within this factor of its start.
 const FREQUENCY_FACTOR_MOST: f64 = 5.0;
-/// How steeply a stroke beyond its limit is paid for, in ln of the cost per ln of the stroke: more than any damper gains by it.
+/// Slope of the penalty on a stroke beyond its limit, in ln of the cost per ln of the stroke: steeper than any gain from the damper.
 const STROKE_PRICE: f64 = 50.0;
 
 impl Search<'_> {
@@ -298,7 +298,7 @@ impl Search<'_> {
         dampers
     }
 
-    /// Frequency, Hz, and damping ratio that a damper may have, from that at the start.
+    /// Range of the frequency, Hz, and damping ratio of a damper, from its start.
     fn limits(&self, start: &PlacedDamper) -> [[f64; 2]; 2] {
         let factor = FREQUENCY_FACTOR_MOST;
         let [low, high] = self.plan.tuning_range_hz();
@@ -313,7 +313,7 @@ impl Search<'_> {
         ]
     }
 
-    /// Whether a search drove a damper to one of its limits.
+    /// Whether the search drove a damper to one of its limits.
     fn at_limit(&self, dampers: &[PlacedDamper]) -> bool {
         dampers.iter().zip(self.start).any(|(damper, start)| {
             let [frequency, damping] = self.limits(start);
@@ -322,14 +322,14 @@ impl Search<'_> {
         })
     }
 
-    /// ln of each function whose largest is made small: standard deviations, alone and with what strokes beyond the limit cost.
+    /// ln of each function whose maximum is minimised: standard deviations, without and with the penalty on strokes.
     fn values(&self, dampers: &[PlacedDamper]) -> Option<Vec<f64>> {
         let factors = self.detunings().into_iter();
         let judged = factors.map(|factor| self.plan.at_nodes(&detuned(dampers, factor)));
         self.values_of(&judged.collect::<Vec<_>>())
     }
 
-    /// Factors of frequencies that are off.
+    /// Factors of the detuned frequencies.
     fn detunings(&self) -> Vec<f64> {
         match self.options.detuning_ratio {
             d if d > 0.0 => vec![1.0, 1.0 - d, 1.0 + d],
@@ -337,7 +337,7 @@ impl Search<'_> {
         }
     }
 
-    /// The same of the standard deviations for each detuning.
+    /// The same functions for the standard deviations at each detuning.
     fn values_of(&self, all_judged: &[Judged]) -> Option<Vec<f64>> {
         let mut all = Vec::new();
         for judged in all_judged {
@@ -373,7 +373,7 @@ impl Search<'_> {
         values.iter().all(|value| value.is_finite()).then_some(values)
     }
 
-    /// The cost without what strokes cost.
+    /// The cost without the penalty on strokes.
     pub(super) fn cost(&self, dampers: &[PlacedDamper]) -> Option<f64> {
         if self.options.goal == Goal::LargestPeak {
             let peaks = self.peaks(dampers)?;
@@ -403,7 +403,7 @@ impl Search<'_> {
         Some((self.weights[which / loads] * response.norm()).ln())
     }
 
-    /// The highest of each hump of each response.
+    /// The highest amplitude of each local maximum of each response.
     pub(super) fn peaks(&self, dampers: &[PlacedDamper]) -> Option<Vec<Peak>> {
         let (points, loads) = (self.plan.problem().points.len(), self.plan.problem().loads.len());
         let tables = &self.plan.nodes;
@@ -436,7 +436,7 @@ impl Search<'_> {
             }
             peaks.push(Peak {
                 which,
-                omega: tables[0].omega, // as good as at rest
+                omega: tables[0].omega, // as good as static
                 value: (self.weights[which / loads] * size(0)).ln(),
             });
         }
@@ -444,7 +444,7 @@ impl Search<'_> {
     }
 }
 
-/// The same dampers, their frequencies off by a factor.
+/// The same dampers with their frequencies multiplied by a factor.
 fn detuned(dampers: &[PlacedDamper], factor: f64) -> Vec<PlacedDamper> {
     let each = dampers.iter().map(|damper| PlacedDamper {
         frequency_hz: factor * damper.frequency_hz,
@@ -459,7 +459,7 @@ pub(super) struct Peak {
     pub(super) value: f64,
 }
 
-/// Peaks that lie this far below the highest, in ln, do not hold the optimum.
+/// Peaks this far below the highest one, in ln, do not determine the optimum.
 const PEAKS_WITHIN: f64 = 1.0;
 
 impl Worst for Search<'_> {

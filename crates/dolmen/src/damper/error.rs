@@ -4,7 +4,7 @@ use crate::dynamics::DynamicsError;
 use crate::structure::wind::WindError;
 use dolmen_linalg::LinalgError;
 
-/// Why a damper cannot be designed. Each variant carries the value that was refused.
+/// Why a damper cannot be designed. Each variant carries the refused value.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum DamperError {
     /// The mass ratio lies outside the range in which dampers are designed.
@@ -30,7 +30,7 @@ pub enum DamperError {
     /// A row that does not fit the structure.
     #[error("damper {damper}: its row has {given} values, but the structure needs {needed} finite ones")]
     Row {
-        /// Which damper, from 1.
+        /// The damper, from 1.
         damper: usize,
         /// Values given.
         given: usize,
@@ -43,7 +43,7 @@ pub enum DamperError {
         /// Which damper, from 1.
         damper: usize,
     },
-    /// A damper on something that does not move.
+    /// A damper at a place that does not move.
     #[error("damper {damper}: every value of its row is 0, so that nothing moves it")]
     Unmoved {
         /// Which damper, from 1.
@@ -77,7 +77,7 @@ pub enum DamperError {
         /// Why.
         only: &'static str,
     },
-    /// No points to be calmed.
+    /// No points whose motion is to be reduced.
     #[error("no points are given: name at least one place whose motion is to be made small")]
     NoPoints,
     /// A point that does not move under the loads.
@@ -86,7 +86,7 @@ pub enum DamperError {
         /// Which point, from 1.
         point: usize,
     },
-    /// Frequencies that the tolerance takes.
+    /// More frequencies than allowed are needed for the tolerance.
     #[error(
         "the integral over frequency needs more than {intervals} intervals: raise relative_tolerance, or give the modes more damping"
     )]
@@ -94,21 +94,21 @@ pub enum DamperError {
         /// Intervals allowed.
         intervals: usize,
     },
-    /// A map of peaks.
+    /// A map for a goal that is a peak.
     #[error("places are mapped by standard deviations: take the largest or the mean square as the goal")]
     NoMap,
     /// A search did not find an optimum.
     #[error("no optimum of {what} was found in {iterations} steps: start from another tuning")]
     NoOptimum {
-        /// What was to be made small.
+        /// The quantity to be minimised.
         what: &'static str,
         /// Steps that were made.
         iterations: usize,
     },
-    /// The wind cannot be.
+    /// The wind is out of its range.
     #[error(transparent)]
     Wind(#[from] WindError),
-    /// The structure or its loads cannot be.
+    /// The structure or its loads are refused.
     #[error(transparent)]
     Dynamics(#[from] DynamicsError),
     /// A decomposition failed.
@@ -117,7 +117,7 @@ pub enum DamperError {
 }
 
 impl DamperError {
-    /// Whether an iteration ended before it converged: the input may be good.
+    /// Whether an iteration ended before it converged, in which case the input may be valid.
     pub fn did_not_converge(&self) -> bool {
         match self {
             Self::Dynamics(why) => why.did_not_converge(),

@@ -1,12 +1,12 @@
-//! What given dampers cost by a goal, as a design counts it.
+//! The cost of given dampers for a goal, as a design computes it.
 
 use super::design::Search;
 use super::{DamperError, DesignOptions, Goal, PlacedDamper, Plan};
 
-/// The cost of given dampers by a goal, as [`design`](super::design()) counts it; weights 1.
+/// The cost of given dampers for a goal, as [`design`](super::design()) computes it, with weights of 1.
 ///
 /// # Errors
-/// [`DamperError`] if a damper cannot be.
+/// [`DamperError`] if a damper is out of its range.
 pub fn goal_cost(plan: &Plan, dampers: &[PlacedDamper], goal: Goal) -> Result<f64, DamperError> {
     plan.judge(dampers)?;
     let options = DesignOptions {
@@ -25,10 +25,10 @@ pub fn goal_cost(plan: &Plan, dampers: &[PlacedDamper], goal: Goal) -> Result<f6
     })
 }
 
-/// What the goal is made of, point by point: standard deviations, or the largest amplitudes under a harmonic load.
+/// The quantity of the goal at each point: standard deviations, or the largest amplitudes under a harmonic load.
 ///
 /// # Errors
-/// [`DamperError`] if a damper cannot be.
+/// [`DamperError`] if a damper is out of its range.
 pub fn point_values(plan: &Plan, dampers: &[PlacedDamper], goal: Goal) -> Result<Vec<f64>, DamperError> {
     let judged = plan.judge(dampers)?;
     if goal != Goal::LargestPeak {

@@ -1,9 +1,9 @@
-//! What a turbulent wind makes of a structure with dampers, in time.
+//! The response of a structure with dampers to a turbulent wind, in time.
 //!
 //! | symbol | code | meaning | shape |
 //! |:--|:--|:--|:--|
-//! | c_k | `GustForces::line_n` | amplitudes of the forces on the strips at a line | strips |
-//! | E | `columns` | what a force on each strip does to the structure | n × strips |
+//! | c_k | `GustForces::line_n` | amplitudes of the forces on the strips at one spectral line | strips |
+//! | E | `columns` | load on the structure per force on each strip | n × strips |
 //! | H(n) | `ModalSynthesis` | receptance of structure and dampers | n × n |
 //! | x(t) | `GustHistory::values` | x̄ + Σ_k Re[r H(n_k) E c_k e^(2πi n_k t)] of each row r | rows |
 
@@ -17,25 +17,25 @@ use dolmen_linalg::{Complex64, Matrix, solve};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
-/// Periods of a mode times its damping ratio, by which lines at equal steps hold its resonance: the sum over the lines is within
-/// 2 e^(−2π · 1.5) = 1.6e-4 of the integral.
+/// Number of line spacings in ζ f of a mode from which equally spaced lines represent its resonance: the sum over the lines is within 2 e^(−2π ·
+/// 1.5) = 1.6e-4 of the integral.
 const DAMPED_PERIODS: f64 = 1.5;
-/// Most samples of a period. Our choice.
+/// Largest number of samples in a period. Our choice.
 const SAMPLES_MOST: f64 = 4e6;
 
 /// A structure in the wind over time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GustHistory {
-    /// When it was looked at.
+    /// Times of the samples.
     pub times: GustTimes,
-    /// Each row in time.
+    /// Each row over time.
     pub values: Vec<Vec<f64>>,
-    /// Of each case of columns, each stroke in time, m: of the dampers, then the rise of the liquids of columns on springs.
+    /// For each case of columns, each stroke over time, m: of the dampers, then the rises of the liquids of columns on springs.
     pub strokes: Vec<Vec<Vec<f64>>>,
 }
 
-/// When a history of the wind over `duration_s` is looked at, and its period: twice as long, and so long that its lines hold every resonance,
-/// 1.5 periods of each mode and damper over its damping ratio.
+/// Times at which a history of the wind over `duration_s` is sampled, and its period. The period is at least twice the duration, and long enough
+/// that the lines represent every resonance: 1.5 periods of each mode and damper over its damping ratio.
 ///
 /// # Errors
 /// [`DamperError::Argument`] for a duration or step that is not positive, a mode or damper without damping, or more than 4 million samples;
@@ -75,7 +75,7 @@ pub fn gust_times(
     Ok(GustTimes::new(duration_s, time_step_s, period_s))
 }
 
-/// The least product of frequency and damping ratio of modes and dampers, Hz.
+/// The smallest product of frequency and damping ratio over modes and dampers, Hz.
 fn least_decay_hz(structure: &LinearSystem, dampers: &[AttachedDamper]) -> Result<f64, DamperError> {
     let modes = structure.modes()?;
     let own = (0..modes.angular_frequency_rad_s.len()).map(|j| 0.5 * modes.damping[(j, j)] / TAU);
@@ -105,17 +105,18 @@ fn least_decay_hz(structure: &LinearSystem, dampers: &[AttachedDamper]) -> Resul
     Ok(own.chain(attached).fold(f64::INFINITY, f64::min))
 }
 
-/// The motion in time under one history of the wind; `columns` as of [`gust_motion`](super::gust_motion), one set a case.
+/// The motion in time under one history of the wind; `columns` as in [`gust_motion`](super::gust_motion), one set for each case.
 ///
-/// Each line of the history moves structure and dampers steadily, by their receptances: the motion is exact for these forces, has no beginning,
-/// and repeats with them.
+/// Each spectral line of the history produces a steady motion of structure and dampers, given by their receptances. So the motion is exact for
+/// these forces, has no transient, and repeats with the forces.
 ///
 /// # Errors
-/// [`DynamicsError::Entries`] for columns, rows or cases that do not fit; [`DamperError`] if a damper cannot be or an undamped mode is met.
+/// [`DynamicsError::Entries`] for columns, rows or cases that do not fit; [`DamperError`] if a damper is out of its range, or a line hits an
+/// undamped mode.
 ///
 /// # Limits
-/// Linear structure and dampers: no stops, head loss as a damping ratio. Beside stepping in time (Newmark, steps of 2 ms): 2e-4 of the largest
-/// value.
+/// Structure and dampers are linear: no stops, head loss as a damping ratio. Compared with stepping in time (Newmark, steps of 2 ms): 2e-4 of
+/// the largest value.
 pub fn gust_history(
     structure: &LinearSystem,
     dampers: &[AttachedDamper],
@@ -160,7 +161,7 @@ pub fn gust_history(
 
 /// One set of columns.
 struct Case {
-    /// Of each strip: Φᵀ of its column.
+    /// For each strip: Φᵀ of its column.
     loads: Vec<Vec<f64>>,
     /// Mean of each degree of freedom.
     mean: Vec<f64>,
@@ -207,10 +208,10 @@ impl Case {
     }
 }
 
-/// What is wanted of the structure.
+/// The requested rows of the structure.
 struct Wanted<'a> {
     cases: Vec<Case>,
-    /// In the modes.
+    /// The row in modal coordinates.
     rows: Vec<Vec<f64>>,
     asked: &'a [GustRow],
     places: Vec<Vec<f64>>,
@@ -270,7 +271,7 @@ impl Wanted<'_> {
         Ok(all)
     }
 
-    /// Means in the same order: a link stretches with its floors, masses and liquids hang still.
+    /// Means in the same order: a dashpot stretches with its floors, masses and liquids hang still.
     fn means(&self) -> Vec<f64> {
         let along =
             |row: &[f64], case: &Case| -> f64 { row.iter().zip(&case.mean).map(|(a, x)| a * x).sum() };

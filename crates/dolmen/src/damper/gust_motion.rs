@@ -1,8 +1,8 @@
-//! What a turbulent wind makes of a structure with dampers: means and standard deviations, by an integral over frequency.
+//! The response of a structure with dampers to a turbulent wind: means and standard deviations, by an integral over frequency.
 //!
 //! | symbol | code | meaning | shape |
 //! |:--|:--|:--|:--|
-//! | E | `columns` | what a force on each strip of the face does to the structure | n × strips |
+//! | E | `columns` | load on the structure per force on each strip of the face | n × strips |
 //! | S_F(n) | `GustFace::force_density_n2_hz` | one-sided cross spectra of the forces on the strips | strips × strips |
 //! | H(n) | `ModalSynthesis` | receptance of structure and dampers | n × n |
 //! | m_k | `moments` | ∫ (2πn)^2k Re[H E S_F Eᵀ H*] dn: of displacements, velocities, accelerations and their rates | n + strokes, squared |
@@ -17,18 +17,20 @@ use crate::structure::wind::GustFace;
 use dolmen_linalg::{Matrix, solve};
 use std::f64::consts::TAU;
 
-/// Of the variance of each mode, of its acceleration and of each stroke, by an estimate that errs on the safe side. Our choice: standard
-/// deviations come out to 2e-5.
+/// Tolerance of the variance of each mode, of its acceleration and of each stroke, by a conservative error estimate. Our choice: standard
+/// deviations are then accurate to 2e-5.
 const TOLERANCE: f64 = 5e-4;
 const INTERVALS_MOST: usize = 4000;
-/// The integral begins at this part of V/L, the rest is taken as flat: 1e-6 of the variance of the gusts.
+/// The integral begins at this fraction of V/L; below it the spectrum is taken as flat, which holds 1e-6 of the variance of the gusts.
 const LOWEST: f64 = 1e-4;
-/// It ends at this multiple of the highest frequency there is, from where densities fall as n^(−5/3 − 2) under a structure that is all mass.
+/// The integral ends at this multiple of the highest frequency of modes and dampers. From there inertia dominates the response, and densities
+/// fall as n^(−5/3 − 2).
 const HIGHEST: f64 = 100.0;
-/// A mode with less than this part of the largest variance of any needs no peak of its own; below rounding the wind does not move it. Our choice.
+/// The integral does not resolve the peak of a mode with less than this fraction of the largest variance; below rounding the wind does not
+/// excite the mode. Our choice.
 const UNSEEN: f64 = 1e-6;
 const ROUNDING: f64 = 1e-22;
-/// Euler's constant: Davenport (1964), the mean of the largest of a Gaussian process.
+/// Euler's constant: Davenport (1964), the mean of the largest value of a Gaussian process.
 const EULER: f64 = 0.577_215_664_901_532_9;
 
 /// A random response about its mean.
@@ -39,9 +41,9 @@ pub struct GustPeak {
     pub mean: f64,
     /// Standard deviation, σ.
     pub rms: f64,
-    /// Crossings of the mean upwards, Hz.
+    /// Rate of crossing the mean upwards, Hz.
     pub up_crossing_hz: f64,
-    /// g of Davenport, of the ten minutes.
+    /// Davenport's peak factor g for the ten minutes.
     pub peak_factor: f64,
 }
 
@@ -57,7 +59,7 @@ impl GustPeak {
             true => rate_variance.max(0.0).sqrt() / (TAU * rms),
             false => 0.0,
         };
-        // a process that crosses less than e times has no peak beyond the first: √2 + 0.58/√2
+        // with fewer than e crossings g stays at that for e: √2 + 0.58/√2
         let spread = (2.0 * (up_crossing_hz * duration_s).ln().max(1.0)).sqrt();
         GustPeak {
             mean,
@@ -82,7 +84,7 @@ pub struct GustMotion {
     /// m_0 to m_3 of the structure, n × n each.
     moments: [Matrix; 4],
     duration_s: f64,
-    /// Frequencies that the integral was taken over.
+    /// Number of frequencies of the integral.
     pub frequencies: usize,
 }
 
@@ -100,7 +102,7 @@ impl GustMotion {
         GustPeak::of(0.0, of(2), of(3), self.duration_s)
     }
 
-    /// What of a row is wanted, of the columns that this is of.
+    /// The quantity of a row that is requested, for given columns.
     pub fn of(&self, row: &GustRow) -> GustPeak {
         match row.quantity {
             GustQuantity::Displacement => self.displacement(&row.row),
@@ -108,7 +110,7 @@ impl GustMotion {
         }
     }
 
-    /// The row of a point along the direction in which the standard deviation of its acceleration is largest, from its rows along x and y.
+    /// The row of a point along the direction in which its acceleration has the largest standard deviation, from its rows along x and y.
     pub fn most_accelerated(&self, [x, y]: [&[f64]; 2]) -> Vec<f64> {
         let of = |a: &[f64], b: &[f64]| self.moments[2].form(a, b);
         let angle = 0.5 * (2.0 * of(x, y)).atan2(of(x, x) - of(y, y));
@@ -117,8 +119,8 @@ impl GustMotion {
     }
 }
 
-/// The motion in a turbulent wind over `duration_s`, the ten minutes of the mean; one answer for each of several `columns`, as where the
-/// same forces act off the middle of the face.
+/// The motion in a turbulent wind over `duration_s`, the ten minutes of the mean. One answer for each set of `columns`, so that the same forces
+/// can also act off the middle of the face.
 ///
 /// ```text
 /// mean: K x̄ = E F̄                                          columns: a list of strips of n values each
@@ -127,12 +129,12 @@ impl GustMotion {
 /// ```
 ///
 /// # Errors
-/// [`DamperError::Wind`] for a face that cannot be; [`DamperError`] if a damper cannot be or the integral needs too many frequencies;
+/// [`DamperError::Wind`] if the face is out of its range; [`DamperError`] if a damper is, or the integral needs too many frequencies;
 /// [`DynamicsError::Entries`] for columns that do not fit.
 ///
 /// # Limits
-/// Rules of 7 and 15 points agree to 5e-4 of each variance; beside other quadratures variances are within 5e-5. Gaussian gusts;
-/// what [`GustFace::force_density_n2_hz`] leaves out.
+/// Rules of 7 and 15 points agree to 5e-4 of each variance; other quadratures give variances within 5e-5. Gusts are Gaussian. See also what
+/// [`GustFace::force_density_n2_hz`] leaves out.
 ///
 /// # Source
 /// Davenport A. G. (1961) Proc. ICE 19:449–472, (1964) Proc. ICE 28:187–196; receptances after eqs 4 to 9 of Hwang, Min & Hong.
@@ -193,17 +195,17 @@ pub fn gust_motion(
         .collect()
 }
 
-/// Everything in the modes of the structure, followed by the strokes of the dampers.
+/// All matrices in the coordinates of the structure's modes, followed by the strokes of the dampers.
 struct Blown<'a> {
     synthesis: ModalSynthesis,
     modes: SystemModes,
     dampers: &'a [AttachedDamper],
     face: &'a GustFace,
-    /// Of each case and strip: Φᵀ of its column.
+    /// For each case and strip: Φᵀ of its column.
     loads: Vec<Vec<Vec<f64>>>,
     /// Of each damper: its row in the modes.
     places: Vec<Vec<f64>>,
-    /// Modes that move: all of them where dampers or damping couple them.
+    /// Active modes: all of them where dampers or damping couple them, otherwise those that the wind excites.
     active: Vec<usize>,
 }
 
@@ -263,7 +265,7 @@ impl Blown<'_> {
         let mut nodes = looked.ok_or(fault.unwrap_or(DamperError::TooManyFrequencies {
             intervals: INTERVALS_MOST,
         }))?;
-        // below: flat, ∫₀^n S dn = n S(n), which in ln n is the value itself
+        // below the first frequency: flat, ∫₀^n S dn = n S(n), which in ln n is the value itself
         nodes.push(Node {
             x: lowest.ln(),
             weight: 1.0,
@@ -271,7 +273,7 @@ impl Blown<'_> {
         Ok(nodes)
     }
 
-    /// The least height of a strip or breadth, m.
+    /// The smallest height of a strip or breadth, m.
     fn least_m(&self) -> f64 {
         let strips = self.face.strips.iter();
         strips.fold(f64::INFINITY, |least, strip| {
@@ -279,7 +281,7 @@ impl Blown<'_> {
         })
     }
 
-    /// How much the wind moves each mode: the most of all cases, of the variance of its acceleration in resonance.
+    /// How strongly the wind excites each mode: the largest variance of its acceleration at resonance over all cases.
     fn seen(&self) -> Vec<f64> {
         let omegas = &self.modes.angular_frequency_rad_s;
         let mut seen = vec![0.0_f64; omegas.len()];
@@ -287,19 +289,19 @@ impl Blown<'_> {
             let density = self.face.force_density_n2_hz(omegas[j] / TAU);
             for loads in &self.loads {
                 let pushed: Vec<f64> = loads.iter().map(|load| load[j]).collect();
-                // ω² of that of its displacement: π S/(2 c) with S two-sided
+                // ω² times that of its displacement: π S/(2 c) with S two-sided
                 let damping = self.modes.damping[(j, j)].max(f64::MIN_POSITIVE);
                 *seen = seen.max(density.form(&pushed, &pushed) / damping);
             }
         }
         let most = seen.iter().copied().fold(0.0, f64::max);
-        // what rounding leaves of a mode across the wind
+        // rounding errors in a mode across the wind
         seen.iter()
             .map(|own| if *own > ROUNDING * most { *own } else { 0.0 })
             .collect()
     }
 
-    /// Frequencies of the distinct modes and of the dampers, Hz, ascending; at least one.
+    /// Frequencies of the distinct modes and of the dampers, Hz, in ascending order; at least one.
     fn peaks_hz(&self, told: &[bool]) -> Vec<f64> {
         let omegas = &self.modes.angular_frequency_rad_s;
         let kept = omegas.iter().zip(told).filter(|(_, told)| **told);
@@ -314,7 +316,7 @@ impl Blown<'_> {
         all
     }
 
-    /// What the integral must hold to the tolerance: variance of each distinct mode, of its acceleration, and of each stroke.
+    /// The quantities that the integral must give to the tolerance: variance of each distinct mode, of its acceleration, and of each stroke.
     fn watched(&self, hz: f64, told: &[bool]) -> Result<Vec<f64>, DamperError> {
         let density = self.face.force_density_n2_hz(hz);
         let quick = (TAU * hz).powi(4);
@@ -337,7 +339,7 @@ impl Blown<'_> {
         Ok(all)
     }
 
-    /// m_0 to m_3, active modes and strokes.
+    /// m_0 to m_3 of active modes and strokes.
     fn moments(&self, case: usize, nodes: &[Node]) -> Result<[Matrix; 4], DamperError> {
         let size = self.size();
         let mut moments = [(); 4].map(|()| Matrix::zeros(size, size));
@@ -358,7 +360,7 @@ impl Blown<'_> {
         Ok(moments)
     }
 
-    /// Modes into degrees of freedom.
+    /// Transforms modal coordinates into degrees of freedom.
     fn of_structure(&self, modal: &Matrix) -> Matrix {
         let n = self.modes.shapes.rows();
         let shapes = Matrix::from_fn(n, self.active.len(), |i, k| {

@@ -1,4 +1,4 @@
-//! Standard deviations under forces of a turbulent wind, in the modes of the structure: what assembled matrices give, and far faster.
+//! Standard deviations under the forces of a turbulent wind, in modal coordinates: the numbers of the assembled matrices, computed far faster.
 
 use super::{AttachedDamper, DamperError, DamperKind, ModalSynthesis};
 use crate::dynamics::{LinearSystem, RandomInput, RandomLoad, Spectrum};
@@ -7,13 +7,13 @@ use crate::structure::wind::GustFace;
 use dolmen_linalg::{Complex64, Matrix, symmetric_eigen};
 use std::f64::consts::TAU;
 
-/// Of each variance. Our choice: what rules of 7 and 15 points differ by; the integral is far nearer.
+/// Tolerance of each variance by rules of 7 and 15 points; the integral itself is far more accurate. Our choice.
 const TOLERANCE: f64 = 1e-5;
 const INTERVALS_MOST: usize = 4000;
-/// Ends of the integral: this part of the slowest of gusts and structure, and this multiple of its highest frequency.
+/// Ends of the integral: this fraction of the slowest frequency of gusts and structure, and this multiple of the highest of the structure.
 const ENDS: [f64; 2] = [1e-4, 30.0];
 
-/// The face that a force of a turbulent wind is of.
+/// The face on which a force of a turbulent wind acts.
 fn face_of(load: &RandomLoad) -> Option<&GustFace> {
     match (&load.spectrum, &load.input) {
         (Spectrum::Gusts { face, .. }, RandomInput::Force(_)) => Some(face),
@@ -27,13 +27,13 @@ pub(super) fn are_gusts(loads: &[RandomLoad]) -> bool {
     first.is_some() && loads.iter().all(|load| face_of(load) == first)
 }
 
-/// A of the cross spectra D = A Aᵀ of the loads at a circular frequency, two-sided: D_lm = φ_lᵀ S_F φ_m/4π, loads × loads. The shapes are of length 1 and
-/// across each other, so that the columns of the loads with these forces are the whole field on them.
+/// A in the cross spectra D = A Aᵀ of the loads at one circular frequency, two-sided: D_lm = φ_lᵀ S_F φ_m/4π, loads × loads. The shapes have
+/// length 1 and are orthogonal, so the columns of the loads with these forces represent the whole force field on them.
 ///
 /// # Errors
 /// [`DamperError`] if the decomposition fails.
 pub(super) fn gust_factor(loads: &[RandomLoad], omega: f64) -> Result<Matrix, DamperError> {
-    // all of them are of one face
+    // all loads are on one face
     let face = loads.iter().find_map(face_of);
     let density = face.map(|face| face.force_density_n2_hz((omega / TAU).max(face.lowest_hz())));
     let shape_of = |l: usize| match &loads[l].spectrum {
@@ -46,13 +46,13 @@ pub(super) fn gust_factor(loads: &[RandomLoad], omega: f64) -> Result<Matrix, Da
     };
     let found = symmetric_eigen(&Matrix::from_fn(loads.len(), loads.len(), of))?;
     let count = loads.len();
-    // a pair of strips with a mean speed of its own may leave a density a little below 0
+    // each pair of strips has its own mean speed, which may make a density slightly negative
     Ok(Matrix::from_fn(count, count, |i, j| {
         found.vectors[(i, j)] * found.values[j].max(0.0).sqrt()
     }))
 }
 
-/// Columns, row by row with one value a load, under the independent parts of the loads: values times A.
+/// Columns under the independent parts of the loads (values times A), row by row with one value for each load.
 pub(super) fn in_parts(rows: &[Complex64], factor: &Matrix) -> Vec<Complex64> {
     let count = factor.rows();
     let each = rows.chunks_exact(count).flat_map(|row| {
@@ -132,7 +132,7 @@ pub(super) fn gust_rms(
     let nodes = looked.ok_or(fault.unwrap_or(DamperError::TooManyFrequencies {
         intervals: INTERVALS_MOST,
     }))?;
-    // below the first: flat
+    // below the first frequency: flat
     let mut sums: Vec<f64> = density(first)?.into_iter().map(|s| s * first).collect();
     for node in nodes {
         let omega = node.x.exp();

@@ -1,6 +1,6 @@
-//! What is wanted of a structure in the wind.
+//! Quantities of a structure in the wind that can be requested.
 
-/// What of a row over the structure.
+/// The quantity of a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum GustQuantity {
     /// Its displacement, mean and gusts.
@@ -9,13 +9,13 @@ pub enum GustQuantity {
     Acceleration,
 }
 
-/// A value of a structure in the wind.
+/// A requested value of a structure in the wind.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GustRow {
-    /// Which of the cases of columns, from 0.
+    /// The case of columns, from 0.
     pub case: usize,
     /// The combination of degrees of freedom.
     pub row: Vec<f64>,
-    /// What of it.
+    /// The quantity.
     pub quantity: GustQuantity,
 }

@@ -4,7 +4,8 @@ use super::{AttachedDamper, DamperKind};
 use dolmen_linalg::Complex64;
 use std::f64::consts::TAU;
 
-/// Strokes of the dampers, then the liquids of columns on springs, where the modes move by `eta` and the dampers ride on `places` of them.
+/// Strokes of the dampers, then rises of the liquids of columns on springs, for modal displacements `eta`; `places` are the rows of the dampers
+/// in modal coordinates.
 pub(super) fn strokes_under(
     dampers: &[AttachedDamper],
     places: &[Vec<f64>],

@@ -23,20 +23,20 @@ pub struct HeadLossColumn {
     pub head_loss: f64,
     /// Acceleration of gravity, m/s².
     pub gravity_m_s2: f64,
-    /// What it rides on, one value a degree of freedom of the structure.
+    /// Row of its place, one value for each degree of freedom of the structure.
     pub row: Vec<f64>,
 }
 
-/// What a column with head loss comes to under a random load.
+/// The equivalent linear column under a random load.
 #[derive(Clone, Debug, PartialEq)]
 pub struct EquivalentColumn {
-    /// The damping ratio that stands for its head loss.
+    /// The damping ratio that is equivalent to its head loss.
     pub damping_ratio: f64,
     /// Standard deviation of the liquid's velocity, m/s.
     pub velocity_rms_m_s: f64,
-    /// The column with that damping.
+    /// The column with that damping ratio.
     pub damper: AttachedDamper,
-    /// Rounds until the damping agreed with the velocity.
+    /// Number of iterations until damping and velocity agreed.
     pub rounds: usize,
 }
 
@@ -46,7 +46,7 @@ impl HeadLossColumn {
         (2.0 * self.gravity_m_s2 / self.length_m).sqrt() / TAU
     }
 
-    /// The column with a linear damping ratio in place of its head loss.
+    /// The column with a linear damping ratio instead of its head loss.
     pub fn linear(&self, damping_ratio: f64) -> AttachedDamper {
         AttachedDamper {
             kind: DamperKind::LiquidColumn {
@@ -77,19 +77,19 @@ impl HeadLossColumn {
     }
 }
 
-/// The linear damping that stands for head loss under random loads: the velocity that it lets the liquid have is the one that it
-/// was taken from.
+/// The linear damping that is equivalent to head loss under random loads: the velocity of the liquid with this damping is the one from which the
+/// damping follows.
 ///
 /// ```text
 /// ζ = ξ σ_ẇ / (√(2π) L ω_d)
 /// ```
 ///
 /// # Errors
-/// [`DamperError`] if the column or a load cannot be, or no damping agrees with itself in 200 rounds.
+/// [`DamperError`] if the column or a load is out of its range, or 200 iterations do not converge.
 ///
 /// # Limits
-/// The liquid's velocity is taken as Gaussian. Beside 126 000 s of the nonlinear column under white noise the structure's standard
-/// deviation is 1.4 % lower and the liquid's 3.9 % higher than with the stand-in (ζ = .12, μ = .02).
+/// The liquid's velocity is taken as Gaussian. In 126 000 s of the nonlinear column under white noise the structure's standard deviation is 1.4
+/// % lower, and the liquid's 3.9 % higher, than with the equivalent damping (ζ = 0.12, μ = 0.02).
 ///
 /// # Source
 /// Statistical linearisation after Caughey (1963); for liquid columns Yalla & Kareem (2000) J. Struct. Eng. 126(8):906-915.
@@ -131,7 +131,7 @@ pub fn equivalent_column(
                 rounds: round,
             });
         }
-        damping_ratio = (next * damping_ratio).sqrt(); // σ falls as ζ rises: the mean of both converges
+        damping_ratio = (next * damping_ratio).sqrt(); // σ falls as ζ rises: the geometric mean of both converges
     }
     Err(DamperError::NoOptimum {
         what: "the damping that stands for head loss",
@@ -139,25 +139,25 @@ pub fn equivalent_column(
     })
 }
 
-/// A force on the structure in time, and how finely it is followed.
+/// A force on the structure in time, and the step of its integration.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ColumnRun {
-    /// What the force acts on, one value a degree of freedom of the structure.
+    /// Row on which the force acts, one value for each degree of freedom of the structure.
     pub force_row: Vec<f64>,
-    /// Force at equal steps, N; straight lines between.
+    /// Force at equal steps, N; linear between them.
     pub force_n: Vec<f64>,
     /// Time between them, s.
     pub time_step_s: f64,
-    /// Steps of the integration in each; default 1.
+    /// Steps of the integration in each interval; default 1.
     pub substeps: usize,
     /// Rise of the liquid at the start, m.
     pub start_m: f64,
 }
 
-/// How a structure and a column with head loss moved, at each sample of the force.
+/// Motion of a structure and a column with head loss at each sample of the force.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ColumnHistory {
-    /// The structure's displacements at each sample, one value a degree of freedom.
+    /// The structure's displacements at each sample, one value for each degree of freedom.
     pub displacement: Vec<Vec<f64>>,
     /// Rise of the liquid at each sample, m.
     pub liquid_m: Vec<f64>,
@@ -165,14 +165,14 @@ pub struct ColumnHistory {
     pub liquid_velocity_m_s: Vec<f64>,
 }
 
-/// The motion of a structure with a liquid column under a force, with its head loss as it is.
+/// The motion of a structure with a liquid column under a force, with nonlinear head loss.
 ///
 /// # Errors
-/// [`DamperError`] if the column or the force cannot be, or steps are too long for the fastest mode.
+/// [`DamperError`] if the column or the force is out of its range, or steps are too long for the fastest mode.
 ///
 /// # Limits
-/// Runge and Kutta's rule of fourth order: steps at most 1.5 over the fastest natural frequency, refused beyond. 0.05 over it
-/// gives turns of a free column to 1e-8.
+/// Runge and Kutta's rule of fourth order. Steps longer than 1.5 over the fastest natural frequency are refused; steps of 0.05 over it give
+/// turning points of a free column to 1e-8.
 pub fn simulate_column(
     structure: &LinearSystem,
     column: &HeadLossColumn,

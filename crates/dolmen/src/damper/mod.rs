@@ -1,4 +1,4 @@
-//! What can calm a structure: tuned masses and liquid columns, their tuning and their place.
+//! Dampers of structures: tuned masses and liquid columns, their tuning and their place.
 
 mod assembled;
 mod attached;

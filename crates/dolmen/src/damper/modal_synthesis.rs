@@ -1,11 +1,10 @@
-//! A structure in its modes with dampers tied to it, frequency by frequency: eqs 4 to 9 of Hwang, Min & Hong, with
-//! damping.
+//! The response of a structure with dampers in modal coordinates, frequency by frequency: eqs 4 to 9 of Hwang, Min & Hong, with damping.
 //!
 //! | symbol | code | meaning | shape |
 //! |:--|:--|:--|:--|
 //! | η | result of eq. 8 | modal coordinates | k |
 //! | Φ | `shapes` | modes of modal mass 1 | n × k |
-//! | D | rows of the dampers | what each damper rides on: z₀ = Dᵀ x | n × q |
+//! | D | rows of the dampers | z₀ = Dᵀ x, displacements of the places of the dampers | n × q |
 //! | K(ω) | `stiffness` | of the dampers, diagonal: λ = K z₀ | q |
 //! | G(ω) | `receptance` | (K̄ + iωC̄ − ω²M̄)⁻¹ | k × k |
 //! | Q | `modal_load` | load on the modes | k |
@@ -16,7 +15,7 @@ use crate::dynamics::{DynamicsError, LinearSystem, RandomInput};
 use crate::numeric::complex_solve;
 use dolmen_linalg::{Complex64, Matrix};
 
-/// A structure as its modes, ready to have dampers tied to it.
+/// A structure in modal coordinates, ready for dampers to be attached.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ModalSynthesis {
     omega_rad_s: Vec<f64>,
@@ -27,7 +26,7 @@ pub struct ModalSynthesis {
     fixed: Vec<Tied>,
 }
 
-/// A damper that stays as it is, in the modes.
+/// A fixed damper, in modal coordinates.
 #[derive(Clone, Debug, PartialEq)]
 struct Tied {
     kind: DamperKind,
@@ -35,11 +34,11 @@ struct Tied {
     modal: Vec<f64>,
 }
 
-/// Off-diagonal modal damping that is rounding, relative to the largest.
+/// Off-diagonal modal damping below this, relative to the largest, is rounding.
 const CLASSICAL: f64 = 1e-12;
 
 impl ModalSynthesis {
-    /// The first `modes` modes of a structure; with all of them nothing is left out.
+    /// The first `modes` modes of a structure; with all of them the result is exact.
     ///
     /// # Errors
     /// [`DamperError::Dynamics`] if the modes cannot be computed; [`DamperError::Argument`] for a number of modes that
@@ -69,10 +68,10 @@ impl ModalSynthesis {
         })
     }
 
-    /// The same with dampers that stay as they are and count as part of the structure.
+    /// The same with fixed dampers, which count as part of the structure.
     ///
     /// # Errors
-    /// [`DamperError::Row`] for a row of another length, [`DamperError::Argument`] for a damper that cannot be.
+    /// [`DamperError::Row`] for a row of another length, [`DamperError::Argument`] for a damper out of its range.
     pub fn with_fixed(mut self, dampers: &[AttachedDamper]) -> Result<Self, DamperError> {
         for (i, damper) in dampers.iter().enumerate() {
             check_row(i + 1, &damper.row, self.degrees_of_freedom())?;
@@ -91,19 +90,19 @@ impl ModalSynthesis {
         self.shapes.rows()
     }
 
-    /// Whether damping leaves the modes apart.
+    /// Whether the damping leaves the modes uncoupled.
     pub(super) fn is_classical(&self) -> bool {
         self.classical
     }
 
-    /// A row over the structure in its modes: Φᵀ a.
+    /// A row over the structure in modal coordinates: Φᵀ a.
     pub(super) fn in_modes(&self, row: &[f64]) -> Vec<f64> {
         (0..self.shapes.columns())
             .map(|k| self.shapes.column(k).iter().zip(row).map(|(p, a)| p * a).sum())
             .collect()
     }
 
-    /// Q of a unit of a load: Φᵀ f, or −Φᵀ M e.
+    /// Q of a load of 1: Φᵀ f, or −Φᵀ M e.
     pub(super) fn modal_load(&self, input: &RandomInput) -> Vec<f64> {
         match input {
             RandomInput::Force(force) => self.in_modes(force),
@@ -111,13 +110,13 @@ impl ModalSynthesis {
         }
     }
 
-    /// G(ω) times a real load on the modes, with the dampers that stay.
+    /// G(ω) times a real load on the modes, with the fixed dampers.
     pub(super) fn receptance(&self, w: f64, load: &[f64]) -> Result<Vec<Complex64>, DamperError> {
         let free = self.bare_receptance(w, load)?;
         self.with_forces(w, free, |_| 0.0)
     }
 
-    /// Motion of the modes under a unit of a load, with the dampers that stay.
+    /// Motion of the modes under a load of 1, with the fixed dampers.
     pub(super) fn loaded(&self, w: f64, input: &RandomInput) -> Result<Vec<Complex64>, DamperError> {
         let free = self.bare_receptance(w, &self.modal_load(input))?;
         self.with_forces(w, free, |tied| match input {
@@ -126,7 +125,7 @@ impl ModalSynthesis {
         })
     }
 
-    /// What the forces of the dampers that stay add: λ_i − K_i Σ_j g_ij λ_j = K_i z_i − m_a,i e_i.
+    /// Adds the forces of the fixed dampers: λ_i − K_i Σ_j g_ij λ_j = K_i z_i − m_a,i e_i.
     fn with_forces(
         &self,
         w: f64,
@@ -195,15 +194,15 @@ impl ModalSynthesis {
         }
     }
 
-    /// z_g of eq. 9: the motion of each of `rows` per unit of a load at one frequency, with the dampers.
+    /// z_g of eq. 9: the motion of each of `rows` per load of 1 at one frequency, with the dampers.
     ///
     /// ```text
     /// z₀ = [I − DᵀΦGΦᵀD K]⁻¹ (DᵀΦG Q − …)      eq. 7
     /// η  = G ΦᵀD λ + G Q,  λ = K z₀ − m_a e      eq. 8
     /// z_g = D_gᵀΦ η                              eq. 9
     /// ```
-    /// Under a base acceleration a damper feels that of its place and of the base, e of its row: −m_a e with the apparent
-    /// mass m_a = K/ω².
+    /// Under a base acceleration the acceleration at a damper is that of its place plus that of the base, e for its row: −m_a e with the
+    /// apparent mass m_a = K/ω².
     ///
     /// # Errors
     /// [`DamperError::Row`] for a row of another length; [`DamperError::Dynamics`] at an undamped resonance.

@@ -1,12 +1,12 @@
-//! A structure, its random loads and the points to be calmed, so prepared that any mass dampers on its floors can be judged
-//! in microseconds, whatever the number of its degrees of freedom.
+//! Prepares a structure, its random loads and points at a set of frequencies, so that the effect of any mass dampers on its floors can be
+//! computed in microseconds, whatever the number of degrees of freedom.
 //!
 //! | symbol | code | meaning | shape |
 //! |:--|:--|:--|:--|
 //! | ω, w | `omega`, `weight` | nodes of an integral over frequency | nodes |
 //! | G_cc | `own` | receptances among u, v, θ of the floors with dampers | c × c |
-//! | G_pc | `to_point` | from there to the points | p × c |
-//! | a_cl | `felt` | −(absolute acceleration) there, per load: ω² G_cl − e_c | c × l |
+//! | G_pc | `to_point` | receptances from the floors to the points | p × c |
+//! | a_cl | `felt` | −(absolute acceleration) of the floors, per load: ω² G_cl − e_c | c × l |
 //! | G_pl | `free` | motion of the points without dampers, per load | p × l |
 
 use super::gust_rms::{are_gusts, gust_factor, gust_rms, in_parts};
@@ -18,30 +18,30 @@ use crate::numeric::adaptive_nodes;
 use dolmen_linalg::Complex64;
 use std::f64::consts::{PI, TAU};
 
-/// What is to be calmed, and by dampers where.
+/// The problem: the points whose motion is to be reduced, and the floors that may carry dampers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DamperProblem {
     /// The structure without dampers.
     pub structure: LinearSystem,
     /// Random loads on it, independent of each other.
     pub loads: Vec<RandomLoad>,
-    /// Displacements to be calmed, one row each over the structure.
+    /// Displacements to be reduced, one row each over the structure.
     pub points: Vec<Vec<f64>>,
     /// Floors that may carry dampers.
     pub sites: Vec<DamperSite>,
-    /// Dampers that stay as they are: they count as part of the structure.
+    /// Fixed dampers, which count as part of the structure.
     pub fixed: Vec<AttachedDamper>,
 }
 
-/// How finely frequencies are taken.
+/// How finely frequencies are chosen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlanOptions {
-    /// Of variances, without dampers and with those expected; default 1e-4 (our choice), by an estimate that errs on the safe side:
-    /// standard deviations then come out to 1e-5 for any damping above the lightest and frequencies within 30 % of those expected, most
-    /// of them to 1e-9.
+    /// Tolerance of the variances without dampers and with those expected, by a conservative error estimate; default 1e-4 (our choice). Standard
+    /// deviations are then accurate to 1e-5 for any damping above the lightest and frequencies within 30 % of those expected, most of them to
+    /// 1e-9.
     pub relative_tolerance: f64,
-    /// Lightest damping ratio that a damper may have; default 0.01 (our choice: no spring has less for long). Lighter ones need
-    /// finer frequencies.
+    /// Lightest damping ratio that a damper may have; default 0.01 (our choice: no spring keeps less for long). Lighter dampers need more
+    /// frequencies.
     pub damping_least: f64,
 }
 
@@ -54,7 +54,7 @@ impl Default for PlanOptions {
     }
 }
 
-/// The problem prepared.
+/// The prepared problem.
 #[derive(Clone, Debug)]
 pub struct Plan {
     problem: DamperProblem,
@@ -67,7 +67,7 @@ pub struct Plan {
     tuning_range_hz: [f64; 2],
 }
 
-/// Receptances at one frequency, each list row by row.
+/// Receptances at one frequency, each matrix row by row.
 #[derive(Clone, Debug)]
 pub(super) struct Table {
     pub(super) omega: f64,
@@ -80,11 +80,11 @@ pub(super) struct Table {
 }
 
 impl Plan {
-    /// Prepares a problem. `expected` are dampers like those to be judged: frequencies are chosen so that variances with
-    /// them, and with lighter damping, come out to the tolerance.
+    /// Prepares a problem. `expected` are dampers similar to those that will be judged: frequencies are chosen so that variances with them, and
+    /// with lighter damping, meet the tolerance.
     ///
     /// # Errors
-    /// [`DamperError`] if a row, a site or a load does not fit the structure, or the tolerance takes too many frequencies.
+    /// [`DamperError`] if a row, a site or a load does not fit the structure, or the tolerance needs too many frequencies.
     pub fn new(
         problem: DamperProblem,
         expected: &[PlacedDamper],
@@ -123,12 +123,12 @@ impl Plan {
         Ok(plan)
     }
 
-    /// The problem as it was given.
+    /// The problem as given.
     pub fn problem(&self) -> &DamperProblem {
         &self.problem
     }
 
-    /// Standard deviations of the points without the dampers that are looked for; those that stay are there.
+    /// Standard deviations of the points without the dampers to be designed, but with fixed ones.
     pub fn without(&self) -> &[f64] {
         &self.without
     }
@@ -138,19 +138,19 @@ impl Plan {
         self.damping_least
     }
 
-    /// Frequencies that a damper may be tuned to, Hz: from half the lowest to 1.5 times the highest mode that has a hundredth of some
-    /// point's variance.
+    /// Range of the frequencies of dampers, Hz: from half the lowest to 1.5 times the highest mode that has at least a hundredth of some point's
+    /// variance.
     pub fn tuning_range_hz(&self) -> [f64; 2] {
         self.tuning_range_hz
     }
 
-    /// Frequencies that integrals are taken over.
+    /// Number of frequencies of the integrals.
     pub fn frequencies(&self) -> usize {
         self.nodes.len()
     }
 
-    /// Modal mass of a mode, numbered from 0, its shape scaled to 1 at a place along a direction, kg; of modes of one frequency the least of
-    /// all their shapes, 1/Σ b².
+    /// Modal mass of a mode, numbered from 0, its shape scaled to 1 at a place along a direction, kg. For modes that share one frequency, the
+    /// smallest over all their shapes, 1/Σ b².
     ///
     /// # Errors
     /// [`DamperError::ModeStill`] if the mode does not move there that way.
@@ -166,7 +166,7 @@ impl Plan {
             .attached(&self.problem.sites, self.problem.structure.degrees_of_freedom())?
             .row;
         let shape = self.shapes.column(mode);
-        // of modes of one frequency all move, in the proportion that moves the place most
+        // of modes that share one frequency all move, in the proportion that moves the place most
         let near = |j: &usize| (self.omega_rad_s[*j] / self.omega_rad_s[mode] - 1.0).abs() < ONE_FREQUENCY;
         let together = (0..self.omega_rad_s.len()).filter(near);
         let moves = together
@@ -179,7 +179,7 @@ impl Plan {
             .fold(0.0, f64::hypot);
         let site = &self.problem.sites[damper.site];
         let local: Vec<f64> = shape[site.first_degree_of_freedom..][..3].to_vec();
-        // the floor's largest motion of a corner, which a still place is small beside
+        // the floor's largest motion at a corner, beside which the motion of a still place is small
         let corners = site.corners_m.iter().flat_map(|corner| {
             [0.0, 90.0].map(|degrees| {
                 let a = site.coefficients(*corner, degrees);
@@ -213,7 +213,7 @@ impl Plan {
     /// frequency where a load is a table.
     ///
     /// # Errors
-    /// [`DamperError`] if a damper cannot be.
+    /// [`DamperError`] if a damper is out of its range.
     pub fn exact(&self, dampers: &[PlacedDamper]) -> Result<Judged, DamperError> {
         let structure = &self.problem.structure;
         let n = structure.degrees_of_freedom();
@@ -230,7 +230,7 @@ impl Plan {
     /// Standard deviations of the points and strokes of the dampers, from the prepared frequencies.
     ///
     /// # Errors
-    /// [`DamperError`] if a damper cannot be.
+    /// [`DamperError`] if a damper is out of its range.
     pub fn judge(&self, dampers: &[PlacedDamper]) -> Result<Judged, DamperError> {
         let n = self.problem.structure.degrees_of_freedom();
         for damper in dampers {
@@ -312,7 +312,7 @@ impl Plan {
         })
     }
 
-    /// Whether each mode has more than this part of some point's variance: the integral must look for its peak.
+    /// Whether each mode has more than this fraction of some point's variance, so that the integral must resolve its peak.
     fn modes_seen(&self, part: f64) -> Result<Vec<bool>, DamperError> {
         let damping = self.problem.structure.modes()?.damping;
         let mut seen = vec![false; self.omega_rad_s.len()];
@@ -354,7 +354,7 @@ impl Plan {
         let points = self.problem.points.len();
         let mut trials: Vec<Vec<PlacedDamper>> = vec![Vec::new()];
         for damper in expected {
-            // it may be far out of tune, and is to be tuned to any of these
+            // the damper may be far out of tune, and may be tuned to any of these frequencies
             for &frequency_hz in &excited {
                 trials.push(vec![PlacedDamper {
                     frequency_hz,
@@ -435,15 +435,15 @@ impl Plan {
     }
 }
 
-/// A mode with less than this part of the tolerance in every variance is left to the other frequencies. Our choice.
+/// The integral does not resolve the peak of a mode with less than this fraction of the tolerance in every variance. Our choice.
 const SEEN: f64 = 1e-3;
-/// A mode with this part of some point's variance is one that a damper may be for, and frequencies from this part of the lowest of them to
-/// this multiple of the highest are looked at. Our choice.
+/// A damper may be meant for any mode with this fraction of some point's variance. Frequencies are considered from `RANGE[0]` times the lowest
+/// of these modes to `RANGE[1]` times the highest. Our choice.
 const EXCITED: f64 = 0.01;
 const RANGE: [f64; 2] = [0.5, 1.5];
-/// Modes whose frequencies are this near, relatively, are one: any of their shapes is one choice of many.
+/// Modes whose frequencies are this close, relatively, count as one frequency: their shapes are then one choice of many.
 const ONE_FREQUENCY: f64 = 1e-6;
-/// A place that moves less than this, of the floor's largest motion, is taken as still.
+/// A place that moves less than this fraction of the floor's largest motion counts as still.
 const STILL: f64 = 1e-6;
 
 fn extent(site: &DamperSite) -> f64 {
@@ -451,19 +451,19 @@ fn extent(site: &DamperSite) -> f64 {
     (x[1] - x[0]).max(y[1] - y[0])
 }
 
-/// What dampers do.
+/// The effect of dampers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Judged {
     /// Standard deviation of each point's displacement.
     pub point_rms: Vec<f64>,
-    /// Standard deviation of each damper's own motion, that of its mass from its place, m.
+    /// Standard deviation of each damper's stroke, the displacement of its mass relative to its place, m.
     pub stroke_rms_m: Vec<f64>,
 }
 
-/// What any dampers do to a structure, by assembled matrices.
+/// The effect of any dampers on a structure, by assembled matrices.
 ///
 /// # Errors
-/// [`DamperError`] if a damper or a load cannot be.
+/// [`DamperError`] if a damper or a load is out of its range.
 pub fn judge(
     structure: &LinearSystem,
     loads: &[RandomLoad],

@@ -1,4 +1,4 @@
-//! What a damper does at each place of its floor.
+//! The effect of a damper at each place of its floor.
 
 use super::single_damper::{DAMPING_MOST, SingleDamper, SingleDamperSearch};
 use super::{ColumnAsMass, DamperError, Goal, PlacedDamper, Plan, TuningRule};
@@ -10,8 +10,8 @@ use rayon::prelude::*;
 pub enum MapTuning {
     /// As given, everywhere.
     Kept,
-    /// By a closed form to a mode (numbered from 0) with the mass ratio that it has at each place; the mode's own damping ratio
-    /// for the forms that know of it.
+    /// By a closed form, to a mode (numbered from 0) with the mass ratio at each place, and the mode's own damping ratio for the forms that use
+    /// it.
     Rule {
         /// The closed form.
         rule: TuningRule,
@@ -20,11 +20,11 @@ pub enum MapTuning {
         /// Its damping ratio.
         structure_damping_ratio: f64,
     },
-    /// The best of each place.
+    /// The optimum at each place.
     Best,
 }
 
-/// Which places are looked at.
+/// The places of a map.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PositionMapOptions {
     /// Along x and y, m.
@@ -33,9 +33,9 @@ pub struct PositionMapOptions {
     pub y_m: Vec<f64>,
     /// How the damper is tuned at each.
     pub tuning: MapTuning,
-    /// What the best is; [`Goal::LargestRms`] or [`Goal::MeanSquare`].
+    /// The quantity to minimise; [`Goal::LargestRms`] or [`Goal::MeanSquare`].
     pub goal: Goal,
-    /// Importance of each point, multiplied with its motion; 1 each where empty.
+    /// Weight of each point, multiplied with its motion; empty means 1 each.
     pub weights: Vec<f64>,
 }
 
@@ -46,25 +46,25 @@ pub struct MapCell {
     pub damper: PlacedDamper,
     /// Standard deviation of each point.
     pub point_rms: Vec<f64>,
-    /// What the goal is there, weighted.
+    /// Value of the goal there, weighted.
     pub cost: f64,
-    /// Whether its tuning was searched and ended at a limit: of frequency, of lightest or of heaviest damping. There may be better beyond.
+    /// Whether the search ended at a limit of frequency or damping. A better tuning may lie beyond.
     pub at_limit: bool,
 }
 
-/// All places: rows of equal y, from the least.
+/// All places: rows of equal y, from the smallest.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PositionMap {
     /// x of the columns, m.
     pub x_m: Vec<f64>,
     /// y of the rows, m.
     pub y_m: Vec<f64>,
-    /// x fastest; none outside the floor, or where a mode to be tuned to does not move.
+    /// x varies fastest; none outside the floor, or where the mode to be tuned to does not move.
     pub cells: Vec<Option<MapCell>>,
 }
 
 impl PositionMap {
-    /// The place with the least cost.
+    /// The place with the smallest cost.
     pub fn best(&self) -> Option<&MapCell> {
         let cells = self.cells.iter().flatten();
         cells.reduce(|best, cell| if cell.cost < best.cost { cell } else { best })
@@ -72,7 +72,7 @@ impl PositionMap {
 }
 
 impl PositionMapOptions {
-    /// `columns` × `rows` places, the middles of equal parts of the box around a site.
+    /// Places at the middles of `columns` × `rows` equal parts of the box around a site.
     pub fn over_site(plan: &Plan, site: usize, columns: usize, rows: usize) -> Option<Self> {
         let extent = plan.problem().sites.get(site)?.extent_m();
         let middles = |[low, high]: [f64; 2], count: usize| -> Vec<f64> {
@@ -90,35 +90,36 @@ impl PositionMapOptions {
     }
 }
 
-/// Steps of one search: a neighbour's tuning is near.
+/// Largest number of steps of one search: a neighbour's tuning is a close start.
 const ITERATIONS_MOST: usize = 60;
-/// Steps in ln f and ln ζ that end it: the cost is then known far better.
+/// Steps in ln f and ln ζ at which a search ends: the cost is then known far more accurately.
 const STEP_LEAST: f64 = 1e-5;
-/// A neighbour's tuning that serves this much better, relatively, leads into another valley.
+/// A neighbour's tuning that is better by this fraction belongs to another local minimum.
 const BETTER: f64 = 1e-5;
-/// Places along each side at which all valleys are looked for.
+/// Number of places along each side at which all local minima are searched.
 const COARSE: usize = 8;
-/// Damping ratios that are looked at there, with frequencies evenly in ln f between the limits.
+/// Damping ratios of the grid searched there; frequencies lie evenly in ln f between the limits.
 const GRID_DAMPING: [f64; 6] = [0.011, 0.035, 0.08, 0.16, 0.35, 1.0];
-/// ln of the step of frequencies: a twentieth, less than the width of a valley.
+/// Spacing of the frequencies in ln f: a twentieth, less than the width of a local minimum.
 const GRID_STEP: f64 = 0.06;
-/// Valleys that are followed down from one place, the lowest of the grid.
+/// Number of local minima followed down from one place, the lowest of the grid.
 const VALLEYS_MOST: usize = 5;
-/// A second valley of the neighbourhood is followed down if its tuning serves here within this factor of where the first led.
+/// A second local minimum of the neighbourhood is followed down if its cost here is within this factor of the first result.
 const PROMISING: f64 = 1.01;
-/// Searches begin this far within the limits, in ln f: a start at a limit would see nothing change.
+/// Searches begin this far within the limits, in ln f: at a limit the cost would not change.
 const WITHIN: f64 = 0.02;
-/// Rounds in which valleys spread.
+/// Number of rounds in which local minima spread to neighbours.
 const SWEEPS_MOST: usize = 4;
 
-/// What a damper does at each place, retuned there as the options say.
+/// The effect of a damper at each place, retuned there as the options ask.
 ///
 /// # Errors
-/// [`DamperError`] if the damper cannot be, or the goal is a peak, which is not mapped.
+/// [`DamperError`] if the damper is out of its range, or the goal is a peak, for which no map is made.
 ///
 /// # Limits
-/// The best tuning within [`Plan::tuning_range_hz`]. At 8 × 8 places a grid of frequencies 6 % apart and 6 damping ratios is looked at and its lowest valleys are followed down; every other place follows those of the nearest of these and of the place before, and again
-/// that of a neighbour which serves better. Tunings are found to 1e-4.
+/// Finds the best tuning within [`Plan::tuning_range_hz`]. At 8 × 8 places it evaluates a grid of frequencies 6 % apart and 6 damping ratios,
+/// and follows its lowest local minima down. Every other place starts from the minima of the nearest of these and of the place before, and again
+/// from those of a neighbour whose tuning is better. Tunings are found to 1e-4.
 pub fn position_map(
     plan: &Plan,
     damper: &PlacedDamper,
@@ -153,7 +154,7 @@ pub fn position_map(
         MapTuning::Best => looked.coarse(),
         _ => Vec::new(),
     };
-    // each row for itself, so that it is the same on any number of threads
+    // each row by itself, so that the result is the same on any number of threads
     cells
         .par_chunks_mut(columns.max(1))
         .enumerate()
@@ -188,7 +189,7 @@ pub fn position_map(
     })
 }
 
-/// What a damper does at places in a row, retuned there from several starts; those outside the floor are left out.
+/// The effect of a damper at places in a row, retuned there from several starts; places outside the floor are left out.
 pub(super) fn along_line(
     plan: &Plan,
     damper: &PlacedDamper,
@@ -211,7 +212,7 @@ pub(super) fn along_line(
     each.collect()
 }
 
-/// What every place has in common.
+/// Data shared by all places.
 struct Looked<'a> {
     plan: &'a Plan,
     given: PlacedDamper,
@@ -219,7 +220,7 @@ struct Looked<'a> {
     weights: Vec<f64>,
 }
 
-/// Where a search ended, for the next one: ln f, ln ζ and the curvature there.
+/// End of a search, as start of the next: ln f, ln ζ and the curvature there.
 struct Before {
     x: Vec<f64>,
     curvature: Option<Vec<Vec<f64>>>,
@@ -235,7 +236,7 @@ impl Before {
 }
 
 impl Looked<'_> {
-    /// Frequencies that are looked at, Hz: those of the plan, and around that given where none is excited.
+    /// Frequencies of the grid, Hz: those of the plan, and around the given one where no mode is excited.
     fn range_hz(&self) -> [f64; 2] {
         match self.plan.tuning_range_hz() {
             [low, high] if low > 0.0 && high.is_finite() => [low, high],
@@ -247,7 +248,7 @@ impl Looked<'_> {
         self.options.goal == Goal::MeanSquare
     }
 
-    /// Tunings of a few places far apart, all valleys that there are.
+    /// Tunings at a few places far apart, with all local minima.
     fn coarse(&self) -> Vec<([f64; 2], Vec<PlacedDamper>)> {
         let few = |all: &[f64]| -> Vec<f64> {
             let step = all.len().div_ceil(COARSE).max(1);
@@ -270,7 +271,7 @@ impl Looked<'_> {
         each.collect()
     }
 
-    /// The damper tuned to a place, the best of all valleys of a grid.
+    /// The damper with the best tuning at a place, from all local minima of a grid.
     fn best_of_several(&self, single: &SingleDamper, place_m: [f64; 2]) -> Option<MapCell> {
         if self.options.tuning != MapTuning::Best {
             return self.tuned(single, place_m, &mut None);
@@ -279,7 +280,7 @@ impl Looked<'_> {
         valleys.reduce(|best, next| if next.cost < best.cost { next } else { best })
     }
 
-    /// Where the valleys of a place lead: the lowest of a grid of frequency and damping, each followed down.
+    /// Local minima at a place: the lowest points of a grid of frequency and damping, each followed down.
     fn valleys(&self, single: &SingleDamper, place_m: [f64; 2]) -> Vec<MapCell> {
         let [low, high] = self.range_hz().map(f64::ln);
         let frequencies = ((high - low) / GRID_STEP).ceil() as usize + 1;
@@ -320,7 +321,7 @@ impl Looked<'_> {
         self.cell(single, *damper).cost
     }
 
-    /// The damper tuned to a place from the tunings of others, those that promise most.
+    /// The damper tuned at a place, starting from the most promising tunings of other places.
     fn followed(
         &self,
         single: &SingleDamper,
@@ -358,7 +359,7 @@ impl Looked<'_> {
         best
     }
 
-    /// The damper tuned to a place.
+    /// The damper tuned at a place.
     fn tuned(
         &self,
         single: &SingleDamper,
@@ -435,7 +436,7 @@ impl Looked<'_> {
         }
     }
 
-    /// Searches again where a neighbour's tuning serves better than the own: one that led into another valley.
+    /// Searches again where a neighbour's tuning gives a lower cost: the first search had ended in another local minimum.
     fn spread(&self, cells: &mut [Option<MapCell>]) {
         let (columns, rows) = (self.options.x_m.len(), self.options.y_m.len());
         for _ in 0..SWEEPS_MOST {

@@ -1,11 +1,11 @@
-//! What becomes of a design when its dampers are not tuned as designed.
+//! The effect of a design whose dampers are detuned.
 
 use super::{DamperError, Goal, PlacedDamper, Plan, goal_cost};
 
-/// What is off.
+/// The detuned quantity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Detuned {
-    /// The dampers' frequencies (springs, or the structure's own stiffness the other way).
+    /// The dampers' frequencies (by their springs, or inversely by the structure's stiffness).
     Frequency,
     /// Their damping ratios.
     Damping,
@@ -14,9 +14,9 @@ pub enum Detuned {
 /// One point of a robustness curve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RobustnessPoint {
-    /// Factor of the quantity, 1 as designed.
+    /// Factor on the quantity; 1 as designed.
     pub factor: f64,
-    /// The goal.
+    /// Value of the goal.
     pub cost: f64,
     /// Standard deviation of each point.
     pub point_rms: Vec<f64>,
@@ -24,10 +24,10 @@ pub struct RobustnessPoint {
     pub stroke_rms_m: Vec<f64>,
 }
 
-/// The goal, the points and the strokes with every damper's frequency or damping times each factor.
+/// The goal, the points and the strokes with the frequency or damping of every damper multiplied by each factor.
 ///
 /// # Errors
-/// [`DamperError`] if a damper cannot be, or a factor is not positive.
+/// [`DamperError`] if a damper is out of its range, or a factor is not positive.
 pub fn robustness(
     plan: &Plan,
     dampers: &[PlacedDamper],

@@ -1,12 +1,12 @@
-//! One mass damper at one place, judged for any tuning in one pass over the prepared frequencies, with derivatives.
+//! The effect of one mass damper at one place, for any tuning, in one pass over the prepared frequencies, with derivatives.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
 //! | N | `link` | ω_d² + 2iζω_d ω, spring and dashpot over the mass |
-//! | N′ | `above`, `link` | N − (1 − α²) ω²: of a liquid column the part 1 − α² of its mass rides along; α = 1 for a mass on a spring |
-//! | T | `force` | m N′ / (N − ω² − ω² m N′ g): force on the structure per felt acceleration, with what it moves of itself |
+//! | N′ | `above`, `link` | N − (1 − α²) ω²: the part 1 − α² of the mass of a liquid column moves with its place; α = 1 for a mass on a spring |
+//! | T | `force` | m N′ / (N − ω² − ω² m N′ g): force on the structure per acceleration of the place without the damper |
 //! | g | `own` | receptance of the place along the damper |
-//! | q | `through` | motion of a point per T: receptance from place to point times what the place feels |
+//! | q | `through` | motion of a point per T: receptance from place to point times acceleration of the place |
 
 use super::{PlacedDamper, Plan};
 use crate::numeric::{Piece, Worst};
@@ -14,11 +14,11 @@ use dolmen_linalg::Complex64;
 use pulp::Arch;
 use std::f64::consts::TAU;
 
-/// Frequencies worked on at once.
+/// Number of frequencies computed together.
 const LANES: usize = 4;
 type Lane = [f64; LANES];
 
-/// A place on a plan, and the mass there.
+/// A place in plan, and the mass of the damper.
 pub(super) struct SingleDamper {
     mass_kg: f64,
     length_ratio: f64,
@@ -26,13 +26,13 @@ pub(super) struct SingleDamper {
     loads: usize,
     omega: Vec<Lane>,
     own: [Vec<Lane>; 2],
-    /// By load: densities; by point and load: q and the motion without the damper, real and imaginary.
+    /// For each load: densities; for each point and load: q and the motion without the damper, real and imaginary parts.
     densities: Vec<Vec<Lane>>,
     through: Vec<[Vec<Lane>; 2]>,
     free: Vec<[Vec<Lane>; 2]>,
 }
 
-/// ln of each point's standard deviation and its derivatives with ln f and ln ζ.
+/// ln of each point's standard deviation, and its derivatives with respect to ln f and ln ζ.
 pub(super) struct SingleDamperValue {
     pub(super) ln_rms: f64,
     pub(super) slope: [f64; 2],
@@ -84,7 +84,7 @@ impl SingleDamper {
     pub(super) fn judge(&self, frequency_hz: f64, damping_ratio: f64) -> Vec<SingleDamperValue> {
         let own = TAU * frequency_hz;
         let (spring, dashpot) = (own * own, 2.0 * damping_ratio * own);
-        // in the widest vectors of the machine; the same operations, and so the same bits, on any
+        // in the widest vectors of the machine; the operations, and so the bits, are the same on any
         let sums = Arch::new().dispatch(
             #[inline(always)]
             || self.sums(spring, dashpot),
@@ -107,7 +107,7 @@ impl SingleDamper {
             .collect()
     }
 
-    /// What the damper does at each frequency.
+    /// The damper's force at each frequency.
     #[inline(always)]
     fn worked(&self, spring: f64, dashpot: f64) -> Vec<Worked> {
         let m = self.mass_kg;
@@ -141,7 +141,7 @@ impl SingleDamper {
         each.collect()
     }
 
-    /// Of each point and load the variance, and what makes its derivatives, in lanes.
+    /// For each point and load the variance and the terms of its derivatives, in lanes.
     #[inline(always)]
     fn sums(&self, spring: f64, dashpot: f64) -> Vec<[Lane; 3]> {
         let worked = self.worked(spring, dashpot);
@@ -176,7 +176,7 @@ impl SingleDamper {
     }
 }
 
-/// Force of the damper, its change with N, and the damping in its link, at some frequencies.
+/// Force of the damper, its derivative with respect to N, and the damping in its link, at some frequencies.
 #[derive(Clone, Copy, Default)]
 struct Worked {
     force: [Lane; 2],
@@ -184,7 +184,8 @@ struct Worked {
     damped: Lane,
 }
 
-/// The tuning of a damper at one place: ln f and ln ζ; the functions are ln of each point's standard deviation.
+/// The tuning of a damper at one place as an optimisation problem: the unknowns are ln f and ln ζ, the functions ln of each point's standard
+/// deviation.
 pub(super) struct SingleDamperSearch<'a> {
     pub(super) single: &'a SingleDamper,
     pub(super) weights: &'a [f64],
@@ -194,7 +195,7 @@ pub(super) struct SingleDamperSearch<'a> {
     last: Option<(Vec<f64>, Vec<Piece>)>,
 }
 
-/// Beyond this damping ratio nothing is a damper. Above 1 nothing swings any more; where a damper does harm the best one is such a brace.
+/// Upper limit of the damping ratio. Above 1 nothing oscillates; where a damper does harm, the best one is such a brace.
 pub(super) const DAMPING_MOST: f64 = 3.0;
 
 impl<'a> SingleDamperSearch<'a> {
@@ -226,7 +227,7 @@ impl<'a> SingleDamperSearch<'a> {
     fn look(&mut self, x: &[f64]) -> Option<&Vec<Piece>> {
         if self.last.as_ref().is_none_or(|(at, _)| at != x) {
             let tuning = self.within(x);
-            // beyond a limit nothing changes any more
+            // beyond a limit nothing changes
             let moves = [0, 1].map(|i| if tuning[i] == x[i].exp() { 1.0 } else { 0.0 });
             let values = self.single.judge(tuning[0], tuning[1]);
             let mut pieces: Vec<Piece> = values

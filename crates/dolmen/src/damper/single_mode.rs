@@ -1,13 +1,13 @@
-//! The best tuning of a mass damper to one mode that has damping of its own, found by search.
+//! The optimal tuning of a mass damper to one mode with its own damping, by search.
 //!
-//! The unknowns are ln f and ln ζ; what is made small is ln σ², or ln |H|² at its two peaks.
+//! The unknowns are ln f and ln ζ. The cost is ln σ², or ln |H|² at its two peaks.
 
 use super::tuning::check;
 use super::{DamperError, Tuning, TuningRule, rule_tuning};
 use crate::known::tuned_mass::{Acts, TunedMass, response, variance};
 use crate::numeric::{Minimax, Piece, Worst, by_differences, minimax};
 
-/// What the tuning keeps small: a response of the structure, under a load.
+/// The response that the tuning minimises, and its load.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Aim {
     /// Largest displacement under a harmonic force of any frequency (bells, machines).
@@ -51,7 +51,7 @@ impl Aim {
     }
 }
 
-/// One mode with a damper on it: dimensionless, mass and frequency of the mode 1.
+/// One mode with a damper on it, dimensionless: mass and frequency of the mode are 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SingleMode {
     /// μ, damper mass over modal mass, the mode shape scaled to 1 at the damper; in (0, 1].
@@ -99,24 +99,25 @@ impl SingleMode {
     }
 }
 
-/// The best tuning, and what shows that it is.
+/// The optimal tuning, and the evidence for it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OptimalTuning {
     /// Frequency and damping.
     pub tuning: Tuning,
-    /// The cost that was made small: σ² = (1/2π) ∫ |H|² dr, or the largest |H|.
+    /// The minimised cost: σ² = (1/2π) ∫ |H|² dr, or the largest |H|.
     pub cost: f64,
-    /// Steps of the search.
+    /// Number of steps of the search.
     pub iterations: usize,
-    /// The last step tried, in ln f and ln ζ: how well the optimum is known.
+    /// Length of the last step tried, in ln f and ln ζ: how accurately the optimum is known.
     pub last_step: f64,
 }
 
 const ITERATIONS_MOST: usize = 200;
-/// Of a search that ended where no step brings anything: an optimum is flat, so rounding of the cost leaves this.
+/// Length of the last step of a search that ended because no step improved the cost. An optimum is flat, so rounding of the cost allows this
+/// much.
 const LAST_STEP_MOST: f64 = 1e-5;
 
-/// Frequency and damping that serve `aim` best on a mode with damping of its own.
+/// Frequency and damping that minimise the response of `aim` for a mode with its own damping.
 ///
 /// # Errors
 /// [`DamperError`] if a ratio is out of range, or if the search ends without an optimum.
@@ -199,12 +200,12 @@ impl Worst for Search {
     }
 }
 
-/// The frequencies of all local maxima of |H|, ascending.
+/// The frequencies of all local maxima of |H|, in ascending order.
 fn peaks(of: TunedMass, acts: Acts) -> Vec<f64> {
-    // both peaks lie within the factor that parts two coupled oscillators, and that is less than this
+    // both peaks lie within the splitting factor of two coupled oscillators, which is less than this
     const LOW: f64 = 0.05;
     const HIGH: f64 = 5.0;
-    const SAMPLES: usize = 1200; // of ln r, .4 % apart
+    const SAMPLES: usize = 1200; // in ln r, 0.4 % apart
     let spread = of.frequency_ratio.max(1.0) * HIGH;
     let low = of.frequency_ratio.min(1.0) * LOW;
     let at = |i: usize| low * (spread / low).powf(i as f64 / SAMPLES as f64);

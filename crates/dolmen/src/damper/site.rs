@@ -1,16 +1,16 @@
-//! Where mass dampers may stand: the floors of a building in plan.
+//! Where mass dampers can stand: the floors of a building in plan.
 
 use super::{AttachedDamper, DamperError, DamperKind};
 use crate::structure::building::{nearest_on_floor, nearest_on_side};
 
-/// A rigid floor on which dampers may stand.
+/// A rigid floor that can carry dampers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DamperSite {
     /// The structure's degree of freedom that is u of the floor's reference point; v and θ follow it.
     pub first_degree_of_freedom: usize,
     /// Reference point in plan, m.
     pub reference_m: [f64; 2],
-    /// Corners of the floor, m, in order round it; dampers stand inside.
+    /// Corners of the floor in order, m; dampers stand inside.
     pub corners_m: Vec<[f64; 2]>,
 }
 
@@ -18,32 +18,32 @@ pub struct DamperSite {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct PlacedDamper {
-    /// Which site, from 0.
+    /// The site, from 0.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub site: usize,
     /// x and y in plan, m.
     pub place_m: [f64; 2],
-    /// Direction in which it moves, from x counter-clockwise, degrees.
+    /// Direction of its motion, counter-clockwise from x, degrees.
     pub direction_degrees: f64,
-    /// m, kg; of a liquid column all of the liquid.
+    /// Mass m, kg; for a liquid column of all the liquid.
     pub mass_kg: f64,
     /// Own frequency, Hz.
     pub frequency_hz: f64,
-    /// c / (2 m ω) on its own frequency.
+    /// Damping ratio c/(2 m ω) with its own ω.
     pub damping_ratio: f64,
-    /// α of a liquid column, horizontal over total length, in (0, 1); 1 of a mass on a spring, which is what a column of α = 1 is.
+    /// α of a liquid column, horizontal over total length, in (0, 1); 1 for a mass on a spring, which equals a column of α = 1.
     pub length_ratio: f64,
 }
 
 impl DamperSite {
-    /// cos α (u − (y − y_r) θ) + sin α (v + (x − x_r) θ): how much of u, v, θ a place moves along a direction.
+    /// cos α (u − (y − y_r) θ) + sin α (v + (x − x_r) θ): coefficients of u, v, θ in the motion of a place along a direction.
     pub fn coefficients(&self, place_m: [f64; 2], direction_degrees: f64) -> [f64; 3] {
         let [cos, sin] = unit(direction_degrees);
         let [x, y] = [0, 1].map(|i| place_m[i] - self.reference_m[i]);
         [cos, sin, sin * x - cos * y]
     }
 
-    /// Box around the floor: least and greatest x, least and greatest y, m.
+    /// Bounding box of the floor: smallest and largest x, smallest and largest y, m.
     pub fn extent_m(&self) -> [[f64; 2]; 2] {
         [0, 1].map(|axis| {
             let values = self.corners_m.iter().map(|corner| corner[axis]);
@@ -53,12 +53,12 @@ impl DamperSite {
         })
     }
 
-    /// The nearest point of the floor, and how far away it is, m; the point itself and 0 inside.
+    /// The nearest point of the floor and its distance, m; inside, the point itself and 0.
     pub fn nearest_m(&self, place_m: [f64; 2]) -> ([f64; 2], f64) {
         nearest_on_floor(&self.corners_m, place_m)
     }
 
-    /// How far the edge is, m, from within or without.
+    /// Distance to the edge, m, from inside or outside.
     pub(super) fn to_edge_m(&self, [x, y]: [f64; 2]) -> f64 {
         let sides = self.corners_m.iter().zip(self.corners_m.iter().cycle().skip(1));
         let each = sides.map(|(a, b)| {
@@ -102,10 +102,10 @@ fn unit(direction_degrees: f64) -> [f64; 2] {
 }
 
 impl PlacedDamper {
-    /// As a damper on a row of the whole structure.
+    /// The damper on a row of the whole structure.
     ///
     /// # Errors
-    /// [`DamperError::OutsideFloor`] if it stands beyond the edge of its floor; [`DamperError::Argument`] for a site that is not there.
+    /// [`DamperError::OutsideFloor`] if it stands beyond the edge of its floor; [`DamperError::Argument`] for a site that does not exist.
     pub fn attached(
         &self,
         sites: &[DamperSite],
@@ -135,7 +135,7 @@ impl PlacedDamper {
         })
     }
 
-    /// What it is.
+    /// Type and properties of the damper.
     pub fn kind(&self) -> DamperKind {
         if self.length_ratio == 1.0 {
             return DamperKind::TunedMass {

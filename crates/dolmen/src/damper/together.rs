@@ -1,7 +1,7 @@
-//! Several dampers at once, of any kind: what they do together, and their tunings found together where they stand.
+//! Several dampers of any kind together: their effect, and their tunings found together at fixed places.
 //!
-//! The unknowns are the logarithms of what of each damper is tuned: frequency and damping ratio of a mass or a column, both pairs of a
-//! liquid column mass, and where it is wished the coefficient of a dashpot.
+//! The unknowns are logarithms: frequency and damping ratio of a mass or a column, both pairs of a liquid column mass, and on request the
+//! coefficient of a dashpot.
 
 use super::damper_coupling::{Coupling, DamperRow};
 use super::damper_slopes::{MovedDampers, pieces_of};
@@ -9,17 +9,17 @@ use super::single_damper::DAMPING_MOST;
 use super::{AttachedDamper, DamperError, DamperKind, DesignEnd, Freedom, Goal, Judged, Plan, judge};
 use crate::numeric::{Minimax, Piece, Worst, minimax};
 
-/// How dampers are tuned together.
+/// Options of tuning dampers together.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TogetherOptions {
-    /// What is made small: [`Goal::LargestRms`] or [`Goal::MeanSquare`].
+    /// The quantity to minimise: [`Goal::LargestRms`] or [`Goal::MeanSquare`].
     pub goal: Goal,
-    /// Largest standard deviation of each damper's stroke, m; empty for none.
+    /// Upper bound on the standard deviation of each damper's stroke, m; empty means none.
     pub stroke_rms_most_m: Vec<f64>,
-    /// Whether the coefficients of dashpots are searched as well; default kept: more of a dashpot is better until it is a strut, so that
-    /// what one pays for decides.
+    /// Whether the coefficients of dashpots are searched as well; default kept. More of a dashpot is better until it acts as a strut, so cost
+    /// decides.
     pub coefficients: Freedom,
-    /// Steps of one search; default 60 (our choice).
+    /// Largest number of steps of one search; default 60 (our choice).
     pub iterations_most: usize,
 }
 
@@ -41,31 +41,31 @@ pub struct Together {
     pub dampers: Vec<AttachedDamper>,
     /// Standard deviations by assembled matrices.
     pub judged: Judged,
-    /// The goal.
+    /// Value of the goal.
     pub cost: f64,
     /// How the search ended.
     pub end: DesignEnd,
 }
 
-/// Frequencies within this factor of those given.
+/// A frequency must stay within this factor of the given one.
 const FREQUENCY_FACTOR_MOST: f64 = 2.0;
-/// A dashpot's coefficient within this factor of that given.
+/// A dashpot's coefficient must stay within this factor of the given one.
 const COEFFICIENT_FACTOR_MOST: f64 = 1e3;
-/// Frequencies of the second start: alternately this far below and above those given, so that dampers that are alike part.
+/// Frequencies of the second start: alternately this far below and above the given ones, so that equal dampers separate.
 const APART: f64 = 0.06;
-/// How steeply a stroke beyond its limit is paid for, in ln of the cost per ln of the stroke.
+/// Slope of the penalty on a stroke beyond its limit, in ln of the cost per ln of the stroke.
 const STROKE_PRICE: f64 = 50.0;
-/// Of a search that ended at an optimum.
+/// Step length of a search that ended at an optimum.
 const LAST_STEP_MOST: f64 = 1e-6;
 
-/// The tunings of all dampers that serve the goal best together, each where it stands.
+/// The tunings of all dampers that minimise the goal together, each at its place.
 ///
 /// # Errors
-/// [`DamperError`] if a damper cannot be, is tied to a floor that the plan does not list, or the goal is a peak.
+/// [`DamperError`] if a damper is out of its range, stands on a floor that the plan does not list, or the goal is a peak.
 ///
 /// # Limits
-/// A local optimum, the better of two: from the tunings given, and from these with the frequencies 6 % apart. Frequencies stay within a
-/// factor of 2 of those given, coefficients of dashpots of 1000.
+/// Finds a local optimum, the better of two searches: from the given tunings, and from these with the frequencies 6 % apart. Frequencies stay
+/// within a factor of 2 of the given ones, coefficients of dashpots within 1000.
 pub fn tune_together(
     plan: &Plan,
     start: &[AttachedDamper],
@@ -120,7 +120,7 @@ pub fn tune_together(
     })
 }
 
-/// What the goal is of standard deviations: the largest, or the root of the mean of their squares.
+/// The goal as a function of standard deviations: the largest, or the root mean square.
 pub fn cost_of(judged: &Judged, goal: Goal) -> f64 {
     let rms = &judged.point_rms;
     match goal {
@@ -133,7 +133,7 @@ impl Plan {
     /// Standard deviations of the points and strokes with dampers of any kind, by assembled matrices.
     ///
     /// # Errors
-    /// [`DamperError`] if a damper cannot be.
+    /// [`DamperError`] if a damper is out of its range.
     pub fn exact_attached(&self, dampers: &[AttachedDamper]) -> Result<Judged, DamperError> {
         let problem = self.problem();
         let all: Vec<AttachedDamper> = dampers.iter().chain(&problem.fixed).cloned().collect();
@@ -143,7 +143,7 @@ impl Plan {
     }
 }
 
-/// One number that is tuned: of which damper.
+/// One tuned quantity of one damper.
 #[derive(Clone, Copy)]
 enum Knob {
     Frequency(usize),
@@ -157,7 +157,7 @@ struct Search<'a> {
     plan: &'a Plan,
     start: &'a [AttachedDamper],
     damper_rows: Vec<DamperRow>,
-    /// They keep their places.
+    /// Places stay fixed.
     couplings: Vec<Coupling>,
     options: &'a TogetherOptions,
 }
@@ -191,7 +191,7 @@ impl Search<'_> {
         value(&mut kinds, knob).map_or(f64::NAN, |value| *value)
     }
 
-    /// ln of least and greatest.
+    /// ln of the smallest and largest value.
     fn limits(&self, knob: Knob) -> [f64; 2] {
         let given = self.given(knob);
         match knob {
@@ -247,7 +247,7 @@ impl Search<'_> {
         .collect()
     }
 
-    /// ln of each function whose largest is made small.
+    /// ln of each function whose maximum is minimised.
     fn values(&self, judged: &Judged) -> Option<Vec<f64>> {
         let mut values = match self.options.goal {
             Goal::MeanSquare => vec![cost_of(judged, Goal::MeanSquare).ln()],

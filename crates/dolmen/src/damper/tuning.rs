@@ -9,9 +9,9 @@
 
 use super::DamperError;
 
-/// Above this mass ratio 1 − μ/2 is no longer positive with a margin, and no real damper is that heavy.
+/// Largest mass ratio. Above it 1 − μ/2 is no longer safely positive, and no real damper is that heavy.
 pub(super) const MASS_RATIO_MOST: f64 = 1.0;
-/// Beyond this damping a mode hardly swings and no damper is tuned to it.
+/// Largest damping ratio of a mode. Beyond it the mode hardly oscillates, and no damper is tuned to it.
 pub(super) const STRUCTURE_DAMPING_MOST: f64 = 0.3;
 
 /// A tuned damper, relative to the mode it is tuned to. All dimensionless.
@@ -39,17 +39,17 @@ impl Tuning {
     }
 }
 
-/// A liquid column as the tuned mass that it is: α² of its liquid swings, the rest rides along.
+/// A liquid column as its equivalent tuned mass: the part α² of the liquid oscillates, the rest moves with the structure.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ColumnAsMass {
-    /// α² μ / (1 + (1 − α²) μ): the swinging mass over the mode's with the riding one.
+    /// α² μ / (1 + (1 − α²) μ): the oscillating mass over that of the mode, with the rest of the liquid on it.
     pub mass_ratio: f64,
-    /// 1/√(1 + (1 − α²) μ): frequency of the mode with the riding mass over that without, and so its damping ratio.
+    /// 1/√(1 + (1 − α²) μ): frequency of the mode with the rest of the liquid over that without; its damping ratio changes by the same factor.
     pub frequency_factor: f64,
 }
 
 impl ColumnAsMass {
-    /// From the liquid's mass over the modal mass, and α = `length_ratio`; α = 1 is a mass on a spring itself.
+    /// From the liquid's mass over the modal mass, and α = `length_ratio`; α = 1 is itself a mass on a spring.
     ///
     /// Exact for one mode. With Warburton's tuning under a force it is the optimum of Yalla & Kareem (2000),
     /// [`known::liquid_column::least_variance_under_force`](crate::known::liquid_column::least_variance_under_force).
@@ -62,10 +62,10 @@ impl ColumnAsMass {
         }
     }
 
-    /// A closed form for the column, its frequency over that of the mode without it.
+    /// A closed form for the column. Its frequency is relative to that of the mode without the column.
     ///
     /// # Errors
-    /// As [`rule_tuning`].
+    /// As in [`rule_tuning`].
     pub fn rule(&self, rule: TuningRule, structure_damping_ratio: f64) -> Result<Tuning, DamperError> {
         let tuning = rule_tuning(
             rule,
@@ -75,7 +75,7 @@ impl ColumnAsMass {
         Ok(self.of_mode(tuning))
     }
 
-    /// A tuning to the mode with the riding mass as one to the mode without.
+    /// Turns a tuning to the mode with the rest of the liquid into one to the mode without.
     pub(super) fn of_mode(&self, tuning: Tuning) -> Tuning {
         Tuning {
             frequency_ratio: self.frequency_factor * tuning.frequency_ratio,
@@ -101,8 +101,7 @@ pub enum TuningRule {
     Sadek,
     /// Villaverde (1985): in resonance, the damper's damping √μ above the structure's.
     Villaverde,
-    /// Hwang, Min & Hong as printed, with their "damping ratio" taken on the damper's own frequency: less damping than
-    /// they mean.
+    /// Hwang, Min & Hong as printed, with their "damping ratio" applied to the damper's own frequency: less damping than they mean.
     HwangMinHongLiteral,
 }
 
@@ -152,7 +151,7 @@ impl TuningRule {
         }
     }
 
-    /// What it makes small.
+    /// The quantity it minimises.
     pub fn aim(self) -> &'static str {
         match self {
             TuningRule::DenHartog => "peak under a harmonic force, fixed points",
@@ -182,15 +181,15 @@ impl TuningRule {
 /// ```
 ///
 /// # Input
-/// * `mass_ratio` -- μ, in (0, 1]; dampers as built have 0.005 to 0.1
+/// * `structure_damping_ratio` -- β, in [0, 0.3]; only Sadek's and Villaverde's forms use it
 /// * `structure_damping_ratio` -- β, in [0, 0.3]; only Sadek's and Villaverde's know of it
 ///
 /// # Errors
 /// [`DamperError::MassRatio`] if μ is not in (0, 1]; [`DamperError::Argument`] if β is not in [0, 0.3].
 ///
 /// # Limits
-/// All but Sadek's and Villaverde's take the structure's own damping as 0. At 2 % own damping and μ = 0.05 the best f
-/// of `WarburtonForce` lies 0.2 % lower, and its variance is 0.01 % above the least.
+/// All but Sadek's and Villaverde's forms take the structure's own damping as 0. At 2 % own damping and μ = 0.05 the best f of `WarburtonForce`
+/// lies 0.2 % lower, and its variance is 0.01 % above the minimum.
 ///
 /// # Source
 /// Den Hartog (1956) *Mechanical Vibrations*, 4th ed., sec. 3.3; Warburton (1982) Earthq. Eng. Struct. Dyn. 10(3):381-401,

@@ -1,34 +1,34 @@
-//! How fast a chain that does not stand leaves the vertical, beside what its linear equations say.
+//! The rate at which a chain that does not stand leaves the vertical, compared with its linear equations.
 
 use super::DynamicsError;
 use super::chain_history::ChainHistory;
 use super::chain_model::ChainModel;
 use dolmen_linalg::generalized_symmetric_eigen;
 
-/// Growth is read from where the motion is so many times that of the start: cosh is an exponential there to a part in 200.
+/// Growth is measured from where the motion is this many times that of the start: cosh is an exponential there to a part in 200.
 const FROM_TIMES: f64 = 10.0;
-/// … to where it is so many times that.
+/// … to where it is this many times that.
 const TO_TIMES: f64 = 100.0;
-/// Largest rotation at which it is read, rad: the linear equations hold to a part in a thousand.
+/// Largest rotation for the measurement, rad: the linear equations hold to a part in a thousand.
 const SMALL_RAD: f64 = 0.05;
 
-/// Growth of the shape in which a chain falls fastest.
+/// Growth of the fastest falling shape of a chain.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ChainGrowth {
     /// λ of the linear equations, K φ = −λ² M φ: it grows as e^(λ t), 1/s.
     pub linear_rate_per_s: f64,
-    /// What the motion did, while it was small; `None` if it was not followed over so long.
+    /// The growth in the motion while it was small; `None` if the run was too short.
     pub measured: Option<MeasuredGrowth>,
 }
 
-/// Growth read from a motion.
+/// Growth measured in a motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MeasuredGrowth {
     /// Natural logarithm of the growth over the time it took, 1/s.
     pub rate_per_s: f64,
-    /// From when, s.
+    /// Start, s.
     pub from_s: f64,
-    /// To when, s.
+    /// End, s.
     pub to_s: f64,
 }
 
@@ -37,15 +37,15 @@ pub struct MeasuredGrowth {
 /// ```text
 /// q = φᵀ M θ,  rate = ln(q(to)/q(from)) / (to − from)          q(from) = 10 q(0), q(to) = 100 q(0)
 /// ```
-/// The shape φ is orthogonal to all others, so that q grows as cosh(λ t) from a push at rest: from 10 to 100 times the push its rate
-/// is .1 % below λ.
+/// The shape φ is orthogonal to all others, so q grows as cosh(λ t) from a push at rest: from 10 to 100 times the push its rate is 0.1 % below
+/// λ.
 ///
 /// # Errors
-/// [`DynamicsError::Structure`], [`DynamicsError::Linalg`] if the values differ by more than the numbers hold.
+/// [`DynamicsError::Structure`], [`DynamicsError::Linalg`] if the range of values exceeds the precision of the numbers.
 ///
 /// # Limits
-/// Stuck friction, open joints and a moving ground change the rate: it is that of the springs alone. Times are read between samples
-/// by straight lines of logarithms.
+/// Stuck friction, open joints and a moving ground change the rate: λ is that of the springs alone. Times between samples are interpolated
+/// linearly in the logarithm.
 pub fn chain_growth(
     model: &ChainModel,
     history: &ChainHistory,
@@ -65,7 +65,7 @@ pub fn chain_growth(
     let push = amplitude(0);
     let samples = history.times_s.len();
     let small = |sample: &usize| (0..n).all(|i| history.rotation_rad[i][*sample].abs() <= SMALL_RAD);
-    // the first time at which the motion is so many times the push
+    // the first time at which the motion is this many times the push
     let reaches = |times: f64| -> Option<f64> {
         let sample = (1..samples)
             .take_while(small)
@@ -74,7 +74,7 @@ pub fn chain_growth(
         let step_s = history.times_s[sample] - history.times_s[sample - 1];
         Some(history.times_s[sample - 1] + step_s * ((times * push).ln() - low) / (high - low))
     };
-    // a chain that leans leaves from where it leans, not from the vertical
+    // a chain that leans starts from its lean, not from the vertical
     let from_to = (push > 0.0 && model.lean_rad() == 0.0)
         .then(|| reaches(FROM_TIMES).zip(reaches(TO_TIMES)))
         .flatten();

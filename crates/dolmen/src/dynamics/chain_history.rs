@@ -1,34 +1,34 @@
-//! What the motion of a chain gives: how it ended, and everything needed to draw, to doubt and to repeat it.
+//! The motion of a chain: how it ended, and everything needed to draw, to doubt and to repeat it.
 
 use super::chain_rigid::ChainRigidJoint;
 
-/// How a run ended.
+/// End of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ChainOutcome {
-    /// It stood to the end, and no joint opened.
+    /// It stood until the end, and no joint opened.
     Stood,
-    /// It stood to the end, but a joint opened.
+    /// It stood until the end, but a joint opened.
     Uplifted {
-        /// The first that did, 0 the lowest.
+        /// The first joint that opened, 0 the lowest.
         joint: usize,
-        /// When it first did, s.
+        /// Time of that, s.
         at_s: f64,
     },
-    /// A link leaned by the angle that counts as a fall: the run ends there.
+    /// A link leaned by the angle of a fall; the run ends there.
     Fell {
         /// The link, 0 the lowest.
         link: usize,
         /// When, s.
         at_s: f64,
     },
-    /// The run ended while a link leaned further out than in the time before, and went on: whether it falls is not known.
+    /// At the end a link leaned further out than in the time before, and moved outwards: whether it falls is unknown.
     StillLeaning {
         /// The link, 0 the lowest.
         link: usize,
         /// The end of the run, s.
         at_s: f64,
     },
-    /// The caller stopped it.
+    /// The caller stopped the run.
     Stopped {
         /// When, s.
         at_s: f64,
@@ -44,7 +44,7 @@ pub struct ChainPeak {
     pub at_s: f64,
 }
 
-/// One time in which a joint was open.
+/// One interval in which a joint was open.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ChainUplift {
     /// The joint, 0 the lowest.
@@ -58,7 +58,7 @@ pub struct ChainUplift {
 /// The largest displacement at a side support, between the samples too.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ChainSupportPeak {
-    /// Displacement from where it is without stress, with its sign, m.
+    /// Displacement from the stress-free position, with its sign, m.
     pub displacement_m: f64,
     /// Force of the support there, with the same sign, N; 0 within its gap.
     pub force_n: f64,
@@ -66,27 +66,27 @@ pub struct ChainSupportPeak {
     pub at_s: f64,
 }
 
-/// One time in which a side support was touched.
+/// One interval of contact with a side support.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ChainTouch {
     /// The support, 0 the first.
     pub support: usize,
-    /// It was met, s.
+    /// Start of the contact, s.
     pub from_s: f64,
-    /// It was left, s; the end of the run if it was not.
+    /// End of the contact, s; the end of the run if it lasted.
     pub to_s: f64,
 }
 
-/// One time in which a joint turned against its friction, all in one direction.
+/// One interval in which a joint turned against its friction, in one direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ChainSlip {
     /// The joint, 0 the lowest.
     pub joint: usize,
-    /// It began to turn, s.
+    /// Start, s.
     pub from_s: f64,
-    /// It stopped or turned back, s; the end of the run if it did not.
+    /// Stop or reversal, s; the end of the run if it lasted.
     pub to_s: f64,
-    /// Rotation across it from start to end, rad.
+    /// Rotation across it during the interval, rad.
     pub slip_rad: f64,
 }
 
@@ -95,29 +95,29 @@ pub struct ChainSlip {
 pub struct ChainEnergy {
     /// Of motion relative to the ground.
     pub kinetic_j: f64,
-    /// Of weight, 0 upright, else negative.
+    /// Potential energy of the weight, 0 upright, otherwise negative.
     pub gravity_j: f64,
     /// In the springs of the joints and the side supports.
     pub springs_j: f64,
-    /// Taken by the dashpots.
+    /// Dissipated by the dashpots.
     pub damping_j: f64,
-    /// Taken by dry friction.
+    /// Dissipated by dry friction.
     pub friction_j: f64,
-    /// What was in the chain at the start, and the work of the ground's inertia forces.
+    /// Energy at the start, and the work of the ground's inertia forces.
     pub input_j: f64,
 }
 
 impl ChainEnergy {
-    /// What is left over: the fault of the computation.
+    /// The residual of the balance: the error of the computation.
     pub fn left_over_j(&self) -> f64 {
         self.input_j - self.kinetic_j - self.gravity_j - self.springs_j - self.damping_j - self.friction_j
     }
 }
 
-/// A motion of a chain. Rows of the histories: one a link, lowest first.
+/// A motion of a chain. Histories have one row for each link, lowest first.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ChainHistory {
-    /// How it ended.
+    /// Its end.
     pub outcome: ChainOutcome,
     /// Times of the samples, s; the last is the end of the run.
     pub times_s: Vec<f64>,
@@ -127,7 +127,7 @@ pub struct ChainHistory {
     pub velocity_rad_s: Vec<Vec<f64>>,
     /// Moments of the joints, N m: spring and friction, without dashpots.
     pub joint_moment_n_m: Vec<Vec<f64>>,
-    /// Friction's part of them, N m: positive where it resists a turn to the right.
+    /// Contribution of friction to them, N m: positive where it resists a rotation to the right.
     pub friction_moment_n_m: Vec<Vec<f64>>,
     /// The balance of energy at the samples.
     pub energy: Vec<ChainEnergy>,
@@ -135,52 +135,52 @@ pub struct ChainHistory {
     pub rotation_peaks: Vec<ChainPeak>,
     /// Largest rotation across each joint.
     pub joint_peaks: Vec<ChainPeak>,
-    /// Largest moment of each joint's spring, N m, without sign.
+    /// Largest moment of each joint's spring, N m, absolute.
     pub joint_moment_peaks_n_m: Vec<f64>,
     /// Largest displacement of the top relative to the ground, with its sign, m.
     pub top_peak_m: f64,
     /// When, s.
     pub top_peak_at_s: f64,
-    /// When joints were open, in order of opening.
+    /// Intervals of open joints, in order of opening.
     pub uplifts: Vec<ChainUplift>,
-    /// Force of each side support at the samples, N, positive where it pushes against a displacement to the right; one row a support.
+    /// Force of each side support at the samples, N, positive against a displacement to the right; one row for each support.
     pub support_force_n: Vec<Vec<f64>>,
     /// Largest displacement at each side support, and its force.
     pub support_peaks: Vec<ChainSupportPeak>,
-    /// When side supports were touched, in order; one without a gap always.
+    /// Contacts with side supports, in order; permanent for a support without a gap.
     pub touches: Vec<ChainTouch>,
-    /// When joints turned against their friction, in the order in which they ended.
+    /// Slips of joints against their friction, in the order of their ends.
     pub slips: Vec<ChainSlip>,
-    /// Times at which some joint began to turn against its friction, turned back or stopped; changes at one time count once.
+    /// Times at which some joint began to turn against its friction, reversed or stopped; simultaneous changes count once.
     pub friction_events: usize,
-    /// Whether everything stood still at the end, relative to the ground.
+    /// Whether everything was at rest at the end, relative to the ground.
     pub at_rest: bool,
-    /// Largest energy left over at the end of any step, over the largest kinetic energy of the run.
+    /// Largest residual of the energy balance at the end of any step, over the largest kinetic energy of the run.
     pub energy_left_over_ratio: f64,
-    /// Steps of the integration.
+    /// Number of steps of the integration.
     pub steps: usize,
-    /// Whether a moment of inertia that was not given was taken to be a thin rod's.
+    /// Whether a moment of inertia that was not given was taken as that of a thin rod.
     pub assumes_thin_rods: bool,
-    /// The angle at which all links lean without stress, rad.
+    /// The stress-free lean of all links, rad.
     pub lean_rad: f64,
-    /// Joints so stiff beside the others that they were taken as rigid: they turn by their moment over their stiffness.
+    /// Joints so stiff, compared with the others, that they were taken as rigid: they turn by their moment over their stiffness.
     pub rigid_joints: Vec<ChainRigidJoint>,
 }
 
 impl ChainHistory {
-    /// Time in which a joint (0 the lowest) was open, s.
+    /// Total time in which a joint (0 the lowest) was open, s.
     pub fn open_s(&self, joint: usize) -> f64 {
         let of_joint = self.uplifts.iter().filter(|uplift| uplift.joint == joint);
         of_joint.fold(0.0, |time, uplift| time + uplift.to_s - uplift.from_s)
     }
 
-    /// Whole angle that a joint (0 the lowest) turned against its friction, both directions added up, rad.
+    /// Accumulated rotation of a joint (0 the lowest) against its friction, both directions, rad.
     pub fn slipped_rad(&self, joint: usize) -> f64 {
         let of_joint = self.slips.iter().filter(|slip| slip.joint == joint);
         of_joint.fold(0.0, |way, slip| way + slip.slip_rad.abs())
     }
 
-    /// The link that at the end leans as far as at no sample since `from_s`, and goes on outwards; the one that leans most of several.
+    /// The link that at the end leans further than at any sample since `from_s`, and moves outwards; of several the one that leans most.
     pub(super) fn leaning_out(&self, from_s: f64) -> Option<usize> {
         let since = self.times_s.partition_point(|at_s| *at_s < from_s);
         let leaning = (0..self.rotation_rad.len()).filter_map(|link| {
@@ -192,7 +192,7 @@ impl ChainHistory {
         leaning.max_by(|a, b| a.1.total_cmp(&b.1)).map(|(link, _)| link)
     }
 
-    /// Rotation across a joint (0 the lowest) at every sample, from where it is without stress, rad.
+    /// Rotation across a joint (0 the lowest) at every sample, from the stress-free position, rad.
     pub fn across_rad(&self, joint: usize) -> Vec<f64> {
         if let Some(rigid) = self.rigid_joints.iter().find(|rigid| rigid.joint == joint) {
             let moments = self.joint_moment_n_m[joint].iter();
@@ -205,13 +205,13 @@ impl ChainHistory {
         across
     }
 
-    /// Its rate, rad/s; 0 of a joint taken as rigid.
+    /// Its rate, rad/s; 0 for a joint taken as rigid.
     pub fn across_rad_s(&self, joint: usize) -> Vec<f64> {
         across(&self.velocity_rad_s, joint)
     }
 }
 
-/// Row of a link less that of the link below.
+/// Row of a link minus that of the link below.
 fn across(rows: &[Vec<f64>], joint: usize) -> Vec<f64> {
     let above = &rows[joint];
     match joint.checked_sub(1) {

@@ -1,4 +1,4 @@
-//! A chain with what its joints do: springs, dashpots, beds that open, dry friction.
+//! A chain with the behaviour of its joints: springs, dashpots, opening beds, dry friction.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -15,13 +15,13 @@ use super::chain_rotations::ChainRotations;
 use crate::structure::{Chain, StructureError};
 use dolmen_linalg::generalized_symmetric_eigen;
 
-/// Lean of the whole that is refused, rad.
+/// Largest lean of the whole chain allowed, rad.
 const LEAN_MOST_RAD: f64 = std::f64::consts::FRAC_PI_6;
 
 /// Whether a joint opens.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum JointOpening {
-    /// It passes any moment.
+    /// It carries any moment.
     #[default]
     Held,
     /// Its moment is at most N b/2: then the stone above turns about the edge of its bed.
@@ -34,7 +34,7 @@ pub enum JointFriction {
     /// None.
     #[default]
     None,
-    /// A slider beside the spring: Coulomb's law, set-valued, sticking is exact.
+    /// A slider beside the spring: Coulomb's law, set-valued; sticking is exact.
     Coulomb {
         /// Moment at which it starts to turn, N m; at least the kinetic one.
         static_moment_n_m: f64,
@@ -52,7 +52,7 @@ impl JointFriction {
         }
     }
 
-    /// Static and kinetic moment, N m; `None` for no friction, and for one of no moment, which would stand and turn at once.
+    /// Static and kinetic moment, N m; `None` without friction, and for a moment of 0, which would stick and slip at once.
     pub(super) fn moments_n_m(self) -> Option<[f64; 2]> {
         match self {
             JointFriction::Coulomb {
@@ -78,7 +78,7 @@ pub struct ChainJoint {
 }
 
 impl ChainJoint {
-    /// A spring that passes any moment, without a dashpot or friction.
+    /// A spring that carries any moment, without a dashpot or friction.
     pub fn spring(stiffness_n_m_rad: f64) -> Self {
         ChainJoint {
             stiffness_n_m_rad,
@@ -89,7 +89,7 @@ impl ChainJoint {
     }
 }
 
-/// A chain that can move.
+/// A chain for motion.
 ///
 /// ```text
 /// moment of joint i:  τ_i = k_i φ_i                                      held
@@ -99,10 +99,10 @@ impl ChainJoint {
 /// ```
 ///
 /// # Limits
-/// An open joint is elastic: its moment stays at N b/2, with N the weight above it at rest, and it closes on the way it opened. No
-/// energy is lost as the stone lands, which a real bed does lose, and no stone slides. The moment of friction is a constant that
-/// adds to that of the bed: what rubs beside the bed (posts, dowels, packing), not the bed itself, whose moment the edge limits. The
-/// centre of turning stays in the middle of the bed; that the edge lies b/2 to the side enters by the moment alone.
+/// An open joint is elastic: its moment stays at N b/2, with N the weight above it at rest, and it closes on the same path. A landing stone
+/// loses no energy, although a real bed takes some, and no stone slides. The moment of friction is a constant that adds to that of the bed: it
+/// represents friction beside the bed (posts, dowels, packing), not in the bed itself, whose moment the edge limits. The centre of rotation
+/// stays in the middle of the bed; the edge at b/2 enters only through the moment.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ChainModel {
     pub(super) chain: Chain,
@@ -190,11 +190,11 @@ impl ChainModel {
         })
     }
 
-    /// The same, without stress where all links lean by this angle, beds with them: the whole was turned about its foot, and gaps of side supports
-    /// count from there.
+    /// The same with a stress-free lean of all links and beds: the whole chain was turned about its foot, and gaps of side supports count from
+    /// there.
     ///
     /// # Errors
-    /// [`DynamicsError::Argument`] for an angle of 30° or more, either way: N b/2 is that of level beds.
+    /// [`DynamicsError::Argument`] for an angle of 30° or more, either way: N b/2 holds for level beds.
     pub fn leaning(mut self, lean_rad: f64) -> Result<Self, DynamicsError> {
         if lean_rad.is_nan() || lean_rad.abs() >= LEAN_MOST_RAD {
             return Err(DynamicsError::Argument {
@@ -210,12 +210,12 @@ impl ChainModel {
         Ok(self)
     }
 
-    /// The angle at which all links lean without stress, rad.
+    /// The stress-free lean of all links, rad.
     pub fn lean_rad(&self) -> f64 {
         self.lean_rad
     }
 
-    /// Rotation across a joint (0 the lowest) from where it is without stress, with the links turned so, rad.
+    /// Rotation across a joint (0 the lowest) from the stress-free position, for these rotations of the links, rad.
     pub(super) fn across_rad(&self, joint: usize, rotation_rad: &[f64]) -> f64 {
         let below = joint
             .checked_sub(1)
@@ -223,15 +223,15 @@ impl ChainModel {
         rotation_rad[joint] - below
     }
 
-    /// The same with dashpots in proportion to the springs, such that the first mode of the chain has a damping ratio.
+    /// The same with dashpots in proportion to the springs, so that the first mode of the chain has a given damping ratio.
     ///
     /// ```text
     /// d_i = 2 ζ ω (φᵀ M φ)/(φᵀ K_E φ) k_i          K φ = ω² M φ, K_E: K without gravity
     /// ```
-    /// Higher modes have more, as their frequency is higher.
+    /// Higher modes have more damping, in proportion to their frequency.
     ///
     /// # Errors
-    /// [`DynamicsError::Argument`] for a ratio outside 0 … 1 or a chain that falls by itself, which has no such mode.
+    /// [`DynamicsError::Argument`] for a ratio outside 0 … 1, or for a chain that falls by itself, which has no such mode.
     pub fn with_first_mode_damping(mut self, damping_ratio: f64) -> Result<Self, DynamicsError> {
         let refuse = |allowed| {
             Err(DynamicsError::Argument {
@@ -278,12 +278,12 @@ impl ChainModel {
         &self.joints
     }
 
-    /// N b/2 of each joint, N m, lowest first; infinite where it is held.
+    /// N b/2 of each joint, N m, lowest first; infinite for a held joint.
     pub fn moment_most_n_m(&self) -> &[f64] {
         &self.moment_most_n_m
     }
 
-    /// How far its rotations go.
+    /// Linear or exact equations.
     pub fn rotations(&self) -> ChainRotations {
         self.rotations
     }

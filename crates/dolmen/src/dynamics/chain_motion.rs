@@ -1,7 +1,7 @@
-//! The motion of a chain of links, up to collapse.
+//! The motion of a chain of links up to collapse.
 //!
-//! A step: find which joints stick → expand from the state → shorten to what is exact → find the first event in it → record up to
-//! there → change the joint.
+//! A step: find which joints stick → expand from the state → shorten the step until the series is exact → find the first event in it → record
+//! until there → change the joint.
 
 use super::chain_friction_state::Change;
 use super::chain_history::{ChainHistory, ChainOutcome};
@@ -14,7 +14,7 @@ use super::chain_series::{JointState, Series};
 use super::{DynamicsError, TimeFunction};
 use crate::numeric::first_descent;
 
-/// What a step may grow over the one before it.
+/// Largest growth of a step over the one before it.
 const GROWTH: f64 = 1.5;
 /// Steps between calls of `progress`.
 const STEPS_A_CALL: usize = 256;
@@ -27,28 +27,28 @@ const STEPS_A_CALL: usize = 256;
 /// θ_0 = 0, or the lean of the whole;  a side support adds −Σ c_i F cos θ_i, F = s (u − g) beyond its gap, u = Σ c_i sin θ_i
 /// with friction τ_i + q_i:  q_i = f_k sign φ_i' while the joint turns; while it sticks φ_i' = 0 and |q_i| ≤ f_s
 /// ```
-/// The solution is expanded in a Taylor series of degree 24 whose last terms are below rounding. The ground's acceleration is
-/// straight between its samples, where steps end. Where a joint opens or closes, a side support is met or left, and a link has fallen are the first
-/// crossings of the polynomials so found: none is passed over, however short. Peaks are those of the polynomials too. Links that
-/// stuck joints join turn as one, and so do those of joints so stiff that they change no other natural frequency by 1e-4 of it
-/// ([`ChainHistory::rigid_joints`]), unless the bed of such a joint would come to its edge; friction is neither smoothed nor stepped over: where a joint sticks, goes or turns back is such a
-/// crossing, and what all joints at rest do then is found for all together.
+/// The solution is expanded in a Taylor series of degree 24 whose last terms are below rounding. The ground's acceleration is linear between its
+/// samples, where steps end. Events are the first roots of these polynomials: a joint that opens or closes, a contact with a side support that
+/// begins or ends, the fall of a link. None is missed, however short. Peaks are those of the polynomials, too. Links connected by stuck joints
+/// turn as one, and so do those connected by joints so stiff that they change no other natural frequency by 1e-4 of it
+/// ([`ChainHistory::rigid_joints`]), unless the bed of such a joint would come to its edge. Friction is neither regularised nor stepped over:
+/// sticking, slipping and reversal are such events, and the states of all joints at rest are then found together.
 ///
-/// `progress` gets the simulated time now and then, and stops the run by returning false.
+/// `progress` receives the simulated time at intervals, and stops the run by returning false.
 ///
 /// # Errors
-/// [`DynamicsError`] for options out of range, and if a step becomes too short to go on. Nothing is smoothed or guessed.
+/// [`DynamicsError`] for options out of range, and if a step becomes too short. Nothing is regularised or guessed.
 ///
 /// # Limits
-/// Motion in one plane; joints do not slide and lose nothing as they close, nor do side supports; the axial forces are those at rest. A fall is a
-/// rotation that is passed, with no ground to land on. Steps are
-/// explicit: a dashpot many decades above the others makes them as short. The balance of energy, measured over 100 s of five links without damping, is off
-/// by 1.5e-14 of the largest kinetic energy.
+/// Motion is in one plane. Joints do not slide, and neither they nor side supports lose energy as they close. Axial forces are those at rest. A
+/// fall is a limit on rotation, without a ground to land on. Steps are explicit: a dashpot many decades above the others makes them
+/// correspondingly short. The energy balance, measured over 100 s of five links without damping, is off by 1.5e-14 of the largest kinetic
+/// energy.
 ///
 /// # Source
-/// Equations: Choi (2021), eqs 3 to 28, without making rotations small. Method: Jorba, À. and Zou, M. (2005) A software package
-/// for the numerical integration of ODEs by means of high-order Taylor methods. Exp. Math. 14:99-117. Differs from the source:
-/// degree 24 always, and a step that is too long is shortened before it is taken.
+/// Equations: Choi (2021), eqs 3 to 28, without the assumption of small rotations. Method: Jorba, À. and Zou, M. (2005) A software package for
+/// the numerical integration of ODEs by means of high-order Taylor methods. Exp. Math. 14:99-117. Differs from the source: the degree is always
+/// 24, and a step that is too long is shortened before it is taken.
 pub fn simulate_chain(
     model: &ChainModel,
     ground_acceleration_m_s2: &TimeFunction,
@@ -69,7 +69,7 @@ pub fn simulate_chain(
     }
 }
 
-/// Follows a run to its end; the rigid joint whose bed comes to its edge, if one does.
+/// Follows a run to its end; returns the rigid joint whose bed comes to its edge, if one does.
 fn follow(
     run: &mut Run<'_>,
     load: &TimeFunction,
@@ -124,7 +124,7 @@ enum Event {
 }
 
 impl Run<'_> {
-    /// Takes the step of `h` s that was expanded, up to the first event in it; whether the run is over.
+    /// Takes the expanded step of `h` s, up to the first event in it; returns whether the run is over.
     fn step(&mut self, h: f64, end_s: f64) -> Result<bool, DynamicsError> {
         let mut first = (1.0, None);
         for i in 0..self.state.theta.len() {
@@ -144,7 +144,7 @@ impl Run<'_> {
             self.first_touch(prop, &mut first);
         }
         let (part, event) = first;
-        // a change at the very start of a step moves nothing
+        // a change at the very start of a step has no effect
         if part > 0.0 {
             self.series.shorten(part);
             self.record(part * h, if part == 1.0 { Some(end_s) } else { None });
@@ -192,7 +192,7 @@ impl Run<'_> {
         })
     }
 
-    /// A rigid joint whose moment comes to that at the edge of its bed within the step.
+    /// A rigid joint whose moment reaches that at the edge of its bed within the step.
     fn beyond_its_bed(&self) -> Option<usize> {
         let mut rigid = self.history.rigid_joints.iter().map(|of| of.joint);
         rigid.find(|joint| {
@@ -212,7 +212,7 @@ impl Run<'_> {
         })
     }
 
-    /// Brings `first` forward if joint `i` opens or closes before it.
+    /// Moves `first` forward if joint `i` opens or closes before it.
     fn first_change(&self, i: usize, first: &mut (f64, Option<Event>)) {
         let most = self.series.model.moment_most_n_m[i];
         if most.is_infinite() {
@@ -236,7 +236,7 @@ impl Run<'_> {
         }
     }
 
-    /// Brings `first` forward if a side support is met or left before it.
+    /// Moves `first` forward if a contact with a side support begins or ends before it.
     fn first_touch(&self, p: usize, first: &mut (f64, Option<Event>)) {
         let gap_m = self.series.model.props[p].gap_m;
         if gap_m == 0.0 {

@@ -1,4 +1,4 @@
-//! A chain on its way: its state, and the samples, peaks and energies of the steps it has taken.
+//! A chain during a run: its state, and the samples, peaks and energies of its steps.
 
 use super::TimeFunction;
 use super::chain_friction_state::Friction;
@@ -14,9 +14,9 @@ use super::chain_series::{ChainSeries, ChainState, DEGREE, JointState, Series, r
 use super::frame_model::Slider;
 use crate::numeric::{first_descent, polynomial};
 
-/// Times closer than this are one, s.
+/// Times closer than this are equal, s.
 pub(super) const TOGETHER_S: f64 = 1e-12;
-/// Part of a step beside a turn in which the next one is not sought: what is reached there differs by the square of it.
+/// Fraction of a step beside a turning point in which the next one is not sought: the value there differs by the square of it.
 const BESIDE: f64 = 1e-7;
 
 /// A run of a chain.
@@ -29,17 +29,17 @@ pub(super) struct Run<'a> {
     pub(super) at_s: f64,
     output_step_s: f64,
     pub(super) fall_rad: f64,
-    /// Joints that changed at the start of this step: they are at their limit, and rounding does not say on which side.
+    /// Joints that changed at the start of this step: they are at their limit, and rounding does not tell on which side.
     pub(super) changed: Vec<usize>,
-    /// Side supports that were met or left at the start of this step.
+    /// Contacts with side supports that began or ended at the start of this step.
     pub(super) touched: Vec<usize>,
-    /// When each was met, s.
+    /// Start of each contact, s.
     met_s: Vec<f64>,
     energy: ChainEnergy,
     pub(super) kinetic_most_j: f64,
     pub(super) left_over_most_j: f64,
     pub(super) opened_s: Vec<f64>,
-    /// When the load is over, s; 0 for one that never is.
+    /// End of the load, s; 0 for an endless one.
     load_end_s: f64,
     pub(super) history: ChainHistory,
 }
@@ -147,7 +147,7 @@ impl<'a> Run<'a> {
         });
     }
 
-    /// Takes a side support into what it does from now on.
+    /// Sets the new state of a side support.
     pub(super) fn touch(&mut self, prop: usize, state: PropState) {
         match state {
             PropState::Touching(_) => self.met_s[prop] = self.at_s,
@@ -165,7 +165,7 @@ impl<'a> Run<'a> {
         });
     }
 
-    /// The run is over: those that touch have done so until now.
+    /// End of the run: open contacts end with it.
     pub(super) fn end_touches(&mut self) {
         for support in 0..self.state.props.len() {
             if self.state.props[support] != PropState::Free {
@@ -175,7 +175,7 @@ impl<'a> Run<'a> {
         self.history.touches.sort_by(|a, b| a.from_s.total_cmp(&b.from_s));
     }
 
-    /// Peaks, samples, energy and the new state of a step of `h` s.
+    /// Records peaks, samples, energy and the new state of a step of `h` s.
     pub(super) fn record(&mut self, h: f64, whole_to_s: Option<f64>) {
         let n = self.state.theta.len();
         for i in 0..n {
@@ -249,7 +249,7 @@ impl<'a> Run<'a> {
         self.left_over_most_j = self.left_over_most_j.max(self.energy.left_over_j().abs());
     }
 
-    /// What friction has taken since the joints were turned by so much, J: none of them turns back within a step.
+    /// Energy dissipated by friction for these rotations of the joints, J: none of them reverses within a step.
     fn friction_work_j(&self, from_rad: &[f64]) -> f64 {
         let of_joint = |(i, from): (usize, &f64)| match (
             self.state.sliders[i],
@@ -261,7 +261,7 @@ impl<'a> Run<'a> {
         from_rad.iter().enumerate().map(of_joint).sum()
     }
 
-    /// Rotation across a joint where the run is, rad.
+    /// Current rotation across a joint, rad.
     pub(super) fn across_now(&self, joint: usize) -> f64 {
         self.series.model.across_rad(joint, &self.state.theta)
     }
@@ -297,7 +297,7 @@ impl<'a> Run<'a> {
         self.history.energy.push(self.energy);
     }
 
-    /// Kinetic energy and what gravity and springs hold.
+    /// Kinetic and potential energy.
     pub(super) fn weigh(&mut self) {
         let (theta, omega) = (&self.state.theta, &self.state.omega);
         let large = self.series.model.rotations == ChainRotations::Large;
@@ -328,8 +328,8 @@ impl<'a> Run<'a> {
         self.kinetic_most_j = self.kinetic_most_j.max(kinetic);
     }
 
-    /// Says so if the run ended while a link went over. Looks back to the end of the load, and over half of the run at least: a swing
-    /// that dies out has leaned further in that time.
+    /// Returns the link that was falling at the end of the run. Looks back to the end of the load, and over at least half of the run: a decaying
+    /// oscillation has leaned further in that time.
     pub(super) fn end_undecided(&mut self) {
         let is_over = matches!(
             self.history.outcome,
@@ -350,7 +350,7 @@ fn relative(omega: &[f64], i: usize) -> f64 {
     omega[i] - i.checked_sub(1).map_or(0.0, |below| omega[below])
 }
 
-/// Raises `peak` to the largest size that `c` reaches on the step.
+/// Raises `peak` to the largest magnitude of `c` on the step.
 fn look(c: &Series, at_s: f64, h: f64, peak: &mut ChainPeak) {
     if c.iter().map(|c| c.abs()).sum::<f64>() <= peak.rotation_rad.abs() {
         return;
@@ -366,7 +366,7 @@ fn look(c: &Series, at_s: f64, h: f64, peak: &mut ChainPeak) {
     };
     take(0.0);
     take(1.0);
-    // turns: where the rate goes through zero, from above and from below in turn
+    // turning points: zeros of the rate, alternately from above and from below
     let rising = rate(c);
     let falling = rising.map(|c| -c);
     let mut sigma = 0.0;
@@ -376,7 +376,7 @@ fn look(c: &Series, at_s: f64, h: f64, peak: &mut ChainPeak) {
             break;
         };
         take(turn);
-        // past the turn, where rounding no longer tells the sign of the rate
+        // past the turning point, where rounding hides the sign of the rate
         (sigma, sign) = (turn + BESIDE, !sign);
         if sigma >= 1.0 {
             break;

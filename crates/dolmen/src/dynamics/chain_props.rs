@@ -1,4 +1,4 @@
-//! Side supports of a chain that moves: nothing within their gap, a spring beyond it.
+//! Side supports of a moving chain: no force within their gap, a spring beyond it.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -10,12 +10,12 @@
 use super::chain_rotations::ChainRotations;
 use crate::structure::{Chain, SideSupport, StructureError};
 
-/// What a side support does during a step.
+/// State of a side support during a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum PropState {
-    /// Nothing: the place is within the gap.
+    /// No contact: the place is within the gap.
     Free,
-    /// It pushes against a displacement of this sign.
+    /// Contact against a displacement of this sign.
     Touching(f64),
 }
 
@@ -54,7 +54,7 @@ impl Prop {
         sum - self.leaning_m
     }
 
-    /// What it does where the place is; without a gap it touches always.
+    /// State for the current displacement; without a gap there is always contact.
     pub(super) fn state(&self, beside_m: f64) -> PropState {
         match self.gap_m == 0.0 || beside_m.abs() > self.gap_m {
             true => PropState::Touching(if beside_m < 0.0 { -1.0 } else { 1.0 }),
@@ -62,7 +62,7 @@ impl Prop {
         }
     }
 
-    /// How far it is pressed, m, with the sign of the displacement.
+    /// Its compression, m, with the sign of the displacement.
     fn pressed_m(&self, beside_m: f64) -> f64 {
         (beside_m.abs() - self.gap_m).max(0.0).copysign(beside_m)
     }

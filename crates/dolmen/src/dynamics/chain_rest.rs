@@ -1,4 +1,4 @@
-//! Where a leaning chain comes to rest under its own weight.
+//! The rest position of a leaning chain under its own weight.
 
 use super::DynamicsError;
 use super::chain_model::ChainModel;
@@ -6,23 +6,24 @@ use super::chain_props::{Prop, PropState};
 use super::chain_rotations::ChainRotations;
 use dolmen_linalg::{Matrix, cholesky, solve_lower, solve_lower_transposed};
 
-/// Newton's method is done when no link turns by more, rad.
+/// Newton's method ends when no link turns by more than this, rad.
 const FOUND_RAD: f64 = 1e-14;
-/// Newton's method doubles its digits: it takes six rounds from a lean of 1/12. More: it does not come to rest.
+/// Largest number of iterations. Newton's method doubles its digits: it takes six from a lean of 1/12. With more the chain does not come to
+/// rest.
 const ROUNDS: usize = 50;
 
-/// Rotations of the links from the vertical, rad, at which the springs hold the weight of a chain that leans; `None` if it does not come to rest
-/// upright of its joints' limits: it falls by itself, or a joint would open.
+/// Rotations of the links from the vertical, rad, at which the springs balance the weight of a leaning chain; `None` if there is no such state
+/// within the limits of its joints: it falls by itself, or a joint would open.
 ///
 /// ```text
 /// k_i φ_i − k_{i+1} φ_{i+1} + Σ c_i F cos θ_i = G_i sin θ_i,   φ_1 = θ_1 − lean,   |k_i φ_i| ≤ N_i b_i/2          θ for sin θ of small rotations
 /// ```
 ///
 /// # Errors
-/// [`DynamicsError::Structure`] if the stiffness cannot be put together.
+/// [`DynamicsError::Structure`] if the stiffness matrix cannot be assembled.
 ///
 /// # Limits
-/// Friction takes no part: a joint that is stuck may hold the chain elsewhere.
+/// Friction is not included: a stuck joint may hold the chain in another position.
 pub fn chain_at_rest(model: &ChainModel) -> Result<Option<Vec<f64>>, DynamicsError> {
     let chain = model.chain();
     let n = chain.links().len();
@@ -64,7 +65,7 @@ pub fn chain_at_rest(model: &ChainModel) -> Result<Option<Vec<f64>>, DynamicsErr
                 }
             }
         }
-        // not positive definite: it falls by itself, onto a side support if one stands on its way
+        // not positive definite: it falls by itself, possibly onto a side support
         let lower = match cholesky(&tangent) {
             Ok(lower) => lower,
             Err(_) if props.contains(&PropState::Free) => {
@@ -87,7 +88,7 @@ pub fn chain_at_rest(model: &ChainModel) -> Result<Option<Vec<f64>>, DynamicsErr
             most_rad = most_rad.max(turned.abs());
         }
         if most_rad <= FOUND_RAD {
-            // side supports keep what they do until all else is at rest: so a guess that goes too far does not let them go
+            // side supports keep their contacts until all else is at rest, so that an overshooting guess does not release them
             let beside = |prop: &Prop| prop.state(prop.beside_m(&theta, model.rotations()));
             let now: Vec<PropState> = model.props.iter().map(beside).collect();
             if now != props {

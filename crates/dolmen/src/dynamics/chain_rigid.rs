@@ -1,4 +1,4 @@
-//! Joints so stiff beside the others that a run takes them as rigid.
+//! Joints so stiff, compared with the others, that a run takes them as rigid.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -11,25 +11,25 @@ use super::chain_props::Prop;
 use super::chain_run::ChainRun;
 use dolmen_linalg::{LinalgError, Matrix, generalized_symmetric_eigen};
 
-/// Change of a natural frequency up to which joints are taken as rigid, of it. Chosen here: a hundredth of what 1 % of mass does.
+/// Largest relative change of a natural frequency by joints taken as rigid. Chosen here: a hundredth of the effect of 1 % of mass.
 const FREQUENCY_CHANGE_MOST: f64 = 1e-4;
-/// Joints are tried only if they are so many times as stiff for their load as the softest: below, the change is larger anyway.
+/// Joints are candidates only if their stiffness over their load is this many times that of the softest: below, the change is larger anyway.
 const STIFFER_AT_LEAST: f64 = 100.0;
-/// Rotation across a joint at the start, of the largest across any, above which its spring is followed: it would swing by itself.
+/// Share of the largest initial rotation across any joint, above which the spring of a joint is followed: it would oscillate by itself.
 const START_MOST: f64 = 1e-3;
 
-/// A joint that a run took as rigid.
+/// A joint taken as rigid in a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ChainRigidJoint {
     /// The joint, 0 the lowest.
     pub joint: usize,
     /// Its spring, N m/rad.
     pub stiffness_n_m_rad: f64,
-    /// Largest change of a natural frequency by all joints taken as rigid together, of it.
+    /// Largest relative change of a natural frequency by all joints taken as rigid together.
     pub frequency_change_ratio: f64,
 }
 
-/// The joints of a chain that a run takes as rigid: the most that change no other natural frequency by more than 1e-4 of it.
+/// The joints of a chain that a run takes as rigid: as many as possible with no other natural frequency changed by more than 1e-4 of it.
 ///
 /// ```text
 /// δω/ω = Σ_i q_i²/(2 k_i ω² φᵀMφ)          first order in 1/k_i; i: rigid joints
@@ -37,7 +37,7 @@ pub struct ChainRigidJoint {
 /// `released` are joints whose bed would come to its edge.
 ///
 /// # Limits
-/// Upright, with no joint open and side supports with a gap both free and touched.
+/// Upright, without open joints, and with side supports with a gap both free and in contact.
 pub(super) fn rigid_joints(
     model: &ChainModel,
     options: &ChainRun,
@@ -54,7 +54,7 @@ pub(super) fn rigid_joints(
         .collect();
     stiff.sort_by(|a, b| relative(*b).total_cmp(&relative(*a)));
     while !stiff.is_empty() {
-        // modes that the numbers do not hold say nothing: the springs are followed then
+        // without accurate modes the springs are followed
         let of = |touched| frequency_change(model, &stiff, touched).unwrap_or(f64::INFINITY);
         let change = of(false).max(of(true));
         if change <= FREQUENCY_CHANGE_MOST {
@@ -71,7 +71,7 @@ pub(super) fn rigid_joints(
     Vec::new()
 }
 
-/// The chain without the springs and dashpots of these joints: what holds them is found from the balance of the links.
+/// The chain without the springs and dashpots of these joints; their moments follow from the balance of the links.
 pub(super) fn holding(model: &ChainModel, rigid: &[ChainRigidJoint]) -> ChainModel {
     let mut model = model.clone();
     for of in rigid {
@@ -81,7 +81,7 @@ pub(super) fn holding(model: &ChainModel, rigid: &[ChainRigidJoint]) -> ChainMod
     model
 }
 
-/// Whether a joint does not turn at the start, beside the others.
+/// Whether a joint hardly turns at the start, compared with the others.
 fn starts_still(model: &ChainModel, options: &ChainRun, joint: usize) -> bool {
     let rotation = &options.start_rotation_rad;
     let rate = &options.start_velocity_rad_s;
@@ -97,7 +97,7 @@ fn starts_still(model: &ChainModel, options: &ChainRun, joint: usize) -> bool {
     across(joint) <= START_MOST * most && moment_n_m < model.moment_most_n_m[joint]
 }
 
-/// Largest change of a natural frequency, of it, if these joints are rigid; infinite where a mode neither stands nor falls.
+/// Largest relative change of a natural frequency if these joints are rigid; infinite where a mode neither stands nor falls.
 fn frequency_change(model: &ChainModel, rigid: &[usize], touched: bool) -> Result<f64, LinalgError> {
     let n = model.joints.len();
     let mut group: Vec<Option<usize>> = Vec::with_capacity(n);

@@ -1,11 +1,11 @@
-//! How far the equations of a chain go.
+//! Linear or exact equations of a chain.
 
-/// How far rotations go.
+/// Size of rotations in the equations.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum ChainRotations {
-    /// Any size, up to collapse.
+    /// Any size, up to collapse: exact equations.
     #[default]
     Large,
-    /// The linear equations of small rotations, whatever size they reach.
+    /// The linear equations of small rotations, whatever size the rotations reach.
     Small,
 }

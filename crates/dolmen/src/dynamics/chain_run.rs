@@ -1,4 +1,4 @@
-//! How a chain is moved: what a run begins with, how long it takes, what counts as a fall.
+//! Options of the motion of a chain: initial state, duration, definition of a fall.
 
 use super::chain_model::ChainModel;
 use super::frame_run::{DURATION_ALLOWED, DURATION_MOST_S, SAMPLES_MOST};

@@ -10,8 +10,8 @@
 //! | u, F | `beside`, `pushed` | displacement at each side support, and its force | m, N |
 //! | q_i | `held` | moment of a stuck joint's friction, positive against a turn to the right | N m |
 //!
-//! Links that stuck joints join turn as one, or stand if they are joined to the ground: their equations are added up, and q follows
-//! from the balance of each link, from the top down.
+//! Links connected by stuck joints turn as one, or stand if they are connected to the ground: their equations are summed, and q follows from the
+//! balance of each link, from the top down.
 
 use super::chain_model::ChainModel;
 use super::chain_props::PropState;
@@ -21,13 +21,13 @@ use super::{DynamicsError, TimeFunction};
 use crate::numeric::polynomial;
 use dolmen_linalg::Matrix;
 
-/// Highest power. Jorba and Zou (2005): −½ ln ε + 1 = 19 for double precision; some more lengthen the step.
+/// Degree of the series. Jorba and Zou (2005): −½ ln ε + 1 = 19 for double precision; a few more lengthen the step.
 pub(super) const DEGREE: usize = 24;
-/// What the last two terms may be, as part of the sum of the first ones: below half a unit in the last place.
+/// Largest size of the last two terms, as a fraction of the sum of the first ones: below half a unit in the last place.
 const TAIL: f64 = 1e-17;
-/// A step that overflows and is not longer than this is given up, s.
+/// A step that overflows and is not longer than this ends the run with an error, s.
 const SHORTEST_S: f64 = 1e-12;
-/// Terms that the last two are compared with.
+/// Number of first terms with which the last two are compared.
 const FIRST_TERMS: usize = 4;
 
 /// Coefficients of one function.
@@ -35,7 +35,7 @@ pub(super) type Series = [f64; DEGREE + 1];
 /// Coefficients of the integral of a product of two.
 pub(super) type Work = [f64; 2 * DEGREE + 2];
 
-/// What a joint's spring does during a step.
+/// State of a joint's spring during a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum JointState {
     /// Moment k φ.
@@ -44,7 +44,7 @@ pub(super) enum JointState {
     Open(f64),
 }
 
-/// Rotations, rates, and what the joints do.
+/// Rotations, rates, and the states of the joints.
 #[derive(Clone, Debug)]
 pub(super) struct ChainState {
     pub(super) theta: Vec<f64>,
@@ -73,7 +73,7 @@ pub(super) struct ChainSeries<'a> {
     pushed: Vec<Series>,
     /// M_ij cos(θ_i − θ_j), lower triangle.
     turned: Vec<f64>,
-    /// Which links turn as one; `None` for those that stand.
+    /// The group of each link that turns as one; `None` for links that stand.
     group: Vec<Option<usize>>,
     /// The matrix of the groups, factorized.
     factor: Vec<f64>,
@@ -108,7 +108,7 @@ impl<'a> ChainSeries<'a> {
         }
     }
 
-    /// A step to try first, s: a radian of the stiffest link alone.
+    /// A first trial step, s: one radian of the stiffest link alone.
     pub(super) fn first_step_s(&self) -> f64 {
         let joints = self.model.joints();
         let mut step = f64::INFINITY;
@@ -124,7 +124,7 @@ impl<'a> ChainSeries<'a> {
         step
     }
 
-    /// Finds the links that turn as one; returns how many such groups there are.
+    /// Finds the groups of links that turn as one; returns their number.
     fn join(&mut self, sliders: &[Slider]) -> usize {
         let mut groups = 0;
         for (i, slider) in sliders.iter().enumerate() {
@@ -140,14 +140,14 @@ impl<'a> ChainSeries<'a> {
         groups
     }
 
-    /// Expands the motion from `state` at `at_s` and returns the length of the step, s, at most `h`, on which it is exact to
-    /// rounding; the series are in parts of that length.
+    /// Expands the motion from `state` at `at_s` and returns the length of the step, s, at most `h`, on which it is exact to rounding; the
+    /// series are in fractions of that length.
     ///
     /// ```text
     /// M_ii θ_i'' + Σ_{j≠i} M_ij (c_i s_j'' − s_i c_j'') = h² (G_i s_i − τ_i + τ_{i+1} − Γ_i a c_i − Σ c_i F cos θ_i) − h (δ_i − δ_{i+1})
     /// (c_i s_j'' − s_i c_j'' = cos(θ_i − θ_j) θ_j'' + sin(θ_i − θ_j) θ_j'²)         s' = c θ',  c' = −s θ',  δ = d φ'
     /// ```
-    /// Power k of it has one unknown a link, θ of power k + 2, with the matrix M_ij cos(θ_i − θ_j) of the start for every k.
+    /// Power k of it has one unknown for each link, θ of power k + 2, with the matrix M_ij cos(θ_i − θ_j) of the start for every k.
     pub(super) fn expand(
         &mut self,
         state: &ChainState,
@@ -158,7 +158,7 @@ impl<'a> ChainSeries<'a> {
         self.coefficients(state, load, at_s, h);
         let shortest_s = at_s.abs().max(h) * f64::EPSILON;
         let Some(part) = self.part_exact() else {
-            // numbers overflowed: the step tried is far too long
+            // overflow: the trial step is far too long
             if h <= SHORTEST_S {
                 return Err(DynamicsError::StepTooShort { at_s, step_s: h });
             }
@@ -174,7 +174,7 @@ impl<'a> ChainSeries<'a> {
         Ok(part * h)
     }
 
-    /// The series themselves, over a step of h whether they converge on it or not.
+    /// The series over a step of h, whether they converge on it or not.
     pub(super) fn coefficients(&mut self, state: &ChainState, load: &TimeFunction, at_s: f64, h: f64) {
         let n = state.theta.len();
         let large = self.model.rotations == ChainRotations::Large;
@@ -207,7 +207,7 @@ impl<'a> ChainSeries<'a> {
         for i in 0..n {
             for j in 0..=i {
                 if let (Some(upper), Some(lower)) = (self.group[i], self.group[j]) {
-                    // of two links of one group both M_ij and M_ji count
+                    // for two links of one group both M_ij and M_ji count
                     let times = if upper == lower && i != j { 2.0 } else { 1.0 };
                     self.factor[upper * groups + lower] += times * self.turned[i * n + j];
                 }
@@ -217,7 +217,7 @@ impl<'a> ChainSeries<'a> {
         for k in 0..=DEGREE - 2 {
             let twice = ((k + 1) * (k + 2)) as f64;
             for j in 0..n {
-                // all of s and c of power k + 2 but what comes from θ of that power
+                // all of s and c of power k + 2 except the contribution of θ of that power
                 let (mut s, mut c) = (0.0, 0.0);
                 if large {
                     for m in 1..=k + 1 {
@@ -346,7 +346,7 @@ impl<'a> ChainSeries<'a> {
         }
     }
 
-    /// Coefficient k of the moments of stuck joints: what the balance of the links above them leaves.
+    /// Coefficient k of the moments of stuck joints, from the balance of the links above them.
     fn hold(&mut self, state: &ChainState, k: usize, h: f64) {
         let n = state.theta.len();
         let mut left = 0.0;
@@ -368,7 +368,7 @@ impl<'a> ChainSeries<'a> {
         }
     }
 
-    /// Largest sum of the sizes of the moments of order k that balance each other in one link, N m: what rounding is measured by.
+    /// Largest sum of the magnitudes of the moments of order k that balance each other in one link, N m: the scale of rounding.
     pub(super) fn moment_scale(&self, state: &ChainState, k: usize, h: f64) -> f64 {
         let n = state.theta.len();
         let second = ((k + 1) * (k + 2)) as f64 / (h * h);
@@ -404,7 +404,7 @@ impl<'a> ChainSeries<'a> {
         self.mass[(joint, joint)] * second * self.across[joint][k + 2]
     }
 
-    /// The part of [0, 1] on which the last terms are nothing beside the first ones; `None` if they are not finite.
+    /// The fraction of [0, 1] on which the last terms are negligible compared with the first ones; `None` if they are not finite.
     pub(super) fn part_exact(&self) -> Option<f64> {
         let size = |k: usize| -> f64 { self.theta.iter().map(|c| c[k].abs()).sum() }; // a sum keeps NaN
         let sizes: Vec<f64> = (0..=DEGREE).map(size).collect();
@@ -423,7 +423,7 @@ impl<'a> ChainSeries<'a> {
         }
     }
 
-    /// Makes the series those of the first `part` of the step.
+    /// Rescales the series to the first `part` of the step.
     pub(super) fn shorten(&mut self, part: f64) {
         if part == 1.0 {
             return;
@@ -455,7 +455,7 @@ impl<'a> ChainSeries<'a> {
         work
     }
 
-    /// What the dashpots take from the start of the step of `h` s, J: Σ d_i ∫ φ_i'² dσ / h.
+    /// Energy dissipated by the dashpots from the start of the step of `h` s, J: Σ d_i ∫ φ_i'² dσ / h.
     pub(super) fn damping_work_j(&self, h: f64) -> Work {
         let mut work = [0.0; 2 * DEGREE + 2];
         for (joint, across) in self.model.joints.iter().zip(&self.across) {

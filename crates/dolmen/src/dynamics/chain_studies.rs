@@ -6,14 +6,14 @@ use super::{ChainModel, ChainRun, DynamicsError, simulate_chain};
 
 /// Steady response of a chain to harmonic motions of the ground, one point for each frequency and acceleration, rows of one frequency.
 ///
-/// `progress` gets the share done, and stops the map by returning false: points not done are missing.
+/// `progress` receives the share done, and stops the map by returning false: the remaining points are missing.
 ///
 /// # Errors
 /// Those of [`simulate_chain`].
 ///
 /// # Limits
-/// As of [`harmonic_map`](super::harmonic_map): 40 cycles from rest, of the ground and of the slowest swing of the chain, all joints
-/// springs, alike. A chain that falls by itself has no such swing: its point tells when it falls.
+/// As for [`harmonic_map`](super::harmonic_map): 40 cycles from rest, both of the ground and of the slowest mode of the chain with all joints as
+/// springs. A chain that falls by itself has no such mode: its point gives the time of its fall.
 pub fn chain_harmonic_map(
     model: &ChainModel,
     frequencies_hz: &[f64],

@@ -1,9 +1,9 @@
-//! Why a structure cannot be moved in time.
+//! Errors of simulations.
 
 use crate::structure::StructureError;
 use dolmen_linalg::LinalgError;
 
-/// Why a simulation cannot start or cannot go on. How one that ran ended is a status in its result.
+/// Why a simulation cannot start or continue. The end of a run is a status in its result.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum DynamicsError {
     /// A value out of its range.
@@ -28,7 +28,7 @@ pub enum DynamicsError {
         /// What is allowed.
         allowed: &'static str,
     },
-    /// A building that cannot be, or a place that is not on it.
+    /// An invalid building, or a place that is not on it.
     #[error(transparent)]
     Building(#[from] crate::structure::building::BuildingError),
     /// A list of the wrong length.
@@ -41,14 +41,14 @@ pub enum DynamicsError {
         /// The number of storeys.
         needed: usize,
     },
-    /// No stick and slip of the storeys agrees with Coulomb's law at an event.
+    /// No state of stick and slip of the storeys satisfies Coulomb's law at an event.
     #[error(
         "at {at_s} s no state of sticking and slipping was found in {tried} tries: the friction of some storey is far below the others', or the numbers of the frame lie too far apart"
     )]
     NoState {
         /// When, s.
         at_s: f64,
-        /// States tried.
+        /// Number of states tried.
         tried: usize,
     },
     /// Peaks still change as the step of a run is halved.
@@ -71,30 +71,30 @@ pub enum DynamicsError {
         /// Directions that have tenons.
         directions: usize,
     },
-    /// Events follow each other without end.
+    /// Endless events.
     #[error(
         "{events} changes between sticking and slipping within 1e-9 s of {at_s} s: look at the friction forces, of which one may be next to nothing"
     )]
     TooManyEvents {
         /// When, s.
         at_s: f64,
-        /// Changes counted.
+        /// Number of changes.
         events: usize,
     },
-    /// A frame that is to swing falls with its sliders stuck.
+    /// A frame for a release falls with its sliders stuck.
     #[error(
         "the frame cannot be let go from {displacement_m} m: it falls as it stands, with every slider stuck; give it stiffness first"
     )]
     NoSwing {
-        /// Where it was to be let go, m.
+        /// Displacement of the release, m.
         displacement_m: f64,
     },
-    /// A frame that was let go leaned too far to be read.
+    /// A released frame leaned too far.
     #[error(
         "let go from {displacement_m} m, storey {storey} of the frame leans beyond what small drifts can tell of, at {at_s} s: take a smaller displacement, or look whether it stands while its sliders slip"
     )]
     SwingFalls {
-        /// Where it was let go, m.
+        /// Displacement of the release, m.
         displacement_m: f64,
         /// The storey, 1 the lowest.
         storey: usize,
@@ -125,7 +125,7 @@ pub enum DynamicsError {
         /// The number of links.
         needed: usize,
     },
-    /// A joint is to open at the edge of a bed whose width is not known.
+    /// A joint opens at the edge of a bed of unknown width.
     #[error(
         "joint {joint} opens at the edge of its bed, but link {joint} has no bed_width_m: give it, or hold the joint"
     )]
@@ -133,27 +133,27 @@ pub enum DynamicsError {
         /// The joint, 1 the lowest.
         joint: usize,
     },
-    /// No stick and slip of the joints agrees with Coulomb's law at an event.
+    /// No state of stick and slip of the joints satisfies Coulomb's law at an event.
     #[error(
         "at {at_s} s no state of sticking and turning joints was found in {tried} tries: the friction of some joint is far below the others', or the numbers of the chain lie too far apart"
     )]
     NoJointState {
         /// When, s.
         at_s: f64,
-        /// States tried.
+        /// Number of states tried.
         tried: usize,
     },
-    /// Steps of a chain's motion became too short to go on.
+    /// Steps of a chain's motion became too short.
     #[error(
         "the motion of the chain cannot go on at {at_s} s: a step of {step_s} s was left; look for a dashpot or spring many decades above the others"
     )]
     StepTooShort {
         /// When, s.
         at_s: f64,
-        /// The step that was left, s.
+        /// The remaining step, s.
         step_s: f64,
     },
-    /// A matrix that is none of a structure.
+    /// A matrix that is not that of a structure.
     #[error("the {matrix} matrix must be {needed}")]
     Matrix {
         /// Which one.
@@ -171,10 +171,10 @@ pub enum DynamicsError {
         /// The number needed.
         needed: usize,
     },
-    /// A random response without bound.
+    /// An unbounded random response.
     #[error("{quantity} has no standard deviation: {why}")]
     Unbounded {
-        /// What was asked for.
+        /// The requested quantity.
         quantity: &'static str,
         /// Why, and what to do.
         why: &'static str,
@@ -182,10 +182,10 @@ pub enum DynamicsError {
     /// Lyapunov's equation needs loads that are filtered white noise.
     #[error("a spectrum given as a table is no filtered white noise: use the integral over frequency")]
     NotRational,
-    /// A random motion that does not settle.
+    /// A random motion without a steady state.
     #[error("the motion does not settle: some mode has no damping; give each one some")]
     Unstable,
-    /// An integral over frequency that takes too long.
+    /// An integral over frequency that needs too many intervals.
     #[error(
         "the integral over frequency needs more than {intervals} intervals: raise relative_tolerance or intervals_most, or give the modes more damping"
     )]
@@ -193,10 +193,10 @@ pub enum DynamicsError {
         /// Intervals allowed.
         intervals: usize,
     },
-    /// The frame cannot be.
+    /// The frame is refused.
     #[error(transparent)]
     Structure(#[from] StructureError),
-    /// A wind cannot be.
+    /// The wind is refused.
     #[error(transparent)]
     Wind(#[from] crate::structure::wind::WindError),
     /// A decomposition failed.
@@ -205,7 +205,7 @@ pub enum DynamicsError {
 }
 
 impl DynamicsError {
-    /// Whether an iteration ended before it converged: the input may be good.
+    /// Whether an iteration ended before it converged, in which case the input may be valid.
     pub fn did_not_converge(&self) -> bool {
         match self {
             Self::Building(why) => why.did_not_converge(),

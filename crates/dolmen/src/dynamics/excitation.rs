@@ -1,4 +1,4 @@
-//! What moves a structure: functions of time whose Taylor series are known.
+//! Loads on a structure: functions of time with known Taylor series.
 
 use super::DynamicsError;
 use crate::signal::{Component, GroundMotion};
@@ -7,18 +7,18 @@ use std::f64::consts::TAU;
 /// A scalar function of time: an acceleration of the ground, m/s², or a force, N.
 #[derive(Clone, Debug, PartialEq)]
 pub enum TimeFunction {
-    /// Nothing.
+    /// No load.
     Zero,
-    /// The same for ever.
+    /// A constant.
     Constant(f64),
-    /// Samples from time 0, straight lines between them, 0 after the last.
+    /// Samples from time 0, linear between them, 0 after the last.
     Sampled {
         /// Time between samples, s.
         time_step_s: f64,
         /// The values at 0, dt, 2 dt, …
         values: Vec<f64>,
     },
-    /// amplitude · sin(2π f t + phase), for ever.
+    /// amplitude · sin(2π f t + phase), without end.
     Harmonic {
         /// Largest value.
         amplitude: f64,
@@ -38,7 +38,7 @@ impl TimeFunction {
         }
     }
 
-    /// When it is over, s; 0 for a constant and a harmonic, which never are.
+    /// End of the load, s; 0 for a constant and a harmonic, which have none.
     pub fn duration_s(&self) -> f64 {
         match self {
             TimeFunction::Zero | TimeFunction::Constant(_) | TimeFunction::Harmonic { .. } => 0.0,
@@ -85,7 +85,7 @@ impl TimeFunction {
         }
     }
 
-    /// What of it never changes.
+    /// The constant part of it.
     pub(super) fn constant(&self) -> f64 {
         match self {
             TimeFunction::Constant(value) => *value,
@@ -93,7 +93,7 @@ impl TimeFunction {
         }
     }
 
-    /// Its value, straight between samples.
+    /// Its value, linear between samples.
     pub(super) fn value(&self, at_s: f64) -> f64 {
         match self {
             TimeFunction::Zero => 0.0,
@@ -135,7 +135,7 @@ impl TimeFunction {
         }
     }
 
-    /// Taylor coefficients at `at_s` in σ = (t − at_s)/h, valid up to the next break. Returns how many are not zero.
+    /// Taylor coefficients at `at_s` in σ = (t − at_s)/h, valid up to the next break. Returns the number of coefficients that are not zero.
     pub(super) fn series(&self, at_s: f64, h: f64, coefficients: &mut [f64]) -> usize {
         coefficients.fill(0.0);
         match self {
@@ -145,7 +145,7 @@ impl TimeFunction {
                 1
             }
             TimeFunction::Sampled { time_step_s, values } => {
-                // the interval that holds the middle of the step, so that rounding of at_s cannot choose its neighbour
+                // the interval with the middle of the step, so that rounding of at_s cannot choose its neighbour
                 let interval = ((at_s + 0.5 * h) / time_step_s).floor() as usize;
                 let (Some(&start), Some(&end)) = (values.get(interval), values.get(interval + 1)) else {
                     return 0;
@@ -174,7 +174,7 @@ impl TimeFunction {
     }
 }
 
-/// What acts on a frame: the acceleration of the ground, and a force at each level.
+/// The load on a frame: the acceleration of the ground, and a force at each level.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FrameLoad {
     /// Acceleration of the ground, m/s².
@@ -184,7 +184,7 @@ pub struct FrameLoad {
 }
 
 impl FrameLoad {
-    /// Nothing acts: free motion.
+    /// No load: free motion.
     pub fn none() -> Self {
         FrameLoad::of_ground(TimeFunction::Zero)
     }
@@ -197,7 +197,7 @@ impl FrameLoad {
         }
     }
 
-    /// When all of it is over, s; 0 if nothing or only harmonics act.
+    /// End of all of it, s; 0 without a load, or with harmonics only.
     pub fn duration_s(&self) -> f64 {
         self.forces_n
             .iter()

@@ -1,4 +1,4 @@
-//! Steps of a frame from one event to the next: which slider changes first, and when.
+//! Steps of a frame from one event to the next: the first slider that changes, and when.
 
 use super::DynamicsError;
 use super::excitation::FrameLoad;
@@ -11,7 +11,7 @@ use super::frame_tenon::{Joint, TenonChange};
 use super::frame_tenon_events::tenon_event;
 use crate::numeric::{COEFFICIENTS_MOST, first_descent, polynomial_most};
 
-/// Changes of sliders closer than this are one event, s: what the problem asks its events to be located to.
+/// Changes of sliders closer than this are one event, s: the required accuracy of events.
 pub(super) const TOGETHER_S: f64 = 1e-12;
 
 /// A change of a slider within a step.
@@ -23,35 +23,35 @@ pub(super) struct Event {
 }
 
 #[derive(Clone, Copy, PartialEq)]
-/// What happens to a slider.
+/// Change of a slider.
 pub(super) enum Change {
-    /// Its force has reached the static one, in this direction.
+    /// Its force has reached the static limit, in this direction.
     Goes(f64),
-    /// It has come to a stop.
+    /// It has stopped.
     Stops,
     /// The tenons of the storey change.
     Tenon(TenonChange),
 }
 
-/// A frame on its way.
+/// A frame during a run.
 pub(super) struct Motion<'a> {
     pub(super) model: Model,
     pub(super) load: &'a FrameLoad,
     pub(super) state: State,
-    /// Where it is at the end of the step under way.
+    /// The state at the end of the current step.
     ahead: State,
     pub(super) series: Series,
     pub(super) at_s: f64,
-    /// How many first coefficients of what each slider waits for are zero, after an event: there they hold rounding.
+    /// Number of zero first coefficients of each slider's quantity after an event, which contain only rounding.
     pub(super) zeros: Vec<usize>,
-    /// Sliders may have to change before the next step; what they did before, if so.
+    /// The sliders before the event, if they may have to change before the next step.
     pub(super) unsettled: Option<Vec<Slider>>,
-    /// Below this a force or a rate of it is rounding, N: it grows with the orders that are looked at.
+    /// A force or a rate of it below this is rounding, N; it grows with the order of the rate.
     pub(super) rounding_n: f64,
-    /// Sliders that go at any price: their static force was reached and is above the kinetic one.
+    /// Sliders that must slip: their static force was reached and is above the kinetic one.
     pub(super) gone: Vec<usize>,
     pub(super) events: Vec<Event>,
-    /// Drift of each storey beyond which the model tells nothing, m, and the storey that has reached it.
+    /// Drift of each storey up to which the model is valid, m, and the storey that has reached it.
     pub(super) drift_most_m: Vec<f64>,
     pub(super) leaned: Option<usize>,
     pub(super) pile: usize,
@@ -95,7 +95,7 @@ impl<'a> Motion<'a> {
                     static_force_n,
                     kinetic_force_n,
                 } => {
-                    // a start beyond its force finds the slider slipped so far
+                    // a start beyond its force means that the slider has slipped so far
                     if stuck_stiffness_n_m * across.abs() > static_force_n {
                         state.offset_m[i] = across - across.signum() * kinetic_force_n / stuck_stiffness_n_m;
                     }
@@ -131,7 +131,7 @@ impl<'a> Motion<'a> {
         Ok(motion)
     }
 
-    /// Goes on by h at most, to the next event; `end_s` is where the series of the load ends.
+    /// Advances by h at most, to the next event; `end_s` is the end of the load's series.
     pub(super) fn step(
         &mut self,
         mut h: f64,
@@ -180,7 +180,7 @@ impl<'a> Motion<'a> {
         Ok(())
     }
 
-    /// The first storey whose drift passes its limit, and where in the step.
+    /// The first storey whose drift exceeds its limit, and its place in the step.
     fn leans_too_far(&self) -> Option<(usize, f64)> {
         let s = &self.series;
         let mut first: Option<(usize, f64)> = None;
@@ -206,7 +206,7 @@ impl<'a> Motion<'a> {
         first
     }
 
-    /// Puts the first event and those together with it into `events`; returns where the step ends.
+    /// Collects the first event and simultaneous ones in `events`; returns the end of the step.
     fn first_events(&mut self, h: f64) -> f64 {
         self.events.clear();
         let mut first = 1.0_f64;
@@ -296,7 +296,7 @@ fn goes(storey: usize, force: &[f64], static_force_n: f64, zeros: usize) -> Opti
             *c = -sign * force;
         }
         c[0] += static_force_n;
-        // the limit it is at, not the other
+        // its own limit, not the other
         if c[0] < 0.5 * static_force_n {
             settle(c, zeros);
         }
@@ -313,8 +313,7 @@ fn goes(storey: usize, force: &[f64], static_force_n: f64, zeros: usize) -> Opti
     first
 }
 
-/// Takes away what rounding has left where a slider that has just changed starts at a zero, so that the first true coefficient
-/// decides.
+/// Removes rounding where a slider that has just changed starts at a zero, so that the first true coefficient decides.
 fn settle(c: &mut [f64], zeros: usize) {
     let zeros = zeros.min(c.len());
     c[..zeros].fill(0.0);

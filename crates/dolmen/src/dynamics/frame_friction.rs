@@ -1,4 +1,4 @@
-//! A frame with dry friction in its storeys: what it is made of.
+//! The model of a frame with dry friction in its storeys.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -13,7 +13,7 @@ use super::frame_tenon::Tenon;
 use crate::structure::Frame;
 use dolmen_linalg::{Matrix, generalized_symmetric_eigen};
 
-/// Dry friction of one storey. With the storey's own spring k_i beside it these are the three readings of the source:
+/// Dry friction of one storey. Together with the storey's own spring k_i it covers the three readings of the source:
 ///
 /// ```text
 /// (a) k_i > 0, Coulomb     rigid until it slips, then k_i and a constant force
@@ -24,7 +24,7 @@ use dolmen_linalg::{Matrix, generalized_symmetric_eigen};
 pub enum StoreyFriction {
     /// None.
     None,
-    /// A slider beside the spring: Coulomb's law, set-valued, sticking is exact.
+    /// A slider beside the spring: Coulomb's law, set-valued; sticking is exact.
     Coulomb {
         /// Force at which it starts to slip, N; at least the kinetic one.
         static_force_n: f64,
@@ -60,7 +60,7 @@ impl StoreyFriction {
         }
     }
 
-    /// The force at which it starts to slip and that while it slips, N; `None` where nothing rubs.
+    /// The static and the kinetic force, N; `None` without friction.
     pub(super) fn limits_n(self) -> Option<[f64; 2]> {
         match self.acting() {
             StoreyFriction::None => None,
@@ -76,7 +76,7 @@ impl StoreyFriction {
         }
     }
 
-    /// What of it acts: a slider of no force is none, and would stand and slip at once.
+    /// The acting friction: a slider without force counts as none, since it would stick and slip at once.
     pub(super) fn acting(self) -> Self {
         match self {
             StoreyFriction::Coulomb { static_force_n, .. }
@@ -90,7 +90,7 @@ impl StoreyFriction {
     }
 }
 
-/// What the sliders act on.
+/// The motion on which sliders act.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FrictionActsOn {
     /// The storey drift: joints rub against each other as the storey deforms.
@@ -102,18 +102,18 @@ pub enum FrictionActsOn {
 /// Viscous damping.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ViscousDamping {
-    /// None: friction alone.
+    /// None, only friction.
     None,
     /// A dashpot in each storey, on its drift, N s/m.
     Dashpots(Vec<f64>),
-    /// C = a M + b K with K as all sliders slip, P-delta included.
+    /// C = a M + b K with K for slipping sliders, P-delta included.
     Rayleigh {
         /// a, 1/s.
         mass_per_s: f64,
         /// b, s.
         stiffness_s: f64,
     },
-    /// One damping ratio in every mode of the frame, as all sliders stick (Coulomb: as they slip).
+    /// One damping ratio in every mode of the frame with sticking sliders (Coulomb: slipping).
     Modal(f64),
 }
 
@@ -161,7 +161,7 @@ impl FrictionFrame {
         })
     }
 
-    /// The same with the sliders on something else.
+    /// The same with the sliders on another motion.
     pub fn acting_on(self, acts_on: FrictionActsOn) -> Self {
         FrictionFrame { acts_on, ..self }
     }
@@ -233,7 +233,7 @@ impl FrictionFrame {
         Ok(FrictionFrame { damping, ..self })
     }
 
-    /// With a K of a falling shape, ω² < 0, b K drives that shape on: a + b ω² must not be negative.
+    /// In a falling shape of K, ω² < 0, b K drives that shape further: a + b ω² must not be negative.
     fn check_rayleigh(&self, mass_per_s: f64, stiffness_s: f64) -> Result<(), DynamicsError> {
         let k = self.stiffness_matrix(Sliders::Slipping)?;
         let eigen = generalized_symmetric_eigen(&k, &self.frame.mass_matrix())?;
@@ -270,16 +270,16 @@ impl FrictionFrame {
         &self.tenons
     }
 
-    /// What the sliders act on.
+    /// The motion on which the sliders act.
     pub fn acts_on(&self) -> FrictionActsOn {
         self.acts_on
     }
 
-    /// Frequencies of the frame within the slack of its tenons, while every slider slips, or with `stuck` while every slider of a Jenkins
-    /// element sticks, Hz, lowest first; `None` for a shape in which the frame falls. A stuck Coulomb slider is rigid and does not enter.
+    /// Frequencies of the frame within the slack of its tenons with all sliders slipping, or with `stuck` all those of Jenkins elements
+    /// sticking, Hz, lowest first; `None` for a falling shape. A stuck Coulomb slider is rigid and does not count.
     ///
     /// # Errors
-    /// [`DynamicsError::Structure`] if the values differ by more than the numbers hold.
+    /// [`DynamicsError::Structure`] if the range of values exceeds the precision of the numbers.
     pub fn frequencies_hz(&self, sliders: Sliders) -> Result<Vec<Option<f64>>, DynamicsError> {
         let k = self.stiffness_matrix(sliders)?;
         let eigen = generalized_symmetric_eigen(&k, &self.frame.mass_matrix())?;
@@ -287,16 +287,15 @@ impl FrictionFrame {
         Ok(eigen.values.iter().map(hz).collect())
     }
 
-    /// Damping ratio that the viscous damping makes of each mode, in the order of [`FrictionFrame::frequencies_hz`]; `None` for a shape in which
-    /// the frame falls.
+    /// Damping ratio of each mode from the viscous damping, in the order of [`FrictionFrame::frequencies_hz`]; `None` for a falling shape.
     ///
     /// ```text
     /// ζ_j = φ_jᵀ C φ_j / (2 ω_j φ_jᵀ M φ_j)
     /// ```
-    /// Terms between modes are left out: small dampings.
+    /// Terms between modes are neglected: small damping.
     ///
     /// # Errors
-    /// [`DynamicsError::Structure`] if the values differ by more than the numbers hold.
+    /// [`DynamicsError::Structure`] if the range of values exceeds the precision of the numbers.
     pub fn damping_ratios(&self, sliders: Sliders) -> Result<Vec<Option<f64>>, DynamicsError> {
         let k = self.stiffness_matrix(sliders)?;
         let c = self.damping_matrix()?;
@@ -312,7 +311,7 @@ impl FrictionFrame {
         Ok(eigen.values.iter().enumerate().map(ratio).collect())
     }
 
-    /// K with P-delta while every slider slips, or while those of Jenkins elements stick, N/m.
+    /// K with P-delta for slipping sliders, or for sticking ones of Jenkins elements, N/m.
     pub(super) fn stiffness_matrix(&self, sliders: Sliders) -> Result<Matrix, DynamicsError> {
         let mut k = self.frame.stiffness_matrix(&self.stiffness_n_m)?;
         if sliders == Sliders::Stuck {
@@ -375,7 +374,7 @@ impl FrictionFrame {
                 let k = self.stiffness_matrix(Sliders::Stuck)?;
                 let mass = self.frame.mass_matrix();
                 let eigen = generalized_symmetric_eigen(&k, &mass)?;
-                // C = M (Σ 2ζω φ φᵀ) M with φᵀMφ = 1; a shape in which the frame falls has none
+                // C = M (Σ 2ζω φ φᵀ) M with φᵀMφ = 1; a falling shape has no damping
                 let entry = |i: usize, j: usize| {
                     let sum: f64 = (0..n)
                         .map(|m| {
@@ -391,7 +390,7 @@ impl FrictionFrame {
     }
 }
 
-/// How the sliders are, for [`FrictionFrame::frequencies_hz`].
+/// State of the sliders, for [`FrictionFrame::frequencies_hz`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sliders {
     /// All stick.
@@ -406,7 +405,7 @@ pub enum Sliders {
 /// [`DynamicsError::Argument`] for a coefficient outside 0 … 2.
 ///
 /// # Limits
-/// N_i is that of the frame at rest: vertical shaking changes it and is not in it.
+/// N_i is that of the frame at rest: changes by vertical shaking are not included.
 pub fn slip_forces_n(frame: &Frame, friction_coefficient: f64) -> Result<Vec<f64>, DynamicsError> {
     if !(0.0..=2.0).contains(&friction_coefficient) {
         return Err(DynamicsError::Argument {

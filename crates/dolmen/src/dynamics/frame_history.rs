@@ -1,20 +1,20 @@
-//! What the motion of a frame gives: how it ended, and everything needed to draw, to doubt and to repeat it.
+//! The motion of a frame: how it ended, and everything needed to draw, to doubt and to repeat it.
 
 use super::frame_tenon::TenonFace;
 
-/// How a run ended.
+/// End of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum FrameOutcome {
-    /// It ran to its end.
+    /// The run is complete.
     Finished,
-    /// A storey leaned more than the model of small drifts can say anything of: the run ends there.
+    /// A storey leaned beyond the validity of small drifts; the run ends there.
     DriftLimit {
         /// The storey, 0 the lowest.
         storey: usize,
         /// When, s.
         at_s: f64,
     },
-    /// The caller stopped it.
+    /// The caller stopped the run.
     Stopped {
         /// When, s.
         at_s: f64,
@@ -24,15 +24,15 @@ pub enum FrameOutcome {
 /// A largest value.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct FramePeak {
-    /// With its sign, m: between the samples too.
+    /// With its sign, m, including times between the samples.
     pub value_m: f64,
     /// When, s.
     pub at_s: f64,
-    /// Largest absolute value at the samples of the history, m: what programs print that look nowhere else.
+    /// Largest absolute value at the samples of the history, m, as many programs print it.
     pub at_samples_m: f64,
 }
 
-/// A turn of the top level: where its velocity changed sign.
+/// A turning point of the top level.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Turn {
     /// When, s.
@@ -41,16 +41,16 @@ pub struct Turn {
     pub displacement_m: f64,
 }
 
-/// One time in which a slider slipped in one direction.
+/// One slip of a slider in one direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slip {
     /// The storey, 0 the lowest.
     pub storey: usize,
-    /// It began, s.
+    /// Start, s.
     pub from_s: f64,
-    /// It ended, s: at a stop, a turn, or the end of the run.
+    /// End, s: at a stop, a reversal, or the end of the run.
     pub to_s: f64,
-    /// Way of the slider, with its sign, m.
+    /// Slip distance, with its sign, m.
     pub slip_m: f64,
 }
 
@@ -59,31 +59,31 @@ pub struct Slip {
 pub struct FrameEnergy {
     /// Of motion relative to the ground.
     pub kinetic_j: f64,
-    /// In springs, less what gravity gave by P-delta.
+    /// In springs, minus the contribution of gravity (P-delta).
     pub stored_j: f64,
-    /// Work of what acts, and what was in the frame at the start: of inertia forces in the frame of the ground, and of forces.
+    /// Work of the load and energy at the start: of inertia forces in the frame of the ground, and of forces.
     pub input_j: f64,
-    /// Taken by friction.
+    /// Dissipated by friction.
     pub friction_j: f64,
-    /// Taken by tenons that crush.
+    /// Dissipated by crushing tenons.
     pub crushing_j: f64,
-    /// Taken by dashpots.
+    /// Dissipated by dashpots.
     pub damping_j: f64,
 }
 
 impl FrameEnergy {
-    /// What is left over: the fault of the computation.
+    /// The residual of the balance: the error of the computation.
     pub fn left_over_j(&self) -> f64 {
         self.input_j - self.kinetic_j - self.stored_j - self.friction_j - self.crushing_j - self.damping_j
     }
 }
 
-/// A motion of a frame. Rows of the histories: one a level or storey, lowest first.
+/// A motion of a frame. Histories have one row for each level or storey, lowest first.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FrameHistory {
-    /// How it ended.
+    /// Its end.
     pub outcome: FrameOutcome,
-    /// How long it ran, s: to its end, or to where it was ended.
+    /// Duration of the run, s, until it was complete or ended early.
     pub duration_s: f64,
     /// Times of the samples, s.
     pub time_s: Vec<f64>,
@@ -99,30 +99,29 @@ pub struct FrameHistory {
     pub displacement_peaks: Vec<FramePeak>,
     /// Largest drift of each storey.
     pub drift_peaks: Vec<FramePeak>,
-    /// Both faces of the tenons of each storey at the end, that of positive drift first; `None` of storeys without.
+    /// Both faces of the tenons of each storey at the end, that of positive drift first; `None` for storeys without tenons.
     pub tenons: Vec<Option<[TenonFace; 2]>>,
-    /// Times in which sliders slipped, in the order in which they ended.
+    /// Slips of the sliders, in the order of their ends.
     pub slips: Vec<Slip>,
-    /// Turns of the top level, in order.
+    /// Turning points of the top level, in order.
     pub turns: Vec<Turn>,
     /// Displacements at the end, m.
     pub residual_m: Vec<f64>,
-    /// Displacements at which it comes to rest if nothing slips any more, m; those at the end if it did not run to its end, or has
-    /// no place to rest.
+    /// Displacements of the rest position without further slip, m; those at the end if the run is not complete, or there is no rest position.
     pub rest_m: Vec<f64>,
-    /// Whether everything stood still at the end, relative to the ground.
+    /// Whether everything was at rest at the end, relative to the ground.
     pub at_rest: bool,
-    /// Times at which some slider began to slip, turned or stopped, or some tenon began to bear, opened, crushed or stopped; changes at
-    /// one time count once.
+    /// Times at which some slider began to slip, reversed or stopped, or some tenon began to bear, opened, crushed or stopped; simultaneous
+    /// changes count once.
     pub events: usize,
-    /// Series that were expanded.
+    /// Number of series.
     pub steps: usize,
     /// Energy at the samples.
     pub energy: Vec<FrameEnergy>,
 }
 
 impl FrameHistory {
-    /// Largest share of the energy put in that the balance leaves over, at any sample, –.
+    /// Largest residual of the energy balance at any sample, over the energy input, –.
     pub fn energy_left_over_ratio(&self) -> f64 {
         let most = self.energy.iter().map(|e| e.input_j.abs()).fold(0.0, f64::max);
         let left = self
@@ -151,14 +150,14 @@ impl FrameHistory {
         if whole_s > 0.0 { slipping_s / whole_s } else { 0.0 }
     }
 
-    /// Whole way that the slider of a storey has slipped, both directions added up, m.
+    /// Accumulated slip of the slider of a storey, both directions, m.
     pub fn slipped_way_m(&self, storey: usize) -> f64 {
         let of_storey = self.slips.iter().filter(|s| s.storey == storey);
         of_storey.fold(0.0, |way, s| way + s.slip_m.abs())
     }
 }
 
-/// The row of a storey's upper level less that of its lower one.
+/// The row of a storey's upper level minus that of its lower one.
 fn difference(rows: &[Vec<f64>], storey: usize) -> Vec<f64> {
     let upper = &rows[storey];
     match storey.checked_sub(1) {

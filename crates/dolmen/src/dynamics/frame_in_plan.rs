@@ -1,4 +1,4 @@
-//! A frame under two components of the ground: each direction by itself where no joint rubs in both, else both in steps.
+//! A frame under two components of ground motion: each direction separately where no joint has friction in both, otherwise both in steps.
 //!
 //! A storey that rubs in both directions rubs on the same faces: its slip force is one, however it points. Its direction turns as the frame
 //! moves, so that the law is no series any more, and the run goes in equal steps.
@@ -23,34 +23,34 @@ use super::frame_plan_record::run;
 use super::frame_plan_steps::{Both, Steps};
 use super::frame_run::FrameRun;
 
-/// Steps in the time that the stiffest storey takes for one radian. Chosen here: the elastic swing is then off by 4e-5.
+/// Number of steps in one radian of the stiffest storey. Chosen here: elastic oscillations are then accurate to 4e-5.
 const STEPS_A_RADIAN: f64 = 50.0;
 /// Longest step, s. Chosen here: records come at 0.005 to 0.02 s.
 const STEP_MOST_S: f64 = 5e-4;
-/// Largest change of a peak drift, of the largest, at half the step. Chosen here: a tenth of what a coefficient of friction is known to.
+/// Largest relative change of a peak drift at half the step. Chosen here: a tenth of the uncertainty of a friction coefficient.
 const CHANGE_MOST: f64 = 0.005;
-/// How often the step is halved before the run is refused. Chosen here.
+/// Largest number of halvings of the step before the run is refused. Chosen here.
 const HALVINGS_MOST: usize = 5;
 
-/// How a run in which both directions share their slip forces was stepped.
+/// Steps of a run in which both directions share their slip forces.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SharedFriction {
     /// Length of a step, s.
     pub step_s: f64,
-    /// How much the peak drifts changed when the step was halved to that, over the largest of them.
+    /// Change of the peak drifts at the last halving of the step, over the largest of them.
     pub change: f64,
 }
 
-/// A frame that moved in two directions at once.
+/// A frame that moved in two directions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FrameInPlan {
-    /// What happened in each direction.
+    /// The history in each direction.
     pub histories: [FrameHistory; 2],
-    /// How it was stepped where a storey rubs in both directions; `None` where the directions are apart, and each is exact.
+    /// The steps where a storey has friction in both directions; `None` where the directions are independent, and each is exact.
     pub shared: Option<SharedFriction>,
 }
 
-/// Storeys that rub in both directions, 0 the lowest.
+/// Storeys with friction in both directions, 0 the lowest.
 pub fn storeys_that_rub_both_ways(frames: [&FrictionFrame; 2]) -> Vec<usize> {
     let rubs = |of: &FrictionFrame, storey: usize| of.friction[storey].limits_n().is_some();
     let storeys = 0..frames[0].friction.len().min(frames[1].friction.len());
@@ -65,19 +65,19 @@ pub fn storeys_that_rub_both_ways(frames: [&FrictionFrame; 2]) -> Vec<usize> {
 /// M u_d'' + C_d u_d' + K_d u_d + Bᵀ q_d = −M 1 a_d + F_d,   d = 1, 2
 /// (q_1/f_1)² + (q_2/f_2)² ≤ 1;  at 1 it slips with  f_d Δ_d = λ q_d/f_d,  λ > 0
 /// ```
-/// With equal f the slip is against the force (Coulomb in the plane); with different ones it takes the most work (an ellipse). Between levels that
-/// rub in one direction only, or in none, nothing is shared: [`simulate_frame`] then runs each direction exactly.
+/// With equal f the slip is opposite to the force (Coulomb in the plane); with different ones friction takes the most work (an ellipse). If no
+/// storey has friction in both directions, they are independent: [`simulate_frame`] then runs each exactly.
 ///
-/// Shared friction is stepped: springs, dashpots and inertia by the trapezoidal rule, the law of friction at the end of each step, all storeys
-/// together by sweeps until their forces change by less than 1e-11. Energy balances to rounding. The step is halved until the peak drifts
-/// change by at most 0.5 %; the answer says by how much they did.
+/// Shared friction is stepped: springs, dashpots and inertia by the trapezoidal rule, the law of friction at the end of each step, for all
+/// storeys together by sweeps until their forces change by less than 1e-11. Energy balances to rounding. The step is halved until the peak
+/// drifts change by at most 0.5 %; the answer gives the change.
 ///
 /// # Errors
 /// Those of [`simulate_frame`]; [`DynamicsError::Argument`] for sliders that act on displacements;
 /// [`DynamicsError::Count`] for frames of different storeys; [`DynamicsError::NotConverged`] where peaks still change.
 ///
 /// # Limits
-/// Of first order in the step where the direction of slip turns. Floors do not twist.
+/// First order in the step where the direction of slip turns. Floors do not twist.
 ///
 /// # Source
 /// The law is that of maximal dissipation: Moreau, J. J. (1988), Unilateral contact and dry friction in finite freedom dynamics, for the plane.

@@ -1,4 +1,4 @@
-//! What the sliders of a frame do after an event: Coulomb's law for all of them together.
+//! States of a frame's sliders after an event: Coulomb's law for all of them together.
 
 use super::DynamicsError;
 use super::frame_events::{Change, Event, Motion};
@@ -6,17 +6,17 @@ use super::frame_friction::StoreyFriction;
 use super::frame_model::{Slider, drift_m};
 use super::frame_record::Recorder;
 
-/// Events closer than this count as a pile, s.
+/// Events closer than this count as an accumulation, s.
 const PILE_S: f64 = 1e-9;
-/// Part of the largest force below which a force at an event, or a rate of it over the step, is rounding: some thousand
-/// times that of one number, for what the balance of twenty levels sums up.
+/// Fraction of the largest force below which a force at an event, or its rate over the step, is rounding: some thousand times that of one
+/// number, for the sums in the balance of twenty levels.
 const ROUNDING: f64 = 1e-12;
-/// Rates that are looked at where a force is just at its limit: the deepest case known, springs that a slip begins to stretch, is
-/// decided by the third rate for each storey up.
+/// Number of rates examined where a force is exactly at its limit: the deepest known case, springs that a slip begins to stretch, is decided by
+/// the third rate for each storey up.
 const DECIDING_ORDERS: usize = 24;
 
 impl Motion<'_> {
-    /// Changes the sliders of `events` and finds what the others do then.
+    /// Changes the sliders of `events` and finds the resulting states of the others.
     pub(super) fn change(&mut self, recorder: &mut Recorder) -> Result<(), DynamicsError> {
         if self.at_s - self.pile_at_s > PILE_S {
             (self.pile, self.pile_at_s) = (0, self.at_s);
@@ -43,7 +43,7 @@ impl Motion<'_> {
             match (self.model.friction[storey], change) {
                 (StoreyFriction::Jenkins { .. }, Change::Goes(sign)) => {
                     self.state.slider[storey] = Slider::Slipping(sign);
-                    // one that has just stopped and is pushed on at once: its speed is rounding, its rate is not
+                    // one that has just stopped and is pushed further at once: its speed is rounding, its rate is not
                     self.zeros[storey] = self.zeros[storey].min(1);
                     recorder.jump(&self.model, storey);
                 }
@@ -60,7 +60,7 @@ impl Motion<'_> {
                         self.state.offset_m[storey] = across - sign * kinetic_force_n / stuck_stiffness_n_m;
                     }
                     self.state.slider[storey] = Slider::Stuck;
-                    // with one force it is at its limit, and the rate of it is that of the drift: none
+                    // with one force it is at its limit, and its rate is that of the drift: zero
                     self.zeros[storey] = if static_force_n == kinetic_force_n { 2 } else { 0 };
                 }
                 (
@@ -73,25 +73,25 @@ impl Motion<'_> {
                     self.state.slider[storey] = Slider::Slipping(sign);
                     self.gone.push(storey);
                 }
-                // whether it goes on, holds, or turns is found from the balance of all
+                // the balance of all decides whether it continues, sticks or reverses
                 _ => self.state.slider[storey] = Slider::Stuck,
             }
         }
         self.series.join(&self.model, &self.state);
         self.series.share_velocity(&self.model, &mut self.state);
-        // where tenons alone change no force jumps, and no slider does
+        // if only tenons change, no force and no slider jumps
         if slides {
             self.unsettled = Some(before);
         }
         Ok(())
     }
 
-    /// Finds which Coulomb sliders that stand still hold and which go: those that cannot hold are let go, the worst first, until
-    /// all agree with the law.
+    /// Finds which Coulomb sliders at rest stick and which slip: those that cannot stick are released, the worst first, until all satisfy the
+    /// law.
     ///
-    /// With equal static and kinetic forces the accelerations are the minimum of a strictly convex function, so that the state is
-    /// one. Where a force is just at its limit, the first of its rates that is not zero decides, order by order: storeys that
-    /// carry their own weight times one coefficient reach their limits all at once.
+    /// With equal static and kinetic forces the accelerations minimise a strictly convex function, so the state is unique. Where a force is
+    /// exactly at its limit, the first of its rates that is not zero decides, order by order: storeys with slip forces in proportion to their
+    /// weight reach their limits all at once.
     pub(super) fn find_state(&mut self, h: f64) -> Result<(), DynamicsError> {
         self.series.act(self.load, self.at_s, h);
         self.series.begin(&self.state);
@@ -111,7 +111,7 @@ impl Motion<'_> {
         Ok(())
     }
 
-    /// Order 0: forces against their limits. Returns the sliders that are just at theirs, with the direction of going.
+    /// Order 0: forces against their limits. Returns the sliders exactly at theirs, with the direction of slip.
     fn let_go(&mut self) -> Result<Vec<(usize, f64)>, DynamicsError> {
         let n = self.model.levels();
         let mut going = self.gone.clone();
@@ -145,7 +145,7 @@ impl Motion<'_> {
                         if inertia > self.rounding_n || self.gone.contains(&i) {
                             self.zeros[i] = 1;
                         } else if inertia < -self.rounding_n {
-                            // driven back: it would have held
+                            // driven back: it would have stuck
                             worst.consider(-inertia / kinetic_force_n.max(-inertia), i, Slider::Stuck);
                         } else {
                             open.push((i, sign));
@@ -166,7 +166,7 @@ impl Motion<'_> {
         Err(self.no_state())
     }
 
-    /// Order k: rates of the forces that are just at their limits. Keeps in `open` those that this order does not decide.
+    /// Order k: rates of the forces exactly at their limits. Keeps in `open` those that this order does not decide.
     fn decide(&mut self, open: &mut Vec<(usize, f64)>, k: usize) -> Result<(), DynamicsError> {
         for &(i, _) in open.iter() {
             self.state.slider[i] = Slider::Stuck;
@@ -211,7 +211,7 @@ impl Motion<'_> {
         Err(self.no_state())
     }
 
-    /// An error of one order stays in all that follow: the springs of a step pass it on undiminished.
+    /// An error of one order persists in all that follow: the springs of a step pass it on undiminished.
     fn measure_rounding(&mut self, k: usize) {
         let scale = self.series.force_scale(&self.model, &self.state, k);
         self.rounding_n = self.rounding_n.max(ROUNDING * scale);
@@ -229,7 +229,7 @@ fn tries_most(sliders: usize) -> usize {
     20 + 10 * sliders
 }
 
-/// The slider furthest from the law, and what it should do.
+/// The slider that violates the law most, and its required state.
 #[derive(Default)]
 struct Worst(Option<(f64, usize, Slider)>);
 

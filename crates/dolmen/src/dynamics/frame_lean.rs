@@ -1,4 +1,4 @@
-//! A frame that leans before it is shaken.
+//! A frame that leans before a run.
 
 use super::DynamicsError;
 use super::excitation::TimeFunction;
@@ -7,30 +7,30 @@ use super::frame_model::{Model, Slider, State};
 use super::frame_rest::rest_m;
 use super::frame_tenon::Joint;
 
-/// What a lean puts on a frame in a run, and where the run begins.
+/// The load of a lean on a frame, and the initial state.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FrameLeaning {
-    /// Forces of P-delta at the levels, lowest first, which stay.
+    /// Constant forces of P-delta at the levels, lowest first.
     pub forces_n: Vec<TimeFunction>,
-    /// Displacements at the start, m: where springs hold these forces, every slider stuck; 0 where they do not.
+    /// Initial displacements, m: where springs balance these forces with every slider stuck; 0 without such a state.
     pub start_displacement_m: Vec<f64>,
 }
 
 impl FrictionFrame {
-    /// The frame leaning by `tilt`, horizontal over vertical, as built or settled: without stress, displacements counted from there.
+    /// A frame with a stress-free lean `tilt`, horizontal over vertical, as built or settled; displacements count from there.
     ///
     /// ```text
     /// M Y'' + C Y' + K Y + Σ b_i q_i = −M 1 a_ground + Bᵀ N τ,     start: K_stuck Y = Bᵀ N τ, no Coulomb slider moved
     /// ```
-    /// A measured tilt holds already what gravity added to it, so that the start is a little on the unfavourable side: by τ N/(κ l) a storey.
+    /// A measured tilt already includes the contribution of gravity, so the start is slightly on the safe side: by τ N/(κ l) for each storey.
     ///
     /// # Errors
-    /// [`DynamicsError::Structure`] if the values differ by more than the numbers hold.
+    /// [`DynamicsError::Structure`] if the range of values exceeds the precision of the numbers.
     pub fn leaning(&self, tilt: f64) -> Result<FrameLeaning, DynamicsError> {
         let forces_n = self.frame.lean_forces_n(tilt);
         let n = forces_n.len();
         let rigid = |of: &StoreyFriction| matches!(of.acting(), StoreyFriction::Coulomb { .. });
-        // what falls with its sliders stuck has no place to begin but upright
+        // a frame that falls with stuck sliders can start only upright
         let is_held = self.friction.iter().all(rigid)
             || self.frequencies_hz(Sliders::Stuck)?.iter().all(Option::is_some);
         let start_displacement_m = match is_held && tilt != 0.0 {

@@ -1,4 +1,4 @@
-//! A frame as its motion needs it, and where it is.
+//! A frame for the series of its motion, and its state.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -11,7 +11,7 @@ use super::frame_tenon::Joint;
 use dolmen_linalg::Matrix;
 use std::ops::Range;
 
-/// What a slider does.
+/// State of a slider.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Slider {
     /// There is none.
@@ -22,7 +22,7 @@ pub(super) enum Slider {
     Slipping(f64),
 }
 
-/// Where a frame is and what its sliders do.
+/// State of a frame and its sliders.
 #[derive(Clone, Debug, Default)]
 pub(super) struct State {
     pub(super) y: Vec<f64>,
@@ -33,7 +33,7 @@ pub(super) struct State {
     pub(super) joint: Vec<Option<Joint>>,
 }
 
-/// A frame as the series need it.
+/// A frame for the series.
 pub(super) struct Model {
     pub(super) mass_kg: Vec<f64>,
     pub(super) friction: Vec<StoreyFriction>,
@@ -45,7 +45,7 @@ pub(super) struct Model {
     pub(super) c: Option<Rows>,
 }
 
-/// Rows of a matrix, without its zeros: the entries of all rows behind each other.
+/// Rows of a matrix without zeros: the entries of all rows one after the other.
 #[derive(Default)]
 pub(super) struct Rows {
     ends: Vec<usize>,
@@ -63,7 +63,7 @@ impl Rows {
         rows
     }
 
-    /// Takes all rows away.
+    /// Removes all rows.
     pub(super) fn clear(&mut self) {
         self.ends.clear();
         self.entries.clear();
@@ -189,7 +189,7 @@ impl Model {
         step
     }
 
-    /// Power taken by the dashpots, W.
+    /// Power dissipated by the dashpots, W.
     pub(super) fn damping_power(&self, v: &[f64]) -> f64 {
         self.c.as_ref().map_or(0.0, |c| c.form(v))
     }
@@ -200,7 +200,7 @@ impl Model {
         0.5 * terms.map(|(m, v)| m * v * v).sum::<f64>()
     }
 
-    /// Energy in springs less what P-delta gave, J.
+    /// Energy in springs minus the contribution of P-delta, J.
     pub(super) fn stored_j(&self, state: &State) -> f64 {
         let mut series = 0.0;
         for (i, friction) in self.friction.iter().enumerate() {

@@ -1,7 +1,7 @@
 //! A frame with dry friction in time: exact from event to event, whatever the number of storeys.
 //!
-//! Stages of a step: series of the motion while no slider changes → first event in it → record up to there → let sliders go or
-//! stop, and find what the others do then.
+//! Stages of a step: series of the motion while no slider changes → first event in it → record until there → let sliders slip or stick, and find
+//! the states of the others.
 
 use super::DynamicsError;
 use super::excitation::{FrameLoad, TimeFunction};
@@ -18,20 +18,19 @@ use super::frame_run::FrameRun;
 /// Coulomb:  q = s f_k while the slider moves (s its direction); while it stands |q| ≤ f_s and b·Y' = 0
 /// Jenkins:  q = k_s (b·Y − z), |q| ≤ f_s; at f_s the slider moves with q = s f_k
 /// ```
-/// Between events the equation is linear and its solution is expanded in a Taylor series to the last digit (the exponential of
-/// its matrix, applied to the state); the ground's acceleration is straight between its samples. Events are the first
-/// crossings of the polynomials so found: none is passed over, however short, and each is located to rounding. At an event the
-/// sliders that are at rest are let go one by one, the one furthest above its force first, until all agree with the law: a
-/// search of order n.
+/// Between events the equation is linear and its solution is expanded in a Taylor series to the last digit (the exponential of its matrix,
+/// applied to the state); the ground's acceleration is linear between its samples. Events are the first roots of these polynomials: none is
+/// missed, however short, and each is located to rounding. At an event the sliders at rest are released one by one, the one furthest above its
+/// force first, until all satisfy the law: a search of order n.
 ///
-/// `progress` gets the simulated time now and then, and stops the run by returning false.
+/// `progress` receives the simulated time at intervals, and stops the run by returning false.
 ///
 /// # Errors
-/// [`DynamicsError`] for options out of range, and if at an event no state of sticking and slipping agrees with the law. Nothing
-/// is smoothed or guessed.
+/// [`DynamicsError`] for options out of range, and if at an event no state of stick and slip satisfies the law. Nothing is regularised or
+/// guessed.
 ///
 /// # Limits
-/// Small drifts, linear springs, constant axial forces. Energy balances to about 1e-13 of the input.
+/// Drifts are small, springs linear, axial forces constant. Energy balances to about 1e-13 of the input.
 ///
 /// # Source
 /// Park, S.-A. and Min, K.-W. (2010), eqs 9 to 11. Differs from the source: friction acts on the drift (eq. 11, on the
@@ -80,7 +79,7 @@ pub(super) fn load_step_most_s(load: &FrameLoad) -> f64 {
     forces.fold(load.ground_acceleration_m_s2.step_most_s(), f64::min)
 }
 
-/// Ends of the stretches on which the load is one series, in order; the last is that of the run.
+/// Ends of the intervals on which the load is one series, in order; the last is that of the run.
 fn ends_s(load: &FrameLoad, duration_s: f64) -> Vec<f64> {
     let mut ends = load.ground_acceleration_m_s2.breaks_s(duration_s);
     for force in &load.forces_n {

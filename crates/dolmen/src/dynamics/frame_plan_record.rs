@@ -1,4 +1,4 @@
-//! What is kept of a frame that moves in steps in two directions.
+//! Records the motion of a frame that is stepped in two directions.
 
 use super::DynamicsError;
 use super::frame_history::{FrameEnergy, FrameHistory, FrameOutcome, FramePeak, Slip, Turn};
@@ -10,7 +10,7 @@ use super::frame_rest::rest_m;
 /// Share of the slip force in a direction below which a storey does not slip in that direction.
 const NO_SHARE: f64 = 1e-9;
 
-/// A slip under way.
+/// A current slip.
 #[derive(Clone, Copy)]
 struct Open {
     from_s: f64,
@@ -64,7 +64,7 @@ impl PlanRecord {
         record
     }
 
-    /// Takes up the end of a step.
+    /// Records the end of a step.
     pub(super) fn step(&mut self, steps: &Steps, at_s: f64) {
         let has_changed = self.slipped != steps.slips;
         self.slipped.clone_from(&steps.slips);
@@ -108,7 +108,7 @@ impl PlanRecord {
             .position(|leaned| *leaned > ratio || leaned.is_nan())
     }
 
-    /// Takes a sample.
+    /// Records a sample.
     pub(super) fn sample(&mut self, steps: &Steps, at_s: f64) {
         for (history, direction) in self.histories.iter_mut().zip(&steps.directions) {
             history.time_s.push(at_s);
@@ -171,7 +171,7 @@ fn larger(peak: &mut FramePeak, value_m: f64, at_s: f64) {
     }
 }
 
-/// Opens, ends and turns the slip of a storey in one direction.
+/// Starts, ends and reverses the slip of a storey in one direction.
 fn follow(
     (open, slips): (&mut Option<Open>, &mut Vec<Slip>),
     (direction, storey): (&Direction, usize),

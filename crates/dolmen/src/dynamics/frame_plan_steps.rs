@@ -1,4 +1,4 @@
-//! The steps of a frame whose two directions share their slip forces; its symbols stand in `frame_in_plan`.
+//! The steps of a frame whose two directions share their slip forces; `frame_in_plan` has the symbols.
 
 use super::DynamicsError;
 use super::excitation::{FrameLoad, TimeFunction};
@@ -7,12 +7,12 @@ use super::frame_model::{Model, Slider, State};
 use super::frame_run::FrameRun;
 use dolmen_linalg::{Matrix, solve};
 
-/// Change of a force, of the slip force, at which the sweeps over the storeys end. Chosen here.
+/// Relative change of a force at which the sweeps over the storeys end. Chosen here.
 const SWEPT: f64 = 1e-11;
-/// Most sweeps: those of twenty equal storeys take some thousand.
+/// Largest number of sweeps: those of twenty equal storeys take some thousand.
 const SWEEPS_MOST: usize = 200_000;
 
-/// One direction, with what does not change from step to step.
+/// One direction, with its constants.
 pub(super) struct Direction {
     pub(super) model: Model,
     k: Matrix,
@@ -23,13 +23,13 @@ pub(super) struct Direction {
     load: FrameLoad,
     pub(super) state: State,
     pub(super) friction_n: Vec<f64>,
-    /// Work put in, taken by friction and by dashpots, J.
+    /// Work input, and energy dissipated by friction and by dashpots, J.
     pub(super) input_j: f64,
     pub(super) friction_j: f64,
     pub(super) damping_j: f64,
 }
 
-/// A frame in steps.
+/// A frame during stepping.
 pub(super) struct Steps {
     pub(super) directions: [Direction; 2],
     pub(super) slips: Vec<bool>,
@@ -41,7 +41,7 @@ pub(super) struct Steps {
 /// Frames, loads and options of both directions.
 pub(super) type Both<'a> = ([&'a FrictionFrame; 2], [&'a FrameLoad; 2], [&'a FrameRun; 2]);
 
-/// Where a storey's force ends in a step.
+/// Storeys' forces at the end of a step.
 struct Slipped {
     share: [f64; 2],
     work_j: f64,
@@ -90,7 +90,7 @@ impl Direction {
         })
     }
 
-    /// What the load puts on the levels over a step, the mean of its ends: −M 1 a + F.
+    /// The load on the levels over a step, the mean of its ends: −M 1 a + F.
     fn loads_n(&self, at_s: f64, h: f64) -> Vec<f64> {
         let mean = |of: &TimeFunction| 0.5 * (of.value(at_s) + of.value(at_s + h));
         let ground_m_s2 = mean(&self.load.ground_acceleration_m_s2);
@@ -100,7 +100,7 @@ impl Direction {
             .collect()
     }
 
-    /// What acts on the levels in a step but friction: M v/h − C v/2 − K (u + h v/4) and the load.
+    /// The forces on the levels in a step without friction: M v/h − C v/2 − K (u + h v/4) and the load.
     fn acts_n(&self, h: f64, loads_n: &[f64]) -> Vec<f64> {
         let State { y, v, .. } = &self.state;
         let moved: Vec<f64> = y.iter().zip(v).map(|(y, v)| y + 0.25 * h * v).collect();
@@ -120,7 +120,7 @@ impl Direction {
         (0..storeys_n.len()).map(|i| storeys_n[i] - above(i)).collect()
     }
 
-    /// Absolute accelerations of the levels, m/s²: what springs, dashpots, friction and forces leave.
+    /// Absolute accelerations of the levels, m/s²: from springs, dashpots, friction and forces.
     pub(super) fn acceleration_m_s2(&self, at_s: f64) -> Vec<f64> {
         let springs = self.k.times(&self.state.y);
         let dashpots = self.c.as_ref().map(|c| c.times(&self.state.v));
@@ -152,7 +152,7 @@ impl Direction {
         }
     }
 
-    /// Forces at the levels that stay, N.
+    /// Constant forces at the levels, N.
     pub(super) fn stays_n(&self) -> Vec<f64> {
         self.load.forces_n.iter().map(TimeFunction::constant).collect()
     }
@@ -270,13 +270,13 @@ impl Steps {
         })
     }
 
-    /// The slip force of a storey in a direction now; `None` where it does not rub.
+    /// The current slip force of a storey in a direction; `None` without friction.
     fn limit_n(&self, d: usize, storey: usize) -> Option<f64> {
         let [fixed_n, kinetic_n] = self.directions[d].model.friction[storey].limits_n()?;
         Some(if self.slips[storey] { kinetic_n } else { fixed_n })
     }
 
-    /// The force of one storey, those of the others as they are.
+    /// The force of one storey for given forces of the others.
     ///
     /// ```text
     /// Coulomb:  Δ = h (c − G q⁺)                          α = h G f²,              β = h c f
@@ -327,7 +327,7 @@ fn on_the_disc(alpha: [f64; 2], beta: [f64; 2]) -> Slipped {
     if held[0].hypot(held[1]) <= 1.0 {
         return Slipped { share: held, work_j };
     }
-    // |s|² − 1 falls and is convex in λ: Newton comes from the left and does not pass the root
+    // |s|² − 1 decreases and is convex in λ: Newton approaches from the left and does not pass the root
     for _ in 0..100 {
         let s = share(work_j);
         let over = s[0] * s[0] + s[1] * s[1] - 1.0;

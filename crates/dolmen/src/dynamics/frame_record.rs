@@ -1,4 +1,4 @@
-//! What is kept of a frame's motion: samples, true peaks, slips and energy.
+//! Records the motion of a frame: samples, true peaks, slips and energy.
 
 use super::frame_friction::StoreyFriction;
 use super::frame_history::{FrameEnergy, FrameHistory, FrameOutcome, FramePeak, Slip, Turn};
@@ -10,11 +10,11 @@ use crate::numeric::{COEFFICIENTS_MOST, first_descent, polynomial};
 
 /// Events closer than this count once, s.
 const ONE_EVENT_S: f64 = 1e-9;
-/// Speed of everything below which a frame is at rest, m/s: what a century turns into a third of a millimetre.
+/// Speed below which a frame is at rest, m/s: a third of a millimetre in a century.
 pub(super) const REST_M_S: f64 = 1e-13;
-/// Part of the largest speed below which a speed is rounding.
+/// Fraction of the largest speed below which a speed is rounding.
 const ROUNDING: f64 = 1e-12;
-/// Samples that are taken at once.
+/// Number of samples evaluated at once.
 const LANES: usize = 2;
 pub(super) struct Recorder {
     history: FrameHistory,
@@ -25,12 +25,12 @@ pub(super) struct Recorder {
     taken: usize,
     /// The state at places of the series under way.
     now: [State; LANES],
-    /// Forces at the levels that stay, N.
+    /// Constant forces at the levels, N.
     stays_n: Vec<f64>,
-    /// Per storey: where and when the slip under way began.
+    /// For each storey: place and time of the start of the current slip.
     slipping: Vec<Option<(f64, f64)>>,
     last_event_s: f64,
-    /// Direction in which the top level moved last, and its largest speed at the end of a stretch, m/s.
+    /// Last direction of motion of the top level, and its largest speed at the end of an interval, m/s.
     top_direction: f64,
     top_speed: f64,
 }
@@ -78,12 +78,12 @@ impl Recorder {
         recorder
     }
 
-    /// The same under forces at the levels that stay.
+    /// The same with constant forces at the levels.
     pub(super) fn under(self, stays_n: Vec<f64>) -> Self {
         Recorder { stays_n, ..self }
     }
 
-    /// Takes up the motion of one series from `begin_s` to σ, from one state to the one `ahead`.
+    /// Records the motion of one series from `begin_s` to σ, from one state to the one `ahead`.
     pub(super) fn stretch(
         &mut self,
         model: &Model,
@@ -142,8 +142,8 @@ impl Recorder {
         self.work.energy = self.work.at(model, [state, ahead], series, sigma);
     }
 
-    /// A turn of the top level within the stretch: one, since a step is shorter than half a swing of any mode. It counts once the
-    /// level moves the other way, so that a stop is none.
+    /// A turning point of the top level in the interval: at most one, since a step is shorter than half a cycle of any mode. It counts once the
+    /// level moves back, so that a stop is none.
     fn turn(&mut self, series: &Series, ahead: &State, begin_s: f64, sigma: f64) {
         let top = series.n - 1;
         let last = ahead.v[top];
@@ -221,7 +221,7 @@ impl Recorder {
         }
     }
 
-    /// Takes note of sliders that changed.
+    /// Records sliders that changed.
     pub(super) fn changed(&mut self, model: &Model, state: &State, before: &[Slider], at_s: f64) {
         if state.slider == before {
             return;
@@ -301,7 +301,7 @@ impl Recorder {
     }
 }
 
-/// Takes the largest absolute value of a polynomial on [0, σ] into a peak.
+/// Updates a peak with the largest absolute value of a polynomial on [0, σ].
 fn extend(peak: &mut FramePeak, c: &[f64], begin_s: f64, h: f64, sigma: f64) {
     let mut consider = |at: f64| {
         let value = polynomial(c, at);
@@ -312,7 +312,7 @@ fn extend(peak: &mut FramePeak, c: &[f64], begin_s: f64, h: f64, sigma: f64) {
     };
     consider(0.0);
     consider(sigma);
-    // turning points: the velocity crosses zero downwards, then upwards, in turns
+    // turning points: zeros of the velocity, alternately downwards and upwards
     let mut velocity = [0.0; COEFFICIENTS_MOST];
     let velocity = &mut velocity[..c.len() - 1];
     for (k, v) in velocity.iter_mut().enumerate() {

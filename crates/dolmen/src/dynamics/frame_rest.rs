@@ -1,4 +1,4 @@
-//! Where a frame comes to rest if nothing slips any more.
+//! The rest position of a frame without further slip.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -11,15 +11,15 @@ use super::frame_model::{Model, State, drift_m};
 use super::frame_tenon::{Joint, TenonChange};
 use dolmen_linalg::{Matrix, solve};
 
-/// Displacements at rest, m: springs and elements in balance with forces that stay, every slider held where it is.
+/// Displacements at rest, m: springs and elements in balance with constant forces, every slider fixed.
 ///
 /// ```text
 /// [K + K_J  Bᵀ] [Δ]   [F − f]
 /// [B        0 ] [λ] = [ 0],    y_rest = y + Δ              (levels + Coulomb sliders)²
 /// ```
 ///
-/// Tenons bear, or do not, as the drifts at rest ask: one state after the other is tried until it agrees with the drifts it gives. A frame
-/// that has no place to rest (its sliders held, it still falls), or of which none is found, keeps y.
+/// Tenons bear or not according to the drifts at rest: states are tried until one agrees with its own drifts. A frame without a rest position
+/// (it falls with its sliders fixed), or for which none is found, keeps y.
 pub(super) fn rest_m(model: &Model, state: &State, forces_n: &[f64]) -> Vec<f64> {
     let mut joints: Vec<Option<Joint>> = state.joint.clone();
     for (i, joint) in joints.iter_mut().enumerate() {
@@ -44,12 +44,12 @@ pub(super) fn rest_m(model: &Model, state: &State, forces_n: &[f64]) -> Vec<f64>
     state.y.clone()
 }
 
-/// Tries for states of tenons: each storey has five, and one seldom changes twice.
+/// Number of states of tenons tried: each storey has five, and one seldom changes twice.
 fn tries_most(storeys: usize) -> usize {
     10 + 5 * storeys
 }
 
-/// The same with the tenons of each storey in the state given.
+/// The same for given states of the tenons.
 fn with_tenons(model: &Model, state: &State, forces_n: &[f64], joints: &[Option<Joint>]) -> Vec<f64> {
     let n = model.levels();
     let is_held = |i: &usize| matches!(model.friction[*i], StoreyFriction::Coulomb { .. });

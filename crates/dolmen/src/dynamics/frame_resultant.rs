@@ -1,8 +1,8 @@
-//! Drifts of a frame in both of its directions together.
+//! Resultant drifts of a frame in both of its directions.
 
 use super::frame_history::FrameHistory;
 
-/// Places between two samples at which the resultant is looked for. Chosen here.
+/// Number of places between two samples at which the resultant is evaluated. Chosen here.
 const PLACES: usize = 8;
 
 /// The largest resultant of a storey's drift.
@@ -16,13 +16,13 @@ pub struct FrameResultant {
     pub parts_m: [f64; 2],
 }
 
-/// The largest resultant drift of each storey over the samples that both directions have, lowest storey first.
+/// The largest resultant drift of each storey over the common samples of both directions, lowest storey first.
 ///
 /// ```text
 /// r(t) = √(δ_1² + δ_2²)
 /// ```
-/// Between samples δ is the cubic through its values and rates: off by (ω Δt)⁴/384 of a swing, 1e-5 for a tenth of its period. It is never less than
-/// what either direction reaches by itself, whose peaks are located between samples.
+/// Between samples δ is the cubic through its values and rates, with an error of (ω Δt)⁴/384 of an oscillation, 1e-5 for a tenth of its period.
+/// The result is never less than the peak in either direction alone, which is located between samples.
 pub fn resultant_drifts(histories: [&FrameHistory; 2]) -> Vec<FrameResultant> {
     let storeys = 0..histories[0].drift_peaks.len().min(histories[1].drift_peaks.len());
     storeys.map(|storey| of_storey(histories, storey)).collect()
@@ -60,7 +60,7 @@ fn of_storey(histories: [&FrameHistory; 2], storey: usize) -> FrameResultant {
             }
         }
     }
-    // the located peaks of each direction, with the other as it then is
+    // the located peaks of each direction, with the other at that time
     for (d, history) in histories.iter().enumerate() {
         let peak = history.drift_peaks[storey];
         let before = times[..samples]

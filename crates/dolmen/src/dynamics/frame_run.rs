@@ -1,14 +1,14 @@
-//! How a frame with dry friction is run.
+//! Options of the motion of a frame with dry friction.
 
 use super::DynamicsError;
 use super::excitation::FrameLoad;
 use super::frame_friction::FrictionFrame;
 
-/// Longest run, s: a day and some more. Chosen here: a frame of two storeys takes a minute or two for it.
+/// Longest run, s: somewhat more than a day. Chosen here: a frame of two storeys takes a minute or two for it.
 pub(super) const DURATION_MOST_S: f64 = 1e5;
-/// What the error gives as allowed for a longer one.
+/// The allowed range in the error for a longer one.
 pub(super) const DURATION_ALLOWED: &str = "at most 100 000 s, which is more than a day";
-/// Samples of a history: above, it is a mistaken unit rather than a wish, and memory ends. Chosen here.
+/// Largest number of samples of a history: a larger one is a mistaken unit rather than intended, and memory ends. Chosen here.
 pub(super) const SAMPLES_MOST: f64 = 1e7;
 
 /// Options of [`simulate_frame`](super::simulate_frame).
@@ -22,8 +22,8 @@ pub struct FrameRun {
     pub start_displacement_m: Vec<f64>,
     /// Velocities at the start, m/s; empty, the default, for none.
     pub start_velocity_m_s: Vec<f64>,
-    /// Drift of a storey over its height at which the run ends: the model knows small drifts only. Default 0.1 (our choice):
-    /// sin and tan of it differ from it by 0.2 and 0.3 %. What leans already reaches it earlier: give what is left.
+    /// Drift of a storey over its height at which the run ends, because the model holds for small drifts only. Default 0.1 (our choice): sin and
+    /// tan of it differ from it by 0.2 and 0.3 %. For a leaning frame give the remaining part.
     pub drift_ratio_most: f64,
 }
 

@@ -14,8 +14,8 @@
 //! q_i = λ_i with b_i·Y' = 0 (Coulomb, stuck) | s f_k (slipping) | k_s (b_i·Y − z_i) (Jenkins, stuck)
 //! (k+1)(k+2) c_{k+2} = −h² M⁻¹ (K c_k + (k+1) C c_{k+1}/h + M 1 a_k − F_k + Σ b_i q_i,k)
 //! ```
-//! Levels that stuck Coulomb sliders join move as one mass, or not at all if they are joined to the ground; λ follows from the
-//! balance of each level, from the top down.
+//! Levels connected by stuck Coulomb sliders move as one mass, or not at all if they are connected to the ground; λ follows from the balance of
+//! each level, from the top down.
 
 use super::excitation::FrameLoad;
 use super::frame_friction::StoreyFriction;
@@ -24,9 +24,9 @@ use super::frame_tenon::Joint;
 use crate::numeric::{COEFFICIENTS_MOST, polynomial_most};
 use std::ops::Range;
 
-/// Terms below this part of the largest count as none: a tenth of the rounding of the largest.
+/// Terms below this fraction of the largest are negligible: a tenth of the rounding of the largest.
 const TERM_LEAST: f64 = 1e-17;
-/// Levels that stand with the ground.
+/// Levels fixed to the ground.
 const GROUND: usize = usize::MAX;
 /// 1/((k + 1)(k + 2)): what integrating σᵏ twice divides by.
 const TWICE: [f64; COEFFICIENTS_MOST] = {
@@ -49,35 +49,35 @@ pub(super) struct Series {
     /// Powers of σ in `y`.
     pub(super) orders: usize,
     pub(super) y: Vec<Coefficients>,
-    /// Of the drifts, once the series are expanded.
+    /// Series of the drifts, after the expansion.
     pub(super) drift: Vec<Coefficients>,
-    /// What a level, or the drift of a storey, reaches at most within the step, m: the sum of the sizes of its coefficients.
+    /// Bound of the displacement of a level, or of the drift of a storey, within the step, m: the sum of the magnitudes of its coefficients.
     pub(super) y_most: Vec<f64>,
     pub(super) drift_most: Vec<f64>,
     /// Forces of stuck Coulomb sliders; `orders − 2` powers.
     pub(super) held: Vec<Coefficients>,
-    /// Acceleration of the ground, and how many of its coefficients are not zero.
+    /// Acceleration of the ground, and the number of its coefficients that are not zero.
     pub(super) ground: Coefficients,
     pub(super) ground_orders: usize,
     /// Forces at the levels, one row of coefficients a level; empty for none.
     pub(super) forces: Vec<Coefficients>,
     pub(super) force_orders: usize,
-    /// The lowest level that each level moves as one with.
+    /// For each level the lowest level that moves as one with it.
     root: Vec<usize>,
     group_mass: Vec<f64>,
-    /// A Coulomb slider sticks: levels move as one.
+    /// Whether a Coulomb slider sticks, so that levels move as one.
     joined: bool,
     /// Springs of stuck Jenkins sliders, N/m, 0 for none.
     spring_n_m: Vec<f64>,
     /// Springs of tenons that bear, N/m, 0 for none.
     tenon_n_m: Vec<f64>,
-    /// Forces that sliders and tenons put against the levels where the drift is 0, N.
+    /// Forces of sliders and tenons on the levels at zero drift, N.
     slider_n: Vec<f64>,
     /// Rows of roots; those of other levels are empty.
     pull: Rows,
     drag: Option<Rows>,
     push: Vec<f64>,
-    /// A row being summed up; zero else.
+    /// A row that is being summed; otherwise zero.
     sum: Vec<f64>,
 }
 
@@ -111,7 +111,7 @@ impl Series {
         }
     }
 
-    /// Series of what acts, over a step of h from `at_s`.
+    /// Series of the load over a step of h from `at_s`.
     pub(super) fn act(&mut self, load: &FrameLoad, at_s: f64, h: f64) {
         self.h = h;
         self.ground_orders = load.ground_acceleration_m_s2.series(at_s, h, &mut self.ground);
@@ -122,7 +122,7 @@ impl Series {
         }
     }
 
-    /// Finds the masses that move as one and what pulls them, as the sliders are. To be done again when one of them changes.
+    /// Finds the masses that move as one and their springs, for the current states of the sliders. To be repeated when one of them changes.
     pub(super) fn join(&mut self, model: &Model, state: &State) {
         self.group_mass.fill(0.0);
         self.slider_n.fill(0.0);
@@ -211,13 +211,13 @@ impl Series {
         self.drag = drag;
     }
 
-    /// The levels that move as one with level i, if that is the lowest of them; else none.
+    /// The levels that move as one with level i, if that is the lowest of them; otherwise none.
     fn members(&self, i: usize) -> Range<usize> {
         let others = self.root[i..].iter().take_while(|root| **root == i).count();
         i..i + others
     }
 
-    /// Gives the levels that move as one exactly one velocity: that of their momentum.
+    /// Gives levels that move as one exactly one velocity: that of their momentum.
     pub(super) fn share_velocity(&mut self, model: &Model, state: &mut State) {
         for i in 0..self.n {
             if self.root[i] == GROUND {
@@ -232,11 +232,11 @@ impl Series {
         }
     }
 
-    /// Coefficients of the motion from a state, as long as no slider changes. Returns whether the series converged.
-    /// [`Series::act`] and [`Series::join`] come first.
+    /// Coefficients of the motion from a state, while no slider changes. Returns whether the series converged. Call [`Series::act`] and
+    /// [`Series::join`] first.
     pub(super) fn expand(&mut self, model: &Model, state: &State) -> bool {
         self.begin(state);
-        // without dashpots a power follows from the one two before it alone: two at a time
+        // without dashpots a power depends only on the power two below: two at a time
         let converged = if self.drag.is_some() {
             self.powers::<1>()
         } else {
@@ -263,7 +263,7 @@ impl Series {
         converged
     }
 
-    /// All powers, L at a time, until two of them are too small to count.
+    /// All powers, L at a time, until two of them are negligible.
     fn powers<const L: usize>(&mut self) -> bool {
         let mut largest = self.y.iter().fold(0.0_f64, |most, y| most.max(y[1].abs()));
         let mut before = largest;
@@ -328,8 +328,8 @@ impl Series {
         sizes
     }
 
-    /// Coefficients `from` to `to` of the forces of stuck Coulomb sliders, from the top down: what the balance of each level
-    /// leaves, m a + rest + λ_i − λ of the stuck slider that stands on it = 0.
+    /// Coefficients `from` to `to` of the forces of stuck Coulomb sliders, from the top down, from the balance of each level: m a + rest + λ_i −
+    /// λ of the stuck slider on it = 0.
     fn hold(&mut self, model: &Model, from: usize, to: usize) {
         for i in (0..self.n).rev() {
             let (lower, upper) = self.held.split_at_mut(i + 1);
@@ -423,7 +423,7 @@ impl Series {
         model.mass_kg[i] * factor * (self.y[i][k + 2] - below)
     }
 
-    /// Largest force of order k that enters the balance of any level, N: what rounding is measured by.
+    /// Largest force of order k in the balance of any level, N: the scale of rounding.
     pub(super) fn force_scale(&self, model: &Model, state: &State, k: usize) -> f64 {
         let rate = (k + 1) as f64 / self.h;
         let sizes = |row: &[(usize, f64)], k: usize| -> f64 {
@@ -453,7 +453,7 @@ impl Series {
         (0..self.n).map(of_level).fold(0.0, f64::max)
     }
 
-    /// Powers that what acts needs: a sine goes on until its terms are too small to count.
+    /// Powers that the load needs: a sine continues until its terms are negligible.
     fn orders_least(&self) -> usize {
         if self.ground_orders <= 2 && self.force_orders <= 2 {
             return 2;
@@ -471,7 +471,7 @@ impl Series {
             .max(2)
     }
 
-    /// Coefficient k + 2 of the motion and k of the forces of stuck sliders, from those before. [`Series::join`] comes first.
+    /// Coefficient k + 2 of the motion and k of the forces of stuck sliders, from those before. Call [`Series::join`] first.
     pub(super) fn next(&mut self, model: &Model, k: usize) {
         self.advance::<1>(k);
         self.hold(model, k, k + 1);
@@ -483,7 +483,7 @@ fn drift_m_most(y: &[Coefficients], i: usize, k: usize) -> f64 {
     y[i][k].abs() + i.checked_sub(1).map_or(0.0, |below| y[below][k].abs())
 }
 
-/// What lies in either range or between them; an empty one counts for nothing.
+/// The smallest range with both ranges; an empty one is ignored.
 fn both(a: Range<usize>, b: Range<usize>) -> Range<usize> {
     match (a.is_empty(), b.is_empty()) {
         (true, _) => b,
@@ -499,7 +499,7 @@ fn some<const L: usize>(c: &Coefficients, k: usize) -> [f64; L] {
     some
 }
 
-/// The larger of two numbers, in one instruction: what is no number counts as none.
+/// The larger of two numbers, in one instruction; NaN is ignored.
 fn larger(a: f64, b: f64) -> f64 {
     if b > a { b } else { a }
 }

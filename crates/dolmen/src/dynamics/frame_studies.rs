@@ -1,5 +1,5 @@
-//! How a frame with dry friction behaves as the shaking grows: apparent frequency and damping against amplitude, and maps of
-//! sticking and slipping over frequency and amplitude of a harmonic motion of the ground.
+//! The behaviour of a frame with dry friction as the shaking grows: apparent frequency and damping against amplitude, and maps of stick and slip
+//! over frequency and amplitude of a harmonic ground motion.
 
 use super::excitation::FrameLoad;
 use super::frame_friction::{FrictionFrame, Sliders};
@@ -10,31 +10,31 @@ use super::{DynamicsError, FrameOutcome};
 use dolmen_linalg::generalized_symmetric_eigen;
 use std::f64::consts::{PI, TAU};
 
-/// Swings that a release is followed for, at the lowest frequency. Chosen here.
+/// Number of cycles of a release, at the lowest frequency. Chosen here.
 const RELEASE_SWINGS: f64 = 60.0;
-/// A swing that loses less, as ln of the amplitudes, loses nothing.
+/// Logarithmic decrement below which a cycle loses nothing.
 const LOSS_LEAST: f64 = 1e-9;
-/// One swing of a frame that was let go.
+/// One cycle of a released frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AtAmplitude {
-    /// Half the way between two turns at the top level, the mean of two half swings that follow each other, m.
+    /// Half the distance between two turning points of the top level, averaged over two successive half cycles, m.
     pub amplitude_m: f64,
-    /// 1 / (time of both half swings), Hz.
+    /// 1 / (duration of both half cycles), Hz.
     pub apparent_frequency_hz: f64,
-    /// Damping ratio of a viscous oscillator that loses as much from one half swing to the next: ln(A_j/A_{j+1})/√(π² + ln²).
+    /// Damping ratio of a viscous oscillator with the same loss from one half cycle to the next: ln(A_j/A_{j+1})/√(π² + ln²).
     pub equivalent_damping_ratio: f64,
 }
 
-/// Apparent frequency and equivalent damping as they change with amplitude: the frame is drawn in its first shape to
-/// `displacement_m` at the top, let go, and each half swing is read until it rests.
+/// Apparent frequency and equivalent damping against amplitude: the frame is displaced in its first shape to `displacement_m` at the top,
+/// released, and each half cycle is measured until it rests.
 ///
 /// # Errors
-/// [`DynamicsError::Argument`] for a displacement that is not positive; [`DynamicsError::NoSwing`] for a frame that falls by itself
-/// and [`DynamicsError::SwingFalls`] for one that leans too far when it is let go; those of [`simulate_frame`].
+/// [`DynamicsError::Argument`] for a displacement that is not positive; [`DynamicsError::NoSwing`] for a frame that falls by itself and
+/// [`DynamicsError::SwingFalls`] for one that leans too far after the release; those of [`simulate_frame`].
 ///
 /// # Limits
-/// The first shape of the frame with all sliders stuck (Coulomb: slipping) starts the release; where the shape changes with
-/// amplitude, higher modes swing with it and the values scatter.
+/// The release starts from the first shape of the frame with all sliders stuck (Coulomb: slipping). Where the shape changes with amplitude,
+/// higher modes take part and the values scatter.
 pub fn amplitude_dependence(
     frame: &FrictionFrame,
     displacement_m: f64,
@@ -69,7 +69,7 @@ pub fn amplitude_dependence(
     }
     let mut turns = vec![(0.0, displacement_m)];
     turns.extend(history.turns.iter().map(|t| (t.at_s, t.displacement_m)));
-    // the middle shifts with every stop: half the way between two turns is an amplitude of its own
+    // the middle shifts with every stop: half the distance between two turning points is an amplitude
     let half_ways: Vec<(f64, f64)> = turns
         .windows(2)
         .map(|pair| (pair[1].0 - pair[0].0, 0.5 * (pair[0].1 - pair[1].1).abs()))
@@ -87,7 +87,7 @@ pub fn amplitude_dependence(
             equivalent_damping_ratio: loss / PI.hypot(loss),
         });
         if loss.abs() < LOSS_LEAST {
-            break; // every further swing is like it
+            break; // every further cycle is like it
         }
     }
     Ok(found)
@@ -95,13 +95,14 @@ pub fn amplitude_dependence(
 
 /// Steady response to harmonic motions of the ground, one point for each frequency and acceleration, rows of one frequency.
 ///
-/// `progress` gets the share done, and stops the map by returning false: points not done are missing.
+/// `progress` receives the share done, and stops the map by returning false: the remaining points are missing.
 ///
 /// # Errors
 /// Those of [`simulate_frame`].
 ///
 /// # Limits
-/// 40 cycles from rest, of the ground and of the slowest swing of the frame alike, then 5 of the ground are read. A response that is not steady by then (beating, or chaotic) is marked.
+/// 40 cycles from rest, both of the ground and of the slowest mode of the frame, then 5 of the ground are measured. A response that is not
+/// steady by then (beating, or chaotic) is marked.
 pub fn harmonic_map(
     frame: &FrictionFrame,
     frequencies_hz: &[f64],

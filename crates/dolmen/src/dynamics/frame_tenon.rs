@@ -1,4 +1,4 @@
-//! Tenons with slack: a spring that bears on one side or the other of a gap, crushes its faces, and softens as it does.
+//! Tenons with slack: a spring on either side of a gap, whose faces crush and thereby soften.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -15,20 +15,20 @@
 //! crushing   at f, s δ' > 0        s f, and g_s = s δ − f/k_s grows with δ
 //! opening    s δ = g_s, s δ' < 0   k_s = k_0/(1 + d_s/d_½)
 //! ```
-//! A face softens as it opens, when it stores nothing: no energy is made or lost by it.
+//! A face softens when it opens, because it then stores no energy: softening neither creates nor loses any.
 
 use super::DynamicsError;
 
-/// Tenons of one storey, taken together: two faces, alike as built.
+/// Tenons of one storey together: two faces, equal as built.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tenon {
-    /// Drift before they bear, from upright to either side, m; 0 for none.
+    /// Drift before they bear, from upright to either side, m; 0 for no slack.
     pub slack_m: f64,
     /// Stiffness once they bear, N/m, beside the spring of the storey.
     pub stiffness_n_m: f64,
     /// Force at which the faces crush, N; `None` if they never do.
     pub crushing_force_n: Option<f64>,
-    /// Crushed depth, as drift, at which a face has half of its stiffness left, m; `None` if it keeps all of it.
+    /// Crushed depth, as drift, at which half of a face's stiffness remains, m; `None` if it keeps all of it.
     pub half_stiffness_depth_m: Option<f64>,
 }
 
@@ -73,7 +73,7 @@ impl Tenon {
         Ok(())
     }
 
-    /// Stiffness that is left of a face crushed so far, N/m.
+    /// Remaining stiffness of a face with this crushed depth, N/m.
     fn left_n_m(&self, crushed_m: f64) -> f64 {
         match self.half_stiffness_depth_m {
             Some(half_m) => self.stiffness_n_m / (1.0 + crushed_m / half_m),
@@ -82,7 +82,7 @@ impl Tenon {
     }
 }
 
-/// What the tenons of a storey do.
+/// State of the tenons of a storey.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Touch {
     /// Nothing touches.
@@ -93,7 +93,7 @@ pub(super) enum Touch {
     Crushing(f64),
 }
 
-/// A change of what they do.
+/// Change of the state.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum TenonChange {
     /// The face of this side begins to bear.
@@ -102,7 +102,7 @@ pub(super) enum TenonChange {
     Opens,
     /// It begins to crush.
     Crushes,
-    /// It crushes no further.
+    /// It stops crushing.
     Stops,
 }
 
@@ -111,7 +111,7 @@ pub(super) enum TenonChange {
 pub struct TenonFace {
     /// Drift at which it begins to bear, on its own side, m.
     pub gap_m: f64,
-    /// How far it is crushed, as drift, m.
+    /// Its crushed depth, as drift, m.
     pub crushed_m: f64,
     /// Stiffness, N/m.
     pub stiffness_n_m: f64,
@@ -127,7 +127,7 @@ pub(super) struct Joint {
 }
 
 impl Joint {
-    /// At a drift; what lies beyond the crushing force there is crushed already.
+    /// State at a drift; faces beyond the crushing force are crushed already.
     pub(super) fn at(law: Tenon, drift_m: f64) -> Self {
         let face = TenonFace {
             gap_m: law.slack_m,
@@ -161,7 +161,7 @@ impl Joint {
         &mut self.faces[usize::from(sign < 0.0)]
     }
 
-    /// The face of a side is crushed to where it holds the crushing force at a drift.
+    /// Crushes the face of a side until it carries the crushing force at a drift.
     fn crush_to(&mut self, sign: f64, drift_m: f64) {
         let most_n = self.law.crushing_force_n.unwrap_or(f64::INFINITY);
         let face = self.face_mut(sign);
@@ -171,7 +171,7 @@ impl Joint {
         face.crushed_m += crushed_m;
     }
 
-    /// The spring that acts, N/m, and the force where the drift is 0, N: force = spring × drift + the second.
+    /// The acting spring, N/m, and the force at zero drift, N: force = spring × drift + the second.
     pub(super) fn spring(&self) -> [f64; 2] {
         match self.touch {
             Touch::Free => [0.0, 0.0],
@@ -193,7 +193,7 @@ impl Joint {
         0.5 * force_n * force_n / self.face(sign).stiffness_n_m
     }
 
-    /// Power of crushing over the rate of the drift, N; 0 where nothing is being crushed.
+    /// Power of crushing over the rate of the drift, N; 0 without crushing.
     pub(super) fn crushing_n(&self) -> f64 {
         match (self.touch, self.law.crushing_force_n) {
             (Touch::Crushing(_), Some(force_n)) => force_n,
@@ -201,7 +201,7 @@ impl Joint {
         }
     }
 
-    /// Changes at a drift.
+    /// Changes the state at a drift.
     pub(super) fn change(&mut self, change: TenonChange, drift_m: f64) {
         self.touch = match (change, self.touch) {
             (TenonChange::Bears(sign), _) => Touch::Bearing(sign),
@@ -220,7 +220,7 @@ impl Joint {
         };
     }
 
-    /// What a frame at rest at a drift finds them do: crushing holds its force and no more.
+    /// State of the tenons of a frame at rest at a drift: a crushing face carries its force without further crushing.
     pub(super) fn resting_at(mut self, drift_m: f64) -> Self {
         let sign = if drift_m < 0.0 { -1.0 } else { 1.0 };
         let face = self.face(sign);
@@ -235,7 +235,7 @@ impl Joint {
         self
     }
 
-    /// The faces as they are at a drift: one that is being crushed is crushed to there.
+    /// The faces at a drift, including the current crushing.
     pub(super) fn faces_at(&self, drift_m: f64) -> [TenonFace; 2] {
         let mut joint = *self;
         joint.change(TenonChange::Stops, drift_m);

@@ -1,17 +1,17 @@
-//! When the tenons of a storey begin to bear, open, crush and stop within a step.
+//! The events of a storey's tenons within a step: bear, open, crush and stop.
 
 use super::frame_tenon::{Joint, TenonChange, Touch};
 use crate::numeric::{COEFFICIENTS_MOST, first_descent};
 
-/// Part of what the levels of the storey move at most within the step below which a distance from a limit, or a rate there, is rounding: the
-/// first rate that is not decides. The force is continuous at each change, so that before and after it that rate is the same.
+/// Fraction of the largest motion of the storey's levels within the step below which a distance from a limit, or its rate, is rounding; the
+/// first larger rate decides. The force is continuous at each change, so that rate is the same before and after it.
 const ROUNDING: f64 = 1e-12;
 
-/// The first change of the tenons of a storey within a step, and where in it, from the coefficients of its drift; `moved_m`: what its levels
-/// move at most within the step, of which a drift is the difference.
+/// The first change of a storey's tenons within a step, and its place, from the coefficients of the drift. `moved_m` bounds the motion of its
+/// levels within the step, whose difference is the drift.
 pub(super) fn tenon_event(joint: &Joint, drift: &[f64], moved_m: f64) -> Option<(TenonChange, f64)> {
     let reaches = |sign: f64, at_m: f64| {
-        // s δ − at turns positive
+        // s δ − at becomes positive
         let mut c = [0.0; COEFFICIENTS_MOST];
         let c = &mut c[..drift.len()];
         for (c, drift) in c.iter_mut().zip(drift) {
@@ -47,7 +47,7 @@ pub(super) fn tenon_event(joint: &Joint, drift: &[f64], moved_m: f64) -> Option<
     }
 }
 
-/// A distance that is rounding is none, and no rate before the first that is not.
+/// A distance that is rounding counts as zero, and so do the rates before the first larger one.
 fn at_limit(c: &mut [f64], largest: f64) {
     for c in c {
         if c.abs() > ROUNDING * largest {

@@ -1,4 +1,4 @@
-//! Work on a frame over one step: what is put in, and what friction and dashpots take.
+//! Work on a frame over one step: input, and dissipation by friction and dashpots.
 
 use super::frame_friction::StoreyFriction;
 use super::frame_history::FrameEnergy;
@@ -7,7 +7,7 @@ use super::frame_series::Series;
 use super::frame_tenon::Joint;
 use crate::numeric::{COEFFICIENTS_MOST, polynomial};
 
-/// Coefficients of the work: a product of two series.
+/// Number of coefficients of the work: a product of two series.
 const WORK_MOST: usize = 2 * COEFFICIENTS_MOST;
 /// Nodes and weights of Gauss and Legendre on [0, 1], 8 points: exact for polynomials of degree 15.
 const GAUSS: [(f64, f64); 4] = [
@@ -18,9 +18,9 @@ const GAUSS: [(f64, f64); 4] = [
 ];
 
 pub(super) struct Work {
-    /// At the start of the series under way; what is stored there is not kept up.
+    /// State at the start of the current series; its stored energy is not updated.
     pub(super) energy: FrameEnergy,
-    /// Put in since then: coefficients of σ, and how many there are.
+    /// Input since then: coefficients of σ, and their number.
     put_in: [f64; WORK_MOST],
     orders: usize,
     within: State,
@@ -77,7 +77,7 @@ impl Work {
         }
     }
 
-    /// Work put in and taken up to σ of the series, where the frame is `to` after it began at `from`. Without what is stored.
+    /// Work input and dissipated up to σ of the series, from state `from` to state `to`, without stored energy.
     pub(super) fn at(
         &mut self,
         model: &Model,
@@ -94,7 +94,7 @@ impl Work {
                 Slider::Slipping(_),
             ) = (friction, from.slider[i])
             {
-                // it does not turn back within a series
+                // no reversal within a series
                 let way = model.across(i, &to.y) - model.across(i, &from.y);
                 energy.friction_j += kinetic_force_n * way.abs();
             }
@@ -105,7 +105,7 @@ impl Work {
                 .map(Joint::crushing_n)
                 .filter(|force_n| *force_n > 0.0)
             {
-                // it does not turn back within a series
+                // no reversal within a series
                 energy.crushing_j += force_n * (drift_m(&to.y, i) - drift_m(&from.y, i)).abs();
             }
         }

@@ -1,17 +1,16 @@
-//! Steady response to harmonic motions of the ground, read from a run: what the maps of frames and of chains have in common.
+//! Steady response to harmonic ground motion, measured in a run: the common part of the maps of frames and of chains.
 
 use super::TimeFunction;
 
-/// Cycles before the steady state is read, of the ground and of the frame's slowest swing alike, and cycles of the ground that it is
-/// read from. Chosen here: at a damping ratio of 2 % the free part is down to 1/150 by then, by friction it dies out sooner, and what
-/// is left shows in `steady`.
+/// Number of cycles before the measurement, both of the ground and of the slowest mode, and number of measured cycles of the ground. Chosen
+/// here: at a damping ratio of 2 % the transient has then decayed to 1/150, by friction sooner, and the rest shows in `steady`.
 const CYCLES_BEFORE: f64 = 40.0;
 const CYCLES_READ: f64 = 5.0;
-/// Most cycles of the ground before the steady state is read: memory and time end. Chosen here.
+/// Largest number of cycles of the ground before the measurement: memory and time end. Chosen here.
 const CYCLES_MOST: f64 = 2000.0;
-/// Samples a cycle of the harmonic maps.
+/// Number of samples in a cycle of the harmonic maps.
 const SAMPLES_A_CYCLE: f64 = 40.0;
-/// Change of the peak between the cycles read, above which a point is not called steady. Chosen here.
+/// Relative change of the peak between measured cycles above which a point is not steady. Chosen here.
 const STEADY_MOST: f64 = 0.01;
 
 /// One point of a harmonic map, of a frame (its parts are storeys) or a chain (joints).
@@ -21,19 +20,19 @@ pub struct HarmonicPoint {
     pub frequency_hz: f64,
     /// Amplitude of its acceleration, m/s².
     pub ground_acceleration_m_s2: f64,
-    /// Largest drift of each storey, m, or rotation across each joint, rad, over the cycles read; of a run that ended early, over all
-    /// of it.
+    /// Largest drift of each storey, m, or rotation across each joint, rad, over the measured cycles; for a run that ended early, over all of
+    /// it.
     pub deformation: Vec<f64>,
-    /// Share of the cycles read in which the slider of each storey slips, or each joint is open or turns against its friction, –; of a
-    /// run that ended early, of all of it.
+    /// Share of the measured cycles in which the slider of each storey slips, or each joint is open or turns against its friction, –; for a run
+    /// that ended early, of all of it.
     pub moving_share: Vec<f64>,
-    /// The peaks of the cycles read agree to a hundredth: they tell the steady state.
+    /// Whether the peaks of the measured cycles agree to a hundredth: the response is steady.
     pub steady: bool,
-    /// A storey leaned beyond what the model of small drifts can tell of; a link fell.
+    /// Whether a storey leaned beyond the validity of the model, or a link fell.
     pub fell: bool,
 }
 
-/// What of a harmonic run is read.
+/// The measured part of a harmonic run.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Window {
     frequency_hz: f64,
@@ -47,11 +46,11 @@ pub(super) struct Window {
     finished: bool,
 }
 
-/// A part at one point: its largest deformation, the share of its motion, whether it is steady.
+/// A part at one point: its largest deformation, the share of its motion, and whether it is steady.
 type Part = (f64, f64, bool);
 
-/// A harmonic ground, and the window of its run: whole cycles of the ground in which its own and those of the slowest swing of the
-/// structure are at least so many, then those read.
+/// A harmonic ground motion, and the window of its run: at least the required number of cycles of the ground and of the slowest mode, in whole
+/// cycles of the ground, then the measured cycles.
 pub(super) fn harmonic_ground(
     frequency_hz: f64,
     amplitude_m_s2: f64,
@@ -82,7 +81,7 @@ pub(super) fn harmonic_ground(
 }
 
 impl Window {
-    /// The window of a run; all of one that ended early.
+    /// The window of a run; the whole run if it ended early.
     pub(super) fn of_run(self, finished: bool, ended_s: f64) -> Self {
         if finished {
             return self;
@@ -95,8 +94,8 @@ impl Window {
         }
     }
 
-    /// Reads a part: its deformation and rate at the samples, its largest deformation of the whole run, and the times in which it
-    /// moved, which may overlap.
+    /// Measures a part: its deformation and rate at the samples, its largest deformation of the whole run, and the intervals of its motion,
+    /// which may overlap.
     pub(super) fn part(&self, (values, rates): (&[f64], &[f64]), most: f64, moving_s: &[[f64; 2]]) -> Part {
         let share = self.share(moving_s);
         let cycle = SAMPLES_A_CYCLE as usize;
@@ -117,7 +116,7 @@ impl Window {
         (most, share, most - least <= STEADY_MOST * most)
     }
 
-    /// Share of the window that some of the times cover.
+    /// Share of the window covered by the intervals.
     fn share(&self, times_s: &[[f64; 2]]) -> f64 {
         let mut times_s = times_s.to_vec();
         times_s.sort_by(|a, b| a[0].total_cmp(&b[0]));
@@ -145,8 +144,8 @@ impl Window {
     }
 }
 
-/// Largest absolute value between two samples, by the cubic through their values and slopes (times the time between them): of
-/// a sine with 40 samples a cycle it is right to 2e-6, where the samples alone miss up to 3e-3.
+/// Largest absolute value between two samples, by the cubic through their values and slopes (times the interval): for a sine with 40 samples a
+/// cycle accurate to 2e-6, where the samples alone miss up to 3e-3.
 fn largest_of_cubic(values: [f64; 2], slopes: [f64; 2]) -> f64 {
     let ends = values[0].abs().max(values[1].abs());
     if slopes[0] * slopes[1] >= 0.0 {

@@ -3,7 +3,7 @@
 use super::DynamicsError;
 use dolmen_linalg::{Complex64, Matrix, eigen, generalized_symmetric_eigen, solve};
 
-/// Mass, damping and stiffness of a stable linear structure, checked: symmetric, mass and stiffness positive definite.
+/// Mass, damping and stiffness of a stable linear structure. Construction checks them: symmetric, mass and stiffness positive definite.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LinearSystem {
     mass: Matrix,
@@ -27,18 +27,18 @@ pub struct SystemModes {
 pub struct Pole {
     /// |λ|, rad/s.
     pub angular_frequency_rad_s: f64,
-    /// −Re λ / |λ|; 1 for one that does not swing.
+    /// −Re λ / |λ|; 1 for a mode that does not oscillate.
     pub damping_ratio: f64,
 }
 
-/// Asymmetry that rounding leaves in a matrix assembled from parts, relative to its largest entry.
+/// Asymmetry of an assembled matrix by rounding, relative to its largest entry.
 const SYMMETRY: f64 = 1e-9;
 
 impl LinearSystem {
-    /// From M, C and K, all n × n.
+    /// Builds the system from M, C and K, all n × n.
     ///
     /// # Errors
-    /// [`DynamicsError::Matrix`] if a matrix has another size, is not symmetric, or M or K is not positive definite.
+    /// [`DynamicsError::Matrix`] if a matrix has another size or is not symmetric, or M or K is not positive definite.
     pub fn new(mass: Matrix, damping: Matrix, stiffness: Matrix) -> Result<Self, DynamicsError> {
         let n = mass.rows();
         for (matrix, name) in [(&mass, "mass"), (&damping, "damping"), (&stiffness, "stiffness")] {
@@ -181,7 +181,7 @@ impl LinearSystem {
     }
 }
 
-/// Whether a list has one entry a degree of freedom, all finite.
+/// Whether a list has one entry for each degree of freedom, all finite.
 pub(crate) fn fits(argument: &'static str, list: &[f64], needed: usize) -> Result<(), DynamicsError> {
     if list.len() != needed {
         return Err(DynamicsError::Entries {

@@ -1,4 +1,4 @@
-//! Structures in time: exact between events, with the events located. Frames with dry friction; chains up to their fall; one block that rocks.
+//! Structures in time: exact between events, whose times are located. Frames with dry friction; chains up to their fall; one rocking block.
 
 mod building;
 mod chain_friction;

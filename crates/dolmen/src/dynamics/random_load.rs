@@ -1,4 +1,4 @@
-//! Random loads by their spectral density, and as filtered white noise where that is rational.
+//! Random loads by their spectral density, or as filtered white noise if it is rational.
 //!
 //! All densities are two-sided over the circular frequency: σ² = ∫ S dω from −∞ to ∞, unit² s/rad.
 
@@ -15,15 +15,15 @@ pub enum Spectrum {
         /// S0, unit² s/rad.
         density: f64,
     },
-    /// S0 ω_c² / (ω² + ω_c²): gusts that do not follow each other faster than the corner. Wind-like.
+    /// S0 ω_c² / (ω² + ω_c²): gusts that do not follow each other faster than the corner, as in wind.
     LowPass {
         /// S0 at ω = 0, unit² s/rad.
         density: f64,
         /// ω_c, rad/s.
         corner_rad_s: f64,
     },
-    /// Ground acceleration of Kanai (1957) and Tajimi (1960): white noise through soil as one oscillator. It does not vanish at
-    /// ω = 0, so that the ground's velocity and displacement are unbounded.
+    /// Ground acceleration of Kanai (1957) and Tajimi (1960): white noise through soil as one oscillator. It does not vanish at ω = 0, so the
+    /// ground's velocity and displacement are unbounded.
     KanaiTajimi {
         /// S0 of the rock, (m/s²)² s/rad.
         density: f64,
@@ -32,7 +32,7 @@ pub enum Spectrum {
         /// ζ_g of the soil.
         ground_damping_ratio: f64,
     },
-    /// The same through the second filter of Clough & Penzien (1975), which takes slow motion out.
+    /// The same through the second filter of Clough & Penzien (1975), which removes slow motion.
     CloughPenzien {
         /// S0 of the rock, (m/s²)² s/rad.
         density: f64,
@@ -45,14 +45,14 @@ pub enum Spectrum {
         /// ζ_f of the second filter.
         filter_damping_ratio: f64,
     },
-    /// Straight lines between given points; 0 beyond the last, the first value below the first.
+    /// Linear between given points; 0 beyond the last, the first value below the first.
     Table {
         /// Ascending, rad/s.
         angular_frequency_rad_s: Vec<f64>,
         /// One each, unit² s/rad.
         density: Vec<f64>,
     },
-    /// Force of a turbulent wind on the strips of a face, each times its part of a shape: φᵀ S_F φ/4π, N² s/rad.
+    /// Force of a turbulent wind on the strips of a face, weighted by a pattern: φᵀ S_F φ/4π, N² s/rad.
     Gusts {
         /// The face.
         face: Box<GustFace>,
@@ -115,7 +115,7 @@ impl Spectrum {
                     density[above - 1] + part * (density[above] - density[above - 1])
                 }
             }
-            // one-sided over Hz is 4π times two-sided over rad/s; at rest as at the lowest frequency apart from it
+            // one-sided over Hz is 4π times two-sided over rad/s; at ω = 0 as at the lowest frequency above it
             Spectrum::Gusts { face, shape } => {
                 let hz = (w.abs() / TAU).max(face.lowest_hz());
                 face.force_density_n2_hz(hz).form(shape, shape) / (2.0 * TAU)
@@ -249,7 +249,7 @@ impl Spectrum {
         }
     }
 
-    /// Frequencies at which the density stands out or bends.
+    /// Frequencies at which the density has a peak or a bend.
     pub(crate) fn breaks_rad_s(&self) -> Vec<f64> {
         match self {
             Spectrum::White { .. } => Vec::new(),
@@ -273,7 +273,7 @@ impl Spectrum {
         }
     }
 
-    /// The filter that makes it of white noise; `None` for a table and for gusts, and no states for white noise itself.
+    /// The filter that generates it from white noise; `None` for a table and for gusts, and no states for white noise itself.
     pub(super) fn filter(&self) -> Option<ShapingFilter> {
         let intensity = |density: f64| (TAU * density).sqrt();
         match self {
@@ -339,28 +339,28 @@ fn ascending(at: &[f64]) -> Result<(), DynamicsError> {
     }
 }
 
-/// What a random load acts on.
+/// Kind of a random load.
 #[derive(Clone, Debug, PartialEq)]
 pub enum RandomInput {
-    /// A force: how much of it each degree of freedom gets, n values.
+    /// A force: its part in each degree of freedom, n values.
     Force(Vec<f64>),
-    /// An acceleration of the base: how far each degree of freedom moves with it, n values.
+    /// An acceleration of the base: the displacement of each degree of freedom per base displacement, n values.
     Base(Vec<f64>),
 }
 
 /// A random load; several are independent of each other.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RandomLoad {
-    /// What it acts on.
+    /// Its kind.
     pub input: RandomInput,
     /// Its spectral density.
     pub spectrum: Spectrum,
 }
 
-/// Loads that depend on each other: their spectral matrix at given frequencies, straight lines between, 0 beyond.
+/// Correlated loads: their spectral matrix at given frequencies, linear between, 0 beyond.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SpectralMatrix {
-    /// What each load acts on, m of them.
+    /// The kinds of the m loads.
     pub inputs: Vec<RandomInput>,
     /// Ascending, rad/s.
     pub angular_frequency_rad_s: Vec<f64>,

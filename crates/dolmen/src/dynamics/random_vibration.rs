@@ -13,7 +13,7 @@ use super::{DynamicsError, LinearSystem};
 use crate::numeric::{adaptive_nodes, lyapunov};
 use dolmen_linalg::{Complex64, Matrix};
 
-/// Which motion is looked at.
+/// Kind of response.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Motion {
     /// Displacement, relative to the base where that moves.
@@ -24,10 +24,10 @@ pub enum Motion {
     Acceleration,
 }
 
-/// What is looked at: a combination of degrees of freedom.
+/// A response: a combination of degrees of freedom.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ResponseRow {
-    /// How much of each degree of freedom, n values.
+    /// Part of each degree of freedom, n values.
     pub row: Vec<f64>,
     /// Displacement, velocity or acceleration.
     pub motion: Motion,
@@ -43,12 +43,12 @@ impl ResponseRow {
     }
 }
 
-/// How finely the integral over frequency is taken.
+/// Options of the integral over frequency.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FrequencyIntegral {
-    /// Of each variance; default 1e-9 (our choice).
+    /// Tolerance of each variance; default 1e-9 (our choice).
     pub relative_tolerance: f64,
-    /// Intervals of 15 points allowed; default 20 000 (our choice).
+    /// Largest number of intervals of 15 points; default 20 000 (our choice).
     pub intervals_most: usize,
 }
 
@@ -61,11 +61,11 @@ impl Default for FrequencyIntegral {
     }
 }
 
-/// Standard deviations by Lyapunov's equation A P + P Aᵀ + B Bᵀ = 0, the filters of coloured loads as more states.
+/// Standard deviations by Lyapunov's equation A P + P Aᵀ + B Bᵀ = 0, with the filters of coloured loads as additional states.
 ///
 /// # Errors
-/// [`DynamicsError::NotRational`] for a load given as a table; [`DynamicsError::Unbounded`] for an acceleration under a
-/// white force; [`DynamicsError::Unstable`] if the motion does not settle.
+/// [`DynamicsError::NotRational`] for a load given as a table; [`DynamicsError::Unbounded`] for an acceleration under a white force;
+/// [`DynamicsError::Unstable`] without a steady state.
 ///
 /// # Limits
 /// Agrees with [`rms_by_integral`] to 1e-9 on the structures of the tests; time grows with the cube of the states.
@@ -153,7 +153,7 @@ pub fn rms_by_lyapunov(
                 Motion::Displacement => row[..n].copy_from_slice(&response.row),
                 Motion::Velocity => row[n..2 * n].copy_from_slice(&response.row),
                 Motion::Acceleration => {
-                    // ẍ of the state equation, without what the base adds to its own
+                    // ẍ of the state equation, without the direct contribution of the base
                     for (i, of) in response.row.iter().enumerate() {
                         for (j, entry) in row.iter_mut().enumerate() {
                             *entry += of * a[(n + i, j)];
@@ -177,11 +177,11 @@ pub fn rms_by_lyapunov(
         .collect())
 }
 
-/// Standard deviations by σ² = 2 ∫ h(ω) S(ω) h*(ω) dω over ω > 0, adaptively; h by one solution of the structure's
-/// equations at each frequency.
+/// Standard deviations by σ² = 2 ∫ h(ω) S(ω) h*(ω) dω over ω > 0, adaptively; h from one solution of the structure's equations at each
+/// frequency.
 ///
 /// # Errors
-/// [`DynamicsError::Unbounded`] as above; [`DynamicsError::Integral`] if the tolerance takes too many intervals.
+/// [`DynamicsError::Unbounded`] as above; [`DynamicsError::Integral`] if the tolerance needs too many intervals.
 pub fn rms_by_integral(
     system: &LinearSystem,
     loads: &[RandomLoad],
@@ -218,10 +218,10 @@ pub fn rms_by_integral(
     integrate(system, &mut breaks, None, options, density)
 }
 
-/// Standard deviations under loads that depend on each other, by the integral over frequency.
+/// Standard deviations under correlated loads, by the integral over frequency.
 ///
 /// # Errors
-/// [`DynamicsError::Matrix`] if the spectral matrix is not one; else as [`rms_by_integral`].
+/// [`DynamicsError::Matrix`] if the spectral matrix is not valid; otherwise as in [`rms_by_integral`].
 pub fn rms_by_spectral_matrix(
     system: &LinearSystem,
     loads: &SpectralMatrix,
@@ -258,7 +258,7 @@ pub fn rms_by_spectral_matrix(
     integrate(system, &mut breaks, last, options, density)
 }
 
-/// 2 ∫ from 0 to ∞ (or `last`), and its root; the part above every peak with 1/ω as the variable.
+/// 2 ∫ from 0 to ∞ (or `last`), and its root; above every peak 1/ω is the variable.
 fn integrate(
     system: &LinearSystem,
     breaks: &mut Vec<f64>,
@@ -310,7 +310,7 @@ fn integrate(
     Ok(sums.into_iter().map(f64::sqrt).collect())
 }
 
-/// The responses to a unit of one load at one frequency.
+/// The responses to one load of 1 at one frequency.
 fn transfer(
     system: &LinearSystem,
     input: &RandomInput,
@@ -341,7 +341,7 @@ fn transfer(
         .collect())
 }
 
-/// M⁻¹ of the load, n values: accelerations that a unit of it gives.
+/// M⁻¹ times the load, n values: accelerations for a load of 1.
 fn accelerations(system: &LinearSystem, input: &RandomInput) -> Result<Vec<f64>, DynamicsError> {
     let n = system.degrees_of_freedom();
     match input {

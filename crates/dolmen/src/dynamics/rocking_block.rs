@@ -1,5 +1,4 @@
-//! One rigid block that rocks on its edges (Housner's model), exact between events: the second method beside the
-//! simulation of stacks, and a fast one.
+//! One rigid block that rocks on its edges (Housner's model), exact between events: a second, fast method beside the simulation of stacks.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -13,23 +12,23 @@
 use super::DynamicsError;
 use std::f64::consts::FRAC_PI_2;
 
-/// A rigid block on two edges, which do not slip.
+/// A rigid block on two edges that do not slip.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RockingBlock {
     /// α, rad: 0 < α < π/2.
     pub slenderness_rad: f64,
-    /// p, rad/s: positive. It is that of `gravity_m_s2`.
+    /// p, rad/s, positive, for gravity `gravity_m_s2`.
     pub frequency_parameter_rad_s: f64,
-    /// m R² / I_0, –: 0 to 1; ¾ of every uniform rectangle. It acts on the forces at the edge alone.
+    /// m R² / I_0, –: 0 to 1; ¾ for every uniform rectangle. It affects only the forces at the edge.
     pub inertia_ratio: f64,
-    /// r of an impact, –: 0 to 1; 0 where the block stands still after its first impact.
+    /// r of an impact, –: 0 to 1; 0 if the block stops at its first impact.
     pub velocity_ratio: f64,
     /// g, m/s².
     pub gravity_m_s2: f64,
 }
 
 impl RockingBlock {
-    /// A uniform rectangle, with the velocity ratio of an impact at the new edge that neither bounces nor slides.
+    /// A uniform rectangle, with the velocity ratio of an impact at the new edge without bounce or sliding.
     ///
     /// ```text
     /// tan α = B/H      p² = 3 g / (2 √(B² + H²))      r = max(0, 1 − 1.5 sin²α)
@@ -58,7 +57,7 @@ impl RockingBlock {
         })
     }
 
-    /// A rigid beam that lies on equal rigid columns, free at foot and head: its rotation follows the equation of one block.
+    /// A rigid beam on equal rigid columns, free at foot and head: its rotation follows the equation of one block.
     ///
     /// ```text
     /// tan α = b/h,  R = √(b² + h²)/2,  p² = 3g/(4R)          of a column
@@ -66,8 +65,8 @@ impl RockingBlock {
     /// r = (1 − 1.5 sin²α + 3γ cos 2α)/(1 + 3γ)               no bounce, no slip at foot and head; 0 where that is negative
     /// ```
     ///
-    /// It lifts off at g tan α, whatever γ is. `inertia_ratio` is 1, so that `friction_needed` and `least_pressure_ratio` of its
-    /// history mean nothing.
+    /// It lifts off at g tan α, whatever γ is. `inertia_ratio` is 1, so `friction_needed` and `least_pressure_ratio` of its history are
+    /// meaningless.
     ///
     /// # Input
     /// * `beam_to_columns` -- γ: 0 for columns that carry nothing, infinite for columns without weight
@@ -76,7 +75,7 @@ impl RockingBlock {
     /// [`DynamicsError::Argument`] unless width, height and gravity are positive and γ is 0 or more.
     ///
     /// # Limits
-    /// Uniform columns of rectangular section; with an infinite γ of any. The beam stays level: equal columns.
+    /// Uniform columns of rectangular section; with an infinite γ any section. The beam stays level: equal columns.
     ///
     /// # Source
     /// Makris, N. & Vassiliou, M. F. (2013) Earthquake Eng. Struct. Dyn. 42(5):707-726, whose r is the square of ours.
@@ -151,7 +150,7 @@ pub(super) fn positive(argument: &'static str, given: f64) -> Result<(), Dynamic
     })
 }
 
-/// The equation of motion of a [`RockingBlock`], u the size and s the sign of its rotation.
+/// The equation of motion of a [`RockingBlock`]; u is the magnitude and s the sign of its rotation.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum RockingEquation {
     /// u″ = −p² ((1 + a_z/g) sin(α − u) + s (a_x/g) cos(α − u)).
@@ -188,7 +187,7 @@ impl Default for Rocking {
     }
 }
 
-/// How a run of [`rock_block`](super::rock_block) ended.
+/// End of a run of [`rock_block`](super::rock_block).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum RockingOutcome {
     /// It never lifted off.
@@ -200,7 +199,7 @@ pub enum RockingOutcome {
         /// When, s.
         at_s: f64,
     },
-    /// The ground fell away faster than the block, which the model does not follow: the run ends there.
+    /// The ground fell away faster than the block, which the model does not cover; the run ends there.
     LeftTheGround {
         /// When, s.
         at_s: f64,
@@ -219,21 +218,21 @@ pub struct RockingImpact {
 /// Motion of a rocking block.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RockingHistory {
-    /// How it ended.
+    /// Its end.
     pub outcome: RockingOutcome,
     /// Times of the samples, s.
     pub time_s: Vec<f64>,
     /// Rotation at the samples, positive towards +x, rad.
     pub rotation_rad: Vec<f64>,
-    /// Largest rotation of all, also between samples, rad.
+    /// Largest rotation, including times between samples, rad.
     pub peak_rotation_rad: f64,
-    /// First time at which it lifts off, s.
+    /// Time of the first lift-off, s.
     pub uplift_s: Option<f64>,
     /// All impacts.
     pub impacts: Vec<RockingImpact>,
-    /// Least friction coefficient with which the edge would not have slipped, from the forces at the ends of all steps, –; infinite
-    /// where the edge carried nothing.
+    /// Smallest friction coefficient without slip of the edge, from the forces at the ends of all steps, –; infinite where the edge carried
+    /// nothing.
     pub friction_needed: f64,
-    /// Least force that the ground carried at those times, over the weight, –: below 0 the block would have jumped.
+    /// Smallest force on the ground at those times, over the weight, –: below 0 the block would have jumped.
     pub least_pressure_ratio: f64,
 }

@@ -1,4 +1,4 @@
-//! One rocking block on its way: power series between lift-off, impact and fall.
+//! The run of one rocking block: power series between lift-off, impact and fall.
 
 use super::DynamicsError;
 use super::excitation::TimeFunction;
@@ -8,31 +8,31 @@ use super::rocking_block::{
 use crate::numeric::{first_descent, polynomial};
 use std::f64::consts::FRAC_PI_2;
 
-/// Coefficients of a series. Chosen here: rounding is reached at steps of 1/p.
+/// Number of coefficients of a series. Chosen here: rounding is reached at steps of 1/p.
 const COEFFICIENTS: usize = 24;
-/// Size of the last coefficients, over the rotation, from which a step is halved.
+/// Size of the last coefficients, over the rotation, above which a step is halved.
 const TRUNCATION: f64 = 1e-16;
-/// Angular velocity after an impact, over p, below which the block rests: what is left of its motion is less than that
-/// part of a radian. Chosen here.
+/// Angular velocity after an impact, over p, below which the block rests: its remaining motion is less than that fraction of a radian. Chosen
+/// here.
 const REST_RATIO: f64 = 1e-10;
-/// Shortest step, over 1/p. Chosen here: shorter ones follow no motion that is meant.
+/// Shortest step, over 1/p. Chosen here: no meaningful motion needs shorter ones.
 const STEP_LEAST: f64 = 1e-9;
-/// Impacts after which a run is given up.
+/// Largest number of impacts of a run.
 const IMPACTS_MOST: usize = 1_000_000;
 
 /// Motion of one block that rocks on the edges of its base.
 ///
-/// Between events the rotation is a power series, of as many terms as rounding asks for, on steps that end at the samples of the
-/// ground motion; lift-off, impact and fall are roots of it.
+/// Between events the rotation is a power series, with as many terms as rounding requires, on steps that end at the samples of the ground
+/// motion; lift-off, impact and fall are roots of it.
 ///
 /// # Errors
 /// [`DynamicsError::Argument`] for a block, motion or option out of range, and more than 90° of rotation at the start;
 /// [`DynamicsError::TooManyEvents`] after a million impacts.
 ///
 /// # Limits
-/// The edge does not slip and the block does not jump, whatever the motion: see `friction_needed` and `least_pressure_ratio`.
-/// Every impact is that of `velocity_ratio`, at the edge. A block that has passed its edge is not stopped by the ground before
-/// 90°. Rotations to 1e-13 of a radian until the motion becomes chaotic.
+/// The edge does not slip and the block does not jump, whatever the motion: see `friction_needed` and `least_pressure_ratio`. Every impact is at
+/// the edge, with `velocity_ratio`. The ground does not stop a block beyond its edge before 90°. Rotations are accurate to 1e-13 rad until the
+/// motion becomes chaotic.
 ///
 /// # Source
 /// Housner (1963); Zhang, J. & Makris, N. (2001) J. Eng. Mech. 127(5):473-483 for the exact equation.
@@ -79,7 +79,7 @@ pub fn rock_block(
     Ok(run.history())
 }
 
-/// A run on its way.
+/// The state of a run.
 pub(super) struct Run<'a> {
     block: &'a RockingBlock,
     ground: [&'a TimeFunction; 2],
@@ -91,15 +91,15 @@ pub(super) struct Run<'a> {
     side: f64,
     u: f64,
     v: f64,
-    /// It has just been lifted off: rounding must not set it down.
+    /// Whether it has just been lifted off: rounding must not set it down.
     lifted: bool,
-    /// When it last came to rest, s.
+    /// Last time at which it came to rest, s.
     rested_s: f64,
     pub(super) over: bool,
     history: RockingHistory,
 }
 
-/// What ends a step.
+/// The end of a step.
 #[derive(Clone, Copy, PartialEq)]
 enum Event {
     None,
@@ -170,7 +170,7 @@ impl<'a> Run<'a> {
             RockingEquation::Exact => self.block.slenderness_rad.sin_cos(),
             RockingEquation::Linear => (self.block.slenderness_rad, 1.0),
         };
-        // a block that has come to rest at this moment must not be lifted by rounding at the same one
+        // rounding must not lift a block that came to rest at this moment
         let from = if self.rested_s == self.time_s { 1e-9 } else { 0.0 };
         let mut first = (1.0, Event::None);
         for side in [1.0, -1.0] {
@@ -355,7 +355,7 @@ impl<'a> Run<'a> {
         self.history.least_pressure_ratio = self.history.least_pressure_ratio.min(pressure);
     }
 
-    /// Largest rotation up to σ = `at`: at its end or where it turns.
+    /// Largest rotation up to σ = `at`: at its end or at a turning point.
     fn see_peak(&mut self, u: &[f64; COEFFICIENTS], at: f64) {
         let mut rate = [0.0; COEFFICIENTS];
         for k in 1..COEFFICIENTS {
@@ -368,7 +368,7 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// Takes the samples up to `until` after the time of the run.
+    /// Records the samples up to `until` after the time of the run.
     fn sample(&mut self, until: f64, value: impl Fn(f64) -> f64) {
         loop {
             let at = self.history.time_s.len() as f64 * self.options.output_step_s;

@@ -10,7 +10,7 @@ pub(super) const JUMPED_BELOW: f64 = 0.8;
 pub(super) const EXPLAINED: f64 = 0.95;
 /// Relative difference within which frequencies stayed. Chosen here: twice what weather does from one survey to the next.
 const STAYED: f64 = 0.03;
-/// Sensors that shapes must share for one to be named: with fewer, what is left says little.
+/// Fewest sensors in common between shapes for one to be identified as changed: with fewer, the others prove little.
 const NAMED_FROM: usize = 4;
 
 /// Where shapes jumped and frequencies did not.

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-/// The window by which a series is brought to zero at both ends: half a cosine over the first and last `ramp` samples.
+/// The window that brings a series to zero at both ends: half a cosine over the first and last `ramp` samples.
 pub(super) fn edges(i: usize, length: usize, ramp: usize) -> f64 {
     let from_end = i.min(length - 1 - i);
     if from_end >= ramp {
@@ -11,8 +11,8 @@ pub(super) fn edges(i: usize, length: usize, ramp: usize) -> f64 {
     0.5 * (1.0 - (PI * from_end as f64 / ramp as f64).cos())
 }
 
-/// Takes from the samples a straight line times a window, so that their sum and their first moment vanish: with zeros at both
-/// ends, the velocity and the displacement of the ground are then zero after them.
+/// Subtracts from the samples a straight line times a window, so that their sum and their first moment vanish. As the ends are zero, velocity
+/// and displacement of the ground are then zero after them.
 ///
 /// ```text
 /// a_i ← a_i − g_i (c_0 + c_1 x_i)      Σ a_i = 0, Σ x_i a_i = 0      x_i = i − centre
@@ -29,7 +29,7 @@ pub(super) fn bring_to_rest(samples: &mut [f64], first: usize, centre: f64, wind
     }
     let determinant = g0 * g2 - g1 * g1;
     if determinant <= 0.0 || !determinant.is_finite() {
-        return; // fewer than two samples within the window: nothing can be taken off
+        return; // fewer than two samples within the window: nothing to subtract
     }
     let (c0, c1) = (
         (m0 * g2 - m1 * g1) / determinant,

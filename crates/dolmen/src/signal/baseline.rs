@@ -4,15 +4,15 @@ use super::sections::Sections;
 use super::{Component, GroundMotion, Processing, SignalError};
 use dolmen_linalg::{Matrix, solve_least_squares};
 
-/// How a base line is taken off.
+/// How to correct a base line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Baseline {
-    /// The polynomial of least squares of the acceleration: 0 its mean, 1 a straight line, up to 6.
+    /// Subtract the polynomial of least squares from the acceleration: degree 0 its mean, 1 a straight line, up to 6.
     Polynomial {
         /// Its degree.
         degree: usize,
     },
-    /// What lies below a frequency: a zero-phase Butterworth filter, run forwards and backwards, gain ½ at the corner.
+    /// Remove everything below a frequency: a zero-phase Butterworth filter, run forwards and backwards, gain ½ at the corner.
     HighPass {
         /// The corner, Hz.
         corner_hz: f64,
@@ -21,20 +21,20 @@ pub enum Baseline {
     },
 }
 
-/// Highest degree of a polynomial: above it the motion itself is taken off. Chosen here.
+/// Highest degree of a polynomial: a higher one would remove the motion itself. Chosen here.
 const DEGREE_MOST: usize = 6;
 const ORDER_MOST: usize = 12;
 
 impl GroundMotion {
-    /// The motion with its base line taken off, all directions that were given.
+    /// The motion with corrected base lines, in all given directions.
     ///
     /// # Errors
     /// [`SignalError::Argument`] for a degree above 6, [`SignalError::FilterOrder`], [`SignalError::Corner`],
     /// [`SignalError::TooShortForFilter`] if the filter rings for longer than the motion lasts.
     ///
     /// # Limits
-    /// A high-pass filter takes off permanent displacements too: near a fault they are real. Its ends are continued by odd
-    /// reflection, as those of records are.
+    /// A high-pass filter also removes permanent displacements, which are real near a fault. The ends are continued by odd reflection, as for
+    /// records.
     ///
     /// # Source
     /// Boore, Bommer (2005) Soil Dyn. Earthq. Eng. 25(2):93-115. Agrees with `numpy.polyfit` and with
@@ -102,7 +102,7 @@ impl GroundMotion {
     }
 }
 
-/// Takes the polynomial of least squares off: Chebyshev polynomials of x = −1 … 1, whose columns are far from parallel.
+/// Subtracts the polynomial of least squares. The basis is Chebyshev polynomials of x = −1 … 1, whose columns are nearly orthogonal.
 fn without_polynomial(samples: &mut [f64], degree: usize) -> Result<(), SignalError> {
     let last = (samples.len() - 1) as f64;
     let degree = degree.min(samples.len() - 1);

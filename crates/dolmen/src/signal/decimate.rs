@@ -10,7 +10,7 @@ pub(crate) const CORNER_OF_NYQUIST: f64 = 0.8;
 const ORDER: usize = 8;
 const RIPPLE_DB: f64 = 0.05;
 
-/// The record at 1/`factor` of its sampling rate, nothing delayed.
+/// The record at 1/`factor` of its sampling rate, without delay.
 ///
 /// A zero-phase Chebyshev low-pass of order 8 with its corner at 0.8 of the new Nyquist frequency, then each
 /// `factor`-th sample, beginning with the first.
@@ -19,8 +19,8 @@ const RIPPLE_DB: f64 = 0.05;
 /// [`SignalError::Factor`] below 2 or if fewer than 2 samples would be left, [`SignalError::TooShortForFilter`].
 ///
 /// # Limits
-/// Up to 0.8 of the new Nyquist frequency the gain is between 0.988 and 1; at the new Nyquist frequency it is 0.0053 or
-/// less, so what folds back below 0.8 of it is at most 1e-4 (−80 dB) of what it was, for factors of 2 to 20.
+/// Up to 0.8 of the new Nyquist frequency the gain is between 0.988 and 1. At the new Nyquist frequency it is 0.0053 or less, so aliases below
+/// 0.8 of it are at most 1e-4 (−80 dB) of the original, for factors of 2 to 20.
 ///
 /// # Source
 /// The filter is that of `scipy.signal.decimate`. Differs from it: the ends are continued as in [`low_pass`](super::low_pass).

@@ -1,17 +1,18 @@
-//! The envelope of a channel: least and largest sample of each of equal parts, so that no spike is lost in a drawing.
+//! The envelope of a channel: smallest and largest sample of each of equal parts, so that a drawing loses no spike.
 
-/// Least and largest sample of each part of a series.
+/// Smallest and largest sample of each part of a series.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Envelope {
-    /// First sample of each part, and behind the last part the number of samples.
+    /// First sample of each part, then the number of samples.
     pub starts: Vec<usize>,
-    /// Least sample of each part.
+    /// Smallest sample of each part.
     pub least: Vec<f64>,
     /// Largest sample of each part.
     pub most: Vec<f64>,
 }
 
-/// Least and largest sample of `parts` parts that differ by one sample at most in length; a part a sample where there are fewer samples than that.
+/// Smallest and largest sample of `parts` parts whose lengths differ by one sample at most; one part for each sample if there are fewer samples
+/// than that.
 ///
 /// # Example
 /// ```

@@ -1,6 +1,6 @@
 use crate::numeric::NumericError;
 
-/// Why a record cannot be made or conditioned. Each variant carries the value that was refused.
+/// Why a record cannot be made or conditioned. Each variant carries the refused value.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SignalError {
     /// No channel, or channels without a sample.
@@ -45,7 +45,7 @@ pub enum SignalError {
         /// The value found.
         value: f64,
     },
-    /// A sample is so large that it is no measurement, and sums of its squares would overflow.
+    /// A sample too large for a measurement: sums of squares would overflow.
     #[error(
         "channel \"{channel}\" holds {value} at sample {sample} (t = {time_s} s), but no sample may be above {most}: \
          an over-range mark of the logger? cut it away, or leave the channel out"
@@ -62,7 +62,7 @@ pub enum SignalError {
         /// The largest allowed.
         most: f64,
     },
-    /// Not one description to each series of samples.
+    /// The numbers of descriptions and of series differ.
     #[error(
         "{channels} channels are described, but {series} series of samples are given: give one description to each"
     )]
@@ -98,7 +98,7 @@ pub enum SignalError {
         /// Channels of the record.
         channels: usize,
     },
-    /// One of several channels does not say when it begins.
+    /// One of several channels has no start.
     #[error("channel \"{channel}\" does not say when it begins")]
     NoStart {
         /// The channel.
@@ -232,7 +232,7 @@ pub enum SignalError {
         /// What is allowed.
         allowed: &'static str,
     },
-    /// A component that does not move is to be scaled to a peak.
+    /// A component without motion cannot be scaled to a peak.
     #[error(
         "the {component} component peaks at {peak_m_s2} m/s², so no factor scales it: name a component that moves"
     )]
@@ -242,7 +242,7 @@ pub enum SignalError {
         /// Its peak, m/s².
         peak_m_s2: f64,
     },
-    /// A period is out of what the time step of the motion can tell.
+    /// A period outside the range that the time step of the motion can resolve.
     #[error(
         "a period of {given} s is refused: a motion with this time step tells of {least_s} to {most_s} s"
     )]
@@ -260,7 +260,7 @@ pub enum SignalError {
         /// Why.
         why: String,
     },
-    /// Too many records are of one earthquake, station or file for a suite.
+    /// Too many records from one earthquake, station or file for a suite.
     #[error(
         "no suite of {wanted} motions can be had of {usable} records: the limits on one earthquake, station and record leave \
          {most}; give more records, or ask for fewer motions"
@@ -268,9 +268,9 @@ pub enum SignalError {
     SuiteAlike {
         /// Motions wanted.
         wanted: usize,
-        /// Records that could be taken.
+        /// Records available.
         usable: usize,
-        /// The most that may stand together.
+        /// The most that may be in one suite.
         most: usize,
     },
     /// The factors of every suite lie beyond their limits.
@@ -281,7 +281,7 @@ pub enum SignalError {
     SuiteFactors {
         /// Motions wanted.
         wanted: usize,
-        /// Records that could be taken.
+        /// Records available.
         usable: usize,
         /// Smallest factor allowed.
         least: f64,

@@ -1,34 +1,35 @@
-//! Faults of a channel that show in part of its samples: where it stands, fades, spikes, or follows another.
+//! Faults of a channel in part of its samples: it is stuck, fades, has spikes, or follows another channel.
 
-/// A run of one value counts from so many samples, and from a second. Chosen here.
+/// Fewest samples of a run of one value that counts as a fault, and its shortest duration of a second. Chosen here.
 const STUCK_LEAST: usize = 50;
 const STUCK_S: f64 = 1.0;
-/// It must be so many times longer than the channel's runs are on average: a coarse digitiser in quiet hours stands too. Chosen here:
-/// of runs that end by chance the longest of a million is 14 times the mean. And than the runs beside it: the crest of a slow wave is
-/// 2.4 times those.
+/// Factor by which a run must exceed the average run of the channel, because a coarse digitiser also stays at one value in quiet hours. Chosen
+/// here: of runs that end by chance the longest of a million is 14 times the mean. And the factor by which it must exceed neighbouring runs: the
+/// crest of a slow wave is 2.4 times those.
 const STUCK_RUNS: usize = 20;
 const STUCK_BESIDE: usize = 5;
-/// Of a channel whose motion is no more than so many steps of its digitiser, quiet time stands at one value: only so large a share of the record
-/// counts. Chosen here.
+/// A channel whose motion is no more than this many steps of its digitiser stays at one value in quiet time. There a run must be at least this
+/// share of the record. Chosen here.
 const COARSE_STEPS: f64 = 4.0;
 const COARSE_SHARE: f64 = 0.2;
-/// Blocks of time in which strength is compared, fewest channels beside one, and the least change that counts as a fault. Chosen here.
+/// Number of blocks in which strength is compared, fewest other channels, and the smallest change that counts as a fault. Chosen here.
 const FADED_BLOCKS: usize = 10;
 const FADED_OTHERS: usize = 2;
 const FADED_FROM: f64 = 10.0;
-/// Least rise over the record that counts as a fault, in standard deviations of the motion. Chosen here.
+/// Smallest rise over the record that counts as a fault, in standard deviations of the motion. Chosen here.
 const DRIFT_FROM: f64 = 10.0;
-/// Samples that are compared between channels, and 1 less the correlation of their steps below which they are one signal: noise of a
-/// hundredth. Chosen here.
+/// Number of samples compared between channels, and the limit of 1 − correlation of their steps below which two channels are the same signal:
+/// noise of a hundredth. Chosen here.
 const ALIKE_SAMPLES: usize = 16_384;
 const ALIKE_MOST: f64 = 1e-4;
-/// A sample out of the middle of its neighbours by so many times the usual is a spike; so many samples tell what is usual. Chosen here.
+/// A sample is a spike if its distance from the middle of its neighbours is this many times the usual one; the usual one needs this many
+/// samples. Chosen here.
 const SPIKE_FROM: f64 = 25.0;
 const SPIKE_SAMPLES: usize = 65_536;
-/// Standard deviation of a normal variable over its median modulus.
+/// Standard deviation of a normal variable over the median of its absolute value.
 const NORMAL_MEDIAN: f64 = 1.482_602_218_505_602;
 
-/// First sample and the one behind the last of the longest run of one value, if it is no accident.
+/// First sample of the longest run of one value and the sample after it, unless chance explains the run.
 pub(super) fn stuck(x: &[f64], rate_hz: f64) -> Option<[usize; 2]> {
     let (mut runs, mut begin, mut longest) = (1, 0, [0, 0]);
     let (mut before, mut beside) = (0, 0);
@@ -37,7 +38,7 @@ pub(super) fn stuck(x: &[f64], rate_hz: f64) -> Option<[usize; 2]> {
             continue;
         }
         if begin == longest[1] {
-            beside = beside.max(i - begin); // the run behind the longest
+            beside = beside.max(i - begin); // the second longest run
         }
         if i - begin > longest[1] - longest[0] {
             (longest, beside) = ([begin, i], before);
@@ -47,7 +48,7 @@ pub(super) fn stuck(x: &[f64], rate_hz: f64) -> Option<[usize; 2]> {
     }
     let length = longest[1] - longest[0];
     let wanted = STUCK_LEAST.max((STUCK_S * rate_hz).ceil() as usize);
-    // the mean of the others: a channel that is dead for most of its time has one run too
+    // the mean of the others: a channel that is dead most of the time also has one such run
     let others = (x.len() - length) / (runs - 1).max(1);
     let mut least = wanted.max(STUCK_RUNS * others.max(1)).max(STUCK_BESIDE * beside);
     if is_coarse(x) {
@@ -69,24 +70,24 @@ fn is_coarse(x: &[f64]) -> bool {
     COARSE_STEPS * least >= square.sqrt()
 }
 
-/// How the strength of a channel changed against the others.
+/// Change of a channel's strength against the others.
 pub(super) struct Faded {
     pub(super) factor: f64,
     pub(super) from: usize,
     pub(super) to: usize,
 }
 
-/// Largest steps of a block that do not count: of a spike or a knock. Chosen here.
+/// Number of largest steps in a block that are left out: those of a spike or a knock. Chosen here.
 const FADED_LEAVES_OUT: usize = 100;
 
-/// How strongly a channel moves in each block of time.
+/// Strength of a channel in each block of time.
 pub(super) struct BlockStrengths {
     block: usize,
     strengths: [f64; FADED_BLOCKS],
 }
 
 impl BlockStrengths {
-    /// `None` for a record too short to tell.
+    /// `None` for a record that is too short.
     pub(super) fn of(x: &[f64]) -> Option<Self> {
         let block = x.len() / FADED_BLOCKS;
         if block < STUCK_LEAST {
@@ -101,7 +102,7 @@ impl BlockStrengths {
             squares.select_nth_unstable_by(kept, f64::total_cmp);
             let usual: f64 = squares[..=kept].iter().sum();
             let all = || squares.iter().sum::<f64>();
-            // a coarse digitiser may step seldom
+            // a coarse digitiser may step rarely
             if usual > 0.0 { usual.sqrt() } else { all().sqrt() }
         });
         Some(Self { block, strengths })
@@ -135,7 +136,7 @@ pub(super) fn faded(x: &BlockStrengths, others: &[&BlockStrengths]) -> Option<Fa
     })
 }
 
-/// Rise of the line through a channel over the record, in standard deviations about it, if it is more than the motion.
+/// Rise of the line through a channel over the record, in standard deviations about it, if it exceeds the motion.
 pub(super) fn drifts(x: &[f64]) -> Option<f64> {
     let n = x.len() as f64;
     let (middle, mean) = (0.5 * (n - 1.0), x.iter().sum::<f64>() / n);
@@ -150,7 +151,7 @@ pub(super) fn drifts(x: &[f64]) -> Option<f64> {
     (rise >= DRIFT_FROM).then_some(rise)
 }
 
-/// Correlation of the steps of two channels if they are almost one signal.
+/// Correlation of the steps of two channels if they are almost the same signal.
 pub(super) fn alike(a: &[f64], b: &[f64]) -> Option<f64> {
     let most = a.len().min(ALIKE_SAMPLES);
     let (mut aa, mut bb, mut ab) = (0.0, 0.0, 0.0);
@@ -164,13 +165,13 @@ pub(super) fn alike(a: &[f64], b: &[f64]) -> Option<f64> {
     (1.0 - correlation.abs() < ALIKE_MOST).then_some(correlation)
 }
 
-/// Single samples that stand out.
+/// Single samples that are spikes.
 pub(super) struct Spikes {
     pub(super) count: usize,
     pub(super) first: usize,
 }
 
-/// d_i = x_i − (x_{i−1} + x_{i+1})/2: of one sample alone its neighbours have half of it, the other way, and the next ones nothing.
+/// d_i = x_i − (x_{i−1} + x_{i+1})/2: a single spike gives its neighbours half of it with the opposite sign, and the next samples nothing.
 pub(super) fn spikes(x: &[f64]) -> Option<Spikes> {
     let out = |i: usize| x[i] - 0.5 * (x[i - 1] + x[i + 1]);
     let last = x.len().checked_sub(2).filter(|last| *last > 2)?;
@@ -180,7 +181,7 @@ pub(super) fn spikes(x: &[f64]) -> Option<Spikes> {
     let (_, median, _) = usual.select_nth_unstable_by(middle, f64::total_cmp);
     let bound = SPIKE_FROM * NORMAL_MEDIAN * *median;
     if bound <= 0.0 {
-        return None; // more than half of the samples lie on straight lines: digitised too coarsely to tell
+        return None; // more than half of the samples lie on straight lines: the digitiser is too coarse
     }
     let mut found: Option<Spikes> = None;
     for i in 3..last.saturating_sub(1) {
@@ -215,13 +216,13 @@ mod tests {
         let mut x = noise(1, 6000);
         x[2000..2500].fill(0.25);
         assert_eq!(stuck(&x, 100.0), Some([2000, 2500]));
-        // to the end, and of less than a second not at all
+        // to the end, and shorter than a second: no fault
         x[2000..].fill(0.0);
         assert_eq!(stuck(&x, 100.0), Some([2000, 6000]));
         let mut short = noise(2, 6000);
         short[100..190].fill(1.0);
         assert_eq!(stuck(&short, 100.0), None);
-        // a coarse digitiser in quiet hours stands for long, and all the time
+        // a coarse digitiser in quiet hours stays at one value for long, all the time
         let coarse: Vec<f64> = (0..60_000)
             .map(|i| (1.4 * (0.002 * f64::from(i)).sin()).round())
             .collect();
@@ -238,7 +239,7 @@ mod tests {
         let (a, b) = (noise(3, 10_000), noise(4, 10_000));
         let mut x = noise(5, 10_000);
         assert!(faded_beside(&x, [&a, &b]).is_none());
-        // one knock is no loose contact
+        // one knock is not a loose contact
         x[7500] += 900.0;
         assert!(faded_beside(&x, [&a, &b]).is_none());
         assert!(faded_beside(&a, [&x, &b]).is_none());
@@ -247,7 +248,7 @@ mod tests {
         let found = faded_beside(&x, [&a, &b]).unwrap();
         assert_eq!((found.from, found.to), (7000, 8000));
         assert!((found.factor / 50.0 - 1.0).abs() < 0.2, "{}", found.factor);
-        // all fade together: the wind fell
+        // all fade together: the wind dropped
         let all: Vec<Vec<f64>> = [3, 4, 5]
             .map(|seed| {
                 noise(seed, 10_000)
@@ -295,7 +296,7 @@ mod tests {
         }
         let found = spikes(&x).unwrap();
         assert_eq!((found.count, found.first), (7, 2031));
-        // a burst, a step and a sine are none
+        // a burst, a step and a sine are not spikes
         let mut burst = noise(9, 20_000);
         for (i, x) in burst[5000..5200].iter_mut().enumerate() {
             *x += 80.0 * (1.9 * i as f64).sin() * (-0.05 * i as f64).exp();

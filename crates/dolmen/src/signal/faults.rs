@@ -1,21 +1,21 @@
-//! What is wrong with a channel that is all numbers and yet no measurement.
+//! Faults of a channel whose samples are valid numbers but not a measurement.
 
 use super::Record;
 use super::fault_runs::{BlockStrengths, alike, drifts, faded, spikes, stuck};
 use crate::numeric::middle;
 use std::fmt;
 
-/// A channel this much weaker than the median of the others (−60 dB) hears the logger, not the structure. Chosen here.
+/// A channel this much weaker than the median of the others (−60 dB) records the noise of the logger, not the structure. Chosen here.
 const FAINT: f64 = 1e-3;
 /// Samples in a row at one exact extreme that count as a run. Chosen here: two alone happen in coarsely digitised records.
 const RUN_LEAST: usize = 3;
-/// Samples in such runs from which on a channel is called clipped. Chosen here.
+/// Number of samples in such runs from which a channel counts as clipped. Chosen here.
 const HELD_LEAST: usize = 10;
-/// A clipped channel meets its extreme this many times more often than the value next to it; the crest of a digitised
-/// sine does so 1/(√2 - 1) = 2.4 times. Chosen here.
+/// A clipped channel reaches its extreme this many times more often than the value next to it; the crest of a digitised sine does so 1/(√2 - 1)
+/// = 2.4 times. Chosen here.
 const CROWDED: usize = 4;
-/// Two channels are one if their steps agree to this share of the largest step. Chosen here: above the rounding of 32-bit
-/// numbers, far below the noise of two sensors.
+/// Two channels are the same if their steps agree to this fraction of the largest step. Chosen here: above the rounding of 32-bit numbers, far
+/// below the noise of two sensors.
 const SAME: f64 = 1e-6;
 
 /// Why a channel should not be used as it is. Printed, it is a sentence that says what to do.
@@ -25,7 +25,7 @@ pub enum ChannelFault {
     Constant {
         /// Name of the channel.
         channel: String,
-        /// The one value.
+        /// The constant value.
         value: f64,
     },
     /// Far weaker than the other channels of its kind.
@@ -37,26 +37,26 @@ pub enum ChannelFault {
         /// Median standard deviation of the channels that measure the same quantity.
         typical: f64,
     },
-    /// One value for a second or longer while it moves at other times: a cable that came off, a logger that paused.
+    /// One value for a second or longer while it moves at other times: a loose cable, or a logger that paused.
     Stuck {
         /// Name of the channel.
         channel: String,
         /// The value.
         value: f64,
-        /// From here, s from the start.
+        /// Start, s from the start of the record.
         from_s: f64,
-        /// To here, s.
+        /// End, s.
         to_s: f64,
     },
     /// Its strength against the other channels of its kind changed tenfold or more during the record.
     Faded {
         /// Name of the channel.
         channel: String,
-        /// Most over least strength, each against the median of its kind, –.
+        /// Largest over smallest strength, each relative to the median of its kind, –.
         factor: f64,
-        /// Where it is least, s from the start.
+        /// Start of the weakest part, s from the start of the record.
         from_s: f64,
-        /// To here, s.
+        /// Its end, s.
         to_s: f64,
     },
     /// Almost the same signal as another channel.
@@ -68,46 +68,46 @@ pub enum ChannelFault {
         /// Correlation of their steps, -1 to 1.
         correlation: f64,
     },
-    /// A straight line through it rises by far more than it moves.
+    /// The line through it rises by far more than the channel moves.
     Drifts {
         /// Name of the channel.
         channel: String,
-        /// Rise over the record in standard deviations about the line.
+        /// Rise over the record, in standard deviations about the line.
         rise: f64,
     },
-    /// Single samples that stand far out of their neighbours.
+    /// Single samples far from their neighbours.
     Spikes {
         /// Name of the channel.
         channel: String,
-        /// How many.
+        /// Number of spikes.
         count: usize,
-        /// The first of them, s from the start.
+        /// Time of the first one, s from the start.
         first_s: f64,
     },
-    /// Held at its exact largest or smallest value: the range of the sensor or logger was exceeded.
+    /// It stays at its exact largest or smallest value: the range of the sensor or logger was exceeded.
     Clipped {
         /// Name of the channel.
         channel: String,
-        /// The value it is held at.
+        /// That value.
         value: f64,
         /// Samples at that value.
         samples: usize,
-        /// The first of them, s from the start.
+        /// Time of the first of them, s from the start.
         first_s: f64,
     },
-    /// The same signal as another channel, but for a factor and an offset.
+    /// The same signal as another channel, except for a factor and an offset.
     Duplicated {
         /// Name of the first channel.
         channel: String,
         /// Name of the second channel.
         other: String,
-        /// Second over first.
+        /// Factor from the first to the second.
         factor: f64,
     },
 }
 
 impl ChannelFault {
-    /// The channel; of two the first.
+    /// The channel; of a pair the first.
     pub fn channel(&self) -> &str {
         match self {
             Self::Constant { channel, .. }
@@ -122,7 +122,7 @@ impl ChannelFault {
         }
     }
 
-    /// Its times, s from the start.
+    /// Times of the fault, s from the start.
     pub(super) fn times_s_mut(&mut self) -> Vec<&mut f64> {
         match self {
             Self::Stuck { from_s, to_s, .. } | Self::Faded { from_s, to_s, .. } => vec![from_s, to_s],
@@ -220,16 +220,16 @@ impl fmt::Display for ChannelFault {
     }
 }
 
-/// Everything wrong with the channels of a record, in the order of the channels. Samples that are not numbers cannot be
-/// here: [`Record::new`] refuses them.
+/// All faults of the channels of a record, in the order of the channels. Samples that are not numbers do not occur: [`Record::new`] refuses
+/// them.
 ///
-/// Finds channels that are constant; more than 60 dB weaker than the median of their kind (in deviation and in steps, so
-/// that drift alone neither hides nor makes one); held at an exact extreme, or at any value for a second; of changing strength; full of spikes; or
-/// equal to another, exactly or almost, but for a factor.
+/// Finds channels that are constant; more than 60 dB weaker than the median of their kind (in deviation and in steps, so that drift alone
+/// neither hides nor mimics it); at an exact extreme, or at any value for a second; of changing strength; full of spikes; or equal to another
+/// channel, exactly or almost, except for a factor.
 ///
 /// # Limits
-/// Wants the record as it was measured: filters smooth clipped crests away. Channels of which fewer than three measure
-/// the same quantity are not compared in strength.
+/// Needs the record as measured, because filters smooth clipped crests. Strengths are compared only among three or more channels that measure
+/// the same quantity.
 ///
 /// # Example
 /// ```
@@ -330,7 +330,7 @@ pub fn inspect(record: &Record) -> Vec<ChannelFault> {
                     other: name(),
                     factor,
                 });
-                break; // the fault of a third copy names the first only
+                break; // a third copy refers to the first only
             }
             if let Some(correlation) = alike(record.samples(other), x) {
                 faults.push(ChannelFault::Alike {
@@ -345,7 +345,7 @@ pub fn inspect(record: &Record) -> Vec<ChannelFault> {
     faults
 }
 
-/// How strong a channel is.
+/// Strength of a channel.
 struct Strength {
     /// Standard deviation.
     deviation: f64,
@@ -378,14 +378,14 @@ impl Strength {
     }
 }
 
-/// Samples held at one extreme.
+/// Samples at one extreme.
 struct Held {
     value: f64,
     samples: usize,
     first: usize,
 }
 
-/// The samples at the largest value (`sign` 1) or the smallest (`sign` -1), if they look held there.
+/// The samples at the largest value (`sign` 1) or the smallest (`sign` -1), if the channel appears to be clipped there.
 fn held_at_extreme(x: &[f64], sign: f64) -> Option<Held> {
     let extreme = x.iter().fold(f64::NEG_INFINITY, |m, v| m.max(sign * v));
     let next = x
@@ -411,12 +411,12 @@ fn held_at_extreme(x: &[f64], sign: f64) -> Option<Held> {
     })
 }
 
-/// b / a if the steps of `b` are those of `a` times one factor, measured at the largest step of `a`.
+/// b / a if the steps of `b` are those of `a` times one factor, taken from the largest step of `a`.
 fn same_but_for_factor(a: &[f64], b: &[f64], largest_at: usize) -> Option<f64> {
     let step = |x: &[f64], i: usize| x[i + 1] - x[i];
     let factor = step(b, largest_at) / step(a, largest_at);
     let bound = SAME * step(b, largest_at).abs();
-    // false for a factor that is not a number (a constant channel) and for a channel without that step
+    // false for a factor that is not a number (constant channel) and for a channel without that step
     let same = bound > 0.0 && (0..a.len() - 1).all(|i| (step(b, i) - factor * step(a, i)).abs() <= bound);
     same.then_some(factor)
 }

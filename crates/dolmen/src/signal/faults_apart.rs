@@ -1,13 +1,13 @@
-//! What is wrong with channels, where an earthquake or lost samples would look like a fault.
+//! Faults of channels where an earthquake or lost samples would be mistaken for a fault.
 
 use super::Record;
 use super::faults::{ChannelFault, inspect};
 
-/// Everything wrong with the channels of a record, as [`inspect`] finds it, but for what lies in these times, from and to, s: `lost_s` are not looked
-/// at; in `shaken_s` single samples stand out, and strengths change, because the ground does.
+/// All faults that [`inspect`] finds, except in given times, from and to, s. `lost_s` is left out; in `shaken_s` single large samples and
+/// changes of strength are no faults, because the ground causes them.
 ///
-/// What is held, dead, clipped, drifting or the same twice is looked for in all of the record; what is faint, of changing strength, full of spikes or
-/// almost the same is looked for where it is quiet.
+/// Stuck, dead, clipped, drifting and duplicated channels are sought in the whole record; faint ones, changing strength, spikes and similar
+/// channels only in quiet time.
 pub fn inspect_apart(record: &Record, lost_s: &[[f64; 2]], shaken_s: &[[f64; 2]]) -> Vec<ChannelFault> {
     let there = without(record, lost_s);
     if shaken_s.is_empty() {
@@ -35,14 +35,14 @@ pub fn inspect_apart(record: &Record, lost_s: &[[f64; 2]], shaken_s: &[[f64; 2]]
     faults
 }
 
-/// A record without some of its time.
+/// A record without given spans of time.
 struct Rest {
     record: Record,
-    /// Spans that are left, s.
+    /// The remaining spans, s.
     spans_s: Vec<[f64; 2]>,
 }
 
-/// `None` where nothing is left.
+/// `None` if nothing remains.
 fn without(record: &Record, apart_s: &[[f64; 2]]) -> Option<Rest> {
     let rate_hz = record.sampling_rate_hz();
     let end_s = record.duration_s();
@@ -70,7 +70,7 @@ fn without(record: &Record, apart_s: &[[f64; 2]]) -> Option<Rest> {
 }
 
 impl Rest {
-    /// Its faults, at the times of the record that it is the rest of.
+    /// Converts its faults to the times of the original record.
     fn faults(&self) -> Vec<ChannelFault> {
         let mut faults = inspect(&self.record);
         for at_s in faults.iter_mut().flat_map(ChannelFault::times_s_mut) {
@@ -97,7 +97,7 @@ mod tests {
     use crate::numeric::Random;
     use crate::signal::Channel;
 
-    /// Three channels of noise, the first with a shaking of its own from 40 to 60 s and a spike at 80 s.
+    /// Three channels of noise; the first shakes by itself from 40 to 60 s and has a spike at 80 s.
     fn record() -> Record {
         let mut random = Random::new(5, 1);
         let samples = (0..3).map(|c| {

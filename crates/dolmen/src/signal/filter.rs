@@ -3,10 +3,10 @@
 use super::sections::{Prototype, Sections};
 use super::{Processing, Record, SignalError};
 
-/// Above it the gain at the corner is no more exact than a record is; nobody asks for it.
+/// Highest order: above it the gain at the corner loses accuracy.
 const ORDER_MOST: usize = 12;
 
-/// The record with what lies above `corner_hz` taken out, nothing delayed.
+/// The record without everything above `corner_hz`, without delay.
 ///
 /// A Butterworth filter of `order` (1 to 12; 4 is usual) runs forwards and backwards over each channel:
 ///
@@ -19,8 +19,8 @@ const ORDER_MOST: usize = 12;
 /// [`SignalError::TooShortForFilter`] if the filter rings for longer than the record lasts.
 ///
 /// # Limits
-/// Both ends are continued by odd reflection for as long as the filter rings (to 1 %) and each pass starts from the
-/// steady state; within that time of an end the result still depends on what was not measured.
+/// Both ends are continued by odd reflection for as long as the filter rings (to 1 %), and each pass starts from the steady state. Within that
+/// time of an end the result depends on these continuations.
 ///
 /// # Source
 /// Oppenheim & Schafer (2010) *Discrete-Time Signal Processing*, 3rd ed., sec. 7.2 (bilinear transform) and problem 5.67
@@ -47,7 +47,7 @@ pub fn low_pass(mut record: Record, corner_hz: f64, order: usize) -> Result<Reco
     Ok(record)
 }
 
-/// The record with only what lies between `low_hz` and `high_hz`, nothing delayed.
+/// The record with only the band between `low_hz` and `high_hz`, without delay.
 ///
 /// A Butterworth filter of `order` (1 to 12; 4 is usual) on either side of the band runs forwards and backwards over each
 /// channel. With w = tan(π f / f_s) and B = w_high - w_low:
@@ -61,7 +61,7 @@ pub fn low_pass(mut record: Record, corner_hz: f64, order: usize) -> Result<Reco
 /// [`SignalError::TooShortForFilter`].
 ///
 /// # Limits
-/// As [`low_pass`]. The lower corner sets how long the ends are doubtful: 0.1 Hz of order 4 rings for 19 s.
+/// As [`low_pass`]. The lower corner determines how long the ends are uncertain: 0.1 Hz of order 4 rings for 19 s.
 ///
 /// # Source
 /// As [`low_pass`].
@@ -92,7 +92,7 @@ pub fn band_pass(mut record: Record, low_hz: f64, high_hz: f64, order: usize) ->
     Ok(record)
 }
 
-/// Runs the filter over each channel, unless it rings for longer than the record lasts.
+/// Runs the filter over each channel, unless it rings longer than the record lasts.
 pub(super) fn run(name: &'static str, mut filter: Sections, record: &mut Record) -> Result<(), SignalError> {
     if record.length() <= filter.ringing {
         return Err(SignalError::TooShortForFilter {
@@ -190,7 +190,7 @@ mod tests {
         }
     }
 
-    /// Amplitude of a sine of that frequency after the filter, in the middle of 100 s, and how much of it is out of phase.
+    /// Amplitude of a sine of that frequency after the filter, in the middle of 100 s, and its out-of-phase part.
     fn gain(filter: impl Fn(Record) -> Record, frequency_hz: f64) -> (f64, f64) {
         let sine = |i: usize| (TAU * frequency_hz * i as f64 / RATE_HZ).sin();
         let filtered = filter(record((0..10_000).map(sine).collect()));

@@ -8,11 +8,11 @@
 
 use super::{Processing, SignalError};
 
-/// No ground moves so, and sums of squares of any motion within it are finite. Chosen here, as for records.
+/// Largest acceleration: no ground moves so, and sums of squares within it are finite. Chosen here, as for records.
 const ACCELERATION_MOST_M_S2: f64 = 1e100;
-/// Longest time step, s: an earthquake sampled more coarsely has lost what breaks stones. Chosen here.
+/// Longest time step, s: coarser sampling loses the shaking that matters for stones. Chosen here.
 const TIME_STEP_MOST_S: f64 = 1.0;
-/// Shortest time step, s: below it a minute is no longer counted exactly. Chosen here.
+/// Shortest time step, s: below it a minute can no longer be counted exactly. Chosen here.
 const TIME_STEP_LEAST_S: f64 = 1e-9;
 
 /// Direction of one series of a ground motion.
@@ -48,8 +48,8 @@ impl std::fmt::Display for Component {
 /// zero. A direction without a series is zero throughout.
 ///
 /// # Limits
-/// The series are taken as given: no base line is corrected and nothing is filtered. A record cut to begin or end away from
-/// zero starts or stops with a jump: [`tapered`](GroundMotion::tapered) removes it.
+/// The series are taken as given, without correction of base lines or filters. A record that was cut away from zero starts or stops with a jump:
+/// [`tapered`](GroundMotion::tapered) removes it.
 ///
 /// # Example
 /// ```
@@ -131,12 +131,12 @@ impl GroundMotion {
         motion.checked()
     }
 
-    /// What it is called.
+    /// Its name.
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// The same motion by another name.
+    /// The same motion under another name.
     #[must_use]
     pub fn renamed(self, name: impl Into<String>) -> Self {
         GroundMotion {
@@ -145,12 +145,12 @@ impl GroundMotion {
         }
     }
 
-    /// Between samples, s.
+    /// Time between samples, s.
     pub fn time_step_s(&self) -> f64 {
         self.time_step_s
     }
 
-    /// Number of samples a direction.
+    /// Number of samples in each direction.
     pub fn length(&self) -> usize {
         self.series[0].len()
     }
@@ -160,7 +160,7 @@ impl GroundMotion {
         (self.length() - 1) as f64 * self.time_step_s
     }
 
-    /// Whether a series was given for this direction. One that was not is zero.
+    /// Whether a series was given for this direction; otherwise the direction is zero.
     pub fn has(&self, component: Component) -> bool {
         self.given[component as usize]
     }
@@ -199,18 +199,17 @@ impl GroundMotion {
         samples.iter().fold(0.0, |peak, a| f64::max(peak, a.abs()))
     }
 
-    /// To change the samples of one direction; what does so writes into the history.
+    /// The samples of one direction, to be changed in place; every change adds itself to the history.
     pub(super) fn samples_mut(&mut self, component: Component) -> &mut [f64] {
         &mut self.series[component as usize]
     }
 
-    /// What was done to it since it was measured or made, oldest first.
+    /// Its history since it was measured or made, oldest step first.
     pub fn history(&self) -> &[Processing] {
         &self.history
     }
 
-    /// Writes a step into the history. Readers begin it with [`Processing::Read`]; what changes a motion in this crate writes
-    /// its own step.
+    /// Adds a step to the history. Readers begin it with [`Processing::Read`]; functions of this crate that change a motion add their own step.
     pub fn note(&mut self, step: Processing) {
         self.history.push(step);
     }
@@ -289,7 +288,7 @@ impl GroundMotion {
         Ok(self)
     }
 
-    /// The first seconds of the motion; the rest is cut away.
+    /// The first seconds of the motion; the rest is cut off.
     ///
     /// # Errors
     /// As [`GroundMotion::cut`].
@@ -327,7 +326,7 @@ impl GroundMotion {
         Ok(self)
     }
 
-    /// The motion turned about the vertical: what moved along x moves along x turned by the angle towards y.
+    /// The motion turned about the vertical by the angle from x towards y.
     ///
     /// ```text
     /// x ← x cos θ − y sin θ        y ← x sin θ + y cos θ
@@ -343,7 +342,7 @@ impl GroundMotion {
                 allowed: "a finite number",
             });
         }
-        /// Sines below this are round-off of quarter turns, which then leave nothing of what they turn away.
+        /// Sines below this are round-off of quarter turns, which leave nothing along the old axis.
         const ROUND_OFF: f64 = 4e-16;
         let exact = |x: f64| if x.abs() < ROUND_OFF { 0.0 } else { x };
         let (sin, cos) = angle_rad.sin_cos();
@@ -352,7 +351,7 @@ impl GroundMotion {
         for (x, y) in x.iter_mut().zip(y) {
             (*x, *y) = (*x * cos - *y * sin, *x * sin + *y * cos);
         }
-        // turned about, what lies along x stays there
+        // after half a turn, motion along x stays along x
         if sin != 0.0 {
             let horizontal = self.given[0] || self.given[1];
             self.given = [horizontal, horizontal, self.given[2]];
@@ -361,7 +360,7 @@ impl GroundMotion {
         Ok(self)
     }
 
-    /// Itself, if every sample is a number that ground can move with.
+    /// Checks that every sample is a possible acceleration of the ground.
     fn checked(self) -> Result<Self, SignalError> {
         for (component, samples) in Component::ALL.iter().zip(&self.series) {
             let refused = |a: &f64| a.is_nan() || a.abs() > ACCELERATION_MOST_M_S2;

@@ -1,4 +1,4 @@
-//! One record from channels that were sampled apart: other clocks, other rates, other lengths.
+//! Joins channels that were sampled separately into one record: other clocks, other rates, other lengths.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -9,23 +9,23 @@
 use super::{Channel, Processing, Record, SignalError};
 use std::collections::BTreeMap;
 
-/// Half length of the interpolation filter, in steps of the common rate: with [`SHAPE`] flat to 0.8 and closed from 1.2 of the
-/// Nyquist frequency, as decimation is.
+/// Half length of the interpolation filter, in steps of the common rate. With [`SHAPE`] it is flat to 0.8 of the Nyquist frequency and closed
+/// from 1.2, like decimation.
 const HALF_LENGTH: f64 = 18.0;
 /// β of the Kaiser window: stop band at −100 dB (Kaiser 1974, β = 0.1102 (A − 8.7)).
 const SHAPE: f64 = 10.06;
-/// Phases of the filter that are kept to be used again. Chosen here: ratios of rates in use have fewer.
+/// Largest number of filter phases kept for reuse. Chosen here: common ratios of rates have fewer.
 const PHASES_MOST: usize = 4096;
-/// Parts of a step to which the join rounds phases.
+/// Fraction of a step to which phases are rounded.
 const PHASE_STEPS: f64 = 1e9;
 
-/// How channels are joined.
+/// Options of joining.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Join {
-    /// Largest offset between the times of two channels that is left as it is, in steps of the common rate, 0 to 0.5. Default
-    /// 0.01, chosen here: 1.4° of phase at 0.8 of the Nyquist frequency.
+    /// Largest offset between the times of two channels that is ignored, in steps of the common rate, 0 to 0.5. Default 0.01, chosen here: 1.4°
+    /// of phase at 0.8 of the Nyquist frequency.
     pub offset_most: f64,
-    /// What is known of the starts. Default: each channel says when it begins.
+    /// How the starts are known. Default: each channel has its own.
     pub starts: Starts,
 }
 
@@ -38,54 +38,54 @@ impl Default for Join {
     }
 }
 
-/// What is known of the times at which channels begin.
+/// Knowledge of the times at which channels begin.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Starts {
-    /// Each says it, in one clock; a channel that does not is refused.
+    /// Each channel has a start in one common clock; a channel without one is refused.
     #[default]
     Stated,
-    /// All begin at one instant, whatever they say.
+    /// All begin at one instant, whatever their starts.
     Together,
 }
 
-/// One channel as it was sampled.
+/// One channel with its own sampling.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Piece {
-    /// What it is.
+    /// Its description.
     pub channel: Channel,
     /// Its samples, SI.
     pub samples: Vec<f64>,
     /// Samples a second, Hz.
     pub sampling_rate_hz: f64,
-    /// The first sample, s in the clock that all share; `None` if it is not known.
+    /// Time of the first sample, s in the common clock; `None` if unknown.
     pub begins_s: Option<f64>,
 }
 
-/// Channels on common times.
+/// Channels at common times.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Joined {
     /// All of them, in order.
     pub record: Record,
-    /// Its first sample, s in the clock that all share; `None` where that was not needed.
+    /// Time of its first sample, s in the common clock; `None` where it was not needed.
     pub begins_s: Option<f64>,
 }
 
-/// One record of all channels at the lowest of their rates, over the time that all share.
+/// Joins all channels into one record at the lowest of their rates, over the time that all share.
 ///
 /// ```text
 /// y(t_k) = Σ_n h(t_k − t_n) x(t_n)     t_k: steps of the first channel of the lowest rate;  h: Kaiser-windowed sinc
 /// ```
 ///
-/// Channels at that rate whose samples lie within [`Join::offset_most`] of these times are moved by whole samples and keep every
-/// bit; the others are interpolated as what they are, signals without anything above the Nyquist frequency. The filter reaches 18
-/// steps to either side, and the ends where it lacks samples are cut off. The history tells rates, offsets and what was cut.
+/// Channels at that rate whose samples lie within [`Join::offset_most`] of these times are shifted by whole samples and keep every bit. The
+/// others are interpolated as signals without content above the Nyquist frequency. The filter reaches 18 steps to either side; where it lacks
+/// samples the ends are cut off. The history has rates, offsets and cuts.
 ///
 /// # Errors
 /// [`SignalError::NoStart`], [`SignalError::NoCommonTime`], [`SignalError::Argument`]; as [`Record::new`].
 ///
 /// # Limits
-/// Flat to 1e-5 up to 0.8 of the common Nyquist frequency; what lies above 1.2 of it is left at 1e-5 (measured, in the tests). Clocks
-/// that drift are not seen: stated starts and rates are taken as they are.
+/// Flat to 1e-5 up to 0.8 of the common Nyquist frequency; above 1.2 of it 1e-5 remains (measured, in the tests). Drifting clocks are not
+/// detected: starts and rates are taken as given.
 ///
 /// # Example
 /// ```
@@ -124,7 +124,7 @@ pub fn join(pieces: Vec<Piece>, options: &Join) -> Result<Joined, SignalError> {
         .iter()
         .map(|p| Plan::of(p, begins(p) - origin_s, rate_hz, same(p), options.offset_most))
         .collect();
-    // steps of the common times, counted from the guide's first sample
+    // steps of the common times, counted from the first sample of the reference channel
     let first = plans.iter().map(|plan| plan.first).max().unwrap_or(0);
     let last = plans.iter().map(|plan| plan.last).min().unwrap_or(-1);
     if last <= first {
@@ -164,7 +164,7 @@ fn check(pieces: &[Piece], options: &Join) -> Result<(), SignalError> {
                 given: piece.sampling_rate_hz,
             });
         }
-        // what is not finite would spread through the filter
+        // a value that is not finite would spread through the filter
         if let Some(sample) = piece.samples.iter().position(|x| !x.is_finite()) {
             return Err(SignalError::NotFinite {
                 channel: piece.channel.name.clone(),
@@ -188,15 +188,15 @@ fn same_rate(piece: &Piece, rate_hz: f64, offset_most: f64) -> bool {
     (piece.sampling_rate_hz / rate_hz - 1.0).abs() * piece.samples.len() as f64 <= offset_most
 }
 
-/// How one channel comes to the common times.
+/// How one channel is taken to the common times.
 struct Plan {
-    /// First and last step of the common times that it can fill.
+    /// First and last step of the common times that it covers.
     first: i64,
     last: i64,
-    /// Samples of the channel a step, and where its first one lies, steps.
+    /// Samples of the channel per step, and position of its first one in steps.
     ratio: f64,
     at: f64,
-    /// Whether its samples are taken as they are.
+    /// Whether its samples are used unchanged.
     whole: bool,
 }
 
@@ -370,7 +370,7 @@ mod tests {
             assert!(apart(&record) < 1e-5, "{rate_hz}: {}", apart(&record));
             assert!(matches!(record.history()[0], Processing::Resampled { .. }));
         }
-        // 62 Hz would be seen as 38 Hz
+        // 62 Hz would appear as 38 Hz
         let mut above = sine("b", 62.0, 0.0, 250.0, 2000);
         let record = joined(vec![sine("a", 0.0, 0.0, 100.0, 800), above.clone()]);
         let most = record.samples(1).iter().fold(0.0, |m: f64, x| m.max(x.abs()));

@@ -1,44 +1,46 @@
-//! Short runs of lost samples, filled in by linear prediction.
+//! Fills short runs of lost samples by linear prediction.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | p | `order` | samples from which the next is predicted | – |
-//! | a_l | `predictor` | a_0 = 1; e_t = Σ a_l x_{t−l} is what prediction leaves | – |
+//! | a_l | `predictor` | a_0 = 1; e_t = Σ a_l x_{t−l} is the prediction error | – |
 //! | b_j | `weight` | Σ_l a_l a_{l+j} | – |
 
 use super::SignalError;
 use dolmen_linalg::{Matrix, cholesky, solve_lower, solve_lower_transposed};
 use std::ops::Range;
 
-/// Longest run that is filled in, samples. Chosen here: a tenth of a period at the upper end of most bands, and what recorders drop at once.
+/// Longest run that is filled, samples. Chosen here: a tenth of a period at the upper end of most bands, and the usual size of a gap in
+/// recorders.
 pub const LOST_RUN_MOST: usize = 8;
-/// Largest share of a record that is filled in. Chosen here: with it all spectra keep 99 % of what was measured.
+/// Largest share of a record that is filled. Chosen here: all spectra then rest on at least 99 % measured samples.
 pub const LOST_SHARE_MOST: f64 = 0.01;
-/// Samples from which the next is predicted: two for each of 32 modes and machines.
+/// Order of the prediction: two samples for each of 32 modes and machines.
 const ORDER: usize = 64;
-/// Samples that the prediction is learned from, at most.
+/// Largest number of samples from which the predictor is estimated.
 const LEARNED_MOST: usize = 1 << 15;
-/// What prediction leaves of the variance at which it is as good as exact: rounding then decides the rest.
+/// Fraction of the variance at which the prediction counts as exact: below it rounding decides.
 const EXACT: f64 = 1e-13;
 
-/// Fills in lost samples, such that linear prediction leaves least.
+/// Fills lost samples so that the linear prediction error is smallest.
 ///
 /// ```text
 /// least Σ_t e_t²,  e_t = Σ_{l=0}^{p} a_l x_{t−l}   ⇒   Σ_j b_|i−j| x_j = 0  for every lost i               p = 64
 /// ```
-/// The predictor is learned by Burg's method from the runs of samples that are whole. What stands in `samples` at lost places is not looked
-/// at. Lost runs that stand closer than p are solved together.
+/// Burg's method estimates the predictor from the whole runs of samples. The values in `samples` at lost places are ignored. Lost runs closer
+/// than p are solved together.
 ///
 /// # Errors
 /// [`SignalError::Argument`] for a run that is empty, out of order or beyond the end.
 ///
 /// # Limits
-/// For runs that are short beside the periods of what was measured, see [`LOST_RUN_MOST`] and [`LOST_SHARE_MOST`]. White noise cannot be predicted:
-/// its lost samples become its mean. Within p samples of either end only the nearer side helps.
+/// For runs that are short compared with the periods of the signal, see [`LOST_RUN_MOST`] and [`LOST_SHARE_MOST`]. White noise cannot be
+/// predicted: its lost samples become its mean. Within p samples of either end only one side helps.
 ///
 /// # Source
 /// Janssen, A. J. E. M., Veldhuis, R. N. J. and Vries, L. B. (1986) Adaptive interpolation of discrete-time signals that can be modeled as
-/// autoregressive processes. IEEE Trans. ASSP 34(2):317-330. Differs from the source: the predictor is not learned again from what was filled in.
+/// autoregressive processes. IEEE Trans. ASSP 34(2):317-330. Differs from the source: the predictor is not estimated again from the filled
+/// samples.
 pub fn fill_lost(samples: &mut [f64], lost: &[Range<usize>]) -> Result<(), SignalError> {
     let n = samples.len();
     let mut after = 0;
@@ -66,7 +68,7 @@ pub fn fill_lost(samples: &mut [f64], lost: &[Range<usize>]) -> Result<(), Signa
         .collect();
     let mut rest = lost;
     while let Some(first) = rest.first() {
-        // those whose equations share unknowns
+        // runs whose equations share unknowns
         let together = 1 + rest
             .windows(2)
             .take_while(|pair| pair[1].start - pair[0].end < order)
@@ -85,7 +87,7 @@ pub fn fill_lost(samples: &mut [f64], lost: &[Range<usize>]) -> Result<(), Signa
     Ok(())
 }
 
-/// The runs of samples that are there.
+/// The runs of whole samples.
 fn whole_runs(n: usize, lost: &[Range<usize>]) -> Vec<Range<usize>> {
     let starts = std::iter::once(0).chain(lost.iter().map(|run| run.end));
     let ends = lost.iter().map(|run| run.start).chain([n]);
@@ -93,7 +95,7 @@ fn whole_runs(n: usize, lost: &[Range<usize>]) -> Vec<Range<usize>> {
     whole.filter(|run| !run.is_empty()).collect()
 }
 
-/// Those that prediction is learned from: long enough for it, and no more in all than is needed.
+/// The runs used for the estimate: each long enough, and no more in all than needed.
 fn learned(whole: &[Range<usize>], order: usize) -> Vec<Range<usize>> {
     let mut left = LEARNED_MOST;
     let mut taken = Vec::new();
@@ -101,7 +103,7 @@ fn learned(whole: &[Range<usize>], order: usize) -> Vec<Range<usize>> {
         let run = run.start..run.end.min(run.start + left);
         left -= run.len();
         taken.push(run);
-        // what is cut to less is too short to learn from
+        // a run cut to less is too short
         if left <= 2 * order {
             break;
         }
@@ -109,7 +111,7 @@ fn learned(whole: &[Range<usize>], order: usize) -> Vec<Range<usize>> {
     taken
 }
 
-/// The coefficients a_0 = 1, a_1 … of the predictor, by Burg's method: forward and backward errors of all runs are least together.
+/// The coefficients a_0 = 1, a_1 … of the predictor, by Burg's method: it minimises forward and backward errors of all runs together.
 fn burg(samples: &[f64], runs: &[Range<usize>], mean: f64, order: usize) -> Vec<f64> {
     let mut errors: Vec<[Vec<f64>; 2]> = runs
         .iter()
@@ -154,7 +156,7 @@ fn burg(samples: &[f64], runs: &[Range<usize>], mean: f64, order: usize) -> Vec<
     a
 }
 
-/// Solves Σ_j b_|i−j| x_j = 0 for the unknown x. Those too much alike for the digits of a double are put on straight lines.
+/// Solves Σ_j b_|i−j| x_j = 0 for the unknown x. Systems too close to singular for double precision are replaced by straight lines.
 fn solve(samples: &mut [f64], mean: f64, weight: &[f64], unknown: &[usize], from: usize) {
     let order = weight.len() - 1;
     let near = |i: usize, j: usize| weight.get(i.abs_diff(j)).copied().unwrap_or(0.0);
@@ -185,7 +187,7 @@ fn solve(samples: &mut [f64], mean: f64, weight: &[f64], unknown: &[usize], from
     }
 }
 
-/// Each lost sample on the straight line between those beside its run.
+/// Puts each lost sample on the straight line between the samples beside its run.
 fn straight(samples: &mut [f64], mean: f64, unknown: &[usize]) {
     let mut at = 0;
     while at < unknown.len() {
@@ -216,7 +218,7 @@ mod tests {
 
     #[test]
     fn holds_sines_come_back() {
-        // six coefficients would predict three sines without an error; those learned from a finite record are a little off
+        // six coefficients would predict three sines exactly; those estimated from a finite record are slightly off
         let whole: Vec<f64> = (0..4000)
             .map(|i| {
                 let t = f64::from(i) * 0.01;
@@ -275,7 +277,7 @@ mod tests {
             assert!(fill_lost(&mut x, &lost).is_err(), "{lost:?}");
         }
         let mut all = vec![f64::NAN; 4];
-        fill_lost(&mut all, &[0..2, 2..4]).unwrap(); // nothing to learn from: left alone
+        fill_lost(&mut all, &[0..2, 2..4]).unwrap(); // nothing to estimate from: left alone
         let mut constant = vec![2.0; 100];
         constant[50] = f64::NAN;
         constant[53] = f64::NAN;

@@ -22,16 +22,16 @@ const MEAN_PERIOD_STEP_HZ: f64 = 0.05;
 /// Shares of the Arias intensity between which a motion is significant (Trifunac, Brady 1975).
 const SIGNIFICANT: [f64; 2] = [0.05, 0.95];
 
-/// How strong one component of a motion is, in the measures of the field.
+/// Strength of one component of a motion, in the measures of the field.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct IntensityMeasures {
     /// Largest |a|, m/s².
     pub peak_acceleration_m_s2: f64,
-    /// Largest |v|, m/s, from rest at the first sample, true peak between samples. No base line is corrected.
+    /// Largest |v|, m/s, from rest at the first sample: the true peak between samples, without correction of the base line.
     pub peak_velocity_m_s: f64,
     /// Largest |u|, m, likewise.
     pub peak_displacement_m: f64,
-    /// v at the last sample, m/s: what is left of a base line that was not corrected.
+    /// v at the last sample, m/s: the effect of an uncorrected base line.
     pub last_velocity_m_s: f64,
     /// u at the last sample, m.
     pub last_displacement_m: f64,
@@ -39,7 +39,7 @@ pub struct IntensityMeasures {
     pub arias_intensity_m_s: f64,
     /// Cumulative absolute velocity ∫ |a| dt, m/s.
     pub cumulative_absolute_velocity_m_s: f64,
-    /// Housner intensity ∫ PSV dT, T 0.1 … 2.5 s, ζ 5 %, m. `None` if the time step cannot tell of those periods.
+    /// Housner intensity ∫ PSV dT, T 0.1 … 2.5 s, ζ 5 %, m. `None` if the time step does not resolve those periods.
     pub housner_intensity_m: Option<f64>,
     /// Time from 5 % to 95 % of the Arias intensity, s: D5–95.
     pub significant_duration_s: f64,
@@ -62,9 +62,9 @@ pub struct IntensityMeasures {
 /// [`SignalError::NoMotion`] if the component does not move.
 ///
 /// # Limits
-/// Velocity and displacement are those of the record as it is: an offset grows in them with t and t². Take it off before
-/// ([`GroundMotion::baseline_corrected`]). Programs that sum squares at the samples (trapezoids of a²) print an Arias intensity
-/// that is larger: by 4.5 % for El Centro 1940 at 0.02 s.
+/// Velocity and displacement are those of the record as it is: an offset grows in them with t and t². Remove it first
+/// ([`GroundMotion::baseline_corrected`]). Programs that sum squares at the samples (trapezoids of a²) print a larger Arias intensity: by 4.5 %
+/// for El Centro 1940 at 0.02 s.
 ///
 /// # Source
 /// Arias (1970) in *Seismic Design for Nuclear Power Plants*, MIT Press; Housner (1952) Caltech; Trifunac, Brady (1975) Bull. Seism.
@@ -153,7 +153,7 @@ fn moving(motion: &GroundMotion, component: Component) -> Result<(f64, &[f64]), 
     Ok((peak_m_s2, motion.acceleration_m_s2(component)))
 }
 
-/// How far the ground is from its place when a motion ends, and at most, m: what tells a base line that drifts.
+/// Displacement of the ground at the end of a motion, and its largest, m: they reveal a drifting base line.
 ///
 /// # Errors
 /// [`SignalError::NoMotion`] if the component does not move.
@@ -174,7 +174,7 @@ pub fn last_and_peak_displacement_m(
     Ok([travel.displacement, travel.peak_displacement])
 }
 
-/// Velocity and displacement of an acceleration that is straight between its samples: at the end, and largest.
+/// Velocity and displacement of an acceleration that is linear between its samples: at the end, and largest.
 struct Travel {
     velocity: f64,
     displacement: f64,
@@ -216,12 +216,12 @@ impl Travel {
 
 /// Real zeros of p τ² + q τ + r, without loss of digits.
 fn zeros(p: f64, q: f64, r: f64) -> [f64; 2] {
-    let root = (q * q - 4.0 * p * r).sqrt(); // NaN if there are none: no comparison holds then
+    let root = (q * q - 4.0 * p * r).sqrt(); // NaN if there are no zeros: comparisons are then false
     let w = -0.5 * (q + root.copysign(q));
     [w / p, r / w]
 }
 
-/// When a share of the energy is reached: within its step by halving, as the energy grows with the cube of time there.
+/// Time at which a share of the energy is reached: bisection within its step, where the energy is a cubic in time.
 fn reached(a: &[f64], h: f64, energy: &[f64], share: f64) -> f64 {
     let wanted = share * energy[energy.len() - 1];
     let after = energy.partition_point(|e| *e < wanted).clamp(1, a.len() - 1);
@@ -239,7 +239,7 @@ fn reached(a: &[f64], h: f64, energy: &[f64], share: f64) -> f64 {
     (after - 1) as f64 * h + low
 }
 
-/// Mean period: the Fourier transform is padded with zeros until its steps are narrow enough.
+/// Mean period: the Fourier transform is padded with zeros until its lines are close enough.
 fn mean_period(a: &[f64], h: f64) -> Result<Option<f64>, SignalError> {
     let least = (1.0 / (MEAN_PERIOD_STEP_HZ * h)).ceil() as usize;
     let length = a.len().max(least);

@@ -1,12 +1,12 @@
-//! A motion of the ground that is asked step after step.
+//! Evaluates a ground motion at successive times.
 
 use super::ground_motion::{Component, GroundMotion};
 
-/// A motion that is asked at times which seldom leave the step they are in: [`GroundMotion::acceleration_at_m_s2`], to the bit.
+/// Evaluates a motion at times that mostly stay within one step; equals [`GroundMotion::acceleration_at_m_s2`] to the bit.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct MotionCursor<'a> {
     motion: &'a GroundMotion,
-    /// The step it is in; its first sample, and the way to the next.
+    /// The current step: its first sample, and the difference to the next.
     step: usize,
     first: [f64; 3],
     way: [f64; 3],

@@ -1,24 +1,24 @@
-//! Two ground motions one after the other, with the ground still between them.
+//! Two ground motions one after the other, with still ground between them.
 
 use super::{Component, GroundMotion, SignalError};
 
 /// Largest whole number of common steps in one step of either motion. Chosen here: steps of 0.01 and 0.0137 s have one of 0.0001 s.
 const PARTS_MOST: u32 = 200;
-/// Part of a step by which a whole number of common steps may miss it: rounding of what files write. Chosen here.
+/// Relative error allowed for a whole number of common steps: rounding of written files. Chosen here.
 const ROUNDING: f64 = 1e-9;
 
 /// Two motions as one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MotionSequence {
-    /// Both, sampled so that every sample of either is one of it.
+    /// Both motions, sampled so that every sample of either is one of it.
     pub motion: GroundMotion,
-    /// How long the ground stands still between them, s: what was asked for, up to a whole number of samples.
+    /// Time of still ground between them, s: the given time, rounded up to a whole number of samples.
     pub still_s: f64,
     /// When the second begins, s.
     pub second_from_s: f64,
 }
 
-/// The motion `first`, then still ground for `still_s` or up to a sample more, then `second`.
+/// The motion `first`, then still ground for at least `still_s` up to a whole number of samples, then `second`.
 ///
 /// ```text
 /// a(t) = a_first(t)             0 ≤ t ≤ T_first
@@ -26,14 +26,15 @@ pub struct MotionSequence {
 ///      = a_second(t − t_2)      t ≥ t_2 = T_first + still
 /// ```
 ///
-/// Both are linear between samples, so that sampling them by the largest step which divides both of theirs leaves them as they are. A direction that
-/// one of them lacks is still while that one lasts.
+/// Both are linear between samples, so sampling them by the largest common step changes neither. A direction that one of them lacks is still
+/// while that one lasts.
 ///
 /// # Errors
 /// [`SignalError::NoCommonStep`] where no such step is found, [`SignalError::Argument`] for a time that is no number from 0.
 ///
 /// # Limits
-/// A first motion that is cut away from zero goes to zero within one sample, where alone it stops with a jump; the second begins so too.
+/// A first motion that was cut away from zero goes to zero within one sample, whereas alone it stops with a jump; the second begins in the same
+/// way.
 ///
 /// # Example
 /// ```
@@ -81,7 +82,7 @@ pub fn motion_sequence(
     })
 }
 
-/// Into how many common steps the steps of both are divided.
+/// Numbers of common steps in one step of each.
 fn common_parts(first_s: f64, second_s: f64) -> Result<[u32; 2], SignalError> {
     let whole = (1..=PARTS_MOST).find_map(|parts| {
         let other = second_s / first_s * f64::from(parts);

@@ -1,15 +1,15 @@
-//! A suite of ground motions whose mean spectrum follows a demand: which records, and how large.
+//! A suite of ground motions whose mean spectrum follows a demand: choice of the records and their factors.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
 //! | r_i(T) | `ratios` | spectrum of record i over the demand |
 //! | k_i | `own` | factor that brings record i to the demand, in the mean of its logarithm |
 //! | m(T) | `mean` | mean of k_i r_i(T) over the suite |
-//! | c | `common` | the one factor on all of the suite |
+//! | c | `common` | common factor on the suite |
 
 use super::SignalError;
 
-/// How a suite is chosen.
+/// Rules for the choice of a suite.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SuiteRule {
     /// Motions of the suite, 1 or more. Default 7.
@@ -18,7 +18,7 @@ pub struct SuiteRule {
     pub factors: [f64; 2],
     /// Least share of the demand that the mean spectrum may have at any period. Default 0.9, chosen here.
     pub least_share: f64,
-    /// Most motions of one earthquake, and of one station, where the files say it. Default 2, chosen here.
+    /// Largest number of motions from one earthquake, and from one station, where the files name them. Default 2, chosen here.
     pub alike_most: usize,
 }
 
@@ -33,7 +33,7 @@ impl Default for SuiteRule {
     }
 }
 
-/// A record that may be taken.
+/// A record that can be chosen.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SuiteCandidate {
     /// Its spectrum over the demand at each period, all positive. Shape: periods.
@@ -42,16 +42,16 @@ pub struct SuiteCandidate {
     pub event: Option<String>,
     /// The station, where it is known.
     pub station: Option<String>,
-    /// What only one may be taken of: the file, or the two directions of one record.
+    /// Key of which only one may be chosen: the file, or the two directions of one record.
     pub record: String,
 }
 
 /// A suite that was chosen.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MotionSuite {
-    /// The candidates taken, rising.
+    /// Indices of the chosen candidates, ascending.
     pub members: Vec<usize>,
-    /// Factor on each.
+    /// Factor on each of them.
     pub factors: Vec<f64>,
     /// Mean of the scaled spectra over the demand. Shape: periods.
     pub mean: Vec<f64>,
@@ -59,30 +59,30 @@ pub struct MotionSuite {
     pub misfit: f64,
 }
 
-/// Passes over all exchanges after which a search ends as it is.
+/// Largest number of passes over all exchanges in a search.
 const PASSES_MOST: usize = 100;
-/// Records from which a search begins. Chosen here.
+/// Number of records from which searches begin. Chosen here.
 const BEGINNINGS_MOST: usize = 40;
-/// A gain below this is none.
+/// A smaller gain does not count.
 const GAIN_LEAST: f64 = 1e-12;
 
-/// The records and factors whose mean spectrum follows the demand best.
+/// Chooses the records and factors whose mean spectrum follows the demand best.
 ///
 /// ```text
 /// k_i = exp(−mean over T of ln r_i)        m(T) = mean over the suite of k_i r_i(T)
 /// c = max(1/mean over T of m, least share/min over T of m)        factor of record i: c k_i, within its limits
 /// wanted: the suite with the least root mean square of c m(T) − 1
 /// ```
-/// Each record keeps its own shape and comes near the demand by itself; one factor on all then makes the mean over the periods that of the
-/// demand, or more where a period would else fall below the least share. Suites are searched by exchanging one record for another while that
-/// gains, from many beginnings: a good suite, not proved the best. This rule is Dolmen's own.
+/// Each record keeps the shape of its spectrum, and its own factor brings it near the demand. The common factor then makes the mean over the
+/// periods equal to that of the demand, or larger where a period would otherwise fall below the least share. The search exchanges one record for
+/// another while that improves the suite, from many starts: a good suite, not proved to be the best. The rule is Dolmen's own.
 ///
 /// # Errors
 /// [`SignalError::SuiteFactors`] and [`SignalError::SuiteAlike`] where no suite keeps within the limits; [`SignalError::Argument`] for a rule out of range or ratios
 /// that are not positive.
 ///
 /// # Limits
-/// In 400 pools of eight made records of which three are taken it finds the best of all 56 suites every time: see the tests.
+/// In 400 pools of eight made records it finds the best of all 56 suites of three every time: see the tests.
 ///
 /// # Example
 /// ```
@@ -135,7 +135,7 @@ pub fn motion_suite(candidates: &[SuiteCandidate], rule: &SuiteRule) -> Result<M
     }
 }
 
-/// What a suite is worth: first how far its factors lie beyond their limits, then its misfit.
+/// Value of a suite: first how far its factors lie beyond their limits, then its misfit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Worth {
     beyond: f64,
@@ -205,7 +205,7 @@ impl<'a> Pool<'a> {
         })
     }
 
-    /// How far a record alone is from the demand.
+    /// Misfit of a single record.
     fn alone(&self, at: usize) -> f64 {
         mean(self.scaled[at].iter().map(|ratio| ratio.ln().powi(2)))
     }
@@ -226,7 +226,7 @@ impl<'a> Pool<'a> {
             && (joining.station.is_none() || count(&|other| other.station == joining.station) < most)
     }
 
-    /// The mean of the records as each comes to the demand by itself, and the one factor on all.
+    /// The mean of the records with their own factors, and the common factor.
     fn mean_and_common(&self, members: &[usize]) -> (Vec<f64>, f64) {
         let periods = self.scaled[members[0]].len();
         let at = |period: usize| mean(members.iter().map(|member| self.scaled[*member][period]));
@@ -241,7 +241,7 @@ impl<'a> Pool<'a> {
         let [least, most] = self.rule.factors;
         let beyond = members.iter().map(|member| {
             let factor = common * self.own[*member];
-            // rounding may not throw out a factor that lies on its limit
+            // rounding must not exclude a factor on its limit
             let over = (factor / most).max(least / factor);
             if over > 1.0 + 1e-9 { over.ln() } else { 0.0 }
         });
@@ -251,7 +251,7 @@ impl<'a> Pool<'a> {
         }
     }
 
-    /// The record whose joining makes the best suite, if that is better than `before`.
+    /// The record that improves the suite most, if the result is better than `before`.
     fn best_joining(
         &self,
         members: &mut Vec<usize>,
@@ -273,7 +273,7 @@ impl<'a> Pool<'a> {
         best
     }
 
-    /// A suite that begins with one record and takes, each time, the one that helps most; shorter than wanted where none may join.
+    /// A suite that begins with one record and adds the best record each time; shorter than wanted if none may join.
     fn grown(&self, first: usize) -> Vec<usize> {
         let mut members = vec![first];
         while members.len() < self.rule.count {
@@ -286,7 +286,7 @@ impl<'a> Pool<'a> {
         members
     }
 
-    /// The suite after every exchange of one record for another that gains, the best exchange first.
+    /// The suite after all exchanges of one record for another that improve it, the best exchange first.
     fn exchanged(&self, mut members: Vec<usize>) -> (Worth, Vec<usize>) {
         let mut worth = self.worth(&members);
         for _ in 0..PASSES_MOST {
@@ -367,7 +367,7 @@ mod tests {
         (0..count).map(|number| one(draw, number)).collect()
     }
 
-    /// The least misfit over all suites of three, written down anew: sums, not means.
+    /// The smallest misfit over all suites of three, computed independently: sums, not means.
     fn best_of_all(pool: &[SuiteCandidate], rule: &SuiteRule) -> Option<([usize; 3], f64)> {
         let own: Vec<f64> = pool
             .iter()

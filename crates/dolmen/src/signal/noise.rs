@@ -1,10 +1,10 @@
-//! Artificial motions: noise through the filter of a soil, under an envelope, the same for the same seed.
+//! Artificial motions: noise through the filter of a soil, under an envelope; the same seed gives the same motion.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | S(ω) | `density` | spectral density of the acceleration, of any height | – |
+//! | S(ω) | `density` | spectral density of the acceleration, up to a factor | – |
 //! | ω_g, ζ_g | `ground_frequency_hz`, `ground_damping_ratio` | of the soil | rad/s, – |
-//! | ω_f, ζ_f | `corner_hz`, `corner_damping_ratio` | of what keeps slow motions out | rad/s, – |
+//! | ω_f, ζ_f | `corner_hz`, `corner_damping_ratio` | of the high-pass filter | rad/s, – |
 //! | t_1, t_2, c | `rise_s`, `strong_s`, `decay_per_s` | envelope: (t/t_1)², 1 for t_2, e^(−c (t − t_1 − t_2)) | s, s, 1/s |
 
 use super::at_rest::{bring_to_rest, edges};
@@ -14,9 +14,9 @@ use num_complex::Complex64;
 use realfft::RealFftPlanner;
 use std::f64::consts::TAU;
 
-/// At most so many samples.
+/// Largest number of samples.
 const SAMPLES_MOST: f64 = 1e7;
-/// At both ends the motion is brought to zero within so long, s. Chosen here.
+/// Length of the ramps to zero at both ends, s. Chosen here.
 const EDGE_S: f64 = 0.2;
 
 /// The spectral density of noise.
@@ -24,20 +24,20 @@ const EDGE_S: f64 = 0.2;
 pub enum NoiseFilter {
     /// The same at every frequency.
     White,
-    /// Kanai and Tajimi: bedrock noise through a soil that swings.
+    /// Kanai and Tajimi: bedrock noise through a soil that oscillates.
     KanaiTajimi {
         /// Frequency of the soil, Hz. 2.5 is firm ground.
         ground_frequency_hz: f64,
         /// Its damping ratio. 0.6 is firm ground.
         ground_damping_ratio: f64,
     },
-    /// Clough and Penzien: the same without slow motions, whose displacements no ground has.
+    /// Clough and Penzien: the same without slow motions, whose displacements would be unrealistic.
     CloughPenzien {
         /// Frequency of the soil, Hz.
         ground_frequency_hz: f64,
         /// Its damping ratio.
         ground_damping_ratio: f64,
-        /// Corner below which motions are kept out, Hz: a tenth of that of the soil is usual.
+        /// Corner of the high-pass filter, Hz: a tenth of the frequency of the soil is usual.
         corner_hz: f64,
         /// Damping ratio of that filter. 0.6 is usual.
         corner_damping_ratio: f64,
@@ -113,13 +113,13 @@ pub struct Noise {
     pub filter: NoiseFilter,
     /// Length, s. Default 20.
     pub duration_s: f64,
-    /// Between samples, s. Default 0.01.
+    /// Time between samples, s. Default 0.01.
     pub time_step_s: f64,
-    /// Time until it is strong, s. Default 2.
+    /// Rise time of the envelope, s. Default 2.
     pub rise_s: f64,
-    /// Time that it is strong, s. Default 8.
+    /// Duration of the strong part, s. Default 8.
     pub strong_s: f64,
-    /// How it dies away, 1/s. Default 0.3.
+    /// Rate of decay after it, 1/s. Default 0.3.
     pub decay_per_s: f64,
     /// Largest acceleration, m/s². Default 1.
     pub peak_acceleration_m_s2: f64,
@@ -144,8 +144,8 @@ impl Default for Noise {
     }
 }
 
-/// A motion along x: noise of the given density, its amplitude at each frequency fixed and its phase drawn, under the envelope,
-/// brought to rest at the end and scaled to the peak. The same seed gives the same motion.
+/// A motion along x: noise of the given density with fixed amplitudes and random phases, under the envelope, brought to rest at the end and
+/// scaled to the peak. The same seed gives the same motion.
 ///
 /// ```text
 /// a(t) = envelope(t) Σ √S(ω_k) cos(ω_k t + φ_k)        φ_k uniform, ω_k = 2πk/(N h), N samples
@@ -225,7 +225,7 @@ pub fn noise_motion(options: &Noise, seed: u64) -> Result<GroundMotion, SignalEr
     motion.scaled_to_peak(Component::X, options.peak_acceleration_m_s2)
 }
 
-/// Noise without envelope, of any height.
+/// Noise without envelope, up to a factor.
 fn stationary(options: &Noise, length: usize, seed: u64) -> Vec<f64> {
     let transform = RealFftPlanner::<f64>::new().plan_fft_inverse(length);
     let mut spectrum = transform.make_input_vec();
@@ -279,7 +279,7 @@ mod tests {
 
     #[test]
     fn holds_the_samples_have_the_density_asked_for() {
-        // the mean periodogram of many seeds, in two bands, without envelope to speak of
+        // the mean periodogram of many seeds, in two bands, with almost no envelope
         let filter = Noise::default().filter;
         let options = Noise {
             rise_s: 0.02,

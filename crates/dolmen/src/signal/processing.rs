@@ -1,6 +1,6 @@
-//! What has been done to a record since it was measured.
+//! The history of a record since it was measured.
 
-/// One thing that was done to a record, in order: its history.
+/// One step in the history of a record.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Processing {
     /// Read from bytes.
@@ -15,7 +15,7 @@ pub enum Processing {
         /// Their names.
         channels: Vec<String>,
     },
-    /// Only a part of the time kept.
+    /// Only a part of the time was kept.
     Cut {
         /// From, s.
         from_s: f64,
@@ -50,7 +50,7 @@ pub enum Processing {
         /// Order of one pass.
         order: usize,
     },
-    /// Scaled, and wavelets added, until a response spectrum was that of a target.
+    /// Scaled, and wavelets added, to match a target response spectrum.
     Matched {
         /// The component: "x", "y", "z".
         component: &'static str,
@@ -86,7 +86,7 @@ pub enum Processing {
         /// Samples before / samples after.
         factor: usize,
     },
-    /// Samples of one channel multiplied by a factor, as what a count of its recorder is worth.
+    /// Samples of one channel multiplied by a factor, such as the value of a count.
     ChannelScaled {
         /// The channel.
         channel: String,
@@ -97,7 +97,7 @@ pub enum Processing {
     Interpolated {
         /// The channel.
         channel: String,
-        /// Where its samples lay, steps after those of the others.
+        /// Position of its samples, in steps after those of the others.
         offset_steps: f64,
     },
     /// A channel taken to a lower rate, anti-alias filtered.
@@ -109,12 +109,12 @@ pub enum Processing {
         /// Its rate after, Hz.
         to_hz: f64,
     },
-    /// Offsets between the times of channels that were left as they are.
+    /// Offsets between the times of channels that were ignored.
     OffsetsLeft {
         /// The largest, steps.
         most_steps: f64,
     },
-    /// Only the longest time kept that no lost samples interrupt, in any channel.
+    /// Only the longest span without lost samples in any channel was kept.
     LongestSpan {
         /// First sample kept, s from the first of the file.
         from_s: f64,
@@ -122,24 +122,24 @@ pub enum Processing {
         to_s: f64,
         /// Last sample of the file, s.
         whole_s: f64,
-        /// What is lost, by time.
+        /// The lost samples, by time.
         gaps: Vec<LostSpan>,
     },
-    /// Lost samples hold the mean of their channel, so that what lies on either side keeps its time.
+    /// Lost samples hold the mean of their channel, so that the samples on either side keep their times.
     Bridged {
-        /// What is lost, by time.
+        /// The lost samples, by time.
         gaps: Vec<LostSpan>,
     },
     /// Short runs of lost samples filled in by linear prediction.
     FilledGaps {
-        /// Where, by time.
+        /// The filled runs, by time.
         gaps: Vec<LostSpan>,
-        /// Samples filled in, of all channels in which they were lost.
+        /// Number of filled samples, over all channels.
         samples: usize,
         /// Their share of those channels.
         share: f64,
     },
-    /// Only the time kept that all channels share.
+    /// Only the time that all channels share was kept.
     CommonTime {
         /// From the first sample of any channel to the first kept, s.
         before_s: f64,
@@ -148,10 +148,10 @@ pub enum Processing {
     },
 }
 
-/// Samples that a record lost.
+/// A run of lost samples.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LostSpan {
-    /// The channel; `None`: all.
+    /// The channel; `None` for all.
     pub channel: Option<String>,
     /// The last sample before, s from the first of the record.
     pub at_s: f64,
@@ -160,7 +160,7 @@ pub struct LostSpan {
 }
 
 impl LostSpan {
-    /// How many a note names where a record lost many: a list of hundreds would hide the rest.
+    /// Largest number of gaps that a note lists; a list of hundreds would hide the rest.
     pub const NAMED_MOST: usize = 3;
 }
 
@@ -173,7 +173,7 @@ impl std::fmt::Display for LostSpan {
     }
 }
 
-/// The first gaps, and how many more there are.
+/// The first gaps, and the number of further ones.
 fn first_gaps(gaps: &[LostSpan]) -> String {
     let shown = gaps.iter().take(LostSpan::NAMED_MOST).map(ToString::to_string);
     let shown: Vec<String> = shown.collect();

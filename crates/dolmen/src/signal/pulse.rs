@@ -1,4 +1,4 @@
-//! Pulses: one simple motion of the base, for tests, for limits and for what near faults do.
+//! Pulses: simple motions of the base, for tests, for limits and for near-fault motions.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -9,21 +9,21 @@
 use super::{Component, GroundMotion, SignalError};
 use std::f64::consts::{PI, TAU};
 
-/// Samples at which the peak of a shape is looked for.
+/// Number of samples at which the peak of a shape is searched.
 const PEAK_SAMPLES: usize = 20_000;
-/// A Ricker wavelet is followed to so many periods on either side of its middle: 1e-9 of its height is left.
+/// Number of periods on either side of the middle of a Ricker wavelet: 1e-9 of its height remains there.
 const RICKER_PERIODS: f64 = 1.5;
-/// Samples of a pulse at most.
+/// Largest number of samples of a pulse.
 const SAMPLES_MOST: f64 = 1e7;
 
-/// The shape of a pulse. Each variant gives what is left of velocity and displacement after it.
+/// The shape of a pulse. Each variant states the velocity and displacement that remain after it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum PulseShape {
     /// A sin(πt/(T_p/2)) for half a period: leaves the velocity A T_p/π. The pulse of Housner.
     HalfSine,
     /// A sin(2πt/T_p) for one period: leaves a displacement A T_p²/(2π), no velocity.
     OneSine,
-    /// A cos(2πt/T_p) for one period, begun and ended by a jump within one sample: leaves nothing but what the samples round.
+    /// A cos(2πt/T_p) for one period, with a jump within one sample at both ends: leaves nothing but rounding of the samples.
     OneCosine,
     /// Second derivative of a bell, even: A (1 − 2π²t²/T_p²) e^(−π²t²/T_p²); leaves nothing.
     RickerEven,
@@ -138,7 +138,7 @@ pub fn pulse(
     )
 }
 
-/// Acceleration at x = (t − middle)/T_p, of any height.
+/// Acceleration at x = (t − middle)/T_p, up to a factor.
 fn acceleration(shape: PulseShape, x: f64) -> f64 {
     match shape {
         PulseShape::HalfSine => (TAU * x).cos(),

@@ -3,7 +3,7 @@
 use super::SignalError;
 use super::processing::Processing;
 
-/// No instrument yields more in any unit, and the sum of squares of any record within it is finite. Chosen here.
+/// Largest sample: no instrument yields more in any unit, and the sum of squares of any record within it is finite. Chosen here.
 const SAMPLE_MOST: f64 = 1e100;
 
 /// What a channel measures. Samples are in SI units of it (m/s², m/s, m), or in counts if the unit is not known.
@@ -33,7 +33,7 @@ pub struct Channel {
 }
 
 impl Channel {
-    /// A channel of which only the name is known.
+    /// A channel with a name only.
     pub fn named(name: impl Into<String>) -> Self {
         Channel {
             name: name.into(),
@@ -82,7 +82,7 @@ impl Record {
         Self::from_contiguous(channels, samples.concat(), sampling_rate_hz)
     }
 
-    /// A record from all samples of the first channel, then all of the second, and so on. Takes the memory over.
+    /// A record from all samples of the first channel, then all of the second, and so on. Takes ownership of the memory.
     ///
     /// # Errors
     /// As [`Record::new`].
@@ -166,13 +166,13 @@ impl Record {
         self.length as f64 / self.sampling_rate_hz
     }
 
-    /// What was done to it since it was measured, oldest first.
+    /// Its history since it was measured, oldest step first.
     pub fn history(&self) -> &[Processing] {
         &self.history
     }
 
-    /// Writes a step into the history. Readers begin it with [`Processing::Read`]; what conditions a record in this
-    /// crate writes its own step.
+    /// Adds a step to the history. Readers begin it with [`Processing::Read`]; functions of this crate that condition a record add their own
+    /// step.
     pub fn note(&mut self, step: Processing) {
         self.history.push(step);
     }
@@ -200,7 +200,7 @@ impl Record {
 
     /// Keeps samples `start`, `start + step`, … of each channel, `length` of them, moving them within the memory held.
     pub(super) fn retain_samples(&mut self, start: usize, step: usize, length: usize) {
-        let mut kept = 0; // never overtakes `from`: what is read has not been written over
+        let mut kept = 0; // never ahead of `from`: samples are read before they are overwritten
         for channel in 0..self.channels.len() {
             let from = channel * self.length + start;
             for i in 0..length {

@@ -14,13 +14,13 @@ use super::{Component, GroundMotion, SignalError};
 use crate::numeric::{Bracketing, bracketed_root};
 use std::f64::consts::{PI, TAU};
 
-/// Largest damping ratio: above it an oscillator hardly swings, and the closed form divides by √(1 − ζ²). Chosen here.
+/// Largest damping ratio: above it an oscillator hardly oscillates, and the closed form divides by √(1 − ζ²). Chosen here.
 const DAMPING_MOST: f64 = 0.9;
-/// Shortest and longest period, in time steps of the motion: below, one step holds more than 20 swings that the record
-/// cannot tell of; above, the closed form loses digits (see Limits). Chosen here.
+/// Shortest and longest period, in time steps of the motion: below, one step holds more than 20 cycles, which the record does not resolve;
+/// above, the closed form loses digits (see Limits). Chosen here.
 const PERIOD_LEAST_STEPS: f64 = 0.05;
 const PERIOD_MOST_STEPS: f64 = 2e4;
-/// A peak is located to this part of a time step; the displacement there errs by its square. Chosen here.
+/// Accuracy of the time of a peak, in time steps; the error of the displacement is its square. Chosen here.
 const PEAK_WIDTH: f64 = 1e-9;
 
 /// The response of one oscillator.
@@ -32,9 +32,9 @@ pub struct SpectralOrdinate {
     pub damping_ratio: f64,
     /// Largest absolute displacement relative to the ground, m: S_d, the true peak.
     pub displacement_m: f64,
-    /// When it is reached, s. Past the end of the motion if the oscillator swings on to a larger peak.
+    /// Time of the peak, s. After the end of the motion if the free oscillation reaches a larger peak.
     pub at_s: f64,
-    /// Largest absolute displacement at the samples alone, m: what programs and books print that look nowhere else.
+    /// Largest absolute displacement at the samples alone, m, as many programs and books print it.
     pub displacement_at_samples_m: f64,
 }
 
@@ -57,24 +57,24 @@ impl SpectralOrdinate {
 /// within a step     u = A + B τ + e^(−ζωτ) (C cos ω_D τ + D sin ω_D τ)
 ///                   B = −s/ω²     A = −(a + 2ζωB)/ω²     C = u_0 − A     D = (v_0 − B + ζωC)/ω_D
 /// ```
-/// The ground acceleration is the straight line between samples, so that u is exact, not stepped. The velocity is monotone
-/// between the zeros of its own rate, which are known in closed form; each of its changes of sign is located there. After
-/// the last sample the ground stands and the first swing is followed to its peak.
+/// The ground acceleration is linear between samples, so u is exact. The velocity is monotone between the zeros of its rate, which have a closed
+/// form, and each of its changes of sign is located there. After the last sample the ground stands still, and the first free cycle is followed
+/// to its peak.
 ///
 /// # Errors
 /// [`SignalError::Argument`] for a damping ratio outside 0 … 0.9; [`SignalError::Period`] for a period outside 0.05 … 20 000
 /// time steps.
 ///
 /// # Limits
-/// The base line of the motion is taken as given: an offset of the record shows at long periods. At the samples S_d of El Centro
-/// 1940 is off by 7e-15 of itself at T = 400 s = 20 000 steps, and by less below (mpmath, 40 digits); a peak located between them there
-/// may lose digits in the closed form, up to 7e-9.
+/// The base line of the motion is taken as given: an offset of the record shows at long periods. At the samples the relative error of S_d for El
+/// Centro 1940 is 7e-15 at T = 400 s = 20 000 steps, and smaller below (mpmath, 40 digits); a peak located between them there may lose digits in
+/// the closed form, up to 7e-9.
 ///
 /// 200 periods of its 1560 samples take less than 5 ms on one core.
 ///
 /// # Source
-/// Nigam, Jennings (1969) Bull. Seism. Soc. Am. 59(2):909-922, eqs 2-8. Differs from the source: the peak is looked for between the
-/// samples and after the end, too. For El Centro 1940, T = 0.1 s, ζ = 5 %, the samples alone fall 6.4 % short.
+/// Nigam, Jennings (1969) Bull. Seism. Soc. Am. 59(2):909-922, eqs 2-8. Differs from the source: the peak is also sought between the samples and
+/// after the end. For El Centro 1940, T = 0.1 s, ζ = 5 %, the samples alone fall 6.4 % short.
 ///
 /// # Example
 /// ```
@@ -184,8 +184,8 @@ impl Oscillator {
     }
 }
 
-/// What one step of the motion does to displacement and velocity, as numbers: u ← uu u + uv v + ua a + ub b, v likewise, with a
-/// and b the accelerations of the ground at both ends of the step.
+/// The effect of one step of the motion on displacement and velocity as coefficients: u ← uu u + uv v + ua a + ub b, v likewise, with a and b
+/// the accelerations of the ground at both ends of the step.
 #[derive(Clone, Copy, Default)]
 struct Advance {
     u: [f64; 4],
@@ -193,7 +193,7 @@ struct Advance {
 }
 
 impl Advance {
-    /// By the closed form; where a step is a small part of a swing, by the Taylor series of u, which loses no digits there.
+    /// By the closed form, or, where a step is a small part of a cycle, by the Taylor series of u, which loses no digits there.
     ///
     /// ```text
     /// u = Σ c_n τⁿ        c_(n+2) = −(a_n + 2ζω (n + 1) c_(n+1) + ω² c_n) / ((n + 1)(n + 2))        a_0 = a, a_1 = s
@@ -232,7 +232,7 @@ impl Advance {
     }
 }
 
-/// The largest |u| so far, and when.
+/// The largest |u| so far, and its time.
 #[derive(Clone, Copy, Default)]
 struct Peak {
     u: f64,
@@ -247,7 +247,7 @@ impl Peak {
     }
 }
 
-/// Oscillators that take a step together: two registers of most machines.
+/// Number of oscillators that take a step together: two registers of most machines.
 const LANES: usize = 4;
 
 /// Displacement and velocity of [`LANES`] oscillators at every sample.
@@ -258,7 +258,7 @@ struct Histories {
     swing_squared: [f64; LANES],
 }
 
-/// The displacement of largest size, signed, and all that [`SpectralOrdinate`] holds.
+/// The displacement with the largest absolute value, signed, and the other fields of [`SpectralOrdinate`].
 #[derive(Clone, Copy)]
 pub(super) struct SignedPeak {
     pub(super) displacement_m: f64,
@@ -321,7 +321,7 @@ fn together(samples: &[f64], h: f64, oscillators: &[Oscillator; LANES], historie
     histories.swing_squared = most;
 }
 
-/// The largest |u| of one lane: at the samples, between them where it could be larger, and in the swing after the end.
+/// The largest |u| of one lane: at the samples, between them where it could be larger, and in the free cycle after the end.
 fn peak(
     samples: &[f64],
     h: f64,
@@ -339,7 +339,7 @@ fn peak(
         }
     }
     let at_samples_m = peak.u.abs();
-    // between two samples u leaves the chord by no more than h²/8 of the largest |ü|
+    // between two samples u deviates from the chord by no more than h²/8 of the largest |ü|
     let chord = h * h / 8.0;
     let most = chord * histories.swing_squared[lane].sqrt();
     for (i, pair) in histories.u.windows(2).enumerate() {
@@ -354,7 +354,7 @@ fn peak(
             within(oscillator, &step, h, i as f64 * h, &mut peak)?;
         }
     }
-    // the ground stands: a free swing peaks within half a damped period, and every later peak is lower
+    // the ground stands still: a free oscillation peaks within half a damped period, and every later peak is lower
     let last = samples.len() - 1;
     let free = oscillator.step(histories.u[last][lane], histories.v[last][lane], 0.0, 0.0);
     within(
@@ -371,8 +371,8 @@ fn peak(
     })
 }
 
-/// Offers every extreme of u within a step of the given length: the changes of sign of v, which is monotone between the zeros
-/// of v̇ = e^(−ζωτ) (R cos ω_D τ + S sin ω_D τ).
+/// Passes on every extreme of u within a step of the given length: the changes of sign of v, which is monotone between the zeros of v̇ =
+/// e^(−ζωτ) (R cos ω_D τ + S sin ω_D τ).
 fn within(
     oscillator: &Oscillator,
     step: &Step,

@@ -1,30 +1,32 @@
-//! Whether two accelerograms are one: the same samples, or scaled, turned over, cut or sampled anew.
+//! Whether two accelerograms are the same: equal samples, or scaled, inverted, cut or resampled.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | a_i, b_i | `a`, `b` | accelerations at t = i Δt | any |
 //! | l | `lag` | samples by which b begins after a | – |
-//! | r | `likeness` | correlation of what overlaps, either sign | – |
+//! | r | `likeness` | correlation of the overlap, either sign | – |
 
-/// Correlation from which two accelerograms are one. Chosen here: two components of one station, and two stations of one earthquake, stay far below.
+/// Correlation from which two accelerograms count as the same. Chosen here: two components of one station, and two stations of one earthquake,
+/// stay far below.
 pub const SAME_SHAKING: f64 = 0.999;
-/// Share of the energy of each that has to lie in what overlaps. Chosen here.
+/// Smallest share of the energy of each in the overlap. Chosen here.
 const OVERLAP_LEAST: f64 = 0.5;
-/// Samples to either side of the peak that are compared first, and the correlation there from which the whole is. Chosen here: only speed.
+/// Number of samples to either side of the peak for a first comparison, and the correlation there from which the whole is compared. Chosen here,
+/// for speed only.
 const NEAR_PEAK: usize = 50;
 const NEAR_LIKENESS: f64 = 0.9;
 
-/// Whether two accelerograms, each with its time step in s, are the same shaking: laid upon each other at their peaks, their correlation reaches [`SAME_SHAKING`]
-/// over what overlaps, half the energy of each or more.
+/// Whether two accelerograms, each with its time step in s, are the same shaking: aligned at their peaks, their correlation reaches
+/// [`SAME_SHAKING`] over an overlap that holds half the energy of each or more.
 ///
 /// ```text
 /// r = |Σ a_i b_(i+l)| / √(Σ a_i² Σ b_(i+l)²),   l the lag of the peaks or a sample beside it
 /// ```
 ///
-/// The finer one is read at the times of the coarser one, in straight lines between its samples.
+/// The finer one is interpolated linearly at the times of the coarser one.
 ///
 /// # Limits
-/// A copy from which the peak was cut, and one that was filtered, is not found.
+/// Copies without the peak, and filtered copies, are not recognised.
 ///
 /// # Example
 /// ```
@@ -55,7 +57,7 @@ pub fn is_same_shaking((a, a_step_s): (&[f64], f64), (b, b_step_s): (&[f64], f64
     })
 }
 
-/// Sums over what overlaps.
+/// Sums over the overlap.
 #[derive(Default)]
 struct Overlap {
     of_both: f64,
@@ -72,7 +74,7 @@ impl Overlap {
     }
 }
 
-/// Of a_i and b_(i + lag).
+/// Sums of a_i and b_(i + lag).
 fn overlap(a: &[f64], b: &[f64], lag: isize) -> Overlap {
     let first = usize::try_from(-lag).unwrap_or(0);
     let from = usize::try_from(lag).unwrap_or(0);
@@ -100,7 +102,7 @@ fn sampled(of: &[f64], own_step_s: f64, step_s: f64) -> Vec<f64> {
     (0..count).map(at).collect()
 }
 
-/// Where the largest size is; `None` of nothing but zeros.
+/// Index of the largest absolute value; `None` if all are zero.
 fn peak_at(of: &[f64]) -> Option<usize> {
     let sizes = of.iter().enumerate().filter(|(_, x)| x.abs() > 0.0);
     let largest = sizes.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));

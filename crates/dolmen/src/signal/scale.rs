@@ -1,4 +1,4 @@
-//! Channels multiplied by what a count of their recorder is worth.
+//! Multiplies channels by the value of a count of their recorder.
 
 use super::{Processing, Record, SignalError};
 

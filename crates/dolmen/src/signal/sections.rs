@@ -11,11 +11,11 @@
 use num_complex::Complex64;
 use std::f64::consts::PI;
 
-/// Share of a transient that may be left where the record begins: 1 %, of an end effect that the steady start and the
-/// odd reflection have made small already. Chosen here.
+/// Fraction of a transient that may remain at the beginning of the record: 1 % of an end effect that the steady start and the odd reflection
+/// have already reduced. Chosen here.
 const TRANSIENT_LEFT: f64 = 0.01;
 
-/// The analogue low-pass that a digital filter is made from. Its corner is 1 rad/s.
+/// The analogue low-pass prototype of a digital filter. Its corner is 1 rad/s.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Prototype {
     /// Flattest at 0 Hz; gain 1/√2 at the corner.
@@ -74,7 +74,7 @@ impl Section {
         y
     }
 
-    /// Sets the states to those of a constant input `x` that has lasted for ever; returns the constant output.
+    /// Sets the states for a constant input `x` since ever; returns the constant output.
     fn settle(&mut self, x: f64) -> f64 {
         let y = x * (self.b[0] + self.b[1] + self.b[2]) / (1.0 + self.a[0] + self.a[1]);
         self.state[1] = self.b[2] * x - self.a[1] * y;
@@ -198,10 +198,10 @@ impl Sections {
         }
     }
 
-    /// Filters `x` in place, forwards and then backwards, so that nothing is delayed and the gain is squared.
+    /// Filters `x` in place, forwards and then backwards: no delay, and the gain is squared.
     ///
-    /// The ends are continued by `ringing` samples of odd reflection, 2 x_0 - x_i, and each pass starts from the steady
-    /// state of its first sample. Only the continuations are held besides `x`. Needs more than `ringing` samples.
+    /// The ends are continued by `ringing` samples of odd reflection, 2 x_0 - x_i, and each pass starts from the steady state of its first
+    /// sample. Only these continuations need memory besides `x`. Needs more than `ringing` samples.
     pub(super) fn forward_backward(&mut self, x: &mut [f64]) {
         let (n, edge) = (x.len(), self.ringing);
         debug_assert!(n > edge, "callers refuse shorter records");

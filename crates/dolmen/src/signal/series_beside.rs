@@ -1,9 +1,9 @@
-//! A simulated series beside the measured one of the same place and time.
+//! Compares a simulated series with the measured one of the same place and time.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
 //! | y, ŷ | `measured`, `simulated` | the two series |
-//! | g | `input` | what moved both: the ground |
+//! | g | `input` | motion of the ground, input of both |
 //! | H | `response` | frequency response, smoothed over a few lines |
 
 use realfft::RealFftPlanner;
@@ -11,12 +11,12 @@ use realfft::num_complex::Complex;
 
 /// Lines on either side over which cross spectra are smoothed. Chosen here: with an earthquake of 30 s, 0.13 Hz.
 const SMOOTHED: usize = 4;
-/// Least power of the input over its largest, smoothed: below it a ratio says nothing. Chosen here.
+/// Smallest power of the input over its largest, smoothed: below it a ratio is meaningless. Chosen here.
 const INPUT_LEAST: f64 = 1e-3;
-/// Frequencies that are looked at end at this share of the sampling rate: above it linear interpolation of the input shows.
+/// Upper end of the frequencies, as a share of the sampling rate: above it the linear interpolation of the input shows.
 const OF_RATE: f64 = 0.2;
 
-/// How alike a simulated series is to the measured one.
+/// Agreement between a simulated series and the measured one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SeriesBeside {
     /// Largest absolute value, measured.
@@ -27,17 +27,17 @@ pub struct SeriesBeside {
     pub rms_measured: f64,
     /// Simulated.
     pub rms_simulated: f64,
-    /// Coefficient of correlation; 0 where one of both stands still.
+    /// Coefficient of correlation; 0 where either stands still.
     pub correlation: f64,
-    /// Root mean square of the difference over that measured; infinite where nothing was measured.
+    /// Root mean square of the difference over that of the measurement; infinite where nothing was measured.
     pub residual_ratio: f64,
-    /// Where the measured series answers the input most, Hz; `None` where the series are too short.
+    /// Frequency of the largest response of the measured series, Hz; `None` where the series are too short.
     pub frequency_measured_hz: Option<f64>,
-    /// Where the simulated one does, Hz.
+    /// The same of the simulated series, Hz.
     pub frequency_simulated_hz: Option<f64>,
 }
 
-/// Two series of one length and step beside each other, and the frequencies at which they answer the input most.
+/// Compares two series of one length and step, and the frequencies of their largest response to the input.
 ///
 /// ```text
 /// ρ = Σ (y − ȳ)(ŷ − ȳ̂) / √(Σ (y − ȳ)² Σ (ŷ − ȳ̂)²)
@@ -46,8 +46,8 @@ pub struct SeriesBeside {
 /// ```
 ///
 /// # Limits
-/// The frequency is that of the largest response of one place: of a place in a node of the first mode it is another. Both series are taken the same
-/// way, so that what smoothing does to one it does to the other. Series of different lengths are compared over the shorter.
+/// The frequency is that of the largest response at one place; in a node of the first mode it is another one. Both series are treated alike, so
+/// smoothing affects both alike. Series of different lengths are compared over the shorter.
 pub fn series_beside([measured, simulated, input]: [&[f64]; 3], step_s: f64) -> SeriesBeside {
     let length = measured.len().min(simulated.len()).min(input.len());
     let [y, s, g] = [&measured[..length], &simulated[..length], &input[..length]];
@@ -79,7 +79,7 @@ pub fn series_beside([measured, simulated, input]: [&[f64]; 3], step_s: f64) -> 
     }
 }
 
-/// Where a series answers the input most.
+/// Frequency of the largest response of a series.
 fn peak_of_response_hz(y: &[f64], g: &[f64], step_s: f64) -> Option<f64> {
     let length = y.len();
     if length < 16 * SMOOTHED {

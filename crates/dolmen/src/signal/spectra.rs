@@ -12,10 +12,10 @@ use dolmen_linalg::{Complex64, ComplexMatrix};
 use realfft::RealFftPlanner;
 use std::f64::consts::TAU;
 
-/// Fewer samples than this are no segment: the window alone takes 4 lines.
+/// Fewest samples of a segment: the window alone spreads over 4 lines.
 const SEGMENT_LEAST: usize = 8;
 
-/// How the segments are taken. Neighbours overlap by half, which a Hann window makes nearly the best there is.
+/// Options of the segments. Neighbours overlap by half, which is nearly optimal for a Hann window.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Welch {
     /// Samples a segment, 8 to the length of the record; 2048 (chosen here: 0.05 Hz at 100 Hz). The longer, the finer the
@@ -29,7 +29,7 @@ impl Default for Welch {
     }
 }
 
-/// One-sided cross spectral densities of all channels, line by line, with how many segments they rest on.
+/// One-sided cross spectral densities of all channels, line by line, with the number of segments averaged.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CrossSpectra {
     /// Frequency of each line, Hz: 0 to the Nyquist frequency.
@@ -76,19 +76,18 @@ impl CrossSpectra {
 /// S_ij(f) = 2 / (f_s Σ w²) · mean over segments of X_i(f) X_j(f)*        (channels × channels × lines)
 /// ```
 ///
-/// The mean of each segment is taken out first. The lines at 0 Hz and at the Nyquist frequency are not doubled. Samples
-/// after the last whole segment, less than half a segment, are not used.
+/// The mean of each segment is removed first. The lines at 0 Hz and at the Nyquist frequency are not doubled. Samples after the last whole
+/// segment, less than half a segment, are not used.
 ///
 /// # Errors
 /// [`SignalError::SegmentLength`] if a segment is shorter than 8 samples or longer than the record.
 ///
 /// # Limits
-/// A peak narrower than four lines is widened by the window: a mode of frequency f and damping ratio ζ wants
-/// `resolution_hz` well below ζ f.
+/// The window widens a peak narrower than four lines: for a mode of frequency f and damping ratio ζ, choose `resolution_hz` well below ζ f.
 ///
 /// # Source
-/// Welch (1967) IEEE Trans. Audio Electroacoust. 15(2):70-73. Agrees with `scipy.signal.csd(x_j, x_i)` with its defaults:
-/// scipy conjugates its first argument, here the second index is conjugated, as modal analysis has it.
+/// Welch (1967) IEEE Trans. Audio Electroacoust. 15(2):70-73. Agrees with `scipy.signal.csd(x_j, x_i)` with its defaults: SciPy conjugates its
+/// first argument; here the second index is conjugated, as usual in modal analysis.
 ///
 /// # Example
 /// ```

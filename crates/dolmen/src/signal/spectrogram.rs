@@ -7,12 +7,12 @@
 
 use super::{Record, SignalError, Welch, cross_spectra};
 
-/// How the segments are taken.
+/// Options of the segments.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Spectrogram {
     /// Samples a segment, 8 to the length of the record: the longer, the finer the lines and the coarser the time.
     pub segment_length: usize,
-    /// Most columns: where there are more segments, each column averages as many as bring them down to it; 100 (chosen here, for a figure).
+    /// Largest number of columns; with more segments each column averages several. 100 (chosen here, for a figure).
     pub columns_most: usize,
 }
 
@@ -53,8 +53,8 @@ pub struct SpectrumAt {
     pub density: Vec<f64>,
 }
 
-/// The spectrogram of a channel: each column is Welch's average of its own segments, so that the mean of the columns, each weighing as many
-/// segments as it holds, is [`cross_spectra`] of the whole channel.
+/// The spectrogram of a channel. Each column is Welch's average of its own segments, so the mean of the columns, weighted by their numbers of
+/// segments, is [`cross_spectra`] of the whole channel.
 ///
 /// ```text
 /// S(f, t) = 2 / (f_s Σ w²) · mean over the segments of the column of |X(f)|²        (lines × columns)
@@ -64,7 +64,7 @@ pub struct SpectrumAt {
 /// [`SignalError::SegmentLength`], [`SignalError::Argument`] for no columns.
 ///
 /// # Limits
-/// A tone stands in the right line to half the resolution, what begins or ends to half a segment: their product is 1/4 at best.
+/// Frequency is accurate to half the resolution, time to half a segment: their product is 1/4 at best.
 pub fn spectrogram(
     record: &Record,
     channel: usize,

@@ -1,9 +1,9 @@
-//! Spectrum matching: wavelets added to a motion until its response spectrum is the one wanted.
+//! Spectrum matching: adds wavelets to a motion until its response spectrum equals a target.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | T, ω, ζ | `period_s`, `omega`, `zeta` | of an oscillator | s, rad/s, – |
-//! | t_i | `at_s` | when oscillator i peaks | s |
+//! | t_i | `at_s` | time of the peak of oscillator i | s |
 //! | f_j, γ_j | `frequency_hz`, `gamma` | of wavelet j: frequency, width of its envelope | Hz, s |
 //! | b_j | `b` | amplitude of wavelet j | m/s² |
 //! | C_ij | `c` | response of oscillator i at t_i to wavelet j, over its target | s²/m |
@@ -18,20 +18,20 @@ use std::f64::consts::TAU;
 
 /// Width of a wavelet, s: 1.178 f^−0.93 (Al Atik, Abrahamson 2010, eq. 12).
 const GAMMA: [f64; 2] = [1.178, -0.93];
-/// A wavelet is followed to so many widths from its centre: e^−12 of its height.
+/// Number of widths from its centre to which a wavelet is followed: e^−12 of its height remains there.
 const WIDTHS: f64 = 3.5;
-/// A swing is followed until this share of it is left.
+/// An oscillation is followed until this fraction of it remains.
 const SWING_LEFT: f64 = 1e-4;
-/// Both ends of the motion at which wavelets are brought to zero, s. Chosen here.
+/// Length of the ramps of wavelets to zero at both ends of the motion, s. Chosen here.
 const EDGE_S: f64 = 0.5;
-/// Weight of the amplitudes in the least squares, as a share of the largest column of C: where it begins, by what it changes.
+/// Weight of the amplitudes in the least squares, as a fraction of the largest column of C: its start and its factor of change.
 const WEIGHT: f64 = 0.1;
 const WEIGHT_FACTORS: [f64; 2] = [0.5, 3.0];
-/// A round that gains less than this share of the misfit, so many times in a row, is the last.
+/// The search ends after this many successive rounds that gain less than this fraction of the misfit.
 const GAIN_LEAST: f64 = 0.01;
 const IDLE_ROUNDS_MOST: usize = 6;
 
-/// What is matched and how well.
+/// Options of the match.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpectrumMatch {
     /// Shortest period, s. Default 0.1.
@@ -40,12 +40,12 @@ pub struct SpectrumMatch {
     pub period_most_s: f64,
     /// Damping ratio of the spectrum. Default 0.05.
     pub damping_ratio: f64,
-    /// Periods at which the spectrum is held against the target, evenly spaced in their logarithm; half as many wavelets are
-    /// added a round. Default 150: they stand closer than a resonance of 5 % is wide.
+    /// Periods at which the spectrum is compared with the target, evenly spaced in their logarithm; each round adds half as many wavelets.
+    /// Default 150: their spacing is less than the width of a resonance of 5 %.
     pub periods: usize,
-    /// Root mean square of the misfit at which it is good enough. Default 0.01.
+    /// Root mean square of the misfit at which the match is good enough. Default 0.01.
     pub misfit_enough: f64,
-    /// Rounds after which it ends as it is. Default 40.
+    /// Largest number of rounds. Default 40.
     pub rounds_most: usize,
 }
 
@@ -62,7 +62,7 @@ impl Default for SpectrumMatch {
     }
 }
 
-/// How far a spectrum is from its target: ordinate / target − 1 over the periods.
+/// Difference of a spectrum from its target: ordinate / target − 1 over the periods.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct SpectrumMisfit {
@@ -77,15 +77,15 @@ pub struct SpectrumMisfit {
 /// A motion matched to a spectrum, with its evidence.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MatchedMotion {
-    /// The motion; the component that was matched alone is changed.
+    /// The motion; only the matched component is changed.
     pub motion: GroundMotion,
-    /// The factor by which the seed was scaled before any wavelet.
+    /// Factor on the seed before any wavelet.
     pub factor: f64,
     /// Misfit of the scaled seed.
     pub before: SpectrumMisfit,
     /// Misfit of the motion.
     pub after: SpectrumMisfit,
-    /// Rounds of wavelets that were added.
+    /// Number of rounds of wavelets.
     pub rounds: usize,
     /// Periods, s.
     pub periods_s: Vec<f64>,
@@ -95,7 +95,7 @@ pub struct MatchedMotion {
     pub matched_m_s2: Vec<f64>,
 }
 
-/// The motion with wavelets added to one component until its pseudo-acceleration spectrum is the target, a function of the period.
+/// Adds wavelets to one component until its pseudo-acceleration spectrum equals the target, a function of the period.
 ///
 /// ```text
 /// wavelet j       w_j(t) = cos(ω_j √(1−ζ²) (t − t_j + Δ_j)) e^(−((t − t_j + Δ_j)/γ_j)²) − line × envelope
@@ -103,18 +103,17 @@ pub struct MatchedMotion {
 /// a round         min ‖C b − δ‖² + λ² ‖b‖²        C_ij = ω_i² u_i(t_i; w_j) sign(u_i) / target_i
 ///                                                 shape: periods × wavelets
 /// ```
-/// t_j is when the oscillator of the same period peaks. The line times envelope, small, leaves the ground at rest after each
-/// wavelet, and the scaled seed is brought to rest by such a line before: whatever is added, velocity and displacement are zero
-/// at the end of a motion whose first and last sample are. λ falls after a round that
-/// helped and rises after one that did not, which is taken back.
+/// t_j is the time of the peak of the oscillator of the same period. The small term line × envelope leaves the ground at rest after each
+/// wavelet, and such a term brings the scaled seed to rest before: velocity and displacement are zero at the end of every motion whose first and
+/// last samples are zero. λ falls after a round that helped, and rises after one that did not, which is undone.
 ///
 /// # Errors
 /// [`SignalError::Argument`] for options out of range or a target that is not positive; [`SignalError::NoMotion`];
 /// [`SignalError::Period`]; [`SignalError::Numeric`].
 ///
 /// # Limits
-/// How well it fits is in the result and not promised: a seed too short for the longest period, or a target that no seed of its
-/// kind has, leaves a misfit. El Centro 1940 to the spectrum of KDS 17 10 00 (zone I, 2400 years, S4), 0.1 to 3 s: see the tests.
+/// The result contains the misfit, for which there is no guarantee: a seed too short for the longest period, or a target that no such seed can
+/// reach, leaves a misfit. El Centro 1940 to the spectrum of KDS 17 10 00 (zone I, 2400 years, S4), 0.1 to 3 s: see the tests.
 ///
 /// # Source
 /// Al Atik, Abrahamson (2010) Earthquake Spectra 26(3):601-617, eqs 3-12, the improved tapered cosine wavelet. Differs from the
@@ -218,7 +217,7 @@ fn misfit(ratios: &[f64]) -> SpectrumMisfit {
     }
 }
 
-/// What stays the same through all rounds.
+/// Data that stay the same in all rounds.
 struct Matching {
     h: f64,
     length: usize,
@@ -300,7 +299,7 @@ impl Matching {
             .collect()
     }
 
-    /// Wavelets at the peaks of every second period, and what each does to every peak.
+    /// Wavelets at the peaks of every second period, and their effect on every peak.
     fn prepared(&self, peaks: &[SignedPeak]) -> Round {
         let chosen = (0..peaks.len()).step_by(2);
         let wavelets: Vec<Wavelet> = chosen
@@ -325,12 +324,12 @@ impl Matching {
         Round { wavelets, c, misfit }
     }
 
-    /// Samples within which wavelets are brought to zero at both ends.
+    /// Number of samples in the ramps of wavelets at both ends.
     fn ramp(&self) -> usize {
         ((EDGE_S / self.h) as usize).clamp(1, self.length / 2)
     }
 
-    /// The wavelet for an oscillator of this period that peaks then.
+    /// The wavelet for an oscillator of this period with a peak at this time.
     fn wavelet(&self, period_s: f64, at_s: f64) -> Wavelet {
         let under = (1.0 - self.zeta * self.zeta).sqrt();
         let omega_d = TAU / period_s * under;

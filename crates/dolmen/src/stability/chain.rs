@@ -1,9 +1,8 @@
-//! What stability says of a chain: results. The methods are in `chain_limits.rs` and `chain_stability.rs`.
+//! Results of the stability of a chain. The methods are in `chain_limits.rs` and `chain_stability.rs`.
 
 use super::Verdict;
 
-/// What the weights and lengths alone say: no joint stiffness is needed. All vectors lowest joint first, N m/rad.
-/// A side support is not counted.
+/// Limits from weights and lengths alone, without joint stiffness. All vectors lowest joint first, N m/rad. A side support is not included.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ChainLimits {
@@ -19,8 +18,7 @@ pub struct ChainLimits {
     pub necessary_n_m_rad: Vec<f64>,
     /// Eigenvalues of K with the published k_cr, ascending: a negative one is a shape in which it falls.
     pub published_eigenvalues_n_m_rad: Vec<f64>,
-    /// Common factor that the published k_cr need before the chain stands; `None` if none helps, since one of them
-    /// is not positive.
+    /// Common factor that the published k_cr need before the chain stands; `None` if no factor suffices, because one of them is not positive.
     pub published_critical_factor: Option<f64>,
     /// Common factor that the published P·H need: above 1 they are unsafe too.
     pub published_buckling_factor: f64,
@@ -36,15 +34,15 @@ pub struct ChainLimits {
 pub struct JointStability {
     /// k_i, N m/rad.
     pub stiffness_n_m_rad: f64,
-    /// Least k_i at which the chain stands, the other joints as they are; `None` if it falls whatever k_i is. 0 if
-    /// a side support holds it even without this joint.
+    /// Smallest k_i at which the chain stands, with the other joints as given; `None` if it falls whatever k_i is. 0 if a side support holds it
+    /// even without this joint.
     pub stiffness_least_n_m_rad: Option<f64>,
     /// k_i / k_i,min, the margin of this joint; `None` with `stiffness_least_n_m_rad`, infinite if that is 0.
     pub margin: Option<f64>,
     /// Moment in the joint per rad of a common initial tilt, N m/rad; `None` if the chain falls.
     pub lean_moment_n_m_rad: Option<f64>,
-    /// N b/2, the largest moment that weight lets a bed without tension pass, N m; `None` without a bed width. The
-    /// bed begins to open well before: at a third of it under a linear pressure.
+    /// N b/2, the largest moment that a bed without tension carries by the weight, N m; `None` without a bed width. The bed begins to open well
+    /// before: at a third of it under a linear pressure.
     pub uplift_moment_n_m: Option<f64>,
     /// Common initial tilt at which the moment in the joint reaches the uplift limit, rad; `None` without a bed
     /// width or if the chain falls.
@@ -59,7 +57,7 @@ pub struct ChainStability {
     pub joints: Vec<JointStability>,
     /// λ, smallest factor on gravity that makes K singular; infinite if gravity has no lever.
     pub load_factor: f64,
-    /// 1/λ, common factor that the stiffnesses need to be just enough.
+    /// 1/λ, common factor on the stiffnesses at which the chain just stands.
     pub stiffness_factor: f64,
     /// Dunkerley bracket of 1/λ: max M_i/k_i.
     pub stiffness_factor_least: f64,
@@ -69,7 +67,7 @@ pub struct ChainStability {
     pub failing_joint: Option<usize>,
     /// Rotation of each link under gravity per unit of a common initial tilt; empty if it falls.
     pub lean_amplification: Vec<f64>,
-    /// Whether the side support is part of these numbers: there is one, and it has no gap.
+    /// Whether the side support is included in these numbers: there is one, and it has no gap.
     pub side_support_counted: bool,
     /// stable, marginal, unstable.
     pub verdict: Verdict,

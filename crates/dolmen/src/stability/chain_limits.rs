@@ -25,8 +25,8 @@ use dolmen_linalg::{Matrix, symmetric_eigenvalues};
 /// [`StabilityError::Linalg`] if an eigenvalue iteration fails.
 ///
 /// # Limits
-/// None of the vectors is sufficient: M_i is what each joint needs at the very least, and the joints together need
-/// 1/λ times it (2.48 times on the flagpole of the source).
+/// None of the vectors is sufficient: each joint needs at least M_i, and all joints together need 1/λ times it (2.48 times on the flagpole of
+/// the source).
 ///
 /// # Source
 /// Choi (2021), eqs 38–43. Differs from the source: it calls k_cr conservative. A symmetric matrix with a zero

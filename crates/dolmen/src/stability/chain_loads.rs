@@ -1,4 +1,4 @@
-//! A chain under forces from the side: moment at each joint against what its bed passes.
+//! A chain under lateral forces: the moment at each joint compared with the capacity of its bed.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -11,10 +11,10 @@ use super::{BedEdge, StabilityError, failing_joint};
 use crate::structure::{Chain, StructureError};
 use dolmen_linalg::{Matrix, solve};
 
-/// A load from the side on one link.
+/// A lateral load on one link.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LinkLoad {
-    /// Which link, from 1 at the bottom.
+    /// The link, from 1 at the bottom.
     pub link: usize,
     /// h above the link's lower joint, m; from 0 to its length.
     pub height_m: f64,
@@ -24,23 +24,23 @@ pub struct LinkLoad {
     pub moment_n_m: f64,
 }
 
-/// What holds a joint against opening.
+/// Resistance of a joint against opening.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum JointHold {
     /// A bed without tension.
     Bed(BedEdge),
-    /// It passes any moment.
+    /// It carries any moment.
     Held,
-    /// Nobody knows its bed.
+    /// Its bed is unknown.
     Unknown,
 }
 
-/// What acts on a chain beside its weight.
+/// Loads on a chain besides its weight.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ChainLoading<'a> {
-    /// Forces from the side.
+    /// Lateral forces.
     pub loads: &'a [LinkLoad],
-    /// What holds each joint, lowest first.
+    /// Resistance of each joint, lowest first.
     pub holds: &'a [JointHold],
     /// Common tilt built in, in the direction of the loads, rad.
     pub tilt_rad: f64,
@@ -52,19 +52,19 @@ pub struct ChainLoading<'a> {
 pub struct JointUnderLoads {
     /// N, weight above it, N.
     pub axial_n: f64,
-    /// Force from the side that passes it, N.
+    /// Lateral force through it, N.
     pub shear_n: f64,
     /// M¹, moment of the loads on the upright chain, N m.
     pub rigid_moment_n_m: f64,
-    /// M, the same with what the weight adds as the chain leans under the loads, N m; `None` without stiffness or if it falls.
+    /// M, the same including the contribution of the weight as the chain leans under the loads, N m; `None` without stiffness or if it falls.
     pub moment_n_m: Option<f64>,
-    /// Moment that the weight makes by the tilt, N m; of the upright chain as far as no stiffness is known.
+    /// Moment of the weight by the tilt, N m; for the upright chain while a stiffness is unknown.
     pub tilt_moment_n_m: f64,
     /// M/k, rotation of the joint under the loads, rad.
     pub rotation_rad: Option<f64>,
-    /// The largest moment that its bed passes, N m; `None` where it is held or not known.
+    /// The largest moment that its bed carries, N m; `None` where it is held or unknown.
     pub limit_n_m: Option<f64>,
-    /// Factor on the loads at which the moment reaches the limit, the tilt as it is: (limit − |tilt moment|)/|M|.
+    /// Factor on the loads at which the moment reaches the limit, for the given tilt: (limit − |tilt moment|)/|M|.
     pub factor: Option<f64>,
 }
 
@@ -74,19 +74,19 @@ pub struct JointUnderLoads {
 pub struct ChainUnderLoads {
     /// Lowest joint first.
     pub joints: Vec<JointUnderLoads>,
-    /// The joint with the least factor, from 1 at the bottom; `None` where no limit is known.
+    /// The joint with the smallest factor, from 1 at the bottom; `None` where no limit is known.
     pub governing_joint: Option<usize>,
-    /// Least factor on the loads at which a joint reaches its limit; 0 if the chain falls under its weight alone.
+    /// Smallest factor on the loads at which a joint reaches its limit; 0 if the chain falls under its weight alone.
     pub factor: Option<f64>,
     /// Whether every joint has a limit or is held.
     pub limits_known: bool,
-    /// Whether the moments hold what the weight adds as it leans: the stiffness is known.
+    /// Whether the moments include the contribution of the weight as it leans: the stiffness is known.
     pub second_order: bool,
     /// Displacement of the top under the loads, m.
     pub top_displacement_m: Option<f64>,
 }
 
-/// Moments of a chain under forces from the side, in equilibrium in the leaning shape, against the moment that each bed passes.
+/// Moments of a chain under lateral forces, in equilibrium in the leaning shape, compared with the moment that each bed carries.
 ///
 /// ```text
 /// Q_i = Σ_own (F h + C) + L_i Σ_{j>i} F_j        K θ = Q,  K with the weight
@@ -94,14 +94,14 @@ pub struct ChainUnderLoads {
 /// |M_i| ≤ N_i (b_i/2 − N_i/(2 f w_i))            factor = (limit − |tilt moment|)/|M_i|
 /// ```
 ///
-/// Without stiffness M¹ stands for M: the least that the joint must pass, whatever the stiffness is.
+/// Without stiffness M¹ replaces M: the least that the joint must carry, whatever the stiffness is.
 ///
 /// # Errors
 /// [`StabilityError::Structure`] for a link that is not there, a height outside of it, or counts that do not fit.
 ///
 /// # Limits
-/// Small rotations; springs that are linear up to the limit. A bed begins to open at a third of the limit and is softer from there, so
-/// that the weight adds more than stands here: a factor just above 1 is no proof.
+/// Rotations are small and springs linear up to the limit. A bed begins to open at a third of the limit and is softer from there, so the weight
+/// adds more than this result contains: a factor just above 1 proves nothing.
 ///
 /// # Example
 /// ```
@@ -216,7 +216,7 @@ struct Answer {
 impl Answer {
     fn solve(&mut self, chain: &Chain, k: &[f64], moments: &[f64]) -> Result<(), StabilityError> {
         let n = k.len();
-        // a tilt t built in leaves the springs at rest in the tilted shape: K θ = K_springs t, and the joint passes k (α − α_0)
+        // a built-in tilt t leaves the springs stress-free in the tilted shape: K θ = K_springs t, and the joint carries k (α − α_0)
         let gravity = chain.gravity_moments_n_m_rad();
         let loads = Matrix::from_fn(n, 2, |i, column| match column {
             0 => moments[i],

@@ -33,10 +33,10 @@ use dolmen_linalg::{Matrix, cholesky, generalized_symmetric_eigen, solve};
 /// [`StabilityError::Linalg`] if an eigenvalue iteration fails.
 ///
 /// # Limits
-/// Small rotations; joints that pass moment both ways. The uplift limit is separate: a linear spring is no check
-/// against overturning. The tilt is taken as built in (springs at rest in the tilted shape); if it was measured on
-/// the standing chain, gravity's share is in it already. The recursion and the eigenvalues can differ by rounding
-/// where |λ − 1| < 1e-12; the verdict then is "unstable".
+/// Rotations are small, and joints carry moment in both directions. The uplift limit is separate, because a linear spring cannot show
+/// overturning. The tilt is taken as built in (springs stress-free in the tilted shape); if it was measured on the standing chain, it already
+/// includes the contribution of gravity. The recursion and the eigenvalues can differ by rounding where |λ − 1| < 1e-12; the verdict then is
+/// "unstable".
 ///
 /// # Source
 /// Stability of a chain by LDLᵀ from the top; margins by a rank-one change of K. Differs from Choi (2021), whose
@@ -104,8 +104,8 @@ pub fn chain_stability(chain: &Chain, stiffness_n_m_rad: &[f64]) -> Result<Chain
     })
 }
 
-/// Where the chain first fails counted from the top, as the number of the joint from 1 at the bottom; `None` if it
-/// stands. The fastest exact test: no eigenvalue is computed.
+/// The joint, from 1 at the bottom, at which the chain first fails counted from the top; `None` if it stands. The fastest exact test: no
+/// eigenvalue is computed.
 ///
 /// ```text
 /// E_n = G_n,  E_i = G_i + 1/(1/E_{i+1} − 1/k_{i+1}),  fails at the first E_i ≥ k_i
@@ -115,8 +115,8 @@ pub fn chain_stability(chain: &Chain, stiffness_n_m_rad: &[f64]) -> Result<Chain
 /// [`StabilityError::Structure`] for a wrong number of stiffnesses or one that is not positive.
 ///
 /// # Limits
-/// E below the first failure means nothing, and k_i/E_i is no margin. With a side support that counts, the pivots
-/// of the whole K from the top take the place of k_i − E_i.
+/// E below the first failure is meaningless, and k_i/E_i is not a margin. With a side support that counts, the pivots of the whole K from the
+/// top replace k_i − E_i.
 pub fn failing_joint(chain: &Chain, stiffness_n_m_rad: &[f64]) -> Result<Option<usize>, StabilityError> {
     chain.check_stiffness(stiffness_n_m_rad)?;
     if side_support_counted(chain) {
@@ -124,7 +124,7 @@ pub fn failing_joint(chain: &Chain, stiffness_n_m_rad: &[f64]) -> Result<Option<
         return Ok(first_pivot_not_positive_from_the_top(k));
     }
     let each = chain.gravity_moments_n_m_rad().into_iter().zip(stiffness_n_m_rad);
-    let mut from_above = 0.0; // E k / (E − k) turned round: 1/(1/E − 1/k) without dividing by E = 0
+    let mut from_above = 0.0; // the inverse of E k / (E − k): 1/(1/E − 1/k) without a division by E = 0
     for (i, (g, &k)) in each.enumerate().rev() {
         let e = g + from_above;
         if e >= k {
@@ -159,7 +159,7 @@ fn first_pivot_not_positive_from_the_top(mut k: Matrix) -> Option<usize> {
     None
 }
 
-/// Tᵀ K_springs T with θ = T α: θ_i = Σ_{j≤i} α_j. Diagonal but for a side support.
+/// Tᵀ K_springs T with θ = T α: θ_i = Σ_{j≤i} α_j. Diagonal except for a side support.
 fn springs_in_joint_rotations(chain: &Chain, k: &[f64]) -> Result<Matrix, StabilityError> {
     let mut springs = Matrix::from_diagonal(k);
     for support in chain
@@ -197,7 +197,7 @@ fn joint(chain: &Chain, a: &Matrix, k: &[f64], i: usize, lean_moment: Option<f64
     }
 }
 
-/// Least k_i with the other joints as they are; `None` if the chain falls even with joint i rigid.
+/// Smallest k_i with the other joints as given; `None` if the chain falls even with joint i rigid.
 ///
 /// In joint rotations k_i stands alone on the diagonal, so K is positive definite if and only if the rest R is and
 /// k_i exceeds k_i − (A_ii − a_iᵀ R⁻¹ a_i): the same as k_i − 1/(b_iᵀ K⁻¹ b_i), without the cancellation, and also
@@ -216,7 +216,7 @@ fn stiffness_least(a: &Matrix, k_i: f64, i: usize) -> Option<f64> {
         }
         needed += y.iter().map(|x| x * x).sum::<f64>(); // aᵀ R⁻¹ a = ‖L⁻¹ a‖²
     }
-    Some(needed.max(0.0)) // below 0 only where a side support holds the chain: it needs nothing of this joint
+    Some(needed.max(0.0)) // below 0 only where a side support holds the chain: no stiffness of this joint is needed
 }
 
 fn running_sum(alpha: &[f64]) -> Vec<f64> {

@@ -1,4 +1,4 @@
-//! The largest moment that a bed without tension passes, in its plane and towards any side.
+//! The largest moment that a bed without tension carries, in its plane and towards any side.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -9,19 +9,19 @@
 //! | u | `along`, `across` | centre of the block from that of the bed, over its sides | |
 //! | r | `slope` | the smaller of both components of u over the larger | |
 
-/// A rectangular bed as the moment on it meets it.
+/// A rectangular bed as seen by the moment on it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BedEdge {
     /// b, width in the plane of the moment, m.
     pub width_m: f64,
-    /// w, width across it, m; `None`: only b is known, and the bed passes the same moment towards every side.
+    /// w, width across it, m; `None` if only b is known: the bed then carries the same moment towards every side.
     pub depth_m: Option<f64>,
     /// f, compressive strength of the bed, Pa; `None`: it does not crush.
     pub strength_pa: Option<f64>,
 }
 
 impl BedEdge {
-    /// The moment at which the resultant of the pressure can move no further, N m, under a normal force of N.
+    /// The moment at which the resultant of the pressure reaches its farthest position, N m, under a normal force of N.
     ///
     /// ```text
     /// M = N (b/2 − N/(2 f w))        stress block f over N/(f w) at the edge;  f → ∞: N b/2
@@ -35,7 +35,7 @@ impl BedEdge {
         (0.5 * normal_n * (self.width_m - crushed_m)).max(0.0)
     }
 
-    /// The same bed as a moment across meets it.
+    /// The same bed as seen by a moment across.
     pub fn across(&self) -> BedEdge {
         match self.depth_m {
             Some(depth_m) => BedEdge {
@@ -52,7 +52,7 @@ impl BedEdge {
         self.depth_m.unwrap_or(self.width_m)
     }
 
-    /// k across over k along of a bed of equal springs: w b³/12 along, b w³/12 across.
+    /// Ratio of k across to k along for a bed of equal springs: w b³/12 along, b w³/12 across.
     pub fn stiffness_ratio_across(&self) -> f64 {
         (self.depth_or_width_m() / self.width_m).powi(2)
     }
@@ -68,7 +68,7 @@ impl BedEdge {
     /// ```
     ///
     /// # Limits
-    /// A rigid, perfectly plastic bed: no rotation of it is asked for.
+    /// The bed is rigid and perfectly plastic; its rotation is not limited.
     pub fn moment_towards_n_m(&self, normal_n: f64, [along, across]: [f64; 2]) -> f64 {
         let Some(depth_m) = self.depth_m else {
             return self.moment_n_m(normal_n);
@@ -85,15 +85,15 @@ impl BedEdge {
         (normal_n * block_centre(share, least / most) / most).max(0.0)
     }
 
-    /// How many times a growing moment can be added to one that is there until the bed passes no more; 0 where what is there is too much.
-    /// Moments N m, [along b, along w].
+    /// Factor on a growing moment, added to a present one, at which the bed reaches its capacity; 0 where the present moment exceeds it. Moments
+    /// N m, [along b, along w].
     pub fn reach(&self, normal_n: f64, there_n_m: [f64; 2], growing_n_m: [f64; 2]) -> f64 {
         const HALVINGS: usize = 60; // below the rounding of the limits
         if self.depth_m.is_none() {
             return reach_of_circle(self.moment_n_m(normal_n), there_n_m, growing_n_m);
         }
         let limits = [self.moment_n_m(normal_n), self.across().moment_n_m(normal_n)];
-        // the block comes no farther along a side than with that side alone
+        // the block reaches no farther along a side than with that side alone
         let most = (0..2).map(|axis| {
             let (limit, there, growing) = (limits[axis], there_n_m[axis], growing_n_m[axis]);
             match there.abs() >= limit {
@@ -129,7 +129,7 @@ impl BedEdge {
     }
 }
 
-/// How many times `growing` reaches a moment of this size from what is there.
+/// Factor on `growing` at which the total moment, with the present one, has this magnitude.
 fn reach_of_circle(limit_n_m: f64, there_n_m: [f64; 2], growing_n_m: [f64; 2]) -> f64 {
     let dot = |a: [f64; 2], b: [f64; 2]| a[0] * b[0] + a[1] * b[1];
     let left = limit_n_m * limit_n_m - dot(there_n_m, there_n_m);
@@ -138,13 +138,13 @@ fn reach_of_circle(limit_n_m: f64, there_n_m: [f64; 2], growing_n_m: [f64; 2]) -
     }
     let (size, along) = (dot(growing_n_m, growing_n_m), dot(there_n_m, growing_n_m));
     match size > 0.0 {
-        // the root that loses no digits
+        // the root without cancellation
         true => left / (along + (along * along + size * left).sqrt()),
         false => f64::INFINITY,
     }
 }
 
-/// The larger component of u on a square of side 1 for a block of `share`, the smaller one being `slope` of it.
+/// The larger component of u on a square of side 1 for a block of `share`, the smaller one being `slope` times it.
 fn block_centre(share: f64, slope: f64) -> f64 {
     if share <= 0.0 {
         return 0.5;

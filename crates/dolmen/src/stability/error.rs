@@ -24,7 +24,7 @@ pub enum StabilityError {
         /// What is allowed.
         allowed: &'static str,
     },
-    /// Vertical acceleration that leaves no weight.
+    /// Vertical acceleration that cancels the weight.
     #[error(
         "vertical_acceleration_m_s2 is {given}, but must be above −{gravity_m_s2}: at and below that nothing has weight \
          and no joint holds"
@@ -35,22 +35,22 @@ pub enum StabilityError {
         /// Gravity of the stack, m/s².
         gravity_m_s2: f64,
     },
-    /// A direction in the plane without length.
+    /// A direction of zero length.
     #[error("{quantity} is {given:?}, but must be two finite numbers, not both 0")]
     Direction {
-        /// Which direction.
+        /// Its name.
         quantity: &'static str,
         /// The value given.
         given: [f64; 2],
     },
-    /// There is no such block.
+    /// A block that does not exist.
     #[error("{quantity} name block {given}, but the stack has {count}, from 0")]
     Block {
-        /// What names it.
+        /// Where it is named.
         quantity: &'static str,
         /// The index given.
         given: usize,
-        /// How many blocks there are.
+        /// Number of blocks.
         count: usize,
     },
     /// The pressure in a joint was not found.
@@ -64,10 +64,10 @@ pub enum StabilityError {
     /// The conic programme of a limit analysis was not solved.
     #[error("the conic programme of the limit analysis was not solved: {reason}")]
     ConicProgramme {
-        /// What the solver says.
+        /// Status of the solver.
         reason: String,
     },
-    /// Forces in the joints do not follow from equilibrium alone.
+    /// The structure is not statically determinate.
     #[error(
         "the forces in the joints do not follow from equilibrium alone: a block rests on several joints, or stands beside          another; give a stack in which each block rests on one"
     )]
@@ -75,7 +75,7 @@ pub enum StabilityError {
 }
 
 impl StabilityError {
-    /// Whether an iteration ended before it converged: the input may be good.
+    /// Whether an iteration ended before it converged, in which case the input may be valid.
     pub fn did_not_converge(&self) -> bool {
         match self {
             Self::Structure(why) => why.did_not_converge(),

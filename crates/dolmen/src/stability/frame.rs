@@ -17,10 +17,9 @@ use dolmen_linalg::{LinalgError, Matrix, cholesky, generalized_symmetric_eigen, 
 pub struct StoreyStability {
     /// k_i, N/m.
     pub stiffness_n_m: f64,
-    /// N_i / l_i, what P-delta takes from it, N/m.
+    /// N_i / l_i, the reduction by P-delta, N/m.
     pub geometric_n_m: f64,
-    /// Least k_i at which the frame stands, the other storeys as they are; 0 if it stands without k_i, `None` if it
-    /// falls whatever k_i is.
+    /// Smallest k_i at which the frame stands, with the other storeys as given; 0 if it stands without k_i, `None` if it falls whatever k_i is.
     pub stiffness_least_n_m: Option<f64>,
     /// k_i / k_i,min; infinite if the frame stands without k_i.
     pub margin: Option<f64>,
@@ -34,13 +33,13 @@ pub struct FrameStability {
     pub storeys: Vec<StoreyStability>,
     /// λ, smallest factor on the axial forces that makes K singular; infinite without axial force.
     pub load_factor: f64,
-    /// Displacements of the levels as it falls at λ, the largest 1; empty without axial force, or if λ is 0.
+    /// Displacements of the levels in the fall at λ, the largest 1; empty without axial force, or if λ is 0.
     pub falling_shape: Vec<f64>,
     /// stable, marginal, unstable.
     pub verdict: Verdict,
 }
 
-/// Whether a frame stands on springs of this stiffness, and by what margin.
+/// Whether a frame stands on springs of this stiffness, and its margins.
 ///
 /// ```text
 /// λ:        smallest λ > 0 with det(K_E − λ K_G) = 0: 1/λ is the largest μ of K_G φ = μ K_E φ
@@ -52,8 +51,8 @@ pub struct FrameStability {
 /// [`StabilityError::Structure`] unless there is one stiffness, 0 or positive, a storey.
 ///
 /// # Limits
-/// Small drifts and linear springs: a storey of tenons that opens at large drift has less. A margin is for one storey
-/// alone; when all stiffnesses are wrong by the same factor, λ is the margin.
+/// Drifts are small and springs linear: a storey of tenons that opens at large drift has less capacity. A margin is for one storey alone; if all
+/// stiffnesses are wrong by the same factor, λ is the margin.
 ///
 /// # Source
 /// Park & Min (2010) give the matrix (eq. 7); λ, k_i,min and the verdict are not in it.
@@ -99,7 +98,7 @@ pub fn frame_stability(frame: &Frame, stiffness_n_m: &[f64]) -> Result<FrameStab
     })
 }
 
-/// λ with its shape; λ = 0 if the springs alone do not hold the frame.
+/// λ with its shape; λ = 0 if the frame falls on its springs without axial force.
 fn load_factor(elastic: &Matrix, geometric: &Matrix) -> Result<(f64, Vec<f64>), StabilityError> {
     match cholesky(elastic) {
         Ok(_) => {}

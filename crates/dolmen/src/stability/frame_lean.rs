@@ -1,18 +1,18 @@
-//! Where a leaning frame comes to rest.
+//! The rest position of a leaning frame.
 
 use super::{StabilityError, frame_stability};
 use crate::structure::Frame;
 use dolmen_linalg::{Matrix, solve};
 
-/// Lean of each storey at rest, horizontal over vertical, of a frame that leans by `tilt` without stress; `None` if it falls.
+/// Lean of each storey at rest, horizontal over vertical, for a frame with a stress-free lean `tilt`; `None` if it falls.
 ///
 /// ```text
 /// K Y = Bᵀ N τ,   lean_i = τ + δ_i/l_i                                     drift without ties: τ k_i/(k_i − N_i/l_i)
 /// ```
-/// A measured tilt holds already what gravity added to it: taken for τ, the lean is a little too large.
+/// A measured tilt already includes the contribution of gravity: used as τ, it gives a lean that is slightly too large.
 ///
 /// # Errors
-/// Those of [`frame_stability`]; [`StabilityError::Linalg`] if the values differ by more than the numbers hold.
+/// Those of [`frame_stability`]; [`StabilityError::Linalg`] if the range of values exceeds the precision of the numbers.
 pub fn frame_lean_at_rest(
     frame: &Frame,
     stiffness_n_m: &[f64],

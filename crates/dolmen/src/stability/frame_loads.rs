@@ -1,4 +1,4 @@
-//! A frame under forces from the side: what each storey bears, and how far it drifts.
+//! A frame under lateral forces: the capacity of each storey, and its drift.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -14,30 +14,30 @@ use crate::numeric::{Bracketing, bracketed_root, maximum_between};
 use crate::structure::{Convention, Frame, StructureError};
 use dolmen_linalg::{Matrix, solve};
 
-/// Points of the curve of a storey with columns. Chosen here: smooth on paper.
+/// Number of points of the curve of a storey with columns. Chosen here: smooth on paper.
 const CURVE_POINTS: usize = 60;
 
-/// What pushes a frame from the side, and what holds it beside its springs.
+/// Lateral forces on a frame, and its resistance besides springs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FramePush<'a> {
     /// F, at each level, lowest first, N.
     pub forces_n: &'a [f64],
-    /// Columns that stand free, of each storey; `None` where its columns are not known to.
+    /// Free-standing columns of each storey; `None` where there are none.
     pub columns: &'a [Option<FreeColumns>],
-    /// τ, horizontal over vertical; its weight pushes the way that the forces do.
+    /// τ, horizontal over vertical; its weight acts in the direction of the forces.
     pub tilt: f64,
-    /// Drift over height at which a storey counts as fallen: small drifts tell of no more.
+    /// Drift over height at which a storey counts as fallen: the limit of small drifts.
     pub drift_ratio_most: f64,
 }
 
-/// What ends what a storey bears.
+/// Limit of a storey's capacity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum StoreyEnd {
-    /// The drift at which it counts as fallen: it would resist with more.
+    /// The drift at which it counts as fallen, although its resistance could still grow.
     Drift,
-    /// Its greatest force: from there on its columns fall.
+    /// Its greatest force, beyond which its columns fall.
     Force,
 }
 
@@ -51,46 +51,46 @@ pub struct StoreyPoint {
     pub force_n: f64,
 }
 
-/// A storey of a frame under forces from the side.
+/// A storey of a frame under lateral forces.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct StoreyUnderLoads {
     /// N, weight on it, N.
     pub axial_n: f64,
-    /// V, force of the loads on it, N; its sign is their direction.
+    /// V, force of the loads on it, N, with the sign of their direction.
     pub shear_n: f64,
     /// Lean without the loads, τ + δ/l, horizontal over vertical; `None` where it falls without them.
     pub lean_at_rest: Option<f64>,
-    /// Drift that the loads add to it, m; `None` where it does not bear them.
+    /// Additional drift by the loads, m; `None` where it does not bear them.
     pub drift_m: Option<f64>,
-    /// T at the most, what the weight takes by the lean included, N; `None` where its springs act on displacement.
+    /// Largest T, including the reduction of the weight by the lean, N; `None` where its springs act on displacement.
     pub greatest_n: Option<f64>,
     /// Drift there, m.
     pub greatest_drift_m: Option<f64>,
-    /// δ_most less what the lean takes of it, m.
+    /// δ_most minus the part used by the lean, m.
     pub drift_most_m: f64,
-    /// What ends what it bears.
+    /// Limit of its capacity.
     pub end: StoreyEnd,
-    /// Factor on the loads at which it falls, the lean as it is; 0 where it falls without them, infinite where none acts on it.
+    /// Factor on the loads at which it falls, for the given lean; 0 where it falls without them, infinite without loads.
     pub factor: f64,
-    /// T against δ; empty where its springs act on displacement, or nothing of it is left.
+    /// T against δ; empty where its springs act on displacement, or the lean leaves none of it.
     pub curve: Vec<StoreyPoint>,
 }
 
-/// A frame under forces from the side.
+/// A frame under lateral forces.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct FrameUnderLoads {
     /// Lowest storey first.
     pub storeys: Vec<StoreyUnderLoads>,
-    /// The storey with the least factor, from 1 at the bottom.
+    /// The storey with the smallest factor, from 1 at the bottom.
     pub governing_storey: usize,
-    /// Least factor on the loads at which a storey falls.
+    /// Smallest factor on the loads at which a storey falls.
     pub factor: f64,
 }
 
 impl FrameUnderLoads {
-    /// Of its storeys.
+    /// The verdict of its storeys.
     pub fn of(storeys: Vec<StoreyUnderLoads>) -> Self {
         let least = storeys
             .iter()
@@ -104,7 +104,7 @@ impl FrameUnderLoads {
         }
     }
 
-    /// By the least factor.
+    /// From the smallest factor.
     pub fn verdict(&self) -> Verdict {
         match self.factor {
             f64::INFINITY => Verdict::Stable,
@@ -113,7 +113,7 @@ impl FrameUnderLoads {
     }
 }
 
-/// What each storey of a frame bears of forces at its levels, in equilibrium in the leaning shape.
+/// Capacity of each storey of a frame under forces at its levels, in equilibrium in the leaning shape.
 ///
 /// ```text
 /// V_i + N_i τ = T_i(δ_i)                                              drift, without ties: each storey by itself
@@ -123,16 +123,17 @@ impl FrameUnderLoads {
 /// K Y = F,   factor = (δ_most − |lean| l)/|δ|                         springs on displacement, and ties
 /// ```
 ///
-/// `stiffness_n_m` is that of whole storeys at small drift, the beds of free columns in it; 0 where the columns are all that holds. On rigid stones, and
-/// where the beds as given would have more than the whole, the whole is taken for that of beds: nothing that joints hold at large drift is counted then.
+/// `stiffness_n_m` is that of whole storeys at small drift, including the beds of free columns; 0 where only columns resist. On rigid stones,
+/// and where the given beds would be stiffer than the whole, the whole is taken as that of beds: resistance of joints at large drift is then not
+/// counted.
 ///
 /// # Errors
 /// [`StabilityError::Structure`] unless there is one stiffness, force and entry of columns a storey; [`StabilityError::Option`] for a tilt or force that
 /// is not finite.
 ///
 /// # Limits
-/// Joints and walls are linear up to δ_most; friction holds nothing. With ties, and with springs on displacement, columns only end what a storey bears,
-/// where they fall.
+/// Joints and walls are linear up to δ_most; friction is left out. With ties, and with springs on displacement, columns only limit the capacity
+/// of a storey, where they fall.
 ///
 /// # Example
 /// ```
@@ -209,7 +210,7 @@ fn shears(forces_n: &[f64]) -> Vec<f64> {
     shears
 }
 
-/// δ_most less what the lean takes of it, m; 0 where the lean takes all.
+/// δ_most minus the part used by the lean, m; 0 where the lean uses all of it.
 fn drift_most_m(
     height_m: f64,
     columns: Option<&FreeColumns>,
@@ -257,7 +258,7 @@ fn each_by_itself(
     Ok(all)
 }
 
-/// Springs on displacement, and ties: all storeys at once.
+/// Springs on displacement, and ties: all storeys together.
 fn together(
     frame: &Frame,
     stiffness_n_m: &[f64],
@@ -309,11 +310,11 @@ fn together(
 enum StoreyLaw {
     /// k − N/l, N/m.
     Springs(f64),
-    /// Columns that stand free, and k − k_b beside them, N/m.
+    /// Free-standing columns, and k − k_b beside them, N/m.
     Columns(FreeColumns, f64),
 }
 
-/// How far a storey can be pushed.
+/// Limits of a storey's drift.
 struct PushLimit {
     /// Drift, or rotation of columns, rad, at the end.
     end_at: f64,
@@ -337,7 +338,7 @@ impl StoreyLaw {
         }
     }
 
-    /// At a drift, or a rotation of the columns.
+    /// Force at a drift, or at a rotation of the columns.
     fn at(&self, place: f64) -> StoreyPoint {
         match self {
             StoreyLaw::Springs(net_n_m) => StoreyPoint {
@@ -379,7 +380,7 @@ impl StoreyLaw {
         })
     }
 
-    /// The drift at which it resists with a force; `None` where it never does.
+    /// The drift at which its resistance equals a force; `None` without one.
     fn drift_at(&self, force_n: f64, reach: &PushLimit) -> Result<Option<f64>, StabilityError> {
         if force_n > reach.greatest.force_n || (reach.greatest_at == 0.0 && self.at(0.0).force_n <= 0.0) {
             return Ok(None);

@@ -11,17 +11,16 @@ pub enum Verdict {
     Marginal,
     /// It falls: load factor ≤ 1, or stiffness matrix not positive definite.
     Unstable,
-    /// Something needed is not known.
+    /// A necessary input is unknown.
     Unknown,
 }
 
 impl Verdict {
-    /// Load factor below which "stable" becomes "marginal", our choice: a stiffness that follows from
-    /// frequencies is uncertain by twice their error, and stone joints lose stiffness as they open.
+    /// Load factor below which "stable" becomes "marginal", our choice: a stiffness from frequencies is uncertain by twice their error, and
+    /// stone joints lose stiffness as they open.
     pub const MARGINAL_BELOW: f64 = 1.5;
 
-    /// The verdict on a load factor λ (factor on gravity at which it falls). Infinite, because no gravity load is given,
-    /// says nothing: unknown.
+    /// The verdict on a load factor λ (factor on gravity at which it falls). An infinite one, without any gravity load, gives unknown.
     pub fn of_load_factor(load_factor: f64) -> Self {
         if load_factor.is_nan() || load_factor == f64::INFINITY {
             Verdict::Unknown

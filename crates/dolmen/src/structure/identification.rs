@@ -120,7 +120,7 @@ pub struct Visibility {
     pub free_directions: usize,
 }
 
-/// Every solution found, and what can be said about them.
+/// Every solution found, and properties of all of them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StiffnessSolutions {
     /// Best misfit first; within equal misfit by the first stiffness.

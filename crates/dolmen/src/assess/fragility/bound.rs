@@ -1,6 +1,6 @@
-//! What can be said where no curve can be fitted.
+//! Bounds of a capacity where no curve can be fitted.
 
-/// What observations say that allow no curve.
+/// The result of observations that allow no curve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum FragilityBound {
     /// No motion reached the state. At the intensity that the most reached up to, its probability is below a bound.

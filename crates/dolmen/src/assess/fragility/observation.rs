@@ -1,4 +1,4 @@
-//! What is known of a structure under shaking of a size, and what can be said where no curve can be fitted.
+//! Observations of a structure under shaking of a given size, and bounds where no curve can be fitted.
 
 use super::bound::{FragilityBound, LEFT_OUT};
 use crate::assess::AssessError;

@@ -11,7 +11,7 @@ const TAIL: f64 = 0.1;
 /// Confidence with which a direction is called seen. Chosen here.
 const CONFIDENCE: f64 = 0.9;
 
-/// What is to be said of a direction.
+/// Significance of the effect of a factor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub enum EffectVerdict {
@@ -21,7 +21,7 @@ pub enum EffectVerdict {
     /// It moves the other way.
     #[cfg_attr(feature = "serde", serde(rename = "contradicted"))]
     Contradicted,
-    /// It moves by less than can be told from chance.
+    /// The effect is not significant.
     #[cfg_attr(feature = "serde", serde(rename = "not seen"))]
     NotSeen,
 }
@@ -39,7 +39,7 @@ pub struct FactorEffect {
     pub ln_change: f64,
     /// Its standard deviation: what the surface does not know.
     pub ln_change_sd: f64,
-    /// What is to be said: 90 % confidence.
+    /// Its significance, at 90 % confidence.
     pub verdict: EffectVerdict,
 }
 

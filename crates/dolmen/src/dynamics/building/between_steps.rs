@@ -1,4 +1,4 @@
-//! Largest values between the steps of a run.
+//! Peaks between the steps of a run.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
@@ -8,7 +8,7 @@
 use super::building_peaks::Peak;
 use super::stepping::{Ground, Stepping, states_at};
 
-/// The states at chosen steps and beside them, and what lies between.
+/// The states at selected steps and beside them, and the interpolation between.
 pub(super) struct BetweenSteps<'a, S> {
     stepping: &'a S,
     ground: &'a dyn Fn(usize) -> Ground,
@@ -49,7 +49,7 @@ impl<'a, S: Stepping> BetweenSteps<'a, S> {
         sides.into_iter().flatten()
     }
 
-    /// Value, rate and bend of rows at both ends of the step that begins at `from`.
+    /// Value, first and second rate of rows at both ends of the step that begins at `from`.
     fn ends<const N: usize>(&self, of: &[Rates<'_>; N], from: usize) -> Option<[[[f64; 3]; 2]; N]> {
         let at = |step: usize| self.wanted.binary_search(&step).ok();
         let (a, b) = (&self.states[at(from)?], &self.states[at(from + 1)?]);
@@ -60,7 +60,7 @@ impl<'a, S: Stepping> BetweenSteps<'a, S> {
         )
     }
 
-    /// The top of a value beside the step where it is largest.
+    /// The peak of a value beside the step where it is largest.
     pub(super) fn top(&self, row: &[f64], (value, step): (f64, usize)) -> Peak {
         let there = Peak {
             value,
@@ -88,7 +88,7 @@ impl<'a, S: Stepping> BetweenSteps<'a, S> {
         })
     }
 
-    /// The longest vector of two values beside the step where it is longest: the values, and when, s.
+    /// The longest vector of two values beside the step where it is longest: the values, and the time, s.
     pub(super) fn longest(&self, rows: [&[f64]; 2], (value, step): ([f64; 2], usize)) -> ([f64; 2], f64) {
         let there = (value, step as f64 * self.h);
         if value == [0.0; 2] {
@@ -141,7 +141,7 @@ impl<'a> Rates<'a> {
     }
 }
 
-/// The polynomial of the fifth degree with value, rate and bend at both ends of a step, from its beginning.
+/// The polynomial of the fifth degree with value, first and second rate at both ends of a step, from its beginning.
 fn quintic([a, b]: [[f64; 3]; 2]) -> [f64; 6] {
     let (rise, slopes) = (b[0] - a[0] - a[1] - 0.5 * a[2], b[1] - a[1] - a[2]);
     let bends = b[2] - a[2];
@@ -163,7 +163,7 @@ fn slope(c: &[f64; 6], t: f64) -> f64 {
     (1..6).rev().fold(0.0, |sum, i| sum * t + i as f64 * c[i])
 }
 
-/// Where `rising` turns false, true at the beginning of the step and false at its end.
+/// Where `rising` becomes false; it is true at the beginning of the step and false at its end.
 fn turn(rising: impl Fn(f64) -> bool) -> f64 {
     let (mut low, mut high) = (0.0, 1.0);
     for _ in 0..HALVINGS {
@@ -177,18 +177,18 @@ fn turn(rising: impl Fn(f64) -> bool) -> f64 {
     0.5 * (low + high)
 }
 
-/// The top within a step, from value, rate and bend at both ends (in steps): the part of the step and the value there; `None` if there
-/// is none inside.
+/// The peak within a step, from value, first and second rate at both ends (in steps): the fraction of the step and the value there; `None`
+/// without a peak inside.
 fn top([a, b]: [[f64; 3]; 2]) -> Option<(f64, f64)> {
     if a[1] * b[1] >= 0.0 {
-        return None; // it goes on rising or falling
+        return None; // it continues to rise or fall
     }
     let c = quintic([a, b]);
     let at = turn(|t| slope(&c, t) * a[1] > 0.0);
     Some((at, value(&c, at)))
 }
 
-/// The longest vector of two values within a step, as [`top`].
+/// The longest vector of two values within a step, as in [`top`].
 fn longest(ends: [[[f64; 3]; 2]; 2]) -> Option<(f64, [f64; 2])> {
     let of = ends.map(quintic);
     let at = |t: f64| of.map(|c| value(&c, t));
@@ -201,7 +201,7 @@ fn longest(ends: [[[f64; 3]; 2]; 2]) -> Option<(f64, [f64; 2])> {
     Some((part, at(part)))
 }
 
-/// Halvings of a step in which its top is sought: the value is flat there, so that 1e-8 of a step is round-off of it.
+/// Number of halvings of a step to find its peak: the value is flat there, so 1e-8 of a step changes it only by round-off.
 const HALVINGS: usize = 26;
 
 #[cfg(test)]

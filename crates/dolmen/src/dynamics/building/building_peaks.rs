@@ -1,12 +1,12 @@
 //! Largest motions of a building in a run.
 
-/// A largest value, and when.
+/// A largest value and its time.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Peak {
-    /// The value of largest size, with its sign.
+    /// The value with the largest magnitude, with its sign.
     pub value: f64,
-    /// When, s.
+    /// Its time, s.
     pub at_s: f64,
 }
 
@@ -44,27 +44,27 @@ pub struct StoreyPeak {
 pub struct ResultantDrift {
     /// Its length, m.
     pub size_m: f64,
-    /// When, s.
+    /// Its time, s.
     pub at_s: f64,
-    /// Where on the floor above, in plan, m.
+    /// Its place on the floor above, in plan, m.
     pub place_m: [f64; 2],
-    /// Where it points, degrees from x toward y, −180 to 180.
+    /// Its direction, degrees from x toward y, −180 to 180.
     #[cfg_attr(feature = "serde", serde(rename = "direction_deg"))]
     pub direction_degrees: f64,
 }
 
-/// Largest values of a run, between its steps: where each is largest at a step, the top beside it.
+/// Largest values of a run, between its steps as well: each is the peak beside the step where the value is largest.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct BuildingPeaks {
     /// Floors, lowest first.
     pub floors: Vec<FloorPeak>,
     /// Storeys, lowest first.
     pub storeys: Vec<StoreyPeak>,
-    /// Travel of each mass relative to its place, m.
+    /// Stroke of each mass, m.
     pub strokes_m: Vec<Peak>,
     /// The rate of each stroke, m/s: a linear dashpot gives its coefficient times this.
     pub stroke_rates_m_s: Vec<Peak>,
-    /// What the walls of the lowest storey carry along x and y, N.
+    /// Shear in the walls of the lowest storey along x and y, N.
     pub base_shear_n: [Peak; 2],
     /// Their torque about the vertical through the centre of all mass, N·m.
     pub base_torque_n_m: Peak,

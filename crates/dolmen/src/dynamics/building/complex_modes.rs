@@ -14,8 +14,8 @@ use super::stepping::{Ground, Stepping};
 use super::vibrating::VibratingBuilding;
 use dolmen_linalg::{Complex64, Matrix};
 
-/// Modes are taken if they give back the acceleration at the first instant, and no velocity, to this part of it. Our choice: of
-/// the results of a run as much may be lost.
+/// Modes are used if their sum reproduces the acceleration at the first instant, and zero velocity, to this fraction. Our choice: the results of
+/// a run may lose as much.
 const COMPLETE: f64 = 1e-11;
 
 /// All complex modes of the upper half-plane.
@@ -35,7 +35,7 @@ struct Mode {
     load: [Complex64; 2],
 }
 
-/// `None` if the modes do not make up the motion: two of them have become one, or some do not swing.
+/// `None` if the modes do not represent the motion: two of them coincide, or some do not oscillate.
 pub(super) fn complex_modes(building: &VibratingBuilding) -> Option<ComplexModes> {
     let omegas = building.modes().omegas_rad_s();
     let zetas = building.damping_ratios();
@@ -140,7 +140,7 @@ fn is_complete(modes: &[Mode], gammas: &[[f64; 2]], building: &VibratingBuilding
         for (j, gamma) in gammas.iter().enumerate() {
             begins[j] += gamma[axis];
         }
-        // a stroke: z − z0, and both begin with the ground
+        // a stroke: z − z0, both of which start with the ground
         let unit = |d: usize| {
             let own = &oscillators[d];
             let place: f64 = own.row.iter().zip(gammas).map(|(b, gamma)| b * gamma[axis]).sum();
@@ -185,7 +185,7 @@ fn assembled(modes: &[Mode], building: &VibratingBuilding) -> ComplexModes {
     }
 }
 
-/// What one step does to each complex mode, as numbers: y ← E y + Σ_axes (A a + B b), a and b the accelerations at both ends.
+/// One step of each complex mode as coefficients: y ← E y + Σ_axes (A a + B b), a and b the accelerations at both ends.
 ///
 /// ```text
 /// E = e^(λh)   A + B = p h φ_1   B = p h φ_2   φ_1 = (e^z − 1)/z   φ_2 = (φ_1 − 1)/z   z = λh

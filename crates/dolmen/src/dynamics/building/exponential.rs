@@ -1,4 +1,4 @@
-//! The same motion by the matrix exponential: where complex modes coincide or do not swing.
+//! The same motion by the matrix exponential, where complex modes coincide or do not oscillate.
 
 use super::stepping::{Ground, Stepping};
 use super::vibrating::VibratingBuilding;
@@ -14,13 +14,13 @@ pub(crate) struct BaseDriven {
     pub(crate) damping: Matrix,
     /// e of the base along x and along y.
     pub(crate) influences: [Vec<f64>; 2],
-    /// What is wanted of the displacements, rows × n.
+    /// Output matrix for the displacements, rows × n.
     pub(crate) outputs: Matrix,
-    /// Highest frequency, rad/s: velocities are counted over it.
+    /// Highest frequency, rad/s, by which velocities are divided.
     pub(crate) highest_rad_s: f64,
 }
 
-/// What one step does to the state x, x′/ω with ω the highest frequency: s ← E s + Σ_axes (A a + B b).
+/// One step of the state x, x′/ω with ω the highest frequency: s ← E s + Σ_axes (A a + B b).
 pub(crate) struct ExponentialSteps {
     transition: Matrix,
     ground: [[Vec<f64>; 2]; 2],
@@ -85,7 +85,7 @@ impl ExponentialSteps {
 
     pub(crate) fn new(driven: &BaseDriven, h: f64) -> Self {
         let size = driven.stiffness.rows();
-        // velocities over the highest frequency: else rows of ω² beside rows of 1 lose digits
+        // velocities are divided by the highest frequency; otherwise rows of ω² beside rows of 1 lose digits
         let highest = driven.highest_rad_s;
         let mut rates = Matrix::zeros(2 * size, 2 * size);
         for i in 0..size {

@@ -17,53 +17,51 @@ use crate::dynamics::DynamicsError;
 use crate::signal::{Component, GroundMotion};
 use dolmen_linalg::Matrix;
 
-/// How long a building swings on after the motion: at least so long, s, as frames and chains do, and so many periods of what is slowest.
-/// Our choice.
+/// Duration after the motion: at least this long, s, as for frames and chains, and this many periods of the slowest mode or mass. Our choice.
 const REST_LEAST_S: f64 = 20.0;
 const REST_PERIODS: f64 = 10.0;
-/// Most steps of a run: 10 million numbers for ten floors. Our choice.
+/// Largest number of steps of a run: 10 million numbers for ten floors. Our choice.
 const STEPS_MOST: usize = 4_000_000;
 
-/// How a run is made.
+/// Options of a run.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct BuildingRun {
-    /// How many steps a sample of the motion is cut into, the ground moving straight between samples; 0 counts as 1.
+    /// Number of steps in each sample of the motion, which is linear between samples; 0 counts as 1.
     pub steps_per_sample: usize,
-    /// When the run ends, s. `None`: after the motion the building swings on with the ground at rest, for 10 periods of the slowest mode
-    /// or mass, and at least 20 s.
+    /// End of the run, s. `None`: after the motion, with the ground at rest, for 10 periods of the slowest mode or mass, and at least 20 s.
     pub end_s: Option<f64>,
-    /// Points whose motion and absolute acceleration are wanted, each a row of
+    /// Points of which the motion and absolute acceleration are requested, each a row of
     /// [`Building::point_row`](crate::structure::Building::point_row).
     pub watched: Vec<Vec<f64>>,
-    /// What is kept of it.
+    /// The requested output.
     pub histories: Histories,
 }
 
-/// What a run keeps.
+/// Output of a run.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Histories {
     /// Every value at every step.
     #[default]
     Kept,
-    /// Largest values alone: histories are empty, and a run of twenty storeys needs 4 MB less.
+    /// Only largest values: histories are empty, and a run of twenty storeys needs 4 MB less.
     PeaksAlone,
 }
 
-/// How a run was computed.
+/// Method of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum HistoryMethod {
     /// Mode by mode, exactly: roots of the secular equation where masses couple the modes.
     ComplexModes,
-    /// The matrix exponential, exactly: two complex modes are one, or some do not swing.
+    /// The matrix exponential, exactly: two complex modes coincide, or some do not oscillate.
     MatrixExponential,
 }
 
-/// A point in time.
+/// The history of a point.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WatchedHistory {
-    /// Displacement relative to the ground at each step, m; empty where peaks alone were asked for, as the next.
+    /// Displacement relative to the ground at each step, m; empty if only peaks were requested, as the next.
     pub displacement_m: Vec<f64>,
-    /// Acceleration with that of the ground at each step, m/s²: what stands there feels.
+    /// Acceleration including that of the ground at each step, m/s², as an object there feels it.
     pub acceleration_m_s2: Vec<f64>,
     /// Largest displacement, m.
     pub displacement_peak_m: Peak,
@@ -71,19 +69,19 @@ pub struct WatchedHistory {
     pub acceleration_peak_m_s2: Peak,
 }
 
-/// A building in time.
+/// The history of a building.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BuildingHistory {
     /// Time between steps, s.
     pub time_step_s: f64,
-    /// Steps of the run.
+    /// Number of steps.
     pub steps: usize,
-    /// u, v, θ of each floor, lowest first, then the stroke of each mass: a column for each step, the first at rest; no column where
-    /// peaks alone were asked for.
+    /// u, v, θ of each floor, lowest first, then the stroke of each mass: one column for each step, the first at rest; no column if only peaks
+    /// were requested.
     pub coordinates: Matrix,
-    /// Elastic base shear along x, y, N, and base torque, N·m: a column for each step, or none.
+    /// Elastic base shear along x, y, N, and base torque, N·m: one column for each step, or none.
     pub base: Matrix,
-    /// How it was computed.
+    /// Its method.
     pub method: HistoryMethod,
     /// Largest values.
     pub peaks: BuildingPeaks,
@@ -92,7 +90,7 @@ pub struct BuildingHistory {
 }
 
 impl BuildingHistory {
-    /// Whether some displacement or stroke was largest as the run ended: it may have grown on.
+    /// Whether some displacement or stroke was largest at the end of the run: it may have grown further.
     pub fn grows_at_the_end(&self) -> bool {
         let last_s = (self.length() as f64 - 1.5) * self.time_step_s;
         let floors = self.peaks.floors.iter();
@@ -102,7 +100,7 @@ impl BuildingHistory {
         all.any(|peak| peak.value != 0.0 && peak.at_s >= last_s)
     }
 
-    /// Steps, the first at rest included.
+    /// Number of steps, including the first at rest.
     pub fn length(&self) -> usize {
         self.steps + 1
     }
@@ -133,18 +131,18 @@ impl BuildingHistory {
 /// ```text
 /// M q″ + C q′ + K q = −M ι_x a_x − M ι_y a_y + tuned masses          3N + D values a step
 /// ```
-/// The ground acceleration is straight between samples, and the solution exact there: mode by mode, with tuned masses by complex
-/// modes, whose frequencies are roots of a secular equation of one value a mass; by the matrix exponential where two of these
-/// are one. Peaks are looked for between the steps: from the state at both ends of the step beside the largest value, by the polynomial
-/// of the fifth degree through value, velocity and acceleration there.
+/// The ground acceleration is linear between samples, and the solution exact for it: mode by mode; with tuned masses by complex modes, whose
+/// frequencies are roots of a secular equation with one unknown for each mass; by the matrix exponential where two of these coincide. Peaks
+/// between the steps follow from the states at both ends of the step beside the largest value, by the polynomial of the fifth degree through
+/// value, velocity and acceleration there.
 ///
 /// # Errors
 /// [`DynamicsError::Argument`] for a motion without x and y, an end before 0, or too many steps.
 ///
 /// # Limits
-/// Small displacements, linear walls. Of a mode whose period is 10 steps a peak is found to 2e-6 of it; it is the top beside the largest
-/// value at a step, and another that lies higher between steps by less than π²/(2n²), n steps a period, may be missed.
-/// A 20-storey building with a tuned mass, 40 s of El Centro at 0.005 s: within 1e-9 m of the matrix exponential of the whole.
+/// Displacements are small and walls linear. For a mode with a period of 10 steps a peak is accurate to 2e-6 of it. It is the peak beside the
+/// largest value at a step; another one that is higher between steps by less than π²/(2n²), n steps a period, may be missed. A 20-storey
+/// building with a tuned mass, 40 s of El Centro at 0.005 s: within 1e-9 m of the matrix exponential.
 ///
 /// # Example
 /// ```
@@ -180,7 +178,7 @@ pub fn building_history(
     })
 }
 
-/// The ground of a run, step by step, and how long it is.
+/// The ground motion of a run, step by step, and its duration.
 pub(crate) fn shaken<'a>(
     building: &'a VibratingBuilding,
     motion: &'a GroundMotion,
@@ -263,7 +261,7 @@ pub(crate) fn shaken<'a>(
     Ok((ground, over))
 }
 
-/// What is stepped through, and what is wanted of it.
+/// The system of a run, and its outputs.
 pub(crate) struct Over<'a> {
     pub(crate) building: &'a VibratingBuilding,
     steps: usize,
@@ -274,7 +272,7 @@ pub(crate) struct Over<'a> {
 }
 
 impl Over<'_> {
-    /// Everything of a run: walked through, looked at, peaks between the steps.
+    /// The whole run: steps, peaks at the steps, and peaks between them.
     pub(crate) fn history(
         &self,
         stepping: &impl Stepping,

@@ -1,25 +1,25 @@
-//! What is looked at in each block of steps: largest values, and histories where they are kept.
+//! Processes each block of steps: largest values, and histories if requested.
 //!
-//! A block has a column a row of the outputs, each value after the other in time: so the processor takes several steps at once.
+//! A block has one column for each row of the outputs, with consecutive values in time, so that the processor handles several steps at once.
 
 use super::stepping::BLOCK;
 use super::vibrating::VibratingBuilding;
 use dolmen_linalg::Matrix;
 use pulp::Arch;
 
-/// Values that are looked at in each storey, in this order: u, v, θ, drift of the centre along x and y, twist, drift along x of the front
-/// and the back edge, along y of the left and the right edge.
+/// Values of each storey, in this order: u, v, θ, drift of the centre along x and y, twist, drift along x of the front and the back edge, along
+/// y of the left and the right edge.
 pub(super) const TRACKED: usize = 10;
 
-/// Largest values found at steps: each with its sign, and the step.
+/// Largest values at steps: each with its sign, and the step.
 pub(super) type Largest = Vec<(f64, usize)>;
 
-/// Least and most y and x of a floor from its centre of mass.
+/// Smallest and largest y and x of a floor from its centre of mass.
 pub(super) struct FloorExtent {
     pub(super) is_known: bool,
     x: [f64; 2],
     y: [f64; 2],
-    /// Its corners; the centre of mass alone if they are not known.
+    /// Its corners; only the centre of mass if they are unknown.
     pub(super) corners: Vec<[f64; 2]>,
     /// The centre of mass from that of the floor below.
     from_below: [f64; 2],
@@ -60,7 +60,7 @@ pub(super) fn floor_extents(building: &VibratingBuilding) -> Vec<FloorExtent> {
     each.collect()
 }
 
-/// What a value of a storey takes of u, v, θ of its floor and of the floor below.
+/// Coefficients of u, v, θ of a storey's floor and of the floor below in one of its values.
 pub(super) fn factors(value: usize, extent: &FloorExtent) -> [[f64; 3]; 2] {
     let unit = |k: usize| [0, 1, 2].map(|i| f64::from(i == k));
     let own = [0, 1, 2].map(|k| storey_values(unit(k), [0.0; 3], extent)[value]);
@@ -87,7 +87,7 @@ fn storey_values([u, v, theta]: [f64; 3], below: [f64; 3], extent: &FloorExtent)
     ]
 }
 
-/// The longest drift of a corner found at a step.
+/// The longest drift of a corner at a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Longest {
     /// Along x and y.
@@ -114,7 +114,7 @@ pub(super) struct PeakTracker<'a> {
 struct Drifts([[f64; BLOCK]; TRACKED - 3]);
 
 impl Drifts {
-    /// As [`storey_values`], all steps of a block at once.
+    /// As [`storey_values`], for all steps of a block at once.
     #[inline(always)]
     fn of_storey(&mut self, own: [&[f64; BLOCK]; 3], below: [&[f64; BLOCK]; 3], extent: &FloorExtent) {
         let [u, v, theta] = own;
@@ -163,7 +163,7 @@ impl Drifts {
 }
 
 impl<'a> PeakTracker<'a> {
-    /// `count` values besides those of the storeys.
+    /// `count` values in addition to those of the storeys.
     pub(super) fn new(floor_extents: &'a [FloorExtent], count: usize) -> Self {
         PeakTracker {
             floor_extents,
@@ -176,7 +176,7 @@ impl<'a> PeakTracker<'a> {
         }
     }
 
-    /// The storeys in the steps from `first` on: `block` has u, v, θ of each floor, a column each.
+    /// Processes the storeys in the steps from `first` on: `block` has one column for u, v, θ of each floor.
     pub(super) fn storeys(&mut self, block: &Matrix, steps: (usize, usize)) {
         Arch::new().dispatch(
             #[inline(always)]
@@ -209,7 +209,7 @@ impl<'a> PeakTracker<'a> {
         }
     }
 
-    /// Another value in the steps from `first` on, the `which`-th after those of the storeys.
+    /// Processes another value in the steps from `first` on, the `which`-th after those of the storeys.
     pub(super) fn other(&mut self, which: usize, values: &[f64], first: usize) {
         let of_storeys = TRACKED * self.floor_extents.len();
         take(&mut self.largest[of_storeys + which], values, first);
@@ -221,7 +221,7 @@ impl<'a> PeakTracker<'a> {
     }
 }
 
-/// The first of the largest values, kept only where it is more than before. The largest size of all is given back.
+/// Updates the largest values, keeping the first of equal ones. Returns the largest magnitude.
 #[inline(always)]
 fn take(found: &mut (f64, usize), values: &[f64], first: usize) -> f64 {
     const LANES: usize = 8;

@@ -1,4 +1,4 @@
-//! What is looked at in a run, as rows of its state, and the largest values of all.
+//! Outputs of a run as rows of its state, and their largest values.
 
 use super::between_steps::BetweenSteps;
 use super::building_peaks::{BuildingPeaks, FloorPeak, Peak, ResultantDrift, StoreyPeak};
@@ -7,26 +7,26 @@ use super::stepping::{Ground, Stepping};
 use super::vibrating::VibratingBuilding;
 use dolmen_linalg::Matrix;
 
-/// A corner whose squared drift at steps is below this part of the largest is not the farthest between them: for ten steps a period a top is at most
-/// 1/cos²(π/10) of the value at a step. Our choice.
+/// A corner whose squared drift at steps is below this fraction of the largest cannot be the farthest between them: for ten steps a period a
+/// peak is at most 1/cos²(π/10) of the value at a step. Our choice.
 const NEAR_LONGEST: f64 = 0.8;
 
-/// What is looked at in a run.
+/// The outputs of a run.
 pub(super) struct Watcher {
     floors: usize,
     /// Centres of mass of the floors, m.
     centres_m: Vec<[f64; 2]>,
     floor_extents: Vec<FloorExtent>,
-    /// ιᵀ K: only the lowest storey's walls hold to the ground.
+    /// ιᵀ K: only the walls of the lowest storey transfer force to the ground.
     base_rows: [Vec<f64>; 3],
     /// Rows of the points over the coordinates.
     watched: Vec<Vec<f64>>,
-    /// O, then the absolute accelerations of the points, then the rates of the strokes, turned: states × rows.
+    /// O, then the absolute accelerations of the points, then the rates of the strokes, transposed: states × rows.
     pub(super) outputs: Matrix,
     own: usize,
 }
 
-/// Histories that are kept, from rest on.
+/// Requested histories, from rest on.
 pub(super) struct Kept {
     /// u, v, θ of each floor, then strokes: a column for each step.
     pub(super) coordinates: Matrix,
@@ -77,7 +77,7 @@ impl Watcher {
         let mut others: Vec<Vec<f64>> = watched
             .iter()
             .map(|row| {
-                // the ground itself is what r A B a brings, with its sign turned
+                // the contribution of the ground is that of r A B a, with the sign reversed
                 let displacement: Vec<f64> = (0..states)
                     .map(|k| row.iter().zip(own.column(k)).map(|(r, o)| r * o).sum())
                     .collect();
@@ -116,7 +116,7 @@ impl Watcher {
         self.own - 3 * self.floors
     }
 
-    /// How many values are looked at besides those of the storeys.
+    /// Number of values in addition to those of the storeys.
     pub(super) fn others(&self) -> usize {
         2 * self.masses() + 3 + 2 * self.watched.len()
     }
@@ -125,7 +125,7 @@ impl Watcher {
         &self.floor_extents
     }
 
-    /// A block of `now` steps from `first` on, a column a row of the outputs: largest values, and histories where they are kept.
+    /// Processes a block of `now` steps from `first` on, one column for each row of the outputs: largest values, and histories if requested.
     pub(super) fn see(
         &self,
         block: &Matrix,
@@ -175,7 +175,7 @@ impl Watcher {
         }
     }
 
-    /// The top beside each of the largest values at steps, and beside each longest drift.
+    /// The peak beside each of the largest values at steps, and beside each longest drift.
     pub(super) fn peaks(
         &self,
         (all, longest): (&[(f64, usize)], &[Vec<Longest>]),
@@ -275,7 +275,7 @@ impl Watcher {
         tops.reduce(longer).unwrap_or_default()
     }
 
-    /// The `which`-th of the values that are looked at as a row of the state: a sum of rows of the outputs.
+    /// The `which`-th output as a row of the state: a sum of rows of the outputs.
     fn row(&self, which: usize, row: &mut [f64]) {
         let (n, masses, points) = (self.floors, self.masses(), self.watched.len());
         row.fill(0.0);

@@ -14,30 +14,30 @@
 use super::vibrating::Oscillator;
 use dolmen_linalg::Complex64;
 
-/// Rounds of the iteration before it is given up; 5 to 12 are needed.
+/// Largest number of iterations; 5 to 12 are needed.
 const ROUNDS_MOST: usize = 80;
-/// A root is found when it moves by less than this part of its shift, or this part of itself.
+/// A root is found when it moves by less than this fraction of its shift, or of itself.
 const SHIFT_FOUND: f64 = 1e-13;
 const ROOT_FOUND: f64 = 2e-16;
-/// A first guess may lie this part of the pole's size away from it.
+/// Largest distance of a first guess from its pole, over the size of the pole.
 const START_MOST: f64 = 0.2;
-/// A mode whose modal mass ratio at every mass is below this is not touched by them.
+/// A mode whose modal mass ratio at every mass is below this is unaffected by them.
 const UNTOUCHED: f64 = 1e-28;
 
 /// λ = pole + shift, in the upper half-plane; its conjugate is a root too.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Root {
-    /// Which pole: the structure's, then those of the masses.
+    /// Index of the pole: the structure's, then those of the masses.
     pub(super) origin: usize,
     pub(super) shift: Complex64,
 }
 
-/// Poles of structure and masses, and what couples them.
+/// Poles of structure and masses, and their coupling.
 pub(super) struct Secular<'a> {
     pub(super) poles: Vec<Complex64>,
     pub(super) modes: usize,
     pub(super) oscillators: &'a [Oscillator],
-    /// Modes that some mass moves.
+    /// Modes that some mass affects.
     pub(super) touched: Vec<usize>,
 }
 
@@ -49,7 +49,7 @@ struct Coupled {
 }
 
 impl<'a> Secular<'a> {
-    /// `None` if a pole is not in the upper half-plane: a mass that is damped too much to swing.
+    /// `None` if a pole is not in the upper half-plane: a mass with too much damping to oscillate.
     pub(super) fn new(omegas: &[f64], zetas: &[f64], oscillators: &'a [Oscillator]) -> Option<Self> {
         let pole = |omega: f64, zeta: f64| {
             (zeta < 1.0).then(|| Complex64::new(-zeta * omega, omega * (1.0 - zeta * zeta).sqrt()))
@@ -149,9 +149,10 @@ impl<'a> Secular<'a> {
         self.coupled(root).f
     }
 
-    /// One root near each touched pole and each mass; `None` if they are not found: some may be real.
+    /// One root near each affected pole and each mass; `None` if they are not found: some may be real.
     ///
-    /// Aberth (1973) Math. Comp. 27:339-344, on ∏ (s² + 2ζω s + ω²) det F, whose roots come in conjugate pairs; the differences of
+    /// Aberth (1973) Math. Comp. 27:339-344, on ∏ (s² + 2ζω s + ω²) det F, whose roots come in conjugate pairs; differences of roots are
+    /// computed from their shifts.
     /// roots from their shifts.
     pub(super) fn roots(&self) -> Option<Vec<Root>> {
         let mut roots = self.starts();
@@ -196,7 +197,7 @@ impl<'a> Secular<'a> {
         None
     }
 
-    /// First guesses: what each mass alone does to a pole, to first order.
+    /// First guesses: the first-order effect of each mass alone on a pole.
     fn starts(&self) -> Vec<Root> {
         let mut roots = Vec::with_capacity(self.touched.len() + self.oscillators.len());
         for &origin in &self.touched {
@@ -237,12 +238,12 @@ impl<'a> Secular<'a> {
         roots
     }
 
-    /// A first guess that is a number, not at the pole and not far from it.
+    /// A valid first guess: a number, not at the pole and not far from it.
     fn limited(&self, origin: usize, shift: Complex64) -> Root {
         let size = self.poles[origin].norm();
         let norm = shift.norm();
         let shift = if !shift.is_finite() {
-            // apart for each pole, so that no two guesses coincide
+            // different for each pole, so that no two guesses coincide
             Complex64::new(0.03, 0.07 / (origin as f64 + 1.0)) * size
         } else if norm == 0.0 {
             Complex64::new(-1e-3, 1e-3) * size
@@ -287,7 +288,7 @@ fn trace_of_quotient(mut f: Vec<Complex64>, mut rate: Vec<Complex64>, n: usize) 
     Some((0..n).map(|i| rate[i * n + i]).sum())
 }
 
-/// The vector that a matrix takes to nothing, as near as it does, by elimination with full pivots; its largest entry is 1.
+/// The null vector of a nearly singular matrix, by elimination with full pivots; its largest entry is 1.
 pub(super) fn null_vector(mut f: Vec<Complex64>, n: usize) -> Vec<Complex64> {
     let mut order: Vec<usize> = (0..n).collect();
     for k in 0..n.saturating_sub(1) {

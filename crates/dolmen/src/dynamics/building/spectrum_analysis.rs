@@ -1,4 +1,4 @@
-//! Response spectrum analysis: the largest response of each mode by a spectrum, put together.
+//! Response spectrum analysis: the largest response of each mode, and their combination.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -10,7 +10,7 @@
 use super::vibrating::VibratingBuilding;
 use crate::dynamics::DynamicsError;
 
-/// How the modes are put together.
+/// Combination of modes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ModalCombination {
     /// Σ |r_n|: never exceeded.
@@ -21,7 +21,7 @@ pub enum ModalCombination {
     Cqc,
 }
 
-/// How shaking along x and along y is put together.
+/// Combination of shaking along x and along y.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DirectionalCombination {
     /// Along x alone.
@@ -35,7 +35,7 @@ pub enum DirectionalCombination {
 }
 
 impl DirectionalCombination {
-    /// What shaking along both axes gives together, from what that along one gives (0 x, 1 y).
+    /// Combines the responses to shaking along one axis each (0 x, 1 y).
     pub fn of(self, along: impl Fn(usize) -> f64) -> f64 {
         match self {
             DirectionalCombination::XAlone => along(0),
@@ -76,7 +76,7 @@ pub fn correlation_coefficient([omega_i, zeta_i]: [f64; 2], [omega_n, zeta_n]: [
     above / below
 }
 
-/// What the least favourable direction of shaking brings.
+/// Response in the least favourable direction of shaking.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LeastFavourable {
     /// Largest response, of the row.
@@ -85,7 +85,7 @@ pub struct LeastFavourable {
     pub direction_degrees: f64,
 }
 
-/// One mode in a spectrum.
+/// One mode and its spectral accelerations.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct SpectralMode {
@@ -97,7 +97,7 @@ pub struct SpectralMode {
     pub acceleration_m_s2: [f64; 2],
 }
 
-/// The largest response of every mode, to be put together for any quantity.
+/// The largest response of every mode, ready to be combined for any quantity.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SpectralAnalysis {
     /// The modes in the spectrum, lowest first.
@@ -106,18 +106,18 @@ pub struct SpectralAnalysis {
     amplitudes: Vec<[f64; 2]>,
     omegas: Vec<f64>,
     shapes: dolmen_linalg::Matrix,
-    /// ρ_in, made once.
+    /// ρ_in, computed once.
     correlation: dolmen_linalg::Matrix,
 }
 
 /// Reads a spectrum at every mode: `acceleration_m_s2(period_s, damping_ratio)` gives S_a along x and along y.
 ///
 /// # Errors
-/// [`DynamicsError::Argument`] for a building with tuned masses, whose modes are not its own, or a spectrum that is not a positive
-/// number; what the spectrum itself refuses, as it says it.
+/// [`DynamicsError::Argument`] for a building with tuned masses, whose modes differ, or a spectrum that is not a positive number; errors of the
+/// spectrum are passed on.
 ///
 /// # Limits
-/// The building alone: tuned masses need a time history. All modes are counted, none left out.
+/// Only for the building alone: tuned masses need a time history. All modes are included.
 ///
 /// # Source
 /// Chopra (2017), chapter 13.
@@ -174,7 +174,7 @@ pub fn spectral_analysis<E: From<DynamicsError>>(
 }
 
 impl SpectralAnalysis {
-    /// Largest response of each mode to shaking along an axis (0 x, 1 y), with its sign: what `row` gives from all coordinates.
+    /// Largest response of each mode to shaking along an axis (0 x, 1 y), with its sign, for the quantity that `row` takes from all coordinates.
     pub fn of_modes(&self, row: &[f64], axis: usize) -> Vec<f64> {
         let each = (0..self.omegas.len()).map(|n| {
             let along: f64 = row
@@ -187,7 +187,7 @@ impl SpectralAnalysis {
         each.collect()
     }
 
-    /// The largest response of what `row` gives from all coordinates.
+    /// The largest response of the quantity that `row` takes from all coordinates.
     pub fn largest(&self, row: &[f64], modal: ModalCombination, directional: DirectionalCombination) -> f64 {
         directional.of(|axis| self.combined(&self.of_modes(row, axis), modal))
     }

@@ -1,4 +1,4 @@
-//! A linear state walked through the steps of a run.
+//! Steps a linear state through a run.
 //!
 //! | symbol | code | meaning | shape |
 //! |:--|:--|:--|:--|
@@ -12,7 +12,7 @@ use pulp::Arch;
 /// Acceleration of the ground at both ends of a step, along x and along y, m/s².
 pub(crate) type Ground = [[f64; 2]; 2];
 
-/// Steps that are multiplied together: the block stays in the cache. Our choice; a multiple of 4.
+/// Number of steps that are multiplied together: the block stays in the cache. Our choice; a multiple of 4.
 pub(super) const BLOCK: usize = 128;
 
 /// A state that is stepped exactly.
@@ -21,14 +21,14 @@ pub(crate) trait Stepping {
     fn outputs(&self) -> &Matrix;
     /// The state after a step.
     fn advance(&self, from: &[f64], to: &mut [f64], ground: Ground);
-    /// r A: the row that gives the rate of what r gives, but for what the ground adds at once.
+    /// r A: the row that gives the rate of the quantity of r, without the immediate contribution of the ground.
     fn rate_row(&self, row: &[f64]) -> Vec<f64>;
-    /// r B: what the ground along x and along y adds at once to the rate of what r gives.
+    /// r B: the immediate contribution of the ground along x and along y to the rate of the quantity of r.
     fn ground_of_row(&self, row: &[f64]) -> [f64; 2];
 }
 
-/// Steps the state from rest and turns it into what is wanted, block by block: `outputs` is O turned, states × rows, and `see` gets the
-/// values of a block, a column a row of O, its first step and how many there are. The states at the beginnings of the blocks are given back.
+/// Steps the state from rest and converts it into outputs, block by block: `outputs` is O transposed, states × rows, and `see` receives the
+/// values of a block (one column for each row of O), its first step and their number. Returns the states at the beginnings of the blocks.
 pub(super) fn walk(
     stepping: &impl Stepping,
     outputs: &Matrix,
@@ -39,7 +39,7 @@ pub(super) fn walk(
     walk_on(Arch::new(), (stepping, outputs), steps, ground, see)
 }
 
-/// The same on vectors of a width.
+/// The same with vectors of a given width.
 fn walk_on(
     arch: Arch,
     (stepping, outputs): (&impl Stepping, &Matrix),
@@ -56,7 +56,7 @@ fn walk_on(
     while done < steps {
         states.push(state.clone());
         let now = BLOCK.min(steps - done);
-        // in the widest vectors of the machine; the same operations, and so the same bits, on any
+        // in the widest vectors of the machine; the operations, and so the bits, are the same on any
         arch.dispatch(
             #[inline(always)]
             || {
@@ -79,7 +79,7 @@ fn walk_on(
     states
 }
 
-/// The states at given steps, ascending and each once, from those at the beginnings of blocks.
+/// The states at given distinct steps in ascending order, from those at the beginnings of blocks.
 pub(super) fn states_at(
     stepping: &impl Stepping,
     states: &[Vec<f64>],

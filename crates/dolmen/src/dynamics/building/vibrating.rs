@@ -1,11 +1,11 @@
-//! A building with its damping and the masses that hang in it.
+//! A building with its damping and its tuned masses.
 
 use crate::dynamics::DynamicsError;
 use crate::structure::Building;
 use crate::structure::building::{BuildingDamping, BuildingModes, PlanDirection};
 use std::f64::consts::TAU;
 
-/// Largest damping ratio of a mass on its own spring that is taken. Our choice: far above every tuning.
+/// Largest damping ratio allowed for a mass on its own spring. Our choice: far above every tuning.
 const RATIO_MOST: f64 = 10.0;
 
 /// A mass on a spring and a dashpot at a point of a floor, free to move along one direction.
@@ -27,7 +27,7 @@ pub struct TunedMass {
     pub damping_ratio: f64,
 }
 
-/// A mass as the modes see it.
+/// A mass in modal coordinates.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Oscillator {
     /// Displacement of its place along its direction in each mode, 1/√kg.
@@ -50,11 +50,11 @@ pub struct VibratingBuilding {
 }
 
 impl VibratingBuilding {
-    /// A building that is damped, with its tuned masses.
+    /// Builds a damped building with its tuned masses.
     ///
     /// # Errors
-    /// [`DynamicsError::Building`] for damping that cannot be and places that are not on a floor; [`DynamicsError::Argument`] for a
-    /// mass, frequency or damping ratio out of its range.
+    /// [`DynamicsError::Building`] for invalid damping and places off the floor; [`DynamicsError::Argument`] for a mass, frequency or damping
+    /// ratio out of its range.
     pub fn new(
         building: Building,
         damping: &BuildingDamping,
@@ -72,7 +72,7 @@ impl VibratingBuilding {
         alone.with_tuned_masses(tuned_masses)
     }
 
-    /// The same building with these tuned masses in place of those it had.
+    /// The same building with these tuned masses instead of its own.
     ///
     /// # Errors
     /// As [`VibratingBuilding::new`].

@@ -1,4 +1,4 @@
-//! A row of equal columns that rock on their feet and under what they carry.
+//! A row of equal columns that rock on their feet and under their load.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -11,7 +11,7 @@ use super::foot::FootSection;
 use crate::numeric::{Bracketing, bracketed_root, maximum_between, nodes_15};
 use crate::stability::StabilityError;
 
-/// Equal columns that stand free, with what they carry on their heads.
+/// Equal free-standing columns, with the load on their heads.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FreeColumns {
     count: usize,
@@ -29,27 +29,27 @@ pub struct ColumnPoint {
     pub rotation_rad: f64,
     /// u, m.
     pub drift_m: f64,
-    /// V, the horizontal force that all columns together resist with, N.
+    /// V, the horizontal resistance of all columns together, N.
     pub force_n: f64,
 }
 
-/// How columns stand by their weight alone.
+/// Resistance of columns under their weight alone.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ColumnStanding {
-    /// Where the edges of foot and head lift off.
+    /// Lift-off of the edges of foot and head.
     pub uplift: ColumnPoint,
-    /// Where they resist most.
+    /// Largest resistance.
     pub greatest: ColumnPoint,
-    /// Where they fall: V is 0.
+    /// Fall: V is 0.
     pub falls: ColumnPoint,
 }
 
-/// Share of a decade in which a curve e(θ) beyond uplift is integrated by one rule: a factor of 2. Chosen here: 1e-14.
+/// Ratio of the ends of an interval of e(θ) beyond uplift that is integrated by one rule. Chosen here: accurate to 1e-14.
 const PANEL: f64 = 2.0;
 
 impl FreeColumns {
-    /// `axial_n` is the whole weight that the columns carry, the same on each; a bed stiffness of `None` is rigid.
+    /// `axial_n` is the whole weight on the columns, shared equally; a bed stiffness of `None` is rigid.
     ///
     /// # Errors
     /// [`StabilityError::Option`] unless all are positive.
@@ -95,14 +95,14 @@ impl FreeColumns {
         self.axial_n
     }
 
-    /// What the beds of foot and head give against drift while they bear all over, N/m: 2 n k_w I/h². The weight takes N/h
-    /// from it. `None` on a rigid bed, where it has no bound.
+    /// Stiffness of the beds of foot and head against drift in full contact, N/m: 2 n k_w I/h². The weight reduces it by N/h. `None` on a rigid
+    /// bed, where it is unbounded.
     pub fn bed_stiffness_n_m(&self) -> Option<f64> {
         let moment_n_m = self.bed_stiffness_n_m3? * self.section.second_moment_m4();
         Some(2.0 * self.count as f64 * moment_n_m / self.height_m.powi(2))
     }
 
-    /// The bed stiffness at which columns this heavy just stand, N/m³: k_w = N h/(2 n I), that is k_w B b³/6 = N h/n.
+    /// The bed stiffness at which columns of this weight just stand, N/m³: k_w = N h/(2 n I), that is k_w B b³/6 = N h/n.
     pub fn least_bed_stiffness_n_m3(&self) -> f64 {
         self.normal_n() * self.height_m / (2.0 * self.section.second_moment_m4())
     }
@@ -116,7 +116,7 @@ impl FreeColumns {
         }
     }
 
-    /// The rotation at which their heads have drifted so far, rad.
+    /// The rotation at which their heads have this drift, rad.
     ///
     /// # Errors
     /// [`StabilityError::Numeric`] if it is not found: none is known.
@@ -133,7 +133,7 @@ impl FreeColumns {
         Ok(bracketed_root(off, 0.0, most_rad, &Bracketing::default())?)
     }
 
-    /// Whether they stand by their weight alone, and how; `None` if not.
+    /// Their resistance under their weight alone; `None` if they do not stand.
     ///
     /// # Errors
     /// [`StabilityError::Numeric`] if a root is not found: none is known.
@@ -171,8 +171,7 @@ impl FreeColumns {
     /// At θ = 0 on a rigid bed V is that just after the columns begin to move.
     ///
     /// # Limits
-    /// Foot and head alike, equal beds at both; the weight of the column itself is in N or left out. Neither slips, and
-    /// nothing crushes.
+    /// Foot and head are alike, with equal beds; the weight of the column itself is in N or neglected. Neither slips, and nothing crushes.
     pub fn at(&self, rotation_rad: f64) -> ColumnPoint {
         let rolled_m = match self.bed_stiffness_n_m3 {
             None => self.section.width_m() * 2.0 * (0.5 * rotation_rad).sin().powi(2),
@@ -185,8 +184,7 @@ impl FreeColumns {
         }
     }
 
-    /// The curve of force against drift from upright to where the columns fall, of `points` rotations; empty if they do not
-    /// stand.
+    /// The curve of force against drift from upright to the fall, with `points` rotations; empty if they do not stand.
     ///
     /// # Errors
     /// As [`FreeColumns::standing`].

@@ -1,4 +1,4 @@
-//! The foot of a column on a bed of springs that do not pull.
+//! The foot of a column on a bed of springs without tension.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -29,7 +29,7 @@ pub enum FootSection {
     },
 }
 
-/// How a foot presses its bed.
+/// Contact of a foot with its bed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FootPressure {
     /// e = M/N, distance of the resultant from the centre of the foot, m.
@@ -38,7 +38,7 @@ pub struct FootPressure {
     pub contact_m: f64,
 }
 
-/// Below this half angle of the arc in contact the closed forms of the circle lose digits. Chosen here.
+/// Half angle of the contact arc below which the closed forms of the circle lose digits. Chosen here.
 const PHI_SMALL: f64 = 0.5;
 /// Newton steps for φ; five are usual. Chosen here.
 const STEPS_MOST: usize = 60;
@@ -52,7 +52,7 @@ impl FootSection {
         }
     }
 
-    /// Moment of a foot in contact all over, over k_w and its rotation, m⁴: b³ B/12, or π D⁴/64.
+    /// Moment of a foot in full contact, over k_w and its rotation, m⁴: b³ B/12, or π D⁴/64.
     pub fn second_moment_m4(&self) -> f64 {
         match *self {
             FootSection::Rectangle { width_m, breadth_m } => breadth_m * width_m.powi(3) / 12.0,
@@ -71,7 +71,7 @@ impl FootSection {
         }
     }
 
-    /// The pressure under a foot that carries N and is turned by θ ≥ 0.
+    /// The contact of a foot with load N and rotation θ ≥ 0.
     ///
     /// ```text
     /// θ ≤ θ0:     M = k_w I θ
@@ -81,7 +81,7 @@ impl FootSection {
     /// ```
     ///
     /// # Limits
-    /// The indentation is small beside the width, and the bed does not crush.
+    /// The indentation is small compared with the width, and the bed does not crush.
     pub fn pressure(&self, bed_stiffness_n_m3: f64, normal_n: f64, rotation_rad: f64) -> FootPressure {
         let width_m = self.width_m();
         if rotation_rad <= self.uplift_rotation_rad(bed_stiffness_n_m3, normal_n) {

@@ -1,4 +1,4 @@
-//! Columns that stand free on foot stones: what their weight holds against drift.
+//! Free-standing columns on foot stones: their resistance to drift by their weight.
 
 mod column;
 mod foot;

@@ -1,16 +1,16 @@
-//! What a wind by height pushes on each block of a stack.
+//! Wind forces on each block of a stack, by height.
 
 use crate::structure::stack::{Silhouette, Stack, StaticLoad, across, silhouettes};
 use crate::structure::wind::WindPressure;
 
-/// How a wind meets the blocks of a stack.
+/// Wind data of a stack.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WindSurfaces {
     /// Force coefficient of the blocks.
     pub force_coefficient: f64,
-    /// By block: force coefficient × area that takes the place of what the wind sees of it, m², with the area itself; `None`: what it sees.
+    /// For each block: force coefficient × area that replaces its visible outline, m², with the area itself; `None` for the visible outline.
     pub instead: Vec<Option<WindArea>>,
-    /// Areas more, such as banners.
+    /// Additional areas, such as banners.
     pub more: Vec<(usize, f64, WindArea)>,
     /// Height of the ground, m.
     pub ground_m: f64,
@@ -25,24 +25,24 @@ pub struct WindArea {
     pub effective_m2: f64,
 }
 
-/// What one block takes of a wind.
+/// The wind on one block.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct BlownBlock {
     /// The block.
     pub block: usize,
-    /// Area that the wind meets, m², banners and signs included.
+    /// Area that the wind meets, m², including banners and signs.
     pub area_m2: f64,
-    /// Part of its own outline that other blocks hide, 0 to 1.
+    /// Share of its own outline hidden by other blocks, 0 to 1.
     pub hidden: f64,
-    /// Where the force acts, m.
+    /// Point of application, m.
     pub position_m: [f64; 3],
     /// The force along the wind, N.
     pub force_n: f64,
 }
 
 impl BlownBlock {
-    /// As a static load in the direction of the wind, times a factor.
+    /// The static load in the direction of the wind, times a factor.
     pub fn load(&self, direction: [f64; 2], factor: f64) -> StaticLoad {
         let [x, y] = direction.map(|part| part * self.force_n * factor);
         StaticLoad {
@@ -53,15 +53,15 @@ impl BlownBlock {
     }
 }
 
-/// What a wind that blows to `direction`, a unit vector in plan, pushes on each block that it meets.
+/// Forces of a wind to `direction`, a unit vector in plan, on each block that it meets.
 ///
 /// ```text
 /// F = C_f ∫ q(z) b(z) dz over what is seen of the block + Σ C_f A q(z_A) of areas more, at its centroid
 /// ```
 ///
 /// # Limits
-/// Those of [`silhouettes`]. Uplift of caps, friction along the wind and suction on what it does not meet are not in it: a force
-/// coefficient holds front and lee together.
+/// Those of [`silhouettes`]. Uplift of caps, friction along the wind and suction on faces away from it are not included: a force coefficient
+/// covers windward and leeward sides together.
 pub fn blown_blocks(
     stack: &Stack,
     surfaces: &WindSurfaces,
@@ -129,7 +129,7 @@ impl Taken {
         self.across += force * across;
     }
 
-    /// What is seen of a block, by height; at the same pressure everywhere the centroid is that of the outline.
+    /// The visible part of a block, by height; under a uniform pressure the centroid is that of the outline.
     fn strips(&mut self, seen: &Silhouette, surfaces: &WindSurfaces, pressure: &WindPressure) {
         let (mut own, mut middle) = (Taken::default(), [0.0; 2]);
         for strip in &seen.strips {

@@ -61,7 +61,7 @@ pub(super) fn contact(stack: &Stack, cut: &Cut) -> Contact {
     }
 }
 
-/// The bodies below a cut, as words.
+/// The bodies below a cut, in words.
 pub(super) fn names_below(stack: &Stack, cut: &Cut) -> String {
     let mut bodies: Vec<Body> = cut
         .joints

@@ -1,5 +1,4 @@
-//! What of the inertia forces on a part of a stack makes it tip or slide, and how much of it is borne: for forces that are not a multiple of the
-//! masses.
+//! Resistance of the parts of a stack against tipping and sliding, for inertia forces that are not proportional to the masses.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -14,19 +13,19 @@ use super::{Resistance, StackLimits, contact::names_below};
 use crate::stability::StabilityError;
 use crate::structure::stack::Stack;
 
-/// All ways in which what is above one cut begins to move.
+/// All ways in which the part above one cut begins to move.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CutResistance {
-    /// Its bodies below, as words: "'body 1'", "the ground".
+    /// The bodies below it, in words: "'body 1'", "the ground".
     pub above: String,
     /// The blocks above, ascending.
     pub blocks: Vec<usize>,
-    /// Every edge to tip about, and sliding every 2°.
+    /// Tipping about every edge, and sliding every 2°.
     pub resistances: Vec<Resistance>,
 }
 
-/// What keeps the parts of a stack from tipping and sliding: those of [`stack_limits`](super::stack_limits), for inertia forces of any distribution over
-/// its height.
+/// Resistance of the parts of a stack to tipping and sliding: those of [`stack_limits`](super::stack_limits), for inertia forces of any
+/// distribution over its height.
 ///
 /// ```text
 /// tipping about the line (p, t)     t · (M − p × F) ≤ −t · (M₀ − p × F₀)        M₀, F₀ of weight and static loads

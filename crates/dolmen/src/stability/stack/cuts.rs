@@ -1,10 +1,10 @@
-//! Which parts of a stack can move off the rest: cuts through joints of one plane.
+//! The parts of a stack that can move as one: cuts through joints of one plane.
 
 use crate::structure::stack::{BED_GAP_M, Body, Joint, Stack};
 use glam::DVec3;
 
-/// A joint carries if its normal rises more than this, as sine (about 6°); a steeper one only stands beside. Chosen here:
-/// 5° is what the bed of a leaning upright face may show.
+/// Smallest rise of the normal, as sine, of a joint that carries (about 6°); a steeper one is only beside. Chosen here: 5° is what the bed of a
+/// leaning upright face may show.
 const CARRIES_LEAST: f64 = 0.1;
 /// Cosine of the largest angle between joints of one plane, 1°. Chosen here.
 const PARALLEL: f64 = 0.999_847_7;
@@ -23,15 +23,15 @@ pub struct Cut {
 pub struct Cuts {
     /// Lowest joint first.
     pub cuts: Vec<Cut>,
-    /// Blocks that would move together but rest on joints of different planes, or lean on blocks beside them: their balance
-    /// leaves forces open, so only a limit analysis can judge them.
+    /// Blocks that would move together but rest on joints of different planes, or lean on blocks beside them: their balance is statically
+    /// indeterminate, so only a limit analysis can judge them.
     pub undecided: Vec<Vec<usize>>,
-    /// Whether every block rests on one joint and none stands beside it: then equilibrium alone gives the force in each
-    /// joint, and the cuts leave nothing out.
+    /// Whether every block rests on one joint and none stands beside it: equilibrium alone then gives the force in each joint, and the cuts are
+    /// complete.
     pub statically_determinate: bool,
 }
 
-/// Whether each stone stands on one joint that carries, so that statics alone tell what every joint bears.
+/// Whether each stone stands on one joint that carries, so that statics alone give the force in every joint.
 pub(crate) fn is_statically_determinate(stack: &Stack) -> bool {
     stack.joints().len() == stack.blocks().len() && stack.joints().iter().all(carries)
 }
@@ -46,9 +46,9 @@ pub(crate) fn is_statically_determinate(stack: &Stack) -> bool {
 /// ```
 ///
 /// # Limits
-/// In a stack where each block rests on one other these are all cuts there are. Where stones share their load
-/// (a storey of several, an arch) other mechanisms exist, and every cut is then an upper bound of the true limit. A part with
-/// a joint left out of its balance would be neither an upper nor a lower bound: it is undecided.
+/// In a stack where each block rests on one other these are all cuts. Where stones share their load (a storey of several, an arch) other
+/// mechanisms exist, and every cut is then an upper bound of the true limit. A part whose balance lacks a joint would give neither an upper nor
+/// a lower bound: it is undecided.
 pub fn cuts(stack: &Stack) -> Cuts {
     let joints = stack.joints();
     let carrying: Vec<usize> = (0..joints.len())
@@ -122,11 +122,11 @@ fn same_plane(a: &Joint, b: &Joint) -> bool {
     normal.dot(other) >= PARALLEL && normal.dot(between).abs() <= BED_GAP_M
 }
 
-/// Which blocks lie on which.
+/// The relation of blocks that lie on each other.
 pub(super) struct Carriers {
-    /// The blocks that lie on each.
+    /// The blocks on each.
     on: Vec<Vec<usize>>,
-    /// The blocks that each lies on.
+    /// The blocks under each.
     under: Vec<Vec<usize>>,
 }
 
@@ -146,7 +146,7 @@ impl Carriers {
         carriers
     }
 
-    /// These blocks and all that stands on them, ascending.
+    /// These blocks and all blocks on them, ascending.
     pub(super) fn carried(&self, start: Vec<usize>) -> Vec<usize> {
         let mut above = vec![false; self.on.len()];
         let mut next = start;
@@ -158,7 +158,7 @@ impl Carriers {
         (0..above.len()).filter(|&block| above[block]).collect()
     }
 
-    /// Parts of these blocks that joints hold together, each ascending.
+    /// Parts of these blocks that joints connect, each ascending.
     fn connected(&self, blocks: &[usize]) -> Vec<Vec<usize>> {
         let mut left = vec![false; self.on.len()];
         for &block in blocks {

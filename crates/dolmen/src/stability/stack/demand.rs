@@ -1,13 +1,13 @@
-//! A threshold of uplift or sliding against what an earthquake asks for.
+//! A threshold of uplift or sliding compared with a seismic demand.
 
 use crate::stability::StabilityError;
 
-/// What an earthquake asks for, as numbers.
+/// A seismic demand in numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StackDemand {
-    /// Peak horizontal acceleration of the ground, m/s²: what a stack on rigid joints feels.
+    /// Peak horizontal acceleration of the ground, m/s²: the demand of a stack on rigid joints.
     pub peak_ground_acceleration_m_s2: f64,
-    /// What it feels on elastic joints, if its first period is known.
+    /// The demand on elastic joints, if its first period is known.
     pub spectral: Option<SpectralDemand>,
 }
 
@@ -29,20 +29,20 @@ pub enum DemandVerdict {
     /// Capacity is below the demand.
     #[cfg_attr(feature = "serde", serde(rename = "below demand"))]
     Below,
-    /// Capacity is above the demand, by less than [`DemandVerdict::NEAR_BELOW`].
+    /// Capacity is above the demand by a factor less than [`DemandVerdict::NEAR_BELOW`].
     #[cfg_attr(feature = "serde", serde(rename = "near demand"))]
     Near,
     /// Capacity is at least [`DemandVerdict::NEAR_BELOW`] times the demand.
     #[cfg_attr(feature = "serde", serde(rename = "above demand"))]
     Above,
-    /// Something needed is not known.
+    /// A necessary input is unknown.
     #[cfg_attr(feature = "serde", serde(rename = "unknown"))]
     Unknown,
 }
 
 impl DemandVerdict {
-    /// Ratio of capacity to demand below which "above demand" becomes "near demand", our choice: chipped edges and
-    /// surveyed sizes are not known to better than 10 %, nor is a demand.
+    /// Ratio of capacity to demand below which "above demand" becomes "near demand", our choice: chipped edges and surveyed sizes are uncertain
+    /// by 10 %, and so is a demand.
     pub const NEAR_BELOW: f64 = 1.25;
 
     /// Of a ratio of capacity to demand; unknown if that is not a number.
@@ -76,36 +76,36 @@ pub struct Comparison {
     /// Acceleration at which it begins to rock or slide, m/s²; `None` if it does not stand at all.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub capacity_m_s2: Option<f64>,
-    /// Acceleration asked for, m/s².
+    /// The demanded acceleration, m/s².
     pub demand_m_s2: f64,
-    /// Capacity over demand; `None` if it does not stand, infinite if nothing is asked for.
+    /// Capacity over demand; `None` if it does not stand, infinite without a demand.
     pub ratio: Option<f64>,
     /// above, near, below demand; below if it does not stand.
     pub verdict: DemandVerdict,
 }
 
-/// A stack's threshold against an earthquake.
+/// A stack's threshold compared with an earthquake.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DemandComparison {
     /// As if every joint were rigid: against the peak ground acceleration.
     pub rigid: Comparison,
     /// On elastic joints, which amplify: against S_a(T₁, ζ). `None` if the first period is not known.
     pub elastic: Option<Comparison>,
-    /// The worse of both. Without the elastic one it is at best "unknown": a stack of P10's kind (first frequency 4.7 Hz)
-    /// amplifies what the ground does.
+    /// The worse of both. Without the elastic one it is at best "unknown": a stack like P10 (first frequency 4.7 Hz) amplifies the ground
+    /// motion.
     pub verdict: DemandVerdict,
 }
 
-/// Compares the acceleration at which a stack begins to move with what an earthquake asks for.
+/// Compares the acceleration at which a stack begins to move with a seismic demand.
 ///
 /// # Errors
 /// [`StabilityError::Option`] for a demand that is negative or not finite, a period that is not positive, or a capacity that
 /// is not a number.
 ///
 /// # Limits
-/// "Below demand" means that a joint opens or slides, not that the stack falls: what follows needs a time history. S_a
-/// acts on all masses alike; the upper part of a first mode has more (for a straight-line shape about 1.5 times), the lower
-/// part less: `assess::demand::stack_against_site` combines all modes joint by joint.
+/// "Below demand" means that a joint opens or slides, not that the stack falls, which needs a time history. S_a acts on all masses alike; in a
+/// first mode the upper part has more (for a straight-line shape about 1.5 times), the lower part less: `assess::demand::stack_against_site`
+/// combines all modes joint by joint.
 ///
 /// # Example
 /// ```

@@ -1,7 +1,7 @@
-//! The limit analysis without the strength that only dilating joints give.
+//! The limit analysis without strength that comes only from dilating joints.
 //!
-//! Associated friction makes a sliding joint dilate. Coulomb joints do not: two leaves of a wall that each turn about
-//! its own toe slide along each other without pressing.
+//! Associated friction makes a sliding joint dilate. Coulomb joints do not: two leaves of a wall that each turn about their own toe slide along
+//! each other without pressing.
 
 use super::cuts::carries;
 use super::limit_analysis::limit_analysis;
@@ -10,29 +10,29 @@ use super::mechanism::Mechanism;
 use crate::stability::StabilityError;
 use crate::structure::stack::Stack;
 
-/// Rounds in which more joints may begin to slide. Chosen here.
+/// Largest number of rounds in which further joints begin to slide. Chosen here.
 pub(crate) const ROUNDS: usize = 6;
 
-/// The lower limit of those with and without friction in upright joints that slide.
+/// The lower of the limits with and without friction in upright joints that slide.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Undilated {
     /// The analysis with the lower limit.
     pub analysis: LimitAnalysisResult,
     /// Limit with friction in all joints, over gravity, where it is higher.
     pub dilating_g: Option<f64>,
-    /// Whether a joint that slides still holds others apart in the mechanism, so that the limit is an upper bound.
+    /// Whether a sliding joint still holds others apart in the mechanism, so that the limit is an upper bound.
     pub is_upper_bound: bool,
 }
 
-/// Repeats the limit analysis without friction in the upright joints that slide in its mechanism, until no joint with friction does. Returns the lowest
-/// limit.
+/// Repeats the limit analysis without friction in the upright joints that slide in its mechanism, until no joint with friction slides. Returns
+/// the lowest limit.
 ///
 /// # Errors
 /// Those of [`limit_analysis`].
 ///
 /// # Limits
-/// Joints that carry weight keep their friction: the weight presses them together whether they dilate or not. Where one slides while others
-/// open, or the stack needs the friction of an upright joint that slides to stand at all, the answer says that it is an upper bound.
+/// Joints that carry weight keep their friction, because the weight presses them together whether they dilate or not. If one slides while others
+/// open, or the stack stands only by the friction of an upright sliding joint, the result says that it is an upper bound.
 pub fn limit_analysis_undilated(stack: &Stack, options: &LimitAnalysis) -> Result<Undilated, StabilityError> {
     let first = limit_analysis(stack, options)?;
     let all_friction_g = limit_g(&first);
@@ -123,8 +123,8 @@ mod tests {
         Stack::new(blocks, JointMaterial::with_friction(0.6), 9.80665).unwrap()
     }
 
-    /// Two leaves of 0.2 × 3 m without through stones: each turns about its own toe, b/h = 0.2/3, whatever rubs between them. The
-    /// analysis with dilating friction has 0.0869.
+    /// Two leaves of 0.2 × 3 m without through stones: each turns about its own toe, b/h = 0.2/3, whatever the friction between them. The
+    /// analysis with dilating friction gives 0.0869.
     #[test]
     fn exact_two_leaves_bear_what_one_bears() {
         let options = LimitAnalysis {

@@ -16,7 +16,7 @@ pub(super) struct HalfPlane {
 }
 
 impl HalfPlane {
-    /// s / |l|, infinite if no acceleration counts.
+    /// s / |l|, infinite if no acceleration reaches it.
     pub(super) fn distance(&self) -> f64 {
         let lever = self.lever[0].hypot(self.lever[1]);
         if lever > 0.0 {
@@ -49,7 +49,7 @@ impl HalfPlane {
     }
 }
 
-/// Least of f on an interval where it has one least value, by golden sections; the place.
+/// Place of the minimum of a unimodal f on an interval, by golden sections.
 pub(super) fn least_on(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> f64 {
     let ratio = 0.5 * (5.0_f64.sqrt() - 1.0);
     let (mut a, mut b) = (high - ratio * (high - low), low + ratio * (high - low));

@@ -1,4 +1,4 @@
-//! What joints and ties can do in a limit analysis.
+//! Possible forces of joints and ties in a limit analysis.
 
 use super::cuts::{Carriers, carries, is_statically_determinate};
 use super::limit_options::Holding;
@@ -8,21 +8,21 @@ use super::loads::{Load, together};
 use crate::structure::stack::{Joint, Stack};
 use glam::DVec3;
 
-/// What an analysis knows of a stack before it begins.
+/// Data of a stack for an analysis.
 #[derive(Clone, Copy)]
 pub(super) struct Before<'a> {
     pub(super) stack: &'a Stack,
-    /// What acts on each block without shaking.
+    /// Loads on each block without shaking.
     pub(super) loads: &'a [Load],
-    /// Direction of the shaking that is looked at; `None`: all.
+    /// Direction of the shaking; `None` for all.
     pub(super) towards: Option<[f64; 2]>,
-    /// Whether loads grow that may press, or shaking alone.
+    /// Whether growing loads may press, or only shaking grows.
     pub(super) grows: bool,
-    /// Whether joints of finite strength are looked at coarsely, where the solver fails on all that is known of them.
+    /// Whether joints of finite strength are discretised coarsely, where the solver fails on the fine discretisation.
     pub(super) is_coarse: bool,
 }
 
-/// What every corner of every joint, and every tie, can do; of joints of finite strength, every block of full stress.
+/// Possible forces of every corner of every joint, and of every tie; for joints of finite strength, of every block of full stress.
 pub(super) fn acts(before: &Before<'_>, holding: Holding) -> Vec<Act> {
     let stack = before.stack;
     let mut acts = Vec::new();
@@ -93,7 +93,7 @@ fn in_plane(joint: &Joint, way: [f64; 2]) -> Option<[f64; 2]> {
     (length > 1e-9).then(|| [x / length, y / length])
 }
 
-/// What joints of finite strength carry without shaking, as far as it is known.
+/// Forces of joints of finite strength without shaking, as far as known.
 struct Crushing<'a> {
     before: &'a Before<'a>,
     /// `None` if no joint crushes.
@@ -113,7 +113,7 @@ impl<'a> Crushing<'a> {
         }
     }
 
-    /// The weight that the upper block of a joint carries, on all joints that carry it alike.
+    /// The weight of a joint's upper block and its load, shared equally among all joints that carry it.
     fn pressed(&self, link: usize) -> Pressed {
         let joints = self.before.stack.joints();
         let joint = &joints[link];

@@ -1,4 +1,4 @@
-//! A piece of a stack shaken along one direction: how far it reaches, and how it then moves.
+//! A piece of a stack under shaking along one direction: the largest balanced acceleration, and the mechanism.
 
 use super::StackLoads;
 use super::limit_acts::{Before, acts};
@@ -9,12 +9,12 @@ use super::limit_region::Nearest;
 use crate::stability::StabilityError;
 use crate::structure::stack::Stack;
 
-/// Acceleration over gravity that a rough solution, which misses 1e-6 at most, shows to be beyond rest. Chosen here.
+/// Acceleration over gravity that a rough solution, accurate to 1e-6, must exceed for the piece to stand. Chosen here.
 const CLEAR: f64 = 1e-3;
 
-/// What a piece does along one direction.
+/// Result for a piece along one direction.
 pub(super) struct Along {
-    /// How far it reaches.
+    /// The largest balanced acceleration.
     pub(super) found: Nearest,
     /// Unknown forces and accelerations.
     pub(super) unknowns: usize,
@@ -22,7 +22,7 @@ pub(super) struct Along {
     pub(super) velocities: Vec<f64>,
 }
 
-/// One direction: how far it reaches, and that it stands at all (the way back must reach past rest too).
+/// One direction: the largest balanced acceleration, and whether the piece stands (the opposite direction must also reach beyond rest).
 pub(super) fn along(piece: &Piece, way: [f64; 2]) -> Result<Along, StabilityError> {
     let mut programme = piece.programme(Within::Line(way))?;
     let mut along = Along {
@@ -54,7 +54,7 @@ pub(super) fn along(piece: &Piece, way: [f64; 2]) -> Result<Along, StabilityErro
     Ok(along)
 }
 
-/// Whether a piece stands, as [`along`] finds it: by rough solutions where both ways reach clearly beyond rest.
+/// Whether a piece stands, as [`along`] finds it: by rough solutions if both directions reach clearly beyond rest.
 fn stands_along(piece: &Piece, way: [f64; 2]) -> Result<bool, StabilityError> {
     let mut programme = piece.programme_by(Within::Line(way), rough())?;
     let is_clear = [way.map(|part| -part), way].into_iter().all(
@@ -66,7 +66,7 @@ fn stands_along(piece: &Piece, way: [f64; 2]) -> Result<bool, StabilityError> {
     }
 }
 
-/// Whether forces in the joints balance weight and static loads beyond a doubt, with shaking along either sense of one direction.
+/// Whether forces in the joints certainly balance weight and static loads, with shaking along both senses of one direction.
 ///
 /// # Errors
 /// Those of [`limit_analysis`](super::limit_analysis()).

@@ -31,20 +31,18 @@ use crate::structure::stack::Stack;
 /// [`StabilityError`] for options and loads out of their range, or a programme that the solver could not solve.
 ///
 /// # Limits
-/// Each solution is certified by both ends: forces that balance and a mechanism that moves, together to 1e-6 of the weight
-/// (usual 1e-8). Over all directions the least is exact where the region's nearest edge is straight (rocking), and
-/// where it is round (sliding) at most 2 % too high: `at_least_g` says so. Friction is taken as associated (sliding
-/// joints would dilate): where sliding takes part the true limit may be lower, since Coulomb joints do not dilate. Stone is rigid
-/// and infinitely strong; forces at corners can carry more torsion than pressure spread over the joint (on a square .5 of
-/// its diagonal against .271). Upright joints push and rub as any other. The tensile strength of a bond and side supports are left
-/// out, which is on the safe side; cohesion and ties are not brittle here, which is not. On one core of 2025: P10
-/// 1 ms, a pagoda with eight posts and walls under one roof 10 ms, a wall of 200 blocks in running bond 2 s.
+/// Each solution is certified from both sides: balanced forces and a mechanism, which agree to 1e-6 of the weight (usually 1e-8). Over all
+/// directions the minimum is exact where the region's nearest edge is straight (rocking), and at most 2 % too high where it is round (sliding):
+/// `at_least_g` gives the lower bound. Friction is taken as associated (sliding joints would dilate): where sliding takes part the true limit
+/// may be lower, since Coulomb joints do not dilate. Stone is rigid and infinitely strong; forces at corners can carry more torsion than
+/// pressure spread over the joint (on a square 0.5 of its diagonal against 0.271). Upright joints press and rub like any other. The tensile
+/// strength of bonds and side supports are left out, on the safe side; cohesion and ties are not brittle here, on the unsafe side. On one core
+/// of 2025: P10 1 ms, a pagoda with eight posts and walls under one roof 10 ms, a wall of 200 blocks in running bond 2 s.
 ///
 /// # Source
 /// Livesley (1978), limit analysis of structures formed from rigid blocks; Goulart & Chen (2024), the solver Clarabel.
-/// Differs from the source: Coulomb's disc as a cone of second order, joints that alone carry what is above are solved each by
-/// itself, with the sum of what they carry; all directions at once; and what cannot be balanced without shaking does not
-/// stand, even if some shaking would help.
+/// Differs from the source: Coulomb's disc as a second-order cone; joints that alone carry the part above are solved separately, with the sum of
+/// their load; all directions together; and a stack that is not balanced without shaking does not stand, even if some shaking would balance it.
 ///
 /// # Example
 /// ```
@@ -59,7 +57,7 @@ use crate::structure::stack::Stack;
 /// ```
 pub fn limit_analysis(stack: &Stack, options: &LimitAnalysis) -> Result<LimitAnalysisResult, StabilityError> {
     let (mut result, moving) = match analysed(stack, options, false) {
-        // coarser joints bear less, never more, and make a programme a fraction as large
+        // coarser joints bear less, never more, and make the programme much smaller
         Err(StabilityError::ConicProgramme { .. }) if stack.least_strength_pa().is_some() => {
             analysed(stack, options, true)?
         }
@@ -86,7 +84,7 @@ enum Moving {
     SwaysWith(Piece, Vec<f64>),
 }
 
-/// The analysis without its mechanism, and what moves.
+/// The analysis without its mechanism, and the moving piece.
 fn analysed(
     stack: &Stack,
     options: &LimitAnalysis,
@@ -121,7 +119,7 @@ fn analysed(
         Some(swaying) => Growing::Swaying(swaying),
     };
     let mut pieces = pieces(stack, &loads, &acts, growing, ties);
-    // the largest first: it mostly governs, and the others need not be followed beyond it
+    // the largest first: it mostly governs, and the others are not needed beyond its limit
     pieces.sort_by_key(|piece| std::cmp::Reverse(piece.equations()));
     let mut result = LimitAnalysisResult {
         status: LimitAnalysisStatus::Unlimited,
@@ -269,7 +267,7 @@ mod tests {
         };
         let found = limit(&portal(2.0), &options);
         assert!((found - sway).abs() < 1e-8, "{found} {sway}");
-        // the cuts do not see it: an upper bound, and said so
+        // the cuts miss this: an upper bound, reported as such
         let states = stack_limits(&portal(2.0), &StackLimits::default()).unwrap();
         assert!(!states.statically_determinate);
         assert_eq!(

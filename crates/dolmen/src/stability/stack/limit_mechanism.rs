@@ -12,10 +12,10 @@ use crate::stability::StabilityError;
 use crate::structure::stack::{Body, Joint, Stack};
 use glam::DVec3;
 
-/// Motions of a joint below this part of the largest are not named. Chosen here: what the solver loses is 1e-8.
+/// Motions of a joint below this fraction of the largest are not reported. Chosen here: the solver is accurate to 1e-8.
 const NAMED_LEAST: f64 = 1e-3;
 
-/// A direction of shaking to ask for what falls whatever the shaking.
+/// A direction of shaking for pieces that fall under any shaking.
 const ANY_WAY: [f64; 2] = [1.0, 0.0];
 
 /// The mechanism in which a piece that does not stand falls.
@@ -25,9 +25,10 @@ const ANY_WAY: [f64; 2] = [1.0, 0.0];
 /// its dual: the mechanism that gains most energy while all corners together open by a given sum
 /// ```
 ///
-/// Of the many mechanisms that fall this one opens few joints; where joints have a strength, it is the certificate of the programme. `None` where the pull is rounding: what is balanced on an edge gains nothing.
+/// Among the falling mechanisms this one opens few joints; for joints with a strength, it is the certificate of the programme. `None` where the
+/// pull is rounding: a piece balanced on an edge gains nothing.
 pub(super) fn falling(stack: &Stack, piece: &Piece) -> Result<Option<Mechanism>, StabilityError> {
-    // no pull holds what crushes
+    // no pull prevents crushing
     if piece.crushes() {
         let mut programme = piece.programme(Within::Line(ANY_WAY))?;
         let velocities = programme.falling_velocities(ANY_WAY)?;
@@ -37,7 +38,7 @@ pub(super) fn falling(stack: &Stack, piece: &Piece) -> Result<Option<Mechanism>,
     Ok(found.and_then(|velocities| named(stack, &piece.motions(&velocities, stack.blocks().len()))))
 }
 
-/// The mechanism in which a piece begins to move when shaken one way.
+/// The mechanism in which a piece begins to move under shaking in one direction.
 pub(super) fn swaying(
     stack: &Stack,
     piece: &Piece,
@@ -47,7 +48,7 @@ pub(super) fn swaying(
     Ok(velocities.and_then(|velocities| moving_with(stack, piece, &velocities)))
 }
 
-/// The mechanism of a piece whose velocities are known.
+/// The mechanism of a piece from its velocities.
 pub(super) fn moving_with(stack: &Stack, piece: &Piece, velocities: &[f64]) -> Option<Mechanism> {
     named(stack, &piece.motions(velocities, stack.blocks().len()))
 }
@@ -103,7 +104,7 @@ fn corners_of(joint: &Joint, motions: &[Vec<BodyMotion>]) -> Vec<Corner> {
         .collect()
 }
 
-/// A corner is closed where it opens no more than friction taken as associated lets a slip dilate.
+/// A corner is closed where it opens no more than the dilation of its slip under associated friction.
 fn moving(joint: usize, corners: &[Corner], friction: f64, least: f64) -> Option<MovingJoint> {
     let is_closed = |corner: &&Corner| corner.opens - friction * corner.slips <= least;
     let closed: Vec<&Corner> = corners.iter().filter(is_closed).collect();

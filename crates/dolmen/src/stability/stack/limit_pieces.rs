@@ -1,4 +1,4 @@
-//! The balance of a stack in pieces that know nothing of each other.
+//! Divides the balance of a stack into independent pieces.
 
 use super::SwayingForces;
 use super::cuts::{Carriers, carries};
@@ -13,13 +13,13 @@ use glam::DVec3;
 
 /// Coefficients (of order 1) below this are rounding and left out. Chosen here.
 const ROUNDING: f64 = 1e-13;
-/// Places and loads that differ by less, over size and weight, are the same. Chosen here: it moves a limit no more.
+/// Relative difference below which places and loads are equal. Chosen here: a limit changes by no more.
 const SAME: f64 = 1e-9;
 
-/// What a joint or tie can do at one point: forces on a block, their opposites on what is below.
+/// Possible forces of a joint or tie at one point: on a block, with their opposites on the body below.
 #[derive(Clone, Copy)]
 pub(super) struct Act {
-    /// Which link it acts in: a joint, or after all joints a tie.
+    /// Index of its link: a joint, or after all joints a tie.
     pub(super) link: usize,
     pub(super) at: DVec3,
     /// First the normal of a joint or the axis of a tie, along which it pushes its block; then across.
@@ -27,16 +27,16 @@ pub(super) struct Act {
     pub(super) law: Law,
 }
 
-/// What it can do.
+/// The possible forces.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) enum Law {
     /// Push along the first axis; across it the friction coefficient times as much.
     Friction(f64),
-    /// Push along the first axis, across it the friction coefficient times as much; all toes of a joint together no more than full.
+    /// Push along the first axis, across it the friction coefficient times as much; all toes of a joint together at most its full capacity.
     Toe {
         /// The friction coefficient.
         friction: f64,
-        /// What this one bears alone, N.
+        /// Capacity of this one alone, N.
         capacity_n: f64,
     },
     /// Any force across the first axis up to this, N.
@@ -46,7 +46,7 @@ pub(super) enum Law {
 }
 
 impl Law {
-    /// Whether two are the same but for rounding of a capacity.
+    /// Whether two are equal within rounding of a capacity.
     fn is_like(self, other: Law) -> bool {
         match (self, other) {
             (
@@ -61,12 +61,12 @@ impl Law {
     }
 }
 
-/// What grows until something moves.
+/// The growing load.
 #[derive(Clone, Copy)]
 pub(super) enum Growing<'a> {
     /// Inertia: the mass of each block times an acceleration.
     Shaking,
-    /// Forces of shaking on each block as given.
+    /// Given shaking forces on each block.
     Swaying(&'a [SwayingForces]),
     /// Static loads on each block: "along x" is their factor over g; nothing grows along y.
     Loads(&'a [Load]),
@@ -89,27 +89,27 @@ impl Link {
     }
 }
 
-/// What is balanced as one: three forces, three moments.
+/// A unit of balance: three forces, three moments.
 struct Balance {
     load: Load,
     /// Force and moment about the origin of shaking of 1 g along x and along y.
     shaking: [(DVec3, DVec3); 2],
     /// The point of its moments.
     about: DVec3,
-    /// All the weight that its block carries, N.
+    /// The whole weight on its block, N.
     weight: f64,
-    /// The blocks that it balances together.
+    /// The blocks in it.
     blocks: Vec<usize>,
 }
 
-/// How the six velocities of a balance in a programme become those of its blocks.
+/// Transforms the six velocities of a balance in a programme into those of its blocks.
 struct Moves {
     blocks: Vec<usize>,
     about: DVec3,
     weight: f64,
 }
 
-/// Blocks and forces that depend on each other.
+/// Connected blocks and forces.
 pub(super) struct Piece {
     moves: Vec<Moves>,
     length: f64,
@@ -125,12 +125,12 @@ impl Piece {
         self.at_rest.len()
     }
 
-    /// Loads at rest, six a balance.
+    /// Loads at rest, six for each balance.
     pub(super) fn at_rest(&self) -> &[f64] {
         &self.at_rest
     }
 
-    /// What its joints and ties can do.
+    /// Possible forces of its joints and ties.
     pub(super) fn pushes(&self) -> &[Push] {
         &self.pushes
     }
@@ -140,7 +140,7 @@ impl Piece {
         &self.units
     }
 
-    /// The motions that each block of the stack takes part in, from the velocities of a programme.
+    /// The motions of each block of the stack, from the velocities of a programme.
     pub(super) fn motions(&self, velocities: &[f64], count: usize) -> Vec<Vec<BodyMotion>> {
         let mut motions = vec![Vec::new(); count];
         for (moves, six) in self.moves.iter().zip(velocities.chunks_exact(6)) {
@@ -161,7 +161,7 @@ impl Piece {
         self.pushes.iter().any(|push| matches!(push, Push::Toes(_)))
     }
 
-    /// Turns and mirrors in plan that leave what it can bear as it is.
+    /// Rotations and mirrors in plan that leave its capacity unchanged.
     pub(super) fn symmetries(&self) -> &[Symmetry] {
         &self.symmetries
     }
@@ -190,12 +190,12 @@ impl Piece {
 struct Gathered {
     pushes: Vec<Push>,
     units: Vec<f64>,
-    /// The link whose toes the last push holds.
+    /// The link of the last push's toes.
     toes_of: Option<usize>,
 }
 
 impl Gathered {
-    /// Adds what an act can do; `column` is the balance of one unit of force along a way.
+    /// Adds a possible force; `column` is the balance of one unit of force along an axis.
     fn add(&mut self, act: &Act, unit: f64, column: impl Fn(DVec3) -> Column) {
         let [normal, first_way, second_way] = act.axes;
         let mut toes_of = None;
@@ -234,7 +234,7 @@ impl Gathered {
 /// all other blocks, with the sum of what stands so on each as their load; linked ones in one piece      [6 a block]
 /// ```
 ///
-/// Together they say the same as the balance of every block.
+/// Together they are equivalent to the balance of every block.
 pub(super) fn pieces(
     stack: &Stack,
     loads: &[Load],
@@ -364,7 +364,7 @@ pub(super) fn pieces(
                 units: gathered.units,
                 at_rest: Vec::new(),
                 shaking: [Vec::new(), Vec::new()],
-                // what sways differently is not looked at for its mirrors
+                // mirrors apply only under equal shaking forces
                 symmetries: match growing {
                     Growing::Shaking => symmetries(&within, &balances, &own, &scale),
                     Growing::Swaying(_) | Growing::Loads(_) => group(&[]),
@@ -383,7 +383,7 @@ pub(super) fn pieces(
         .collect()
 }
 
-/// Force and moment about the origin of what sways these blocks along an axis.
+/// Force and moment about the origin of the shaking forces on these blocks along an axis.
 fn swayed(blocks: &[usize], axis: DVec3, loads: &[Load], swaying: &[SwayingForces]) -> (DVec3, DVec3) {
     let which = usize::from(axis == DVec3::Y);
     let turns = DVec3::Z.cross(axis);
@@ -396,10 +396,10 @@ fn swayed(blocks: &[usize], axis: DVec3, loads: &[Load], swaying: &[SwayingForce
     sum
 }
 
-/// Blocks that an act takes part in the balance of, with its sign on each.
+/// Balances that a possible force acts on, with its sign in each.
 type Ends = Vec<(usize, f64)>;
 
-/// The mirrors in plan that map a piece onto itself, and what they make of each other.
+/// The mirrors in plan that map a piece onto itself, and their products.
 fn symmetries(
     blocks: &[usize],
     balances: &[&Balance],
@@ -420,7 +420,7 @@ fn symmetries(
         };
         let place = |point: DVec3| middle + way(point - middle);
         let near = |a: DVec3, b: DVec3, unit: f64| (a - b).abs().max_element() <= SAME * unit;
-        // where each block goes; moments are mirrored with the opposite sign
+        // images of the blocks; moments are mirrored with the opposite sign
         let mut image = Vec::with_capacity(balances.len());
         for from in balances {
             let own = |balance: &Balance| balance.load.moment - balance.about.cross(balance.load.force);
@@ -455,7 +455,7 @@ fn symmetries(
     group(&mirrors.into_iter().filter(holds).collect::<Vec<_>>())
 }
 
-/// The joint under a block, if nothing else links what the block carries to the rest.
+/// The joint under a block, if nothing else connects the block's load to the rest.
 fn alone(stack: &Stack, links: &[Link], block: usize, group: &[usize]) -> Option<usize> {
     let within = |block: usize| group.binary_search(&block).is_ok();
     let mut crossing =
@@ -465,7 +465,7 @@ fn alone(stack: &Stack, links: &[Link], block: usize, group: &[usize]) -> Option
     (joint.upper == block && carries(joint)).then_some(only)
 }
 
-/// Makes forces and moments of order 1.
+/// Scales forces and moments to order 1.
 struct Scale {
     length: f64,
 }

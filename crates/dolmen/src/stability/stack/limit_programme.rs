@@ -1,4 +1,4 @@
-//! One piece of a stack as a programme over cones: what its joints can balance.
+//! One piece of a stack as a conic programme: the accelerations that its joints can balance.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -12,24 +12,24 @@ use crate::stability::StabilityError;
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{DefaultSettings, DefaultSolver, IPSolver, SolverStatus, SupportedConeT};
 
-/// Acceleration over gravity beyond which it is called unlimited. Chosen here: no ground moves so.
+/// Acceleration over gravity that counts as unlimited. Chosen here: no ground moves so.
 pub(super) const ACCELERATION_MOST: f64 = 10.0;
-/// What the solver is asked for, over the weight. Chosen here: a step or two more than its own 1e-8 takes.
+/// Tolerance of the solver, over the weight. Chosen here: a step or two more than its own 1e-8 needs.
 const SOUGHT: f64 = 1e-10;
-/// The same of a rough answer. Chosen here: some steps fewer.
+/// The same for a rough answer. Chosen here: some steps fewer.
 const SOUGHT_ROUGH: f64 = 1e-7;
-/// What an answer may miss: balance of forces, cones, difference of both bounds, over the weight. Chosen here; 1e-9 is usual.
+/// Largest error accepted: balance of forces, cones, difference of both bounds, over the weight. Chosen here; 1e-9 is usual.
 const MISSED_MOST: f64 = 1e-6;
 /// Coefficients (of order 1) below this are rounding and left out. Chosen here.
 const ROUNDING: f64 = 1e-13;
 
-/// What a joint or tie can do at one point: columns of the balance, one an unknown component of force.
+/// Possible forces of a joint or tie at one point: columns of the balance, one for each unknown component.
 pub(super) enum Push {
     /// Coulomb's cone |f₁, f₂| ≤ f₀: columns of the normal and of μ times the two directions of the plane.
     Cone([Column; 3]),
     /// Pushes only.
     Normal(Column),
-    /// Every block of full stress of one joint, each in Coulomb's cone; forces over what each bears alone add to 1 at most.
+    /// Every block of full stress of one joint, each in Coulomb's cone; the sum of forces over their single capacities is at most 1.
     Toes(Vec<ToePush>),
     /// Any direction of a plane up to a strength (over the weight); may be infinite.
     Disc([Column; 2], f64),
@@ -37,7 +37,7 @@ pub(super) enum Push {
     Pull(Column, f64),
 }
 
-/// One block of full stress: the columns of its cone, and what a unit of force takes of the joint.
+/// One block of full stress: the columns of its cone, and its use of the joint's capacity per unit of force.
 pub(super) struct ToePush {
     pub(super) parts: [Column; 3],
     pub(super) share: f64,
@@ -46,7 +46,7 @@ pub(super) struct ToePush {
 /// Row and value.
 pub(super) type Column = Vec<(usize, f64)>;
 
-/// Which accelerations are looked at.
+/// The accelerations considered.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Within {
     /// All of the horizontal plane.
@@ -55,23 +55,23 @@ pub(super) enum Within {
     Line([f64; 2]),
 }
 
-/// What one solution says.
+/// Result of one solution.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Answer {
-    /// The farthest acceleration along `towards` that forces balance.
+    /// The farthest acceleration along `towards` that is balanced.
     Reaches(Support),
     /// No forces balance any acceleration.
     Falls,
 }
 
-/// The farthest point of the balanced accelerations in a direction, with its evidence.
+/// The farthest point of the balanced accelerations in a direction, with its certificate.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Support {
     /// The point itself, which forces balance: a lower bound.
     pub(super) point: [f64; 2],
-    /// How far along the direction a mechanism lets any point be: an upper bound.
+    /// Largest value along the direction that a mechanism allows: an upper bound.
     pub(super) bound: f64,
-    /// Largest balance or cone missed by forces or mechanism, and the difference of both bounds.
+    /// Largest error of balance or cones, and the difference of both bounds.
     pub(super) missed: f64,
 }
 
@@ -82,7 +82,7 @@ pub(super) struct Support {
 /// mechanism   minimise −load·v + Σ strength·|slip| + Σ crushing + A_most |ν − m·v| over v:  Gᵀ v in the dual cones
 /// ```
 ///
-/// Both are solved at once; that both ends meet is the certificate.
+/// Both are solved together; their agreement is the certificate.
 pub(super) struct Programme {
     solver: DefaultSolver<f64>,
     matrix: CscMatrix<f64>,
@@ -94,7 +94,7 @@ pub(super) struct Programme {
 }
 
 impl Programme {
-    /// From loads at rest [rows], what an acceleration of 1 g along x and along y adds to them [rows] and the pushes.
+    /// Builds it from loads at rest [rows], the loads of 1 g along x and along y [rows] and the pushes.
     pub(super) fn new(
         at_rest: &[f64],
         shaking: [&[f64]; 2],
@@ -149,17 +149,17 @@ impl Programme {
         })
     }
 
-    /// Unknown forces and accelerations.
+    /// Number of unknown forces and accelerations.
     pub(super) fn unknowns(&self) -> usize {
         self.right.len()
     }
 
-    /// Equations of balance.
+    /// Number of equations of balance.
     pub(super) fn equations(&self) -> usize {
         self.costs.len() - 1
     }
 
-    /// How far along ν the balanced accelerations reach.
+    /// Largest balanced acceleration along ν.
     pub(super) fn support(&mut self, towards: [f64; 2]) -> Result<Answer, StabilityError> {
         match self.within {
             Within::Plane => self.right[1..3].copy_from_slice(&towards.map(|part| -part)),
@@ -186,7 +186,7 @@ impl Programme {
         let missed = (self.balance_missed(z).max(self.outside(z, 0.0)))
             .max(self.outside(&self.slips(x, 1.0), 1.0) / size)
             .max((bound - reached).abs());
-        // `max` passes over NaN
+        // `max` ignores NaN
         let numbers = x.iter().chain(z).all(|value| value.is_finite());
         if missed > MISSED_MOST || !numbers {
             return Err(refused(&format!(
@@ -197,13 +197,14 @@ impl Programme {
         Ok(Answer::Reaches(Support { point, bound, missed }))
     }
 
-    /// The mechanism that bounds how far the balanced accelerations reach along ν; `None` if nothing is balanced.
+    /// The mechanism that bounds the balanced accelerations along ν; `None` if nothing is balanced.
     pub(super) fn mechanism(&mut self, towards: [f64; 2]) -> Result<Option<Vec<f64>>, StabilityError> {
         let answer = self.support(towards)?;
         Ok((answer != Answer::Falls).then(|| self.velocities().to_vec()))
     }
 
-    /// The velocities in which it falls whatever the acceleration along ν, or with the least one the other way; `None` if it stands.
+    /// The velocities in which it falls whatever the acceleration along ν, or with the smallest one in the opposite direction; `None` if it
+    /// stands.
     pub(super) fn falling_velocities(
         &mut self,
         towards: [f64; 2],
@@ -222,7 +223,7 @@ impl Programme {
         &self.solver.solution.x[..self.rows]
     }
 
-    /// A mechanism that gains energy whatever the acceleration: checked, then believed.
+    /// A mechanism that gains energy whatever the acceleration, after a check.
     fn falls(&self) -> Result<Answer, StabilityError> {
         let x = &self.solver.solution.x;
         let gains = -dot(&self.costs, x);
@@ -246,7 +247,7 @@ impl Programme {
         slips
     }
 
-    /// Largest |Aᵀ z + q|: what is left of the balance.
+    /// Largest |Aᵀ z + q|: the residual of the balance.
     fn balance_missed(&self, z: &[f64]) -> f64 {
         let mut most = 0.0_f64;
         for (column, cost) in self.costs.iter().enumerate() {
@@ -259,8 +260,8 @@ impl Programme {
         most
     }
 
-    /// How far outside the cones a vector lies. Every cone is its own dual, but that of no slip (`fixed`: 1 for slips, 0 for
-    /// forces, of which any will do).
+    /// Distance of a vector from the cones. Every cone is its own dual, except that without slip (`fixed`: 1 for slips, 0 for forces, which are
+    /// free).
     fn outside(&self, vector: &[f64], fixed: f64) -> f64 {
         let (mut most, mut row) = (0.0_f64, 0);
         for cone in &self.cones {
@@ -290,7 +291,7 @@ impl Programme {
     }
 }
 
-/// How the solver is asked.
+/// Settings of the solver.
 pub(super) fn settings() -> DefaultSettings<f64> {
     DefaultSettings {
         verbose: false,
@@ -302,7 +303,7 @@ pub(super) fn settings() -> DefaultSettings<f64> {
     }
 }
 
-/// How the solver is asked where it is only to be known whether an acceleration reaches clearly beyond rest.
+/// Settings of the solver if only the sign of the result beyond rest matters.
 pub(super) fn rough() -> DefaultSettings<f64> {
     DefaultSettings {
         tol_gap_abs: SOUGHT_ROUGH,
@@ -312,8 +313,8 @@ pub(super) fn rough() -> DefaultSettings<f64> {
     }
 }
 
-/// The velocities [rows] of the mechanism that gains most while its corners open by 1 together: the dual of the least pull, alike
-/// at every corner, that would hold loads at rest. `None` if it gains no more than rounding.
+/// The velocities [rows] of the mechanism with the largest gain while its corners open by 1 together: the dual of the smallest pull, equal at
+/// every corner, that would balance loads at rest. `None` if the gain is rounding.
 pub(super) fn least_pull(
     at_rest: &[f64],
     pushes: &[Push],
@@ -356,7 +357,7 @@ pub(super) fn least_pull(
     Ok((gains > MISSED_MOST).then(|| solution.x[..rows].to_vec()))
 }
 
-/// The programme while it grows.
+/// The programme during its construction.
 struct Build {
     columns: Vec<Column>,
     costs: Vec<f64>,
@@ -378,7 +379,7 @@ impl Build {
                 self.cones.push(SupportedConeT::NonnegativeConeT(1));
             }
             Push::Toes(toes) => {
-                // the rate at which the joint crushes, which costs all that it bears
+                // the rate of crushing of the joint, which costs its whole capacity
                 self.bounded(1.0);
                 self.cones.push(SupportedConeT::NonnegativeConeT(1));
                 let variable = self.columns.len() - 1;
@@ -424,7 +425,7 @@ impl Build {
         self.next += 1;
     }
 
-    /// A row and a variable, the slip, that costs its strength.
+    /// A row and a variable, the slip, which costs its strength.
     fn bounded(&mut self, strength: f64) {
         self.costs.push(strength);
         self.columns.push(vec![(self.next, -1.0)]);

@@ -1,4 +1,4 @@
-//! What a joint of finite strength bears in a limit analysis, linearised from inside.
+//! Capacity of a joint of finite strength in a limit analysis, linearised from inside.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -10,21 +10,21 @@
 use super::toe::toe;
 use crate::structure::stack::Polygon;
 
-/// Parts of a patch that lines cut off, in stacks of few joints: under no force is the moment that a rectangle bears more than 1.3 % short about an
-/// edge, or 3.7 % askew, up to 0.6 of what it bears in all. Chosen here.
+/// Shares of a patch that lines cut off, for its blocks of full stress in stacks of few joints. Chosen here: up to 0.6 of the full capacity, the
+/// moment of a rectangle is at most 1.3 % too small about an edge, or 3.7 % askew.
 const MANY: [f64; 12] = [
     0.85, 0.7, 0.57, 0.46, 0.36, 0.27, 0.19, 0.12, 0.07, 0.03, 0.006, 0.000_1,
 ];
 /// The same in stacks of many joints: 6.3 % and, with half of the directions, 12.2 %. Chosen here.
 const FEW: [f64; 9] = [0.75, 0.5, 0.3, 0.18, 0.1, 0.05, 0.02, 0.004, 0.000_05];
-/// Joints up to which a stack has few. Chosen here: a check of an arch of so many takes some seconds.
+/// Largest number of joints of a "few". Chosen here: a check of such an arch takes some seconds.
 const JOINTS_FEW: usize = 25;
-/// The same about a force in the joint that is known, for shaking, which hardly changes it. Chosen here.
+/// The same about a known force in the joint, for shaking, which hardly changes it. Chosen here.
 const ABOUT_KNOWN: [f64; 5] = [1.0, 0.9, 1.1, 0.25, 4.0];
-/// And for loads that grow, which may. Chosen here, as [`MANY`].
+/// And for growing loads, which may change it. Chosen here, as [`MANY`].
 const FROM_KNOWN: [f64; 12] = [1.0, 0.25, 0.7, 1.19, 1.41, 1.68, 2.0, 2.83, 4.0, 5.7, 8.0, 16.0];
-/// Directions from the normal of one edge to that of the next: of few joints, of many, and of patches of so many edges that their normals suffice.
-/// Chosen here.
+/// Number of directions from the normal of one edge to that of the next: for few joints, for many, and for patches with so many edges that their
+/// normals suffice. Chosen here.
 const BETWEEN_FEW: usize = 4;
 const BETWEEN_MANY: usize = 2;
 const EDGES_SUFFICE: usize = 12;
@@ -36,26 +36,26 @@ pub(super) struct Toe {
     pub(super) capacity_n: f64,
 }
 
-/// What is known of the force in a joint before the analysis.
+/// Knowledge of the force in a joint before the analysis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Pressed {
-    /// Statics alone give it.
+    /// Known from statics alone.
     Known {
         /// The force without shaking, N.
         force_n: f64,
-        /// Whether loads grow that may press.
+        /// Whether growing loads may press.
         grows: bool,
     },
-    /// About this much, N, in a stack of so many joints.
+    /// Known approximately, N, in a stack with this number of joints.
     About {
         /// The force, N.
         force_n: f64,
-        /// Joints of the stack.
+        /// Number of joints of the stack.
         joints: usize,
     },
 }
 
-/// Resultants of blocks of full stress whose mixtures a patch bears.
+/// Resultants of blocks of full stress whose mixtures a patch can carry.
 ///
 /// ```text
 /// all that a patch bears      (N, N c) of a pressure 0 ≤ p ≤ f: convex; on its border p is f in what a line cuts off, 0 elsewhere
@@ -63,7 +63,7 @@ pub(super) enum Pressed {
 /// rectangle b × l             N_k = f l t, c_k at t/2 inside the edge: exact where N is one of N_k
 /// ```
 ///
-/// `towards` is a direction of the plane that is looked at besides those of the edges and between them.
+/// `towards` is a direction of the plane in addition to those of the edges and between them.
 pub(super) fn toes(
     patch: &Polygon,
     strength_pa: f64,
@@ -105,7 +105,7 @@ pub(super) fn toes(
     all
 }
 
-/// The normals of a patch's edges, and directions between them, even as seen where the patch is as wide along both.
+/// The normals of a patch's edges, and directions between them, evenly spaced after scaling the patch to equal widths.
 fn outwards(patch: &Polygon, between: usize) -> Vec<[f64; 2]> {
     let corners = &patch.corners_m;
     let edges = corners.iter().zip(corners.iter().cycle().skip(1));
@@ -137,7 +137,7 @@ mod tests {
     use crate::numeric::Random;
     use std::f64::consts::TAU;
 
-    /// Whether a force bears within what pressures of 0 to f bear: towards every side no farther out than the strip of its own size.
+    /// Whether a force lies within the capacity by pressures of 0 to f: towards every side no farther out than a strip of its own size.
     fn is_borne(patch: &Polygon, strength_pa: f64, force_n: f64, at_m: [f64; 2]) -> bool {
         (0..720).all(|k| {
             let angle = TAU * f64::from(k) / 720.0;
@@ -162,7 +162,7 @@ mod tests {
             };
             let all = toes(&patch, strength_pa, pressed, Some([1.0, 0.0]));
             for _ in 0..50 {
-                // a few of them, together at most full
+                // a few of them, with a total of at most the full capacity
                 let picked: Vec<(Toe, f64)> = (0..3)
                     .map(|_| {
                         (

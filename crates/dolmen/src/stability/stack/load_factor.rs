@@ -1,4 +1,4 @@
-//! What static loads can be multiplied by until no forces in the joints balance them.
+//! The factor on static loads up to which forces in the joints balance them.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -17,44 +17,44 @@ use super::mechanism::Mechanism;
 use crate::stability::StabilityError;
 use crate::structure::stack::{Stack, StaticLoad};
 
-/// The direction of a programme in which loads grow.
+/// The direction of growing loads in a programme.
 const GROWS: [f64; 2] = [1.0, 0.0];
 
-/// Growth of loads of the size of the weight from which nothing is called to move.
+/// Growth of loads of the size of the weight that counts as unlimited.
 const MOST: f64 = ACCELERATION_MOST * (1.0 - 1e-6);
 
-/// What acts while other loads grow.
+/// The constant loads.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SteadyLoads<'a> {
     /// Factor on the weight of the blocks, above 0.
     pub weight: f64,
-    /// Static loads that stay as they are.
+    /// Constant static loads.
     pub loads: &'a [StaticLoad],
 }
 
-/// What a stack bears of loads.
+/// The load factor of a stack.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct LoadFactor {
-    /// Least factor for which a mechanism was found that no forces balance; 0 if it does not stand without the loads, infinite where
-    /// ten times the weight as load moves nothing.
+    /// Smallest factor with a mechanism, which no forces balance; 0 if it does not stand without the loads, infinite where ten times the weight
+    /// as load moves nothing.
     pub factor: f64,
-    /// Largest factor for which forces that balance were found.
+    /// Largest factor for which balanced forces were found.
     pub at_least: f64,
-    /// How it begins to move there; `None` where nothing moves.
+    /// The mechanism there; `None` where nothing moves.
     pub mechanism: Option<Mechanism>,
 }
 
 impl LoadFactor {
-    /// Whether a joint slides in the mechanism: friction taken as associated then makes the factor an upper bound.
+    /// Whether a joint slides in the mechanism: associated friction then makes the factor an upper bound.
     pub fn slides(&self) -> bool {
         let joints = self.mechanism.iter().flat_map(|mechanism| &mechanism.joints);
         joints.into_iter().any(|joint| joint.motion.slides())
     }
 }
 
-/// What the growing loads can be multiplied by until no forces in the joints balance every block. Loads of the stack itself are left
-/// out: what acts is given here.
+/// The factor on the growing loads up to which forces in the joints balance every block. Loads of the stack itself are not included: all loads
+/// are given here.
 ///
 /// ```text
 /// Σ f = weight · W + steady + λ growing,  |f₁, f₂| ≤ μ f₀ + share of C at every corner      λ ↦ max
@@ -118,7 +118,7 @@ pub fn load_factor(
     Ok(found)
 }
 
-/// The factor alone, of loads on what is known to stand without them: a third of the work.
+/// Only the factor, for loads on a stack that is known to stand without them: a third of the work.
 ///
 /// # Errors
 /// As [`load_factor`].
@@ -140,7 +140,7 @@ pub fn growth(
     Ok(least)
 }
 
-/// The balance in pieces, and what its growing loads of order 1 must be multiplied by.
+/// The balance in pieces, and the scale of its growing loads.
 fn pieces_of(
     bare: &Stack,
     steady: &SteadyLoads<'_>,

@@ -1,10 +1,10 @@
-//! What acts on a stack besides its weight, gathered block by block.
+//! Loads on a stack besides its weight, summed block by block.
 
 use crate::stability::StabilityError;
 use crate::structure::stack::{Block, Stack, StaticLoad};
 use glam::DVec3;
 
-/// Loads that are there before any horizontal shaking, beside those of the stack itself ([`Stack::static_loads`]).
+/// Loads before any horizontal shaking, in addition to those of the stack itself ([`Stack::static_loads`]).
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct StackLoads {
     /// Vertical acceleration of the ground, m/s², positive up: multiplies all weight by 1 + a_z/g. Above −g. Default 0.
@@ -22,22 +22,22 @@ pub struct StackLoads {
 pub struct PointForce {
     /// The block.
     pub block: usize,
-    /// Where it acts, m; `None`: at the block's centroid.
+    /// Point of application, m; `None` for the block's centroid.
     pub position_m: Option<[f64; 3]>,
     /// The force, N.
     pub force_n: [f64; 3],
 }
 
-/// A steady wind on every block, each seen whole: what others shelter is counted all the same.
+/// A steady wind on every block without sheltering by others.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wind {
     /// Net pressure on the projected area, front and lee together (dynamic pressure × force coefficient), Pa, ≥ 0.
     pub pressure_pa: f64,
-    /// Where it blows to; need not be of unit length.
+    /// Direction of the wind; need not be of unit length.
     pub direction: [f64; 2],
 }
 
-/// What acts on a group of blocks without horizontal shaking.
+/// Loads on a group of blocks without horizontal shaking.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Load {
     pub(super) mass: f64,
@@ -46,7 +46,7 @@ pub(super) struct Load {
     pub(super) force: DVec3,
     /// About the origin.
     pub(super) moment: DVec3,
-    /// Moment about the origin of horizontal static loads alone: what turns the soil beyond its settled place.
+    /// Moment about the origin of horizontal static loads alone, which rotates the soil from its settled position.
     pub(super) static_moment: DVec3,
 }
 
@@ -77,7 +77,7 @@ pub(super) fn without_weight(count: usize, forces: &[StaticLoad]) -> Vec<Load> {
     loads
 }
 
-/// Adds static forces to what acts on the blocks.
+/// Adds static forces to the loads on the blocks.
 pub(super) fn push_all(loads: &mut [Load], forces: &[StaticLoad]) {
     for of in forces {
         if let Some(load) = loads.get_mut(of.block) {
@@ -96,7 +96,7 @@ pub(super) fn together(loads: &[Load], blocks: &[usize]) -> Load {
 }
 
 impl StackLoads {
-    /// What acts on each block.
+    /// The loads on each block.
     pub(super) fn on_blocks(&self, stack: &Stack) -> Result<Vec<Load>, StabilityError> {
         let mut loads = self.on_bare_blocks(stack)?;
         push_all(&mut loads, stack.static_loads());
@@ -153,7 +153,7 @@ impl StackLoads {
 }
 
 impl Wind {
-    /// Where the wind's resultant acts on a block, and the force.
+    /// Point of application and force of the wind on a block.
     fn on(&self, block: &Block) -> Result<(DVec3, DVec3), StabilityError> {
         if !(self.pressure_pa >= 0.0 && self.pressure_pa.is_finite()) {
             return Err(StabilityError::Option {

@@ -1,4 +1,4 @@
-//! The rigid parts of the mechanism in which a stack begins to move one way, and the oscillator that codes make of them.
+//! The rigid parts of the mechanism in which a stack begins to move in one direction, and the equivalent oscillator of codes.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -21,15 +21,15 @@ use crate::stability::StabilityError;
 use crate::structure::stack::{Block, Stack};
 use glam::DVec3;
 
-/// Velocities that differ by less than this part of the largest are the same. Chosen here: what the solver loses is 1e-8.
+/// Relative difference below which velocities are equal. Chosen here: the solver is accurate to 1e-8.
 const SAME: f64 = 1e-4;
-/// Sine of the largest angle at which an axis of rotation is taken as level, and the part of its motion that may run along it. Chosen here.
+/// Largest sine of the inclination of a level axis of rotation, and largest share of motion along it. Chosen here.
 const LEVEL: f64 = 1e-3;
 
 /// Blocks that move as one rigid body in a mechanism.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RigidPart {
-    /// Which blocks, ascending.
+    /// The blocks, ascending.
     pub blocks: Vec<usize>,
     /// P, N.
     pub weight_n: f64,
@@ -37,18 +37,18 @@ pub struct RigidPart {
     pub centroid_m: [f64; 3],
     /// δ of its centroid along the shaking, over the largest of all parts.
     pub moves: f64,
-    /// How far its centroid rises, to the same scale.
+    /// Rise of its centroid, to the same scale.
     pub rises: f64,
 }
 
-/// The mechanism in which a stack begins to move one way, by its rigid parts.
+/// The mechanism in which a stack begins to move in one direction, by its rigid parts.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LocalMechanism {
     /// Unit vector of the inertia forces in plan.
     pub direction: [f64; 2],
     /// α₀.
     pub multiplier: f64,
-    /// What moves, by its lowest block.
+    /// The moving part, named by its lowest block.
     pub parts: Vec<RigidPart>,
     /// M*, kg.
     pub mass_kg: f64,
@@ -60,7 +60,7 @@ pub struct LocalMechanism {
     pub overturning_m: Option<f64>,
 }
 
-/// The mechanism in which a stack begins to move when its inertia forces act one way; `None` if it does not stand, or nothing moves it.
+/// The mechanism in which a stack begins to move under inertia forces in one direction; `None` if it does not stand, or nothing moves it.
 ///
 /// ```text
 /// velocities of the blocks: those of the mechanism of the limit analysis
@@ -69,7 +69,7 @@ pub struct LocalMechanism {
 /// d₀*     one part that turns about a level axis: the way of its centroid until it stands above that axis
 /// ```
 ///
-/// Weights are summed over rigid parts, each at its own centroid: course by course a wall that tips as one would have e* → 3/4.
+/// Weights are summed over rigid parts, each at its own centroid: summed course by course, a wall that tips as one would have e* → 3/4.
 ///
 /// # Errors
 /// [`StabilityError`] for a direction without length, and a programme that the solver could not solve.
@@ -99,7 +99,7 @@ pub fn local_mechanism(stack: &Stack, direction: [f64; 2]) -> Result<Option<Loca
     found.pop().unwrap_or(Ok(None))
 }
 
-/// The mechanism in each of several directions, as [`local_mechanism`] gives it; opposite directions share what shows that it stands.
+/// The mechanism in each of several directions, as in [`local_mechanism`]; opposite directions share the proof that it stands.
 ///
 /// # Errors
 /// [`StabilityError`] for a direction without length; within the answer of a direction for a programme that the solver could not solve.
@@ -145,7 +145,7 @@ pub fn local_mechanisms(
     Ok(each.collect())
 }
 
-/// How far forces balance the shaking along one direction.
+/// Largest balanced shaking along one direction.
 struct Limit {
     multiplier: f64,
     /// The piece that moves first, and its velocities; `None` where nothing moves.
@@ -153,7 +153,7 @@ struct Limit {
 }
 
 impl Limit {
-    /// `None` where the reach does not pass rest.
+    /// `None` where it is not beyond rest.
     fn of(pieces: &[Piece], way: [f64; 2]) -> Result<Option<Self>, StabilityError> {
         let mut limit = Limit {
             multiplier: ACCELERATION_MOST * (1.0 - 1e-6),
@@ -175,7 +175,7 @@ impl Limit {
     }
 }
 
-/// Velocity at a point of a block that takes part in several motions.
+/// Velocity at a point of a block with several motions.
 fn velocity(motions: &[BodyMotion], point: DVec3) -> DVec3 {
     motions.iter().map(|motion| motion.at(point)).sum()
 }
@@ -273,7 +273,7 @@ fn of_parts(
     })
 }
 
-/// How far the centroid of a part that turns about a level axis moves along the shaking until it stands above the axis.
+/// Displacement of the centroid of a part along the shaking, rotating about a level axis, until it stands above the axis.
 fn overturning(motions: &[BodyMotion], centroid: DVec3, towards: DVec3) -> Option<f64> {
     let spin: DVec3 = motions.iter().map(|motion| motion.spin).sum();
     let axis = spin.try_normalize()?;

@@ -1,8 +1,8 @@
-//! What moves in a mechanism.
+//! The moving joints of a mechanism.
 
 use glam::DVec3;
 
-/// What a joint does in a mechanism.
+/// Motion of a joint in a mechanism.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum JointMotion {
@@ -32,11 +32,11 @@ impl JointMotion {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct MovingJoint {
-    /// Which joint of the stack.
+    /// Index of the joint.
     pub joint: usize,
-    /// What it does.
+    /// Its motion.
     pub motion: JointMotion,
-    /// Middle of the corners that stay closed, m: about it the joint turns, or on it it slides. `None` if it opens as a whole.
+    /// Middle of the corners that stay closed, m: the joint turns about it, or slides on it. `None` if it opens as a whole.
     pub closed_at_m: Option<[f64; 3]>,
 }
 
@@ -44,11 +44,11 @@ pub struct MovingJoint {
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Mechanism {
-    /// Every joint that opens, slides or crushes; the others stay as they are.
+    /// Every joint that opens, slides or crushes; the others do not move.
     pub joints: Vec<MovingJoint>,
 }
 
-/// How a body moves in a mechanism.
+/// Motion of a body in a mechanism.
 #[derive(Clone, Copy)]
 pub(super) struct BodyMotion {
     pub(super) velocity: DVec3,

@@ -1,4 +1,4 @@
-//! Stacks of stone: where and at what horizontal acceleration a joint opens or slides, thrust line, pressure.
+//! Stacks of stone: the joint that first opens or slides and its horizontal acceleration, thrust line, pressure.
 
 mod blown;
 mod contact;

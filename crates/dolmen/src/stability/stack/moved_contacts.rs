@@ -1,4 +1,4 @@
-//! Contacts of a stack whose stones have moved far: where two faces still cover each other, and the gap there.
+//! Contacts of a stack after large displacements: the overlap of faces, and the gap there.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -9,13 +9,13 @@
 use crate::structure::stack::{Body, Joint, Polygon, Solid, Stack};
 use glam::{DMat3, DVec3};
 
-/// Faces of a joint's two stones whose normals differ from that of the joint by more than this, as cosine, are not its faces: 6°.
+/// Smallest cosine between the normal of a face and that of its joint: 6°.
 const FACES_JOINT: f64 = 0.9945;
-/// Faces serve if what they cover together differs from the joint's patch by less than this share of its area. Chosen here; else the
-/// patch itself serves for both.
+/// Relative difference between the overlap of two faces and the joint's patch up to which the faces are used. Chosen here; otherwise the patch
+/// itself replaces both.
 const SAME_AREA: f64 = 0.01;
 
-/// Where a block has gone.
+/// Pose of a moved block.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Moved {
     pub(super) centre: DVec3,
@@ -32,7 +32,7 @@ impl Moved {
         }
     }
 
-    /// Where the ground has gone.
+    /// Displacement of the ground.
     pub(super) fn ground(shift: DVec3) -> Self {
         Moved {
             shift,
@@ -40,22 +40,22 @@ impl Moved {
         }
     }
 
-    /// Where its centroid is now.
+    /// Its centroid now.
     pub(super) fn now(&self) -> DVec3 {
         self.centre + self.shift
     }
 
-    /// Where a point of it is now.
+    /// A point of it now.
     pub(super) fn point(&self, drawn: DVec3) -> DVec3 {
         self.now() + self.rotation * (drawn - self.centre)
     }
 
-    /// Which of its points is here now.
+    /// The original point at a place now.
     fn drawn(&self, now: DVec3) -> DVec3 {
         self.centre + self.rotation.transpose() * (now - self.now())
     }
 
-    /// Moved on by a displacement of its centroid and a rotation vector.
+    /// Moves it further by a displacement of its centroid and a rotation vector.
     pub(super) fn on(&self, shift: DVec3, turn: DVec3) -> Self {
         let angle = turn.length();
         let rotation = match angle > 0.0 {
@@ -70,7 +70,7 @@ impl Moved {
     }
 }
 
-/// One corner of what two faces cover together.
+/// One corner of the overlap of two faces.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Corner {
     /// On the lower body, m.
@@ -78,14 +78,14 @@ pub(super) struct Corner {
     /// On the upper block, m.
     pub(super) upper: DVec3,
     pub(super) gap: f64,
-    /// How far the upper block has slipped there on the lower body since it was drawn, m.
+    /// Slip of the upper block there on the lower body since it was drawn, m.
     pub(super) slip: f64,
 }
 
-/// A contact as it is now.
+/// A contact in its present state.
 #[derive(Clone, Debug)]
 pub(super) struct Contact {
-    /// Which joint of the stack.
+    /// Index of the joint.
     pub(super) joint: usize,
     pub(super) lower: Option<usize>,
     pub(super) upper: usize,
@@ -94,7 +94,7 @@ pub(super) struct Contact {
     pub(super) corners: Vec<Corner>,
 }
 
-/// The two faces of a joint, in its plane as drawn: what is left of a gap or wedge counts as bedded.
+/// The two faces of a joint, in its plane as drawn; a small gap or wedge counts as closed.
 #[derive(Clone, Debug)]
 pub(super) struct Faces {
     joint: usize,
@@ -103,7 +103,7 @@ pub(super) struct Faces {
     origin: DVec3,
     axes: [DVec3; 3],
     friction: f64,
-    /// Corners as drawn, m; `None`: the ground, without an end.
+    /// Corners as drawn, m; `None` for the ground, which has no end.
     lower_face: Option<Vec<DVec3>>,
     upper_face: Vec<DVec3>,
 }
@@ -184,7 +184,7 @@ fn counterclockwise(mut corners_m: Vec<[f64; 2]>) -> Polygon {
 }
 
 impl Faces {
-    /// The contact with its bodies where they are now; `None` where they no longer cover each other.
+    /// The contact with its bodies at their present places; `None` without overlap.
     ///
     /// ```text
     /// both faces seen along their mean normal n; corners of what they cover together; g = distance of both planes along n there

@@ -1,4 +1,4 @@
-//! One step of a stack under moving supports: the motion that loses most weight while nothing enters anything.
+//! One step of a stack on moving supports: the motion that lowers the weight most without penetration.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -15,12 +15,12 @@ use clarabel::algebra::CscMatrix;
 use clarabel::solver::{DefaultSolver, IPSolver, SolverStatus, SupportedConeT};
 use glam::DVec3;
 
-/// What balance and cones may miss, over the weight. Chosen here, as in the limit analysis.
+/// Largest error of balance and cones, over the weight. Chosen here, as in the limit analysis.
 const MISSED_MOST: f64 = 1e-6;
 /// Coefficients (of order 1) below this are rounding. Chosen here.
 const ROUNDING: f64 = 1e-13;
 
-/// What acts on a block whatever it does: force at its centroid and moment about it.
+/// Loads on a block whatever its motion: force at its centroid and moment about it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Dead {
     pub(super) force: DVec3,
@@ -34,17 +34,17 @@ pub(super) struct Motion {
     pub(super) turn: DVec3,
 }
 
-/// A step that was found.
+/// The result of a step.
 #[derive(Clone, Debug)]
 pub(super) struct Step {
     pub(super) motions: Vec<Motion>,
-    /// Force of the ground on each block, N; zero where it stands on none.
+    /// Force of the ground on each block, N; zero for blocks that do not stand on it.
     pub(super) reactions: Vec<DVec3>,
-    /// What balance and cones miss, over the weight.
+    /// Error of balance and cones, over the weight.
     pub(super) missed: f64,
 }
 
-/// What a step is asked of.
+/// Input of a step.
 pub(super) struct Stage<'a> {
     pub(super) moved: &'a [Moved],
     pub(super) contacts: &'a [Contact],
@@ -63,11 +63,11 @@ pub(super) struct Stage<'a> {
 /// its dual   maximise what the ground's forces do on its movement, less Σ f₀ g, over forces f in Coulomb's cones that balance the weight
 /// ```
 ///
-/// Spreading supports thus bear the least thrust, closing ones the largest. Corners that are open (g > 0) bear nothing unless they close.
+/// Spreading supports thus carry the smallest thrust, closing ones the largest. Open corners (g > 0) carry nothing unless they close.
 ///
 /// # Source
-/// Portioli & Cascini (2017) for rigid blocks on settling supports. Differs from the source: Coulomb's cone as it is, all in space;
-/// since the gap that an associated slip opens may close again in the next step, slips do not lift stones.
+/// Portioli & Cascini (2017) for rigid blocks on settling supports. Differs from the source: Coulomb's cone exactly, in three dimensions;
+/// because the gap opened by an associated slip may close again in the next step, slips do not lift stones.
 pub(super) fn step(stage: &Stage<'_>) -> Result<Option<Step>, StabilityError> {
     let blocks = stage.moved.len();
     let scale = stage.ground.iter().map(|u| u.length()).fold(0.0, f64::max);

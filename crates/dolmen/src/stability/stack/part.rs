@@ -1,4 +1,4 @@
-//! One part of a stack above a cut: how it tips and slides. Symbols as in `stack_limits`.
+//! One part of a stack above a cut: its tipping and sliding. Symbols as in `stack_limits`.
 
 use super::contact::{Contact, contact, names_below};
 use super::half_plane::{HalfPlane, least_on};
@@ -9,25 +9,25 @@ use crate::structure::stack::{Body, Stack, Tie};
 use glam::DVec3;
 use std::f64::consts::TAU;
 
-/// Directions between two neighbouring edges in which a toe of finite strength is found. Chosen here: 5.6° on a square.
+/// Number of directions between two neighbouring edges in which a toe of finite strength is computed. Chosen here: 5.6° on a square.
 const TOES: usize = 16;
-/// What still counts as on the edge, over the size of the contact. Chosen here: rounding of coordinates.
+/// Distance from the edge that counts as on it, over the size of the contact. Chosen here: rounding of coordinates.
 const ON_EDGE: f64 = 1e-9;
-/// Directions in which sliding is looked for before it is refined. Chosen here.
+/// Number of directions of sliding before refinement. Chosen here.
 const SLIDES: usize = 72;
-/// Directions in which the resistance to sliding is given. Chosen here: the worst lies at most 1° beside one, 1.5e-4 of it.
+/// Number of directions in which the resistance to sliding is given. Chosen here: the worst lies at most 1° beside one, 1.5e-4 of it.
 const RESISTS: usize = 180;
 
-/// How the soil under the base turns.
+/// Rotation of the soil under the base.
 pub(super) struct Soil {
     /// 1 − W h / K.
     pub(super) factor: f64,
-    /// Horizontal acceleration that its rotation under static loads adds to every part, m/s².
+    /// Horizontal acceleration added to every part by its rotation under static loads, m/s².
     pub(super) offset: [f64; 2],
     pub(super) standing: Standing,
 }
 
-/// Limits of what is above one cut.
+/// Limits of the part above one cut.
 pub(super) fn limits_of(
     stack: &Stack,
     cut: Cut,
@@ -89,7 +89,7 @@ pub(super) fn limits_of(
     limits
 }
 
-/// What is above one cut, with all that its limits need.
+/// The part above one cut, with the data for its limits.
 pub(super) struct Part<'a> {
     stack: &'a Stack,
     cut: Cut,
@@ -115,11 +115,11 @@ impl<'a> Part<'a> {
         }
     }
 
-    /// All that keeps it from tipping and sliding, without ties.
+    /// Its whole resistance to tipping and sliding, without ties.
     pub(super) fn resists(&self) -> Vec<Resistance> {
         let (mut all, strength) = (Vec::new(), self.strength());
         for outward in self.outwards(strength.is_some()) {
-            // a contact that cannot bear its load resists nothing
+            // a contact beyond its capacity resists nothing
             let (pivot, crushed) = match self.pivot(outward, strength) {
                 Some(pivot) => (pivot, false),
                 None => (self.contact.hull.moments().centroid_m, true),
@@ -154,7 +154,7 @@ impl<'a> Part<'a> {
         all
     }
 
-    /// The half plane after the soil has turned.
+    /// The half plane including the rotation of the soil.
     fn on_soil(&self, lever: [f64; 2], reserve: f64) -> HalfPlane {
         let spent = lever[0] * self.soil.offset[0] + lever[1] * self.soil.offset[1];
         HalfPlane {
@@ -163,7 +163,7 @@ impl<'a> Part<'a> {
         }
     }
 
-    /// Turning about the line through `pivot` that is perpendicular to `outward`, both in the plane.
+    /// Rotation about the line through `pivot` perpendicular to `outward`, both in the plane.
     fn about(&self, pivot: [f64; 2], outward: [f64; 2], ties: bool) -> HalfPlane {
         let p = self.contact.at(pivot);
         let axis = self.contact.axes[2].cross(self.contact.along(outward));
@@ -191,7 +191,7 @@ impl<'a> Part<'a> {
         moment
     }
 
-    /// Ties between what is above and what is below.
+    /// Ties between the part above and the rest.
     fn ties(&self) -> impl Iterator<Item = &Tie> {
         let within = |body: Body| matches!(body, Body::Block(block) if self.cut.blocks.contains(&block));
         self.stack
@@ -200,7 +200,7 @@ impl<'a> Part<'a> {
             .filter(move |tie| within(tie.lower) != within(Body::Block(tie.upper)))
     }
 
-    /// Lines to tip about: one an edge, and with finite strength many between.
+    /// Axes of tipping: one for each edge, and with finite strength many between.
     fn outwards(&self, many: bool) -> Vec<[f64; 2]> {
         let corners = &self.contact.hull.corners_m;
         let edges = corners.iter().zip(corners.iter().cycle().skip(1));
@@ -227,7 +227,7 @@ impl<'a> Part<'a> {
         outwards
     }
 
-    /// Point of the line about which it tips in a direction of the plane; `None` if the contact cannot bear the force.
+    /// Point of the axis of tipping in a direction of the plane; `None` if the contact cannot carry the force.
     fn pivot(&self, outward: [f64; 2], strength: Option<f64>) -> Option<[f64; 2]> {
         if let Some(strength) = strength {
             return toe(&self.contact.patches, outward, self.normal_force / strength);
@@ -248,7 +248,7 @@ impl<'a> Part<'a> {
         Some([sum[0] / count, sum[1] / count])
     }
 
-    /// Fills in what tips it.
+    /// Fills in the tipping limits.
     fn tip(&self, limits: &mut CutLimits, strength: Option<f64>) {
         let middle = self.contact.hull.moments().centroid_m;
         let (mut inside, mut margin) = (f64::INFINITY, f64::INFINITY);
@@ -297,7 +297,7 @@ impl<'a> Part<'a> {
             });
         }
         limits.gravity_margin = margin;
-        // on the edge itself it does not stand, whichever way rounding goes
+        // on the edge itself it does not stand, whatever the rounding
         let edge = ON_EDGE * self.contact.hull.size_m();
         if limits.depth_m <= edge {
             limits.standing = Standing::Leaves {
@@ -315,7 +315,7 @@ impl<'a> Part<'a> {
         }
         limits.tipping = tangents.clone();
         if strength.is_some() {
-            // chords between pivots lie inside what the strength allows: safe in every direction
+            // chords between pivots lie inside the limit of the strength: safe in every direction
             limits.tipping = self.chords(&pivots);
             tangents.extend(self.refined(best_direction, strength));
         }
@@ -354,7 +354,7 @@ impl<'a> Part<'a> {
             .collect()
     }
 
-    /// The worst direction near one, where the toe of finite strength rounds the contact's corners.
+    /// The worst direction near a given one, where finite strength rounds the contact's corners.
     fn refined(&self, near: [f64; 2], strength: Option<f64>) -> Option<HalfPlane> {
         let angle = near[1].atan2(near[0]);
         let at = |angle: f64| {
@@ -369,7 +369,7 @@ impl<'a> Part<'a> {
         at(best)
     }
 
-    /// Fills in what slides it.
+    /// Fills in the sliding limits.
     fn slide(&self, limits: &mut CutLimits) {
         let (mu, cohesion) = self.friction();
         let normal = self.contact.axes[2];
@@ -393,14 +393,14 @@ impl<'a> Part<'a> {
         limits.sliding_with_ties = Some(self.sliding(mu, cohesion + tied).threshold(self.gravity));
     }
 
-    /// Least compressive strength of its joints, Pa; `None` if none crushes.
+    /// Smallest compressive strength of its joints, Pa; `None` if none crushes.
     fn strength(&self) -> Option<f64> {
         let joints = self.cut.joints.iter().map(|&joint| &self.stack.joints()[joint]);
         let given = joints.filter_map(|joint| joint.material.compressive_strength_pa);
         given.reduce(f64::min)
     }
 
-    /// Least friction of its joints, and cohesion × area of all, N.
+    /// Smallest friction of its joints, and cohesion × area of all, N.
     fn friction(&self) -> (f64, f64) {
         let joints = self.cut.joints.iter().map(|&joint| &self.stack.joints()[joint]);
         let (mut mu, mut cohesion) = (f64::INFINITY, 0.0);
@@ -419,7 +419,7 @@ impl<'a> Part<'a> {
         self.on_soil([lever.x, lever.y], reserve)
     }
 
-    /// The soonest sliding of all directions.
+    /// The smallest limit of sliding over all directions.
     fn sliding(&self, mu: f64, bond: f64) -> HalfPlane {
         let at = |angle: f64| self.slides_along(angle, mu, bond);
         let step = TAU / SLIDES as f64;

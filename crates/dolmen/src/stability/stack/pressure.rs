@@ -1,4 +1,4 @@
-//! Pressure in a joint that bears no tension.
+//! Pressure in a joint without tension.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -19,17 +19,17 @@ pub struct JointPressure {
     pub peak_at_m: [f64; 2],
     /// Area in contact over area of the joint.
     pub contact_share: f64,
-    /// The parts in contact, one a patch, empty where a patch gapes.
+    /// The parts in contact, one for each patch, empty where a patch is open.
     pub contact: Vec<Polygon>,
     /// Pressure is `plane[0] + plane[1] x + plane[2] y` where that is positive, Pa and Pa/m.
     pub plane: [f64; 3],
-    /// Steps of the iteration.
+    /// Number of iterations.
     pub iterations: usize,
-    /// Largest error of force, and of the resultant's place over the size of the joint, relative.
+    /// Relative error of force, and of the resultant's place over the size of the joint.
     pub residual: f64,
 }
 
-/// Steps before the iteration is given up; it takes fewer than 20. Chosen here.
+/// Largest number of iterations; fewer than 20 are needed. Chosen here.
 const STEPS_MOST: usize = 200;
 /// Residual at which it ends. Chosen here.
 const RESIDUAL: f64 = 1e-12;
@@ -47,7 +47,7 @@ const RESIDUAL: f64 = 1e-12;
 /// [`StabilityError::Option`] for a force that is not positive, or an iteration that did not end.
 ///
 /// # Limits
-/// The joint stays plane and is equally stiff everywhere. Towards the edge the peak grows without bound.
+/// The joint stays plane and has uniform stiffness. Near the edge the peak grows without bound.
 ///
 /// # Example
 /// ```

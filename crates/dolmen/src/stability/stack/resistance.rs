@@ -7,10 +7,10 @@ use super::LimitKind;
 pub struct Resistance {
     /// Tipping about an edge, or sliding.
     pub kind: LimitKind,
-    /// f; m when tipping, without unit when sliding.
+    /// f; for tipping in m, for sliding dimensionless.
     pub force: [f64; 3],
-    /// m, without unit.
+    /// m, dimensionless.
     pub moment: [f64; 3],
-    /// s: N m when tipping, N when sliding.
+    /// s: N m for tipping, N for sliding.
     pub reserve: f64,
 }

@@ -1,4 +1,4 @@
-//! What is above a joint as one rocking block: Housner's quantities, and the published rules of thumb beside them.
+//! The part above a joint as one rocking block: Housner's quantities, and published rules of thumb.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -15,7 +15,7 @@ use crate::stability::StabilityError;
 use crate::structure::stack::Stack;
 use glam::{DMat3, DVec3};
 
-/// What is above a joint, as one block that rocks about an edge.
+/// The part above a joint as one block that rocks about an edge.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RockingBlock {
     /// Index into [`CutLimits::edges`].
@@ -28,11 +28,11 @@ pub struct RockingBlock {
     pub inertia_kg_m2: f64,
     /// p, rad/s.
     pub frequency_parameter_rad_s: f64,
-    /// r, where it lands flat on an opposite edge that is parallel; `None` where it lands on a corner or askew.
+    /// r, where it lands flat on a parallel opposite edge; `None` where it lands on a corner or askew.
     pub velocity_ratio: Option<f64>,
 }
 
-/// What is above a cut, as one block that rocks about each of its edges; none if it does not stand.
+/// The part above a cut as one block that rocks about each of its edges; empty if it does not stand.
 ///
 /// ```text
 /// I₀ = Σ (t · J_k t + m_k |r_k ⊥ t|²),   p = √(W R / I₀),  W = m g (the weight without vertical acceleration)
@@ -44,12 +44,12 @@ pub struct RockingBlock {
 /// [`StabilityError::Block`] if the limits are of another stack.
 ///
 /// # Limits
-/// The part stays one body and does not slide; the joint below is rigid. An impact is one instant, without bouncing:
-/// stone returns more or less than r.
+/// The part stays one body and does not slide; the joint below is rigid. An impact is instantaneous, without bounce: real stone keeps more or
+/// less than r.
 ///
 /// # Source
-/// Housner (1963), eqs 1–6. Differs from the source: his r is the square of this one (a ratio of energies), and the
-/// block need not be a rectangle.
+/// Housner (1963), eqs 1–6. Differs from the source: his r is the square of this one (a ratio of energies), and the block need not be a
+/// rectangle.
 ///
 /// # Example
 /// ```
@@ -116,8 +116,7 @@ pub fn rocking_blocks(stack: &Stack, limits: &CutLimits) -> Result<Vec<RockingBl
 }
 
 impl RockingBlock {
-    /// A quarter of the period of free rocking from rest at θ₀ = `amplitude_over_slenderness` α, no impact in it, s, of
-    /// the linear equation.
+    /// A quarter of the period of free rocking from rest at θ₀ = `amplitude_over_slenderness` α, without an impact, s, by the linear equation.
     ///
     /// ```text
     /// T / 4 = acosh(1 / (1 − θ₀/α)) / p
@@ -127,7 +126,7 @@ impl RockingBlock {
     /// [`StabilityError::Option`] unless 0 < θ₀/α < 1.
     ///
     /// # Limits
-    /// Slender blocks: at α = .2 and θ₀ = α/2 it is .11 % short of the exact one.
+    /// Slender blocks: at α = 0.2 and θ₀ = α/2 it is 0.11 % shorter than the exact one.
     pub fn quarter_period_s(&self, amplitude_over_slenderness: f64) -> Result<f64, StabilityError> {
         let share = inside(amplitude_over_slenderness)?;
         Ok((1.0 / (1.0 - share)).acosh() / self.frequency_parameter_rad_s)
@@ -189,8 +188,8 @@ pub fn published_critical_slenderness_3(spectral_velocity_m_s: f64, gravity_m_s2
     spectral_velocity_m_s / (gravity_m_s2 * radius_m).sqrt()
 }
 
-/// Published eq. 12, √(g/R) / 2π, Hz: a rocking parameter and not a natural frequency. It gives about .3 Hz for pagodas where
-/// 2.6 to 13 Hz were measured.
+/// Published eq. 12, √(g/R) / 2π, Hz: a rocking parameter and not a natural frequency. It gives about 0.3 Hz for pagodas with measured
+/// frequencies of 2.6 to 13 Hz.
 ///
 /// # Source
 /// Kim, Koo & Hong (2018), eq. 12.
@@ -203,11 +202,11 @@ pub fn published_rocking_frequency_hz(gravity_m_s2: f64, radius_m: f64) -> f64 {
 pub struct PeriodOfThumb {
     /// T, s.
     pub period_s: f64,
-    /// What to know of it.
+    /// A caution about it.
     pub caveat: PeriodCaveat,
 }
 
-/// What to know of a period from a height alone.
+/// A caution about a period from a height alone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PeriodCaveat {
     /// Fitted to eight stone pagodas of 4 to 10 m: six within 15 %, one measured at less than half and one at more than
@@ -227,7 +226,7 @@ impl std::fmt::Display for PeriodCaveat {
     }
 }
 
-/// Period of thumb of a stone pagoda, T = .045 h^¾ (h in m, T in s).
+/// Rule of thumb for the period of a stone pagoda, T = 0.045 h^¾ (h in m, T in s).
 ///
 /// # Errors
 /// [`StabilityError::Option`] unless the height is positive.

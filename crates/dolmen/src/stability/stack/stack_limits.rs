@@ -1,4 +1,4 @@
-//! Limit states of a stack: at what horizontal acceleration each joint opens and slides.
+//! Limit states of a stack: the horizontal acceleration at which each joint opens and slides.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -18,7 +18,7 @@ use super::{CutLimits, Governing, LimitKind, StackLimitStates, StackLimits, Stan
 use crate::stability::{StabilityError, Verdict};
 use crate::structure::stack::Stack;
 
-/// At what horizontal acceleration each part of a stack begins to rock or slide, and which begins first.
+/// The horizontal acceleration at which each part of a stack begins to rock or slide, and the first of them.
 ///
 /// ```text
 /// rocking about the line (p, t):   x · m (t × (c − p))_h  ≤  −t · (M − p × F)
@@ -35,15 +35,15 @@ use crate::structure::stack::Stack;
 /// [`StabilityError`] for loads and options out of their range.
 ///
 /// # Limits
-/// Uplift and sliding are each found alone: a part that twists while it slides, or opens while it slides, needs
-/// a limit analysis. In a stack that is not statically determinate every threshold is an upper
-/// bound, three times too high on a beam across two pillars, and the result names nothing that governs. Stones beside a part neither hold nor push it; side supports are left out. The tensile strength of a joint is
-/// left out, its cohesion acts in sliding only. Of joints with different friction or strength the least counts. With ties: each at
-/// its strength, although a brittle one may break before the next is pulled.
+/// Uplift and sliding are computed separately: a part that twists while it slides, or opens while it slides, needs a limit analysis. In a stack
+/// that is not statically determinate every threshold is an upper bound, three times too high for a beam across two pillars, and the result
+/// names no governing joint. Stones beside a part neither hold nor push it; side supports are left out. The tensile strength of a joint is left
+/// out, and its cohesion acts in sliding only. Of joints with different friction or strength the smallest counts. With ties: each at its
+/// strength, although a brittle one may break before the next is stretched.
 ///
 /// # Source
 /// Housner (1963) for the single block; Kim, Koo & Hong (2018), eqs 9 and 16 and section 3.4.
-/// Differs from the source: offsets, tilt, direction, vertical motion, strength and soil are in it.
+/// Differs from the source: includes offsets, tilt, direction, vertical motion, strength and soil.
 ///
 /// # Example
 /// ```
@@ -82,7 +82,7 @@ pub fn stack_limits(stack: &Stack, options: &StackLimits) -> Result<StackLimitSt
     Ok(states)
 }
 
-/// What acts on each block, and how the soil turns under it.
+/// The loads on each block, and the rotation of the soil.
 pub(super) fn acting(stack: &Stack, options: &StackLimits) -> Result<(Vec<Load>, Soil), StabilityError> {
     let loads = options.loads.on_blocks(stack)?;
     let all: Vec<usize> = (0..stack.blocks().len()).collect();
@@ -116,11 +116,11 @@ fn soil(stack: &Stack, whole: &Load, options: &StackLimits) -> Soil {
     soil
 }
 
-/// The worst and the soonest of all cuts.
+/// The worst margin and the first motion of all cuts.
 fn summarise(states: &mut StackLimitStates) {
     for cut in &states.cuts {
         let least = states.gravity_margin.unwrap_or(f64::INFINITY);
-        // the worst cut that falls names the fault
+        // the worst falling cut determines the fault
         if !cut.standing.stands() && (states.standing.stands() || cut.gravity_margin < least) {
             states.standing = cut.standing.clone();
         }

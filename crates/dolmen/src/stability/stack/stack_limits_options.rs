@@ -2,9 +2,9 @@
 
 use super::StackLoads;
 
-/// What the limits depend on besides the stack.
+/// Input of the limits besides the stack.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct StackLimits {
-    /// What acts before any horizontal shaking. Default nothing.
+    /// Loads before any horizontal shaking. Default none.
     pub loads: StackLoads,
 }

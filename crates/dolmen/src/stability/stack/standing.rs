@@ -3,60 +3,60 @@
 use crate::stability::Verdict;
 use std::fmt;
 
-/// Whether what is above a joint stands without shaking. `Display` says it as a sentence.
+/// Whether the part above a joint stands without shaking. `Display` gives a sentence.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Standing {
     /// It stands.
     Stands,
     /// The resultant of weight and static loads leaves the joint: it tips.
     Leaves {
-        /// The bodies below, as words.
+        /// The bodies below, in words.
         above: String,
-        /// By how much, m.
+        /// Distance, m.
         distance_m: f64,
     },
-    /// Weight and static loads shear the joint more than it can bear: it slides.
+    /// Weight and static loads exceed the shear resistance of the joint: it slides.
     Slides {
-        /// The bodies below, as words.
+        /// The bodies below, in words.
         above: String,
         /// Shear, N.
         shear_n: f64,
-        /// What friction and cohesion bear, N.
+        /// Resistance of friction and cohesion, N.
         resistance_n: f64,
     },
     /// Nothing presses the joint together.
     Lifts {
-        /// The bodies below, as words.
+        /// The bodies below, in words.
         above: String,
         /// Pull, N.
         pull_n: f64,
     },
-    /// The resultant lies where the stone under it crushes.
+    /// The resultant lies where the stone crushes.
     Crushes {
-        /// The bodies below, as words.
+        /// The bodies below, in words.
         above: String,
-        /// How far beyond the line that the strength allows, m.
+        /// Distance beyond the line that the strength allows, m.
         distance_m: f64,
     },
-    /// Evenly spread over the whole joint the force is more than the stone bears.
+    /// Even spread over the whole joint, the force exceeds the strength.
     Overloaded {
-        /// The bodies below, as words.
+        /// The bodies below, in words.
         above: String,
         /// Force over area, Pa.
         pressure_pa: f64,
         /// Compressive strength, Pa.
         strength_pa: f64,
     },
-    /// Stones that share their load crush: no forces in the joints balance the weight, and they would if no edge crushed.
+    /// Stones that share their load crush: no forces in the joints balance the weight, although they would without crushing.
     CrushesTogether {
-        /// Least compressive strength of the joints, Pa.
+        /// Smallest compressive strength of the joints, Pa.
         strength_pa: f64,
     },
-    /// The soil turns away under the stack.
+    /// The soil rotates without limit under the stack.
     SoilTurns {
         /// Its rocking stiffness, N m/rad.
         stiffness_n_m_rad: f64,
-        /// What the stack needs to stand at all: weight × height of its centroid, N m/rad.
+        /// The stiffness needed: weight × height of its centroid, N m/rad.
         least_n_m_rad: f64,
     },
 }
@@ -121,12 +121,12 @@ impl fmt::Display for Standing {
 }
 
 impl Verdict {
-    /// Margin below which a standing stack is "marginal", our choice: at one third of the way from the edge to the
-    /// middle a rectangular joint carries on half of its width, the other half gapes.
+    /// Margin below which a standing stack is "marginal", our choice: at one third of the way from the edge to the middle a rectangular joint is
+    /// in contact over half of its width.
     pub const MARGINAL_BELOW_MARGIN: f64 = 1.0 / 3.0;
 
-    /// The verdict on a stack without shaking by its least margin: what is left of the way from the middle of a joint to
-    /// its edge, or of its friction. 0 or less: unstable.
+    /// The verdict on a stack without shaking from its smallest margin: the remaining share of the way from the middle of a joint to its edge,
+    /// or of its friction. 0 or less: unstable.
     pub fn of_gravity_margin(gravity_margin: f64) -> Self {
         if gravity_margin.is_nan() {
             Verdict::Unknown

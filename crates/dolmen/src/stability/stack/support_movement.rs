@@ -1,4 +1,4 @@
-//! A stack whose supports move: which joints open, what the supports bear, and how far it can go before it falls.
+//! A stack with moving supports: the joints that open, the forces of the supports, and the movement at which it falls.
 
 use super::loads::{Load, StackLoads};
 use super::mechanism::{JointMotion, Mechanism, MovingJoint};
@@ -8,17 +8,17 @@ use crate::stability::StabilityError;
 use crate::structure::stack::{Solid, Stack};
 use glam::DVec3;
 
-/// How supports that move are followed.
+/// Options of moving supports.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SupportMovementOptions {
-    /// What acts besides the weight; it keeps its direction. Default nothing.
+    /// Loads besides the weight, constant in direction. Default none.
     pub loads: StackLoads,
-    /// Largest turn of a stone, rad, and largest displacement over the size of the stack, in one step. Default 0.004, chosen here: half of
-    /// it moves the collapse of an arch of t/R 0.15 by less than 0.1 %.
+    /// Largest rotation of a stone, rad, and largest displacement over the size of the stack, in one step. Default 0.004, chosen here: half of
+    /// it changes the collapse of an arch of t/R 0.15 by less than 0.1 %.
     pub step: f64,
-    /// Movement at which it is followed no further, over the size of the stack. Default 0.5, chosen here: far beyond what is repaired.
+    /// Movement at which the analysis ends, over the size of the stack. Default 0.5, chosen here: far beyond any repair.
     pub movement_most: f64,
-    /// Most steps, those that were tried and not taken included. Default 1000, chosen here.
+    /// Largest number of steps, including rejected ones. Default 1000, chosen here.
     pub steps_most: usize,
 }
 
@@ -33,7 +33,7 @@ impl Default for SupportMovementOptions {
     }
 }
 
-/// What the ground does on one block.
+/// Force of the ground on one block.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct SupportReaction {
@@ -43,69 +43,69 @@ pub struct SupportReaction {
     pub force_n: [f64; 3],
 }
 
-/// A stack with its supports moved so far.
+/// A stack at one amount of movement.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MovedStack {
-    /// How far, over the movement given.
+    /// The amount, over the given movement.
     pub factor: f64,
-    /// Its stones where they are then.
+    /// Its stones at that movement.
     pub solids: Vec<Solid>,
-    /// Joints that are open or have slipped since it was drawn.
+    /// Joints that have opened or slipped since it was drawn.
     pub mechanism: Option<Mechanism>,
-    /// What each support bears, in the order of the blocks.
+    /// Force on each support, in the order of the blocks.
     pub reactions: Vec<SupportReaction>,
-    /// Largest slip in a closed joint on the way there, m.
+    /// Largest slip in a closed joint until then, m.
     pub slip_m: f64,
 }
 
-/// How it ended.
+/// End of the analysis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum MovementEnding {
-    /// No forces in the joints balance the weight beyond the last state; so much less than one step beyond it.
+    /// No forces in the joints balance the weight beyond the last state, within less than one step.
     Falls {
-        /// Factor on the movement given at which it was found falling.
+        /// Factor on the given movement at which it falls.
         by_factor: f64,
     },
-    /// It was followed to the end of what is looked at and stood.
+    /// It stood until the largest movement of the analysis.
     Stands,
-    /// A step could not be solved, or the steps allowed did not suffice: it is not known how it goes on.
+    /// A step could not be solved, or the number of steps did not suffice: the result is unknown.
     NotFollowed,
 }
 
-/// What supports that move do to a stack.
+/// Result of moving supports.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MovedSupports {
-    /// Under a movement so small that nothing but the first joints has opened.
+    /// Under a very small movement, at which only the first joints have opened.
     pub small: MovedStack,
-    /// Under the movement given; `None` if it does not come so far.
+    /// Under the given movement; `None` if it falls before.
     pub given: Option<MovedStack>,
     /// The last state in which it stood.
     pub last: MovedStack,
-    /// How it ended.
+    /// Its end.
     pub ending: MovementEnding,
-    /// Largest error of balance of any step, over the weight.
+    /// Largest error of balance in any step, over the weight.
     pub residual: f64,
-    /// Steps tried.
+    /// Number of steps tried.
     pub steps: usize,
 }
 
 impl MovedSupports {
-    /// Slip in closed joints, over the size of the stack, from which the movement at collapse rests on friction. Chosen here.
+    /// Slip in closed joints, over the size of the stack, from which the movement at collapse depends on friction. Chosen here.
     pub const SLIP_TELLS: f64 = 1e-3;
-    /// Factor on the movement given below which what stands is marginal. Chosen here, as that on a load.
+    /// Factor on the given movement below which a standing stack is marginal. Chosen here, as that on a load.
     pub const MARGINAL_BELOW: f64 = 1.5;
 }
 
-/// The movement of a first state, over the size of the stack. Chosen here: joints open by as little.
+/// The movement of a first state, over the size of the stack. Chosen here: joints open by about as much.
 const SMALL: f64 = 1e-4;
-/// Least step of the movement, over the size of the stack: what needs less falls. Chosen here: 0.02 mm a metre.
+/// Smallest step of the movement, over the size of the stack: if it needs a smaller one, it falls. Chosen here: 0.02 mm a metre.
 const STEP_LEAST: f64 = 2e-5;
-/// Gaps and slips below this part of the largest are not named. Chosen here, as in the limit analysis.
+/// Gaps and slips below this fraction of the largest are not reported. Chosen here, as in the limit analysis.
 const NAMED_LEAST: f64 = 1e-3;
-/// And so are those below this part of the movement, to which they count as the largest at least. Chosen here.
+/// And so are those below this fraction of the movement, if that is larger. Chosen here.
 const NAMED_OF_MOVEMENT: f64 = 0.1;
 
-/// Follows a stack while the ground under some of its stones moves, from how it was drawn until no forces in its joints balance its weight.
+/// Follows a stack while the ground under some of its stones moves, from its drawn shape until no forces in its joints balance its weight.
 ///
 /// ```text
 /// each step   the motion of all stones that loses most weight while nothing enters anything, for a small part of the movement given
@@ -117,9 +117,9 @@ const NAMED_OF_MOVEMENT: f64 = 0.1;
 /// [`StabilityError`] for options out of their range, a stack without such movements, or a programme that was not solved.
 ///
 /// # Limits
-/// The movement is slow. Stone is rigid and infinitely strong; bond, ties and side supports are left out; only joints as drawn are looked at:
-/// stones that meet anew are not seen. What slides does so by Coulomb's law to the first order of the step; of joints that bear alike which
-/// slides first is chance. Until the joints have opened the stones do not tell where cracks are.
+/// The movement is slow. Stone is rigid and infinitely strong; bond, ties and side supports are left out. Only joints as drawn are included: new
+/// contacts of stones are not detected. Sliding follows Coulomb's law to the first order of the step; among equally loaded joints the first to
+/// slide is arbitrary. Before the joints have opened the stones do not determine the place of cracks.
 ///
 /// # Source
 /// Ochsendorf (2006) for arches on spreading supports; Portioli & Cascini (2017) for the step.
@@ -187,7 +187,7 @@ pub fn follow_support_movement(
                 }
             }
         }
-        // what was too far once may only have been too large a step
+        // a failure may have come from too large a step
         if falls_by.is_some_and(|by| path.factor >= by * (1.0 - 1e-12)) {
             falls_by = None;
         }
@@ -203,7 +203,7 @@ pub fn follow_support_movement(
     })
 }
 
-/// What came of a step.
+/// Outcome of a step.
 #[derive(Clone, Copy, PartialEq)]
 enum Tried {
     /// Stones moved by this share of the largest step.
@@ -215,13 +215,13 @@ enum Tried {
     NotSolved,
 }
 
-/// A stack on its way.
+/// A stack during the movement.
 #[derive(Clone)]
 struct Path<'a> {
     stack: &'a Stack,
     faces: Vec<Faces>,
     dead: Vec<Dead>,
-    /// The movement given, under each block, m.
+    /// The given movement under each block, m.
     unit: Vec<DVec3>,
     size: f64,
     step: f64,
@@ -290,7 +290,7 @@ impl<'a> Path<'a> {
         each.collect()
     }
 
-    /// Loads on the stones as they are now: the point of a static load turns with its stone.
+    /// Loads on the stones at their present places: the point of a static load moves with its stone.
     fn dead_now(&self) -> Vec<Dead> {
         let mut dead = self.dead.clone();
         for load in self.stack.static_loads() {
@@ -301,7 +301,7 @@ impl<'a> Path<'a> {
         dead
     }
 
-    /// Goes on to a factor.
+    /// Continues to a factor.
     fn try_step(&mut self, factor: f64) -> Tried {
         self.steps += 1;
         let ground: Vec<DVec3> = self.unit.iter().map(|u| *u * (factor - self.factor)).collect();
@@ -374,7 +374,7 @@ impl<'a> Path<'a> {
         NAMED_LEAST * most.max(NAMED_OF_MOVEMENT * far)
     }
 
-    /// Corners of a contact that are closed: nearest, and no farther than a slip of the last step has lifted them.
+    /// Closed corners of a contact: the nearest, and those lifted no farther than a slip of the last step can do.
     fn closed<'c>(&self, contact: &'c Contact) -> Vec<&'c Corner> {
         let least = self.closed_below();
         let nearest = contact.corners.iter().map(|corner| corner.gap);

@@ -1,6 +1,6 @@
-//! The horizontal acceleration at which something begins.
+//! The horizontal acceleration of a first motion.
 
-/// A horizontal acceleration at which something begins, in the direction where it begins soonest.
+/// The horizontal acceleration of a first motion, in its direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Threshold {
@@ -8,8 +8,8 @@ pub struct Threshold {
     pub acceleration_m_s2: f64,
     /// The same over gravity.
     pub acceleration_g: f64,
-    /// Direction of the inertia force, unit vector in the plane: the way the part tips or slides. The ground then
-    /// accelerates the other way.
+    /// Direction of the inertia force, unit vector in the plane: the direction in which the part tips or slides. The ground accelerates in the
+    /// opposite direction.
     pub direction: [f64; 2],
 }
 

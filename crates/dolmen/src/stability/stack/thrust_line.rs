@@ -1,4 +1,4 @@
-//! The thrust line: where the resultant crosses each joint under a given acceleration.
+//! The thrust line: the points where the resultant crosses each joint under a given acceleration.
 
 use super::contact::{contact, names_below};
 use super::cuts::cuts;
@@ -14,34 +14,34 @@ use glam::DVec3;
 pub struct ThrustPoint {
     /// The blocks above and the joints below them.
     pub cut: Cut,
-    /// The bodies below, as words.
+    /// The bodies below, in words.
     pub above: String,
-    /// Where the resultant crosses the plane of the joint, m.
+    /// Point where the resultant crosses the plane of the joint, m.
     pub point_m: [f64; 3],
     /// The same in the joint's own plane, about the origin of its largest patch, m.
     pub in_plane_m: [f64; 2],
-    /// How far inside the nearest edge of the contact, m; negative outside: what is above tips.
+    /// Distance from the nearest edge of the contact, m; negative outside, where the part above tips.
     pub depth_m: f64,
-    /// Force that presses the joint, N.
+    /// Normal force on the joint, N.
     pub normal_force_n: f64,
-    /// Force along the joint, N.
+    /// Shear force in the joint, N.
     pub shear_force_n: f64,
-    /// Shear over normal force: the friction coefficient it needs.
+    /// Shear over normal force: the friction coefficient needed.
     pub friction_needed: f64,
     /// Pressure without tension; `None` if the resultant lies outside.
     pub pressure: Option<JointPressure>,
-    /// Where the resultant lies.
+    /// Position of the resultant.
     pub place: ThrustPlace,
 }
 
-/// Where in a joint the resultant lies.
+/// Position of the resultant in a joint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum ThrustPlace {
-    /// In the kern: the whole joint is pressed.
+    /// In the kern: the whole joint is in contact.
     Kern,
-    /// In the joint: a part of it gapes.
+    /// In the joint: a part of it is open.
     Inside,
-    /// Outside, or nothing presses: no equilibrium.
+    /// Outside, or without a normal force: no equilibrium.
     Outside,
 }
 

@@ -1,4 +1,4 @@
-//! Where a part turns when the stone under its toe yields: the pivot of a stress block.
+//! The axis about which a part turns when the stone under its toe yields: the pivot of a stress block.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -8,8 +8,8 @@
 
 use crate::structure::stack::Polygon;
 
-/// Centroid of the outermost strip of these patches along a direction that has the given area, in their plane; `None` if
-/// they have less in all.
+/// Centroid of the outermost strip of these patches along a direction that has the given area, in their plane; `None` if their whole area is
+/// smaller.
 ///
 /// ```text
 /// ∫ over {r : ν·r ≥ max ν·r − t} = A = N / f        rectangle b × l: t = N/(f b), pivot t/2 inside the edge

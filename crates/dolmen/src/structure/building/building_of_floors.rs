@@ -4,21 +4,21 @@ use super::error::BuildingError;
 use super::floors::{Floor, Storey, check_floor, positive};
 use super::stability::{StoreyFall, storey_falls};
 
-/// Whether the weight takes part of the stiffness.
+/// Whether P-delta reduces the stiffness.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum PDelta {
     /// Left out.
     LeftOut,
-    /// The weight of all floors above, carried where their mass is.
+    /// P-delta by the weight of all floors above, each acting at its centre of mass.
     Weights {
         /// Acceleration of gravity, m/s².
         gravity_m_s2: f64,
     },
 }
 
-/// Rigid floors on storeys, lowest first, checked: only valid ones exist, and they stand.
+/// A building of rigid floors on storeys, lowest first. Construction checks it: it is valid and stands.
 ///
-/// Three coordinates a floor, u, v, θ of its centre of mass, floors from the bottom.
+/// Three coordinates for each floor, u, v, θ of its centre of mass, floors from the bottom.
 ///
 /// ```
 /// use dolmen::structure::building::{Building, Floor, Outline, PDelta, Storey, StoreyStiffness};
@@ -42,14 +42,14 @@ pub struct Building {
 }
 
 impl Building {
-    /// Floors and the storey below each, lowest first.
+    /// Builds it from floors and the storey below each, lowest first.
     ///
     /// # Errors
     /// [`BuildingError::Empty`], [`BuildingError::Count`], [`BuildingError::Value`] for a mass, gyration or height that is
     /// not positive or a stiffness that is negative; [`BuildingError::Element`]; [`BuildingError::Asymmetric`];
-    /// [`BuildingError::Sways`] and [`BuildingError::Twists`] for a storey that resists too little to be one;
+    /// [`BuildingError::Sways`] and [`BuildingError::Twists`] for a storey without stiffness against sway or twist;
     /// [`BuildingError::Outside`] if a centre of mass lies beyond the box around its floor;
-    /// [`BuildingError::Falls`] if P-delta takes all that a storey has.
+    /// [`BuildingError::Falls`] if P-delta exceeds the stiffness of a storey.
     pub fn new(floors: Vec<Floor>, storeys: Vec<Storey>, p_delta: PDelta) -> Result<Self, BuildingError> {
         if floors.is_empty() {
             return Err(BuildingError::Empty);
@@ -101,12 +101,12 @@ impl Building {
         &self.storeys
     }
 
-    /// Whether the weight takes part of the stiffness.
+    /// Whether P-delta reduces the stiffness.
     pub fn p_delta(&self) -> PDelta {
         self.p_delta
     }
 
-    /// Coordinates: three a floor.
+    /// Number of coordinates: three for each floor.
     pub fn coordinates(&self) -> usize {
         3 * self.floors.len()
     }

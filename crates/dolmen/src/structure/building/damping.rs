@@ -1,4 +1,4 @@
-//! Damping of a building: every way here leaves its modes apart.
+//! Damping of a building. Every form here leaves the modes uncoupled.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -12,10 +12,10 @@ use super::modes::BuildingModes;
 use dolmen_linalg::{Matrix, solve};
 use std::f64::consts::TAU;
 
-/// Largest damping ratio taken: a mode at 1 does not swing. Our choice.
+/// Largest damping ratio allowed: a mode at 1 does not oscillate. Our choice.
 const RATIO_MOST: f64 = 0.95;
 
-/// A frequency at which the damping ratio is known.
+/// A frequency and the damping ratio there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DampingAnchor {
     /// Frequency, Hz.
@@ -24,12 +24,12 @@ pub struct DampingAnchor {
     pub damping_ratio: f64,
 }
 
-/// How a building is damped.
+/// The damping of a building.
 #[derive(Clone, Debug, PartialEq)]
 pub enum BuildingDamping {
     /// A ratio for each mode, lowest first; the last holds for all that follow.
     Modal(Vec<f64>),
-    /// C = a_0 M + a_1 K with the ratios of two frequencies.
+    /// C = a_0 M + a_1 K with the damping ratios at two frequencies.
     Rayleigh([DampingAnchor; 2]),
     /// Caughey's series through the ratios of the lowest modes: C = M Σ a_k (M⁻¹K)^k, k = 0 … ratios − 1.
     Caughey(Vec<f64>),
@@ -44,7 +44,8 @@ impl BuildingModes {
     ///
     /// # Errors
     /// [`BuildingError::Argument`] for a ratio outside 0 to 0.95, no ratio, more ratios than modes, or two anchors at one frequency;
-    /// [`BuildingError::Damping`] if a mode would be fed, or would not swing: Caughey's series between and beyond its modes.
+    /// [`BuildingError::Damping`] if a mode would gain energy, or would not oscillate, as Caughey's series may cause between and beyond its
+    /// modes.
     pub fn damping_ratios(&self, damping: &BuildingDamping) -> Result<Vec<f64>, BuildingError> {
         let omegas = self.omegas_rad_s();
         let (ratios, why) = match damping {
@@ -114,7 +115,7 @@ impl BuildingModes {
 }
 
 impl Building {
-    /// C, 3N × 3N: that which gives the modes these ratios and keeps them apart.
+    /// The damping matrix C, 3N × 3N, that gives the modes these ratios and leaves them uncoupled.
     ///
     /// ```text
     /// C = M Φ diag(2 ζ_j ω_j) Φᵀ M
@@ -135,7 +136,7 @@ impl Building {
     }
 }
 
-/// The last of ratios that are all allowed.
+/// The last damping ratio; all must be allowed.
 fn checked(given: &[f64], most: usize) -> Result<f64, BuildingError> {
     let refuse = |argument, given, allowed| {
         Err(BuildingError::Argument {

@@ -1,4 +1,4 @@
-//! Stiffness of a storey: of its walls and columns in plan, or given.
+//! Stiffness of a storey, from its walls and columns in plan or as given.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -12,9 +12,9 @@
 use super::error::BuildingError;
 use dolmen_linalg::{Matrix, symmetric_eigen};
 
-/// Stiffness below this part of the largest counts as none: rounding leaves 1e-16 of it. Our choice.
+/// Stiffness below this fraction of the largest counts as zero: rounding leaves 1e-16 of it. Our choice.
 const NONE: f64 = 1e-12;
-/// Two numbers across the diagonal may differ by this part of the largest. Our choice: files hold 9 digits or more.
+/// Two numbers across the diagonal may differ by this fraction of the largest. Our choice: files hold 9 digits or more.
 const ASYMMETRY_MOST: f64 = 1e-9;
 
 /// A wall, column, core or brace of a storey, standing at a place of the plan.
@@ -28,7 +28,7 @@ pub struct Element {
     pub stiffness_x_n_m: f64,
     /// Stiffness along its own second axis, y unless it is turned, N/m.
     pub stiffness_y_n_m: f64,
-    /// Its own stiffness against turning about itself, N·m/rad: 0 for thin walls and columns.
+    /// Its own stiffness against rotation about itself, N·m/rad: 0 for thin walls and columns.
     pub stiffness_rotation_n_m_rad: f64,
     /// How far its axes are turned from x and y, degrees, counterclockwise.
     pub angle_degrees: f64,
@@ -39,22 +39,22 @@ pub struct Element {
 pub struct StoreyStiffness {
     about_m: [f64; 2],
     matrix: [[f64; 3]; 3],
-    /// What rotation stiffness is measured by: that of all elements if nothing cancelled, N·m/rad.
+    /// Scale for the stiffness against rotation: that of all elements without cancellation, N·m/rad.
     turning_scale: f64,
     elements: Vec<Element>,
 }
 
 impl StoreyStiffness {
-    /// Of walls and columns.
+    /// The stiffness of walls and columns.
     ///
     /// ```text
-    /// k = Σ_e A_eᵀ R k_e Rᵀ A_e,   A_e = [1 0 −(y_e − y_O); 0 1 x_e − x_O],   R the turn by α        3 × 3
+    /// k = Σ_e A_eᵀ R k_e Rᵀ A_e,   A_e = [1 0 −(y_e − y_O); 0 1 x_e − x_O],   R the rotation by α        3 × 3
     /// ```
     /// O is the mean place of the elements.
     ///
     /// # Errors
-    /// [`BuildingError::Element`] for a negative stiffness or what is not a number; storeys are numbered by
-    /// [`Building::new`](super::Building::new), here it is 1.
+    /// [`BuildingError::Element`] for a negative stiffness or a value that is not a number. [`Building::new`](super::Building::new) numbers the
+    /// storeys; here the number is 1.
     pub fn of_elements(elements: Vec<Element>) -> Result<Self, BuildingError> {
         for (i, element) in elements.iter().enumerate() {
             let not_negative = [
@@ -120,7 +120,7 @@ impl StoreyStiffness {
         })
     }
 
-    /// From its stiffness along x and y and against turning about its centre of rigidity.
+    /// The stiffness from its values along x and y and against rotation about its centre of rigidity.
     pub fn at_centre(
         stiffness_x_n_m: f64,
         stiffness_y_n_m: f64,
@@ -137,7 +137,7 @@ impl StoreyStiffness {
         }
     }
 
-    /// From its matrix against u, v, θ of a point of the plan.
+    /// The stiffness from its matrix against u, v, θ of a point of the plan.
     pub fn about_point(matrix: [[f64; 3]; 3], point_m: [f64; 2]) -> Self {
         StoreyStiffness {
             about_m: point_m,
@@ -147,12 +147,12 @@ impl StoreyStiffness {
         }
     }
 
-    /// The walls and columns it was made of; empty if it was given.
+    /// Its walls and columns; empty if the stiffness was given.
     pub fn elements(&self) -> &[Element] {
         &self.elements
     }
 
-    /// Its matrix against u, v, θ of another point of the plan.
+    /// The matrix against u, v, θ of another point of the plan.
     pub fn matrix_about(&self, point_m: [f64; 2]) -> [[f64; 3]; 3] {
         moved(
             &self.matrix,
@@ -160,7 +160,7 @@ impl StoreyStiffness {
         )
     }
 
-    /// The point about which sway and twist do not couple, m; `None` if it does not resist sway in every direction.
+    /// The point about which sway and twist are uncoupled, m; `None` if some direction of sway has no stiffness.
     ///
     /// ```text
     /// k about O = [A b; bᵀ c]:   [y_R − y_O, −(x_R − x_O)] = −A⁻¹ b
@@ -177,7 +177,7 @@ impl StoreyStiffness {
         Some([self.about_m[0] - second, self.about_m[1] + first])
     }
 
-    /// Refuses what is not the stiffness of springs.
+    /// Refuses a matrix that no springs can have.
     pub(super) fn check(&self, storey: usize) -> Result<(), BuildingError> {
         let k = &self.matrix;
         for row in 0..3 {
@@ -251,7 +251,7 @@ impl StoreyStiffness {
     }
 }
 
-/// A matrix against u, v, θ of a point, for a point farther by `by`: u_O = u + by_y θ, v_O = v − by_x θ.
+/// Moves the reference point of a matrix against u, v, θ by `by`: u_O = u + by_y θ, v_O = v − by_x θ.
 pub(super) fn moved(k: &[[f64; 3]; 3], by: [f64; 2]) -> [[f64; 3]; 3] {
     let t = [by[1], -by[0]];
     let coupling = [0, 1].map(|i| k[i][2] + k[i][0] * t[0] + k[i][1] * t[1]);

@@ -1,4 +1,4 @@
-//! Errors of a building: what makes it impossible, or makes it fall.
+//! Errors of a building: invalid input, or a building that falls.
 
 /// Why a floor, a storey or a building is refused. Each variant carries the refused value.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -14,7 +14,7 @@ pub enum BuildingError {
         /// Floors given.
         floors: usize,
     },
-    /// A number of a floor or storey is refused.
+    /// A refused number of a floor or storey.
     #[error("{part} {number}: {quantity} is {given}, but must be {allowed}")]
     Value {
         /// "floor", "storey", "mode".
@@ -28,7 +28,7 @@ pub enum BuildingError {
         /// What is allowed.
         allowed: &'static str,
     },
-    /// A number of a wall or column is refused.
+    /// A refused number of a wall or column.
     #[error("storey {storey}, element {element}: {quantity} is {given}, but must be {allowed}")]
     Element {
         /// Which storey, from 1 at the bottom.
@@ -87,7 +87,7 @@ pub enum BuildingError {
         /// Stiffness against turning about it, N·m/rad.
         stiffness_n_m_rad: f64,
     },
-    /// P-delta takes more stiffness than a storey has.
+    /// P-delta exceeds the stiffness of a storey.
     #[error(
         "the building falls: storey {storey} {motion} under {load_factor:.4} of the weight above it (P-delta); it needs \
          stiffer walls there, a lower weight or a lower storey"
@@ -100,7 +100,7 @@ pub enum BuildingError {
         /// Factor on the weight at which it falls.
         load_factor: f64,
     },
-    /// An outline that cannot be the plan of a floor.
+    /// An outline that is not the plan of a floor.
     #[error("the outline {why}: give its corners in order, each once")]
     Outline {
         /// What is wrong with it.
@@ -120,17 +120,17 @@ pub enum BuildingError {
         /// How far outside, m.
         beyond_m: f64,
     },
-    /// There is no such part.
+    /// A part that does not exist.
     #[error("{part} {given} was asked for, but they are numbered from 1 to {most}")]
     Part {
         /// "floor", "mode".
         part: &'static str,
-        /// Number given.
+        /// The given number.
         given: usize,
         /// Largest number.
         most: usize,
     },
-    /// An argument is refused.
+    /// A refused argument.
     #[error("{argument} is {given}, but must be {allowed}")]
     Argument {
         /// Its name.

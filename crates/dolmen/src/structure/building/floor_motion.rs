@@ -1,9 +1,9 @@
-//! From modes as sensors on a floor see them to modes of the floor: how far it sways along x and y, and how far it turns.
+//! Turns modes at the sensors on a floor into modes of the floor: its sway along x and y, and its rotation.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | φ | `real` | components of a mode at the sensors of the floor, as real as they can be | – |
-//! | G | `motions` | what u, v and ρθ of the centre of mass give at the sensors: d_x, d_y, (d_y r_x − d_x r_y)/ρ | – |
+//! | φ | `real` | components of a mode at the sensors of the floor, rotated in phase to be as real as possible | – |
+//! | G | `motions` | motion at the sensors for u, v and ρθ of the centre of mass: d_x, d_y, (d_y r_x − d_x r_y)/ρ | – |
 //! | q | `shape` | u, v, ρθ, by least squares: G q ≈ φ | – |
 //! | d, r | | direction of a sensor; its place from the centre of mass | –, m |
 
@@ -13,19 +13,19 @@ use crate::signal::Channel;
 use crate::structure::directional::real_shape;
 use dolmen_linalg::{Complex64, Matrix, solve};
 
-/// Sensors within this of the height of the floor stand on it, m. Ours, as for sensors that contradict each other.
+/// Sensors within this distance of the height of the floor stand on it, m. Chosen here, as for sensors that contradict each other.
 const ON_FLOOR_M: f64 = 0.5;
-/// Vertical part of a direction above which a sensor is not horizontal. Ours.
+/// A sensor whose direction has a larger vertical part than this is not horizontal. Chosen here.
 const VERTICAL_MOST: f64 = 0.1;
-/// Fewest sensors that tell three motions.
+/// Fewest sensors that determine three motions.
 const SENSORS_LEAST: usize = 3;
-/// Share of a unit motion that must be its own, beside what the others give at the sensors, for the three to be told apart. Ours: sensors on
-/// one line of 5 cm on a floor of 10 m have less.
+/// Fraction of each motion at the sensors that must be independent of the two others, for the three to be distinguished. Chosen here: sensors
+/// within 5 cm of one line on a floor of 10 m have less.
 const APART_LEAST: f64 = 1e-4;
-/// Orders of three motions.
+/// The orders of three motions.
 const ORDERS: [[usize; 3]; 6] = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
 
-/// Where the floor is.
+/// Position of the floor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FloorPlace {
     /// Height above the ground, m.
@@ -47,26 +47,26 @@ pub struct FloorMode {
     pub shape: [f64; 3],
     /// Twist of the mode taken as one along x, ρθ/u, and along y, ρθ/v.
     pub twist: [Twist; 2],
-    /// Share of the motion at the sensors that no rigid floor has.
+    /// Fraction of the motion at the sensors that is not that of a rigid floor.
     pub unexplained: f64,
 }
 
 /// The modes of a record as motions of the floor.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FloorModes {
-    /// Ascending in frequency.
+    /// Modes in ascending frequency.
     pub modes: Vec<FloorMode>,
-    /// Sensors on the floor.
+    /// Number of sensors on the floor.
     pub sensors: usize,
 }
 
-/// The modes of a record as motions of the floor; `None` where fewer than three horizontal sensors stand on it, or those that do cannot tell
-/// sway along x, along y and rotation apart.
+/// The modes of a record as motions of the floor. `None` where fewer than three horizontal sensors stand on it, or where these cannot
+/// distinguish sway along x, along y and rotation.
 ///
 /// ```text
 /// q = (GᵀG)⁻¹ Gᵀ φ = P φ,   var t = Σ_c ((ρθ row of P − t · u row of P)_c / u)² sd_c²,   t = ρθ/u
 /// ```
-/// The deviations are those of the components of the shape, taken as independent.
+/// The deviations are those of the components of the shape, assumed independent.
 pub fn floor_modes(modes: &Modes, floor: &FloorPlace) -> Option<FloorModes> {
     let on_floor = |channel: &Channel| motion(channel, floor);
     let rows: Vec<(usize, [f64; 3])> = modes
@@ -85,7 +85,7 @@ pub fn floor_modes(modes: &Modes, floor: &FloorPlace) -> Option<FloorModes> {
     })
 }
 
-/// What u, v and ρθ give at a sensor; `None` where it is not a horizontal one on the floor.
+/// Motion at a sensor for u, v and ρθ; `None` for a sensor that is not horizontal or not on the floor.
 fn motion(channel: &Channel, floor: &FloorPlace) -> Option<[f64; 3]> {
     let ([x, y, z], [d_x, d_y, d_z]) = (channel.position_m?, channel.direction?);
     let is_on = (z - floor.height_m).abs() <= ON_FLOOR_M && d_z.abs() < VERTICAL_MOST;
@@ -101,7 +101,7 @@ fn pseudo_inverse(rows: &[(usize, [f64; 3])]) -> Option<Matrix> {
     let g = Matrix::from_fn(rows.len(), 3, |row, column| rows[row].1[column]);
     let square = &g.transpose() * &g;
     let inverse = solve(&square, &Matrix::identity(3)).ok()?;
-    // 1/((GᵀG)⁻¹)_ii is what is left of column i beside the others
+    // 1/((GᵀG)⁻¹)_ii is the part of column i that is independent of the others
     let is_apart = |i: usize| {
         let own = 1.0 / inverse[(i, i)];
         own > APART_LEAST * square[(i, i)]
@@ -154,15 +154,15 @@ fn floor_mode(mode: &Mode, rows: &[(usize, [f64; 3])], pseudo_inverse: &Matrix) 
 }
 
 impl FloorModes {
-    /// Mean share of the motion of the lowest three modes that no rigid floor has.
+    /// Mean fraction of the motion of the lowest three modes that is not that of a rigid floor.
     pub fn unexplained(&self) -> f64 {
         let lowest = self.modes.iter().take(3);
         let count = lowest.len().max(1) as f64;
         lowest.map(|mode| mode.unexplained).sum::<f64>() / count
     }
 
-    /// The lowest three, each named for the motion that it has most of where this tells all three apart; with shapes, and with the twists of those
-    /// along x and y.
+    /// The lowest three modes. Each gets the name of its largest motion, if that distinguishes all three; with shapes, and with the twists of
+    /// those along x and y.
     pub fn plan_modes(&self) -> Vec<PlanMode> {
         let lowest: Vec<&FloorMode> = self.modes.iter().take(3).collect();
         let share = |order: &[usize; 3]| -> f64 {
@@ -186,7 +186,7 @@ impl FloorModes {
         .collect()
     }
 
-    /// The mode nearest to a frequency, if it is within this part of it.
+    /// The mode nearest to a frequency, if it is within this fraction of it.
     pub fn nearest(&self, frequency_hz: f64, within: f64) -> Option<&FloorMode> {
         let apart = |mode: &&FloorMode| (mode.frequency_hz / frequency_hz - 1.0).abs();
         let nearest = self.modes.iter().min_by(|a, b| apart(a).total_cmp(&apart(b)))?;

@@ -1,4 +1,4 @@
-//! What a building is made of.
+//! Parts of a building.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -20,12 +20,12 @@ pub struct Floor {
     pub centre_m: [f64; 2],
     /// Radius of gyration about the centre of mass, m.
     pub gyration_m: f64,
-    /// Outline in plan; `None` if it is not known: then any point counts as on the floor.
+    /// Outline in plan; `None` if unknown, and then any point counts as on the floor.
     pub outline: Option<Outline>,
 }
 
 impl Floor {
-    /// A floor whose mass is spread evenly over its outline.
+    /// A floor with its mass spread evenly over its outline.
     pub fn uniform(mass_kg: f64, outline: Outline) -> Self {
         Floor {
             mass_kg,

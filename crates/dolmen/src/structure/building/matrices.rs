@@ -3,9 +3,9 @@
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | M | `mass_matrix` | diagonal: m, m, m ρ² of each floor | kg, kg·m² |
-//! | K | `stiffness_matrix` | with P-delta if the building counts it | N/m, N/rad, N·m/rad |
+//! | K | `stiffness_matrix` | with P-delta if the building includes it | N/m, N/rad, N·m/rad |
 //! | q_i | | u, v, θ of the centre of mass of floor i | m, rad |
-//! | T_i | | drift of the reference point that q_i makes: [1 0 y; 0 1 −x; 0 0 1], x, y of the centre from it | – |
+//! | T_i | | drift of the reference point per q_i: [1 0 y; 0 1 −x; 0 0 1], x, y of the centre from it | – |
 
 use super::building_of_floors::{Building, PDelta};
 use super::error::BuildingError;
@@ -33,11 +33,11 @@ impl Building {
     /// ```text
     /// K = Σ_s B_sᵀ (k_s − g_s) B_s,   B_s q = T_s q_s − T_(s−1) q_(s−1),   q_0 = 0        3 × 3N
     /// ```
-    /// k_s and g_s against the drift at one reference point of the plan, the centre of mass of the lowest floor: so floors
-    /// whose centres do not lie above each other couple as they must.
+    /// k_s and g_s are against the drift at one reference point of the plan, the centre of mass of the lowest floor. So floors whose centres do
+    /// not lie above each other are coupled correctly.
     ///
     /// # Limits
-    /// Rigid floors; walls that bend as one over several storeys are not storeys of this kind.
+    /// Floors are rigid. Walls that bend as one over several storeys are not modelled.
     pub fn stiffness_matrix(&self) -> Matrix {
         let n = self.floors().len();
         let about = self.floors()[0].centre_m;
@@ -64,23 +64,23 @@ impl Building {
         k
     }
 
-    /// T_i: the motion of the reference point fixed to floor i, numbered from 0.
+    /// T_i: displacement of the reference point per coordinate of floor i, numbered from 0.
     fn to_reference(&self, floor: usize) -> [[f64; 3]; 3] {
         let (about, centre) = (self.floors()[0].centre_m, self.floors()[floor].centre_m);
         let (x, y) = (centre[0] - about[0], centre[1] - about[1]);
         [[1.0, 0.0, y], [0.0, 1.0, -x], [0.0, 0.0, 1.0]]
     }
 
-    /// The row that gives the displacement of a point of a floor along a direction from all coordinates; as a column, what
-    /// a force there does.
+    /// The row whose product with all coordinates is the displacement of a point of a floor along a direction. As a column it is the load of a
+    /// unit force there.
     ///
     /// ```text
     /// cos α (u − (y − y_c) θ) + sin α (v + (x − x_c) θ)                                      3N values
     /// ```
     ///
     /// # Errors
-    /// [`BuildingError::Part`] for a floor that is not there, numbered from 1 at the bottom; [`BuildingError::Outside`] for a
-    /// point outside its outline; [`BuildingError::Argument`] for what is not a number.
+    /// [`BuildingError::Part`] for a floor that does not exist, numbered from 1 at the bottom; [`BuildingError::Outside`] for a point outside
+    /// its outline; [`BuildingError::Argument`] for a value that is not a number.
     pub fn point_row(
         &self,
         floor: usize,
@@ -118,10 +118,10 @@ impl Building {
         Ok(row)
     }
 
-    /// The row that gives the rotation of a floor.
+    /// The row whose product is the rotation of a floor.
     ///
     /// # Errors
-    /// [`BuildingError::Part`] for a floor that is not there, numbered from 1 at the bottom.
+    /// [`BuildingError::Part`] for a floor that does not exist, numbered from 1 at the bottom.
     pub fn rotation_row(&self, floor: usize) -> Result<Vec<f64>, BuildingError> {
         let index = self.floor_index(floor)?;
         let mut row = vec![0.0; self.coordinates()];
@@ -129,13 +129,13 @@ impl Building {
         Ok(row)
     }
 
-    /// What the ground moves: all coordinates as it shifts by 1 along a direction with the building rigid on it.
+    /// All coordinates for a ground displacement of 1 along a direction, with the building rigid.
     pub fn ground_column(&self, direction: PlanDirection) -> Vec<f64> {
         let [cos, sin] = direction.unit();
         [cos, sin, 0.0].repeat(self.floors().len())
     }
 
-    /// All coordinates as the building turns rigidly by 1 about a point of the plan.
+    /// All coordinates for a rigid rotation of the building by 1 about a point of the plan.
     pub fn turn_column(&self, about_m: [f64; 2]) -> Vec<f64> {
         let each = self.floors().iter().flat_map(|floor| {
             [
@@ -147,11 +147,11 @@ impl Building {
         each.collect()
     }
 
-    /// Rows of the drift of a storey at the edges of the floor above it: along x where y is least and most, along y where x is least
-    /// and most. The largest drift along x or y anywhere on the floor is at one of the two. `None` if its outline is not known.
+    /// Rows of the drift of a storey at the edges of the floor above it: along x at the smallest and the largest y, along y at the smallest and
+    /// the largest x. The largest drift along x or y anywhere on the floor is at one of these two edges. `None` if its outline is unknown.
     ///
     /// # Errors
-    /// [`BuildingError::Part`] for a storey that is not there, numbered from 1 at the bottom.
+    /// [`BuildingError::Part`] for a storey that does not exist, numbered from 1 at the bottom.
     pub fn edge_drift_rows(&self, storey: usize) -> Result<Option<[Vec<f64>; 4]>, BuildingError> {
         let index = self.floor_index(storey)?;
         let upper = &self.floors()[index];
@@ -183,10 +183,11 @@ impl Building {
         Ok(Some([row(0, front), row(0, back), row(1, left), row(1, right)]))
     }
 
-    /// Rows of what the walls and columns of the lowest storey carry: shear along x and y, and torque about the vertical through the centre
-    /// of all mass. Only the three coordinates of the lowest floor are in them.
+    /// Rows of the forces in the walls and columns of the lowest storey: shear along x and y, and torque about the vertical through the centre
+    /// of all mass. They contain only the three coordinates of the lowest floor.
     ///
-    /// With P-delta the walls carry more than the ground has to hold: the weight leans on them, k_1 drift instead of (k_1 − g_1) drift.
+    /// With P-delta the walls carry more than the reaction of the ground, because the weight leans on them: k_1 drift instead of (k_1 − g_1)
+    /// drift.
     pub fn base_rows(&self) -> [Vec<f64>; 3] {
         let (from, about) = (self.floors()[0].centre_m, self.centre_of_mass_m());
         let k = self.storeys()[0].stiffness.matrix_about(from);

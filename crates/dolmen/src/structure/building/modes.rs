@@ -5,7 +5,7 @@
 //! | φ_j | `shape` | shape of mode j, φᵀ M φ = 1 | kg^−½, rad kg^−½ m^−1 |
 //! | ω_j | `omega_rad_s` | circular frequency | rad/s |
 //! | ι | | the building shifted by 1 along x, y, or turned by 1 about its centre of mass | – |
-//! | Γ | `participation` | φᵀ M ι: what shakes the mode | √kg, √kg m |
+//! | Γ | `participation` | φᵀ M ι: participation of the mode in shaking | √kg, √kg m |
 //! | r_x, r_y | `r_x_m`, `r_y_m` | mode centre from the centre of mass of the floor | m |
 
 use super::building_of_floors::Building;
@@ -14,12 +14,12 @@ use super::plan_direction::PlanDirection;
 use dolmen_linalg::{Matrix, symmetric_eigen};
 use std::f64::consts::TAU;
 
-/// A floor whose rotation times its radius of gyration is below this part of its displacement moves without turning: its
-/// centre would lie a million radii away. Our choice.
+/// A floor moves without turning if its rotation times its radius of gyration is below this fraction of its displacement: its centre would lie a
+/// million radii away. Our choice.
 const WITHOUT_TURNING: f64 = 1e-6;
-/// A floor that moves less than this part of the floor that moves most has no centre either. Our choice.
+/// A floor that moves less than this fraction of the floor that moves most has no centre either. Our choice.
 const AT_REST: f64 = 1e-9;
-/// Frequencies closer than this part of themselves belong to one pair, whose shapes may be mixed at will. Our choice.
+/// Frequencies closer than this fraction are one pair, whose shapes can be mixed arbitrarily. Our choice.
 const REPEATED: f64 = 1e-6;
 
 /// The point about which a floor turns in a mode.
@@ -48,16 +48,16 @@ pub struct BuildingMode {
     pub shape: Vec<f64>,
     /// Participation in shaking along x and y, √kg, and in turning about the centre of mass, √kg m.
     pub participation: [f64; 3],
-    /// Effective mass along x and y, kg, and effective moment of inertia, kg·m²: over all modes they sum to the whole.
+    /// Effective mass along x and y, kg, and effective moment of inertia, kg·m²: summed over all modes they are those of the building.
     pub effective_mass: [f64; 3],
-    /// The parts of its kinetic energy in u, v and θ of the centres of mass; their sum is 1.
+    /// Shares of its kinetic energy in u, v and θ of the centres of mass; their sum is 1.
     pub energy_shares: [f64; 3],
-    /// How much sway and twist are mixed: 0 for either alone, 1 for half and half. Twice the smaller of the parts of the energy in
-    /// translation and in rotation.
+    /// How much sway and twist are mixed: twice the smaller of the shares of energy in translation and in rotation; 0 for either alone, 1 for
+    /// half and half.
     pub coupling: f64,
-    /// Where each floor turns about, lowest first; `None` for one that moves without turning, or not at all.
+    /// The point about which each floor turns, lowest first; `None` for a floor that moves without turning, or not at all.
     pub centres: Vec<Option<ModeCentre>>,
-    /// Whether another mode has the same frequency, to 1e-6: then their shapes are one choice of many.
+    /// Whether another mode has the same frequency, to 1e-6: then its shape is one choice of many.
     pub repeated: bool,
 }
 
@@ -73,14 +73,14 @@ impl BuildingMode {
 pub struct BuildingModes {
     /// The modes, 3 for each floor.
     pub modes: Vec<BuildingMode>,
-    /// What the effective masses sum to: the mass twice, kg, and the moment of inertia about the centre of mass, kg·m².
+    /// Sum of the effective masses: the mass twice, kg, and the moment of inertia about the centre of mass, kg·m².
     pub total_mass: [f64; 3],
     /// Shapes as columns, 3N × 3N.
     pub shapes: Matrix,
 }
 
 impl Building {
-    /// Natural modes.
+    /// Natural modes of the building.
     ///
     /// ```text
     /// K φ = ω² M φ,  φᵀ M φ = 1                                                    3N modes of 3N values
@@ -89,10 +89,10 @@ impl Building {
     /// For one floor whose rotation is mixed with y alone, r_x of the two mixed modes satisfy r_1 r_3 = −ρ².
     ///
     /// # Errors
-    /// [`BuildingError::Linalg`] if the values differ by more than the numbers hold.
+    /// [`BuildingError::Linalg`] if the range of values exceeds the precision of the numbers.
     ///
     /// # Source
-    /// Hwang, Min, Hong: mode centre, eq. 12, from the centre of mass, which is its reference point.
+    /// Hwang, Min & Hong, eq. 12: mode centre from the centre of mass, which is their reference point.
     pub fn modes(&self) -> Result<BuildingModes, BuildingError> {
         let masses = self.masses();
         let root: Vec<f64> = masses.iter().map(|m| m.sqrt()).collect();
@@ -171,7 +171,7 @@ impl Building {
             if turning <= WITHOUT_TURNING * u.hypot(v) || turning.max(u.hypot(v)) <= AT_REST * largest {
                 return None;
             }
-            // −0 would print as such
+            // −0 would be printed
             let (r_x_m, r_y_m) = (-v / theta + 0.0, u / theta + 0.0);
             Some(ModeCentre {
                 r_x_m,

@@ -2,10 +2,10 @@
 
 use super::error::BuildingError;
 
-/// Points on the edge count as on the floor to this part of its size: rounding of coordinates, our choice.
+/// Points within this fraction of the floor's size of an edge count as on the floor: rounding of coordinates, our choice.
 const EDGE: f64 = 1e-9;
 
-/// The outline of a floor in plan, checked: a polygon without crossings, counterclockwise.
+/// The outline of a floor in plan: a polygon without crossings, counterclockwise; construction checks it.
 ///
 /// ```
 /// use dolmen::structure::building::Outline;
@@ -23,7 +23,7 @@ pub struct Outline {
 }
 
 impl Outline {
-    /// From its corners in order, either way round.
+    /// An outline from its corners in order, either way round.
     ///
     /// # Errors
     /// [`BuildingError::Outline`] for fewer than 3 corners, one that is not a number or repeats, edges that cross, or no area.
@@ -111,7 +111,7 @@ impl Outline {
         self.gyration_m
     }
 
-    /// How far a point lies outside, m; 0 on the floor and its edge.
+    /// Distance of a point from the floor, m; 0 on the floor and its edge.
     pub fn beyond_m(&self, point_m: [f64; 2]) -> f64 {
         let (_, beyond_m) = nearest_on_floor(&self.corners_m, point_m);
         if beyond_m <= EDGE * size_m(&self.corners_m) {
@@ -122,7 +122,7 @@ impl Outline {
     }
 }
 
-/// The nearest point of a polygon and how far away it is; the point itself and 0 inside.
+/// The point of a polygon nearest to a point, and the distance; inside, the point itself and 0.
 pub(crate) fn nearest_on_floor(corners: &[[f64; 2]], [x, y]: [f64; 2]) -> ([f64; 2], f64) {
     let mut inside = false;
     let mut nearest = ([x, y], f64::INFINITY);
@@ -139,7 +139,7 @@ pub(crate) fn nearest_on_floor(corners: &[[f64; 2]], [x, y]: [f64; 2]) -> ([f64;
     if inside { ([x, y], 0.0) } else { nearest }
 }
 
-/// The point of the side from a to b that is nearest.
+/// The nearest point of the side from a to b.
 pub(crate) fn nearest_on_side(a: [f64; 2], b: [f64; 2], [x, y]: [f64; 2]) -> [f64; 2] {
     let along = [b[0] - a[0], b[1] - a[1]];
     let squared = along[0] * along[0] + along[1] * along[1];
@@ -165,7 +165,7 @@ struct Moments {
     polar_m4: f64,
 }
 
-/// By triangles from the first corner; the area is negative if the corners run clockwise.
+/// Sums triangles from the first corner; the area is negative if the corners run clockwise.
 fn moments(corners: &[[f64; 2]]) -> Moments {
     let origin = corners[0];
     let (mut area, mut first, mut polar) = (0.0, [0.0; 2], 0.0);
@@ -198,7 +198,7 @@ fn meet([a, b]: [[f64; 2]; 2], [c, d]: [[f64; 2]; 2]) -> bool {
     !apart(0) && !apart(1) && turn(a, b, c) * turn(a, b, d) <= 0.0 && turn(c, d, a) * turn(c, d, b) <= 0.0
 }
 
-/// Whether two sides that share a corner lie on each other.
+/// Whether two sides that share a corner overlap.
 fn folds_back(first: [[f64; 2]; 2], second: [[f64; 2]; 2]) -> bool {
     let (shared, a, b) = if first[1] == second[0] {
         (first[1], first[0], second[1])
@@ -215,7 +215,7 @@ mod tests {
 
     #[test]
     fn exact_moments_of_an_l_shape() {
-        // 4 × 4 less its upper right 2 × 2: by parts
+        // 4 × 4 less its upper right 2 × 2, part by part
         let corners = vec![
             [0.0, 0.0],
             [4.0, 0.0],

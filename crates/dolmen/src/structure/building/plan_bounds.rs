@@ -1,49 +1,52 @@
-//! Between which bounds the stiffness of a storey in plan lies where its centre of rigidity is not known.
+//! Bounds of the stiffness of a storey in plan whose centre of rigidity is unknown.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | t_x, t_y | `twist` | ρθ/u of the mode along x, ρθ/v of that along y | – |
 //!
-//! Three frequencies leave two of the five unknowns free. The twists of the modes along x and y name each of the stiffnesses that have the
-//! frequencies, so that all of them are reached by going through the twists.
+//! Three frequencies leave two of the five unknowns free. The twists of the modes along x and y parametrise all stiffnesses with these
+//! frequencies, so a search over the twists reaches all of them.
 
 use super::plan_roots::{PlanRoot, roots_with_shapes};
 use super::plan_stiffness::moves_otherwise;
 use super::plan_storey::{Labelled, PlanMode, PlanMotion, PlanStorey};
 use std::f64::consts::TAU;
 
-/// Largest twist: ρθ has twice the energy of the sway, beyond which the mode turns. √2, with which the rule on motions agrees.
+/// Largest twist: ρθ has twice the energy of the sway; beyond it the mode is one of torsion. √2, in agreement with the rule on motions.
 const TWIST_MOST: f64 = std::f64::consts::SQRT_2;
-/// Twists of each mode in a round, and rounds, each about the best of the one before on a finer net. Ours: to four digits.
+/// Twists of each mode in a round, and number of rounds, each on a finer grid about the best of the one before. Chosen here: accurate to four
+/// digits.
 const NET: i32 = 20;
 const ROUNDS: usize = 6;
 const FINER: f64 = 0.2;
-/// The same for frequencies beside those measured, about the twists of these.
+/// The same for frequencies near the measured ones, about the twists found for these.
 const NEAR: i32 = 8;
-/// Standard deviations of the frequencies within which they are taken, jointly: 95 % of one number. Climbs to the extreme on their sphere. Chosen here.
+/// Radius of the sphere of frequencies in standard deviations, jointly: 95 % of one number. Number of steps of the search on the sphere. Chosen
+/// here.
 const DEVIATIONS: f64 = 1.96;
 const CLIMBS: usize = 3;
 
-/// Bounds of what three frequencies leave free.
+/// Bounds of the quantities that three frequencies leave free.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct PlanBounds {
-    /// Least and most of k_x, k_y, N/m, and of k_θ about the centre of rigidity, N·m/rad.
+    /// Smallest and largest k_x, k_y, N/m, and k_θ about the centre of rigidity, N·m/rad.
     pub stiffness: [[f64; 2]; 3],
-    /// Least and most of the centre of rigidity from the centre of mass, m.
+    /// Smallest and largest coordinates of the centre of rigidity from the centre of mass, m.
     pub eccentricity_m: [[f64; 2]; 2],
-    /// Whether the scatter of the frequencies is in them; it is not where that of one is not known.
+    /// Whether the bounds include the scatter of the frequencies; they do not where a standard deviation is unknown.
     pub with_scatter: bool,
 }
 
-/// Bounds of the stiffness with which a floor has the measured frequencies and moves as it was measured, over every centre of rigidity within
-/// `reach_m` (from the centre of mass, least and most along x and y); `None` unless all three motions are known, or where no centre does.
+/// Bounds of the stiffness of a floor that has the measured frequencies and kinds of modes, over every centre of rigidity within `reach_m` (from
+/// the centre of mass, smallest and largest along x and y). `None` unless all three motions are known, or where no centre of rigidity is
+/// possible.
 ///
-/// Where the standard deviations of all three frequencies are known, the bounds are over all frequencies within 1.96 of them jointly too:
-/// Σ ((f − f_measured)/s)² ≤ 1.96². The sphere is climbed along the gradient of each bound.
+/// Where all three standard deviations are known, the bounds also cover all frequencies within 1.96 of them jointly: Σ ((f − f_measured)/s)² ≤
+/// 1.96². The search follows the gradient of each bound on this sphere.
 ///
 /// # Limits
-/// They are found on a net of twists that grows finer about each extreme; on the sphere a bound is taken as nearly linear.
+/// The search uses a grid of twists that grows finer about each extreme. On the sphere it treats a bound as nearly linear.
 pub fn plan_bounds(
     storey: &PlanStorey,
     modes: &[PlanMode; 3],
@@ -72,7 +75,7 @@ pub fn plan_bounds(
     })
 }
 
-/// An extreme, and the twists at which it is.
+/// An extreme value and its twists.
 #[derive(Clone, Copy)]
 struct Extreme {
     value: f64,
@@ -88,12 +91,12 @@ struct Family<'a> {
 }
 
 impl Family<'_> {
-    /// The largest (`sign` 1) or least (−1) of k_x, k_y, k_θ, e_x, e_y.
+    /// The largest (`sign` 1) or smallest (−1) of k_x, k_y, k_θ, e_x, e_y.
     fn extreme(&self, quantity: usize, sign: f64) -> Option<Extreme> {
         self.extreme_about([0.0, 0.0], (NET, 0), (quantity, sign))
     }
 
-    /// The same on a net about twists, whose first rounds are left out.
+    /// The same on a grid about given twists, without the first rounds.
     fn extreme_about(
         &self,
         twist: [f64; 2],

@@ -1,4 +1,4 @@
-//! Two storeys in plan that meet within the scatter of what was measured: near a double root of the cubic.
+//! Two storeys in plan that coincide within the scatter of the measurement: near a double root of the cubic.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -7,42 +7,43 @@
 //! | d, s | `data`, `sd` | ln f of the three modes, t_x, t_y, and their standard deviations | – |
 //! | g | `gradient` | s ∂c/∂d at the turning point; σ = \|g\| is the deviation of c there | (rad/s)² |
 //!
-//! At a turning point of c within σ of 0 two roots have met, or hardly parted; where c hardly slopes at its inflection, three. A root moves with the square
-//! or cube root of c there, so that nothing linear tells its scatter: every p with |c| ≤ z σ is as good, and the storey is one with a wide interval.
+//! At a turning point where \|c\| < σ two roots have met or nearly met; near an inflection where c hardly slopes, three. A root moves with the
+//! square or cube root of c there, so no linear estimate gives its scatter. Every p with \|c\| ≤ z σ fits equally well, and the storey gets a
+//! wide interval.
 
 use super::plan_roots::{PlanRoot, SIDEWAYS_MOST, cubic, real_roots, root_at, turning_points};
 use super::plan_storey::{Labelled, PlanMode, PlanMotion, PlanStorey};
 use std::f64::consts::TAU;
 
-/// Deviations within which two real roots are not told apart, and within which roots that scatter has taken apart into complex ones are one storey.
-/// 95 %, and as for other evidence 1 in 400.
+/// Number of deviations within which two real roots count as one, and within which two complex roots count as a double root that scatter
+/// removed: 95 %, and 1 in 400 as for other evidence.
 const REAL_WITHIN: f64 = 1.96;
 const LOST_WITHIN: f64 = 3.0;
 /// Points of the interval of p at which the storey is computed. Chosen here.
 const SAMPLES: usize = 33;
-/// Step of a numerical derivative, in standard deviations. Chosen here: to 1e-4 of a deviation.
+/// Step of a numerical derivative, in standard deviations. Chosen here: accurate to 1e-4 of a deviation.
 const STEP: f64 = 1e-3;
 const ROUNDS: usize = 20;
-/// Share of the scatter that the cube of p makes of a linear step, from which an inflection is flat. Chosen here.
+/// An inflection counts as flat if the cubic term of p is at least this fraction of the linear one over the scatter. Chosen here.
 const LINEAR: f64 = 0.5;
 
-/// A storey near which roots meet.
+/// A storey near which roots coincide.
 pub(super) struct DoubleRoot {
-    /// The storey in the middle, of measured numbers moved to it.
+    /// The storey in the middle of the interval, for the measured numbers moved onto it.
     pub(super) root: PlanRoot,
-    /// Whether any of the interval moves as measured; the middle and the deviations are then of these alone.
+    /// Whether part of the interval moves as measured; the middle and the deviations then refer to this part alone.
     pub(super) is_accepted: bool,
-    /// Least and most of p.
+    /// Smallest and largest p.
     between: [f64; 2],
     /// k_x, k_y, k_θ, e_x, e_y over the interval, and the squares of their deviations at one p.
     interval: Vec<[f64; 5]>,
     at_one_p: [f64; 5],
-    /// By how many per cent a stiffness is off, most, where each frequency is off by 1 %.
+    /// The largest change of a stiffness in per cent when each frequency changes by 1 %.
     pub(super) amplification: f64,
 }
 
 impl DoubleRoot {
-    /// Deviations of k_x, k_y, k_θ, e_x, e_y about a storey of the interval, which 1.96 of them span.
+    /// Deviations of k_x, k_y, k_θ, e_x, e_y about a storey of the interval: 1.96 of them span it.
     pub(super) fn deviations(&self, root: &PlanRoot) -> [f64; 5] {
         let about = numbers(root);
         std::array::from_fn(|at| {
@@ -95,12 +96,12 @@ impl Near<'_> {
         })
     }
 
-    /// The least shift of the data, in deviations, with which p is a root.
+    /// The smallest shift of the data, in deviations, that makes p a root.
     fn to_root(&self, p: f64) -> [f64; 5] {
         let mut shift = [0.0; 5];
         for _ in 0..ROUNDS {
             let (c, g) = (value(&self.cubic(&shift), p), self.gradient(p, &shift));
-            // onto the tangent of c = 0, as near to no shift as it comes
+            // projects onto the tangent of c = 0, for the smallest shift
             let square: f64 = g.iter().map(|g| g * g).sum();
             let along: f64 = g.iter().zip(&shift).map(|(g, s)| g * s).sum();
             shift = g.map(|g| g * (along - c) / square);
@@ -124,7 +125,7 @@ fn numbers(root: &PlanRoot) -> [f64; 5] {
     [k_x, k_y, k_theta, e_x, e_y]
 }
 
-/// The storey at the turning point that is nearest to a root in standard deviations; `None` where none is within the scatter, or this is not known.
+/// The storey at the turning point nearest to a root in standard deviations; `None` where none is within the scatter, or the scatter is unknown.
 pub(super) fn double_root(
     storey: &PlanStorey,
     modes: &[PlanMode; 3],
@@ -173,7 +174,7 @@ pub(super) fn double_root(
     let at = |i: usize| least + (most - least) * i as f64 / (SAMPLES - 1) as f64;
     let sample = |i: usize| near.storey(at(i), &near.to_root(at(i)));
     let all: Vec<PlanRoot> = (0..SAMPLES).map(sample).collect();
-    // those that move as measured, if any does
+    // those that move as measured, if there are any
     let kept: Vec<usize> = (0..SAMPLES).filter(|i| moves_as_measured(&all[*i])).collect();
     let is_accepted = !kept.is_empty();
     let (first, last) = match (kept.first(), kept.last()) {
@@ -194,7 +195,7 @@ pub(super) fn double_root(
             *square += (own - middle).powi(2);
         }
     }
-    // each frequency 1 % off, all the same way that moves c most
+    // each frequency 1 % off, with the signs that move c most
     let of_frequencies = near.gradient(p, &[0.0; 5]);
     let off: f64 = (0..3).map(|i| 0.01 * of_frequencies[i].abs() / near.sd[i]).sum();
     let moved = between(&measured, p, off + value(&measured, p).abs())
@@ -216,7 +217,7 @@ pub(super) fn double_root(
     })
 }
 
-/// Where roots meet: turning points, or without any the inflection.
+/// Candidates for coinciding roots: the turning points, or the inflection if there are none.
 fn candidates(c: &[f64; 4]) -> Vec<f64> {
     match turning_points(c).as_slice() {
         [] => vec![-c[2] / (3.0 * c[3])],
@@ -224,7 +225,8 @@ fn candidates(c: &[f64; 4]) -> Vec<f64> {
     }
 }
 
-/// Deviations of c within which roots have met at a candidate; none where an inflection slopes so much that c is linear over its scatter.
+/// Number of deviations of c within which roots coincide at a candidate; `None` where c is so steep at an inflection that it is linear over its
+/// scatter.
 fn within(c: &[f64; 4], p: f64, sigma: f64) -> f64 {
     let slope = c[1] + p * (2.0 * c[2] + 3.0 * c[3] * p);
     let bend = 2.0 * c[2] + 6.0 * c[3] * p;
@@ -244,7 +246,7 @@ fn within(c: &[f64; 4], p: f64, sigma: f64) -> f64 {
     }
 }
 
-/// The p next to one below and above it at which |c| is so much; `None` where there is none on a side.
+/// The nearest p below and above at which \|c\| has this value; `None` where one side has none.
 fn between(c: &[f64; 4], p: f64, most: f64) -> Option<[f64; 2]> {
     let mut ends: Vec<f64> = Vec::new();
     for sign in [1.0, -1.0] {

@@ -1,6 +1,6 @@
 //! All roots of the stiffness of one storey in plan.
 //!
-//! Coordinates are u, v, ρθ over √m, in which the mass is the identity; stiffness is over m, 1/s².
+//! Coordinates are u, v, ρθ times √m, so that the mass matrix is the identity; stiffness is divided by m, 1/s².
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -12,7 +12,7 @@ use super::plan_storey::{Labelled, PlanStiffnessError, PlanStorey};
 use crate::structure::inverse::{SpringModel, roots_by_continuation};
 use dolmen_linalg::{Matrix, symmetric_eigen};
 
-/// p is sought up to this: the mode "along x" would move a thousand times more along y.
+/// Largest p of the search: the mode "along x" would move a thousand times more along y.
 pub(super) const SIDEWAYS_MOST: f64 = 1e3;
 /// The six orders of three.
 const ORDERS: [[usize; 3]; 6] = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
@@ -24,13 +24,13 @@ pub(super) struct PlanRoot {
     pub(super) eccentricity_m: [f64; 2],
     /// Unit shapes u, v, ρθ of the modes, ascending.
     pub(super) shapes: [[f64; 3]; 3],
-    /// p, of a root with twists.
+    /// p, for a root found with twists.
     pub(super) sideways: Option<f64>,
 }
 
 pub(super) struct PlanRoots {
     pub(super) roots: Vec<PlanRoot>,
-    /// Whether all solutions in complex numbers were reached.
+    /// Whether all solutions in complex numbers were found.
     pub(super) complete: bool,
 }
 
@@ -40,7 +40,7 @@ pub(super) fn springs(storey: &PlanStorey, eccentricity_m: [f64; 2]) -> [[f64; 3
     [[1.0, 0.0, -e_y], [0.0, 1.0, e_x], [0.0, 0.0, 1.0]]
 }
 
-/// Roots of det(K − λ_j M) = 0 with the centre of rigidity where it is stated.
+/// Roots of det(K − λ_j M) = 0 with the given centre of rigidity.
 pub(super) fn roots_with_stated_centre(
     storey: &PlanStorey,
     lambda: &[f64; 3],
@@ -77,7 +77,7 @@ pub(super) fn roots_with_stated_centre(
     })
 }
 
-/// Without eccentricity each frequency belongs to one stiffness: k = m ω² + w, in every order.
+/// Without eccentricity each frequency determines one stiffness, k = m ω² + w, in every order.
 fn uncoupled(storey: &PlanStorey, lambda: &[f64; 3]) -> PlanRoots {
     let unit = |at: usize| std::array::from_fn(|i| if i == at { 1.0 } else { 0.0 });
     let of_order = |order: &[usize; 3]| {
@@ -99,7 +99,7 @@ fn uncoupled(storey: &PlanStorey, lambda: &[f64; 3]) -> PlanRoots {
     }
 }
 
-/// Roots with the twists of the modes along x and y, and the centre of rigidity with them.
+/// Roots, with their centres of rigidity, for given twists of the modes along x and y.
 ///
 /// ```text
 /// q_x ∝ [1 p t_x]ᵀ,  q_y ∝ [s 1 t_y]ᵀ,  q_xᵀ q_y = 0:  s = −p − t_x t_y,    K/m = Σ λ_j q_j q_jᵀ + w/m I
@@ -170,7 +170,7 @@ fn of_shapes(storey: &PlanStorey, lambda: &[f64; 3], labelled: &Labelled, q: [[f
     }
 }
 
-/// Real roots within ± `most` of c_0 + c_1 x + c_2 x² + c_3 x³, ascending: between its turning points it is monotone.
+/// Real roots within ± `most` of c_0 + c_1 x + c_2 x² + c_3 x³, ascending. Between its turning points the cubic is monotone.
 pub(super) fn real_roots(c: &[f64; 4], most: f64) -> Vec<f64> {
     let value = |x: f64| c[0] + x * (c[1] + x * (c[2] + x * c[3]));
     let mut ends = vec![-most, most];
@@ -200,7 +200,7 @@ pub(super) fn real_roots(c: &[f64; 4], most: f64) -> Vec<f64> {
     roots
 }
 
-/// Where the cubic turns; both without cancellation, a division by 0 leaves one out.
+/// The turning points of the cubic, both computed without cancellation; a division by 0 leaves one out.
 pub(super) fn turning_points(c: &[f64; 4]) -> Vec<f64> {
     let discriminant = c[2] * c[2] - 3.0 * c[3] * c[1];
     if discriminant < 0.0 {

@@ -1,4 +1,4 @@
-//! How far the stiffness of a storey in plan scatters with what was measured.
+//! Scatter of the stiffness of a storey in plan from the scatter of the measurement.
 //!
 //! ```text
 //! dλ_j = q_jᵀ dK q_j,   dq_j = Σ_(i ≠ j) q_i (q_iᵀ dK q_j)/(λ_j − λ_i),   t = ρθ/u:  dt = (d(ρθ) − t du)/u
@@ -9,14 +9,14 @@ use super::plan_storey::{EccentricityFrom, PlanMode, PlanMotion, PlanStiffnessEr
 use dolmen_linalg::{Matrix, solve};
 use std::f64::consts::TAU;
 
-/// What scatters, and how much it is amplified.
+/// Standard deviations, and the amplification of errors in frequency.
 pub(super) struct Scatter {
     pub(super) stiffness_sd: Option<[f64; 3]>,
     pub(super) eccentricity_sd_m: Option<[f64; 2]>,
     pub(super) amplification: f64,
 }
 
-/// Linearised at a root: unknowns ln k_x, ln k_y, ln k_θ and, where twists were measured, e_x/ρ, e_y/ρ.
+/// Linearises the equations at a root. The unknowns are ln k_x, ln k_y, ln k_θ and, if twists were measured, e_x/ρ, e_y/ρ.
 pub(super) fn scatter(
     storey: &PlanStorey,
     modes: &[PlanMode; 3],
@@ -79,7 +79,7 @@ pub(super) fn scatter(
     })
 }
 
-/// Change of K/m in u, v, ρθ with each of ln k_x, ln k_y, ln k_θ, e_x/ρ, e_y/ρ.
+/// Derivative of K/m in u, v, ρθ with respect to each of ln k_x, ln k_y, ln k_θ, e_x/ρ, e_y/ρ.
 fn stiffness_changes(storey: &PlanStorey, root: &PlanRoot) -> [[[f64; 3]; 3]; 5] {
     let b = springs(storey, root.eccentricity_m);
     let [k_x, k_y, k_theta] = root.stiffness;

@@ -3,7 +3,7 @@
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | m, ρ | `mass_kg`, `gyration_m` | mass of the floor and its radius of gyration about the centre of mass | kg, m |
-//! | w | `weight_takes_n_m` | what the weight takes of the sway stiffness, m g/h; 0 without P-delta | N/m |
+//! | w | `weight_takes_n_m` | reduction of the sway stiffness by the weight, m g/h; 0 without P-delta | N/m |
 //! | e_x, e_y | `eccentricity_m` | centre of rigidity from the centre of mass | m |
 //! | k_x, k_y, k_θ | `stiffness` | along x, along y, against turning about the centre of rigidity | N/m, N·m/rad |
 //! | t | `twist` | ρθ/u of the mode along x, ρθ/v of that along y, of the centre of mass | – |
@@ -14,64 +14,64 @@ use super::plan_roots::{PlanRoot, roots_with_shapes, roots_with_stated_centre};
 use super::plan_scatter::scatter;
 use super::plan_storey::{EccentricityFrom, Labelled, PlanMode, PlanMotion, PlanStiffnessError, PlanStorey};
 
-/// Frequencies closer than this part of themselves are one: sway and twist that couple then have no shapes of their own.
+/// Frequencies closer than this fraction are one frequency: coupled sway and twist then have no shapes of their own.
 const REPEATED: f64 = 1e-6;
-/// A mode moves otherwise than measured where another motion has more than this many times the energy of the measured one. Our choice:
-/// who sees a floor sway or twist sees the larger part of its motion.
+/// A mode contradicts the measured motion if another motion has more than this many times its energy. Our choice: whoever sees a floor sway or
+/// twist sees the larger part of its motion.
 const OTHERWISE: f64 = 2.0;
-/// Assurance of a measured shape and that of a solution below which the solution is not accepted. Our choice: shapes 18° apart.
+/// A solution is not accepted if the assurance (MAC) between a measured shape and its own is below this. Our choice: shapes 18° apart.
 const SHAPE_LEAST: f64 = 0.9;
 
-/// A mode of a solution moves otherwise than the measured one.
+/// A mode of a solution whose motion contradicts the measured one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct MovesOtherwise {
     /// Its frequency, Hz.
     pub frequency_hz: f64,
-    /// As it was measured.
+    /// The measured motion.
     pub measured: PlanMotion,
-    /// As it would be.
+    /// The motion of this solution.
     pub would_be: PlanMotion,
-    /// The part of the energy that this has.
+    /// Share of the energy in that motion.
     pub share: f64,
 }
 
-/// A mode of a solution has another shape than the measured one.
+/// A mode of a solution whose shape contradicts the measured one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ShapeOtherwise {
     /// Its frequency, Hz.
     pub frequency_hz: f64,
-    /// Assurance (MAC) of u, v, ρθ as measured and as they would be: 1 for one shape.
+    /// Assurance (MAC) of u, v, ρθ between measurement and solution: 1 for the same shape.
     pub assurance: f64,
 }
 
-/// A stiffness that has the measured frequencies.
+/// A stiffness with the measured frequencies.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct PlanSolution {
     /// k_x, k_y, N/m, and k_θ about the centre of rigidity, N·m/rad.
     pub stiffness: [f64; 3],
-    /// Standard deviations from those of what was measured, linearised; `None` where one of these is not known.
+    /// Standard deviations, linearised; `None` where one of the measured numbers has no known deviation.
     pub stiffness_sd: Option<[f64; 3]>,
     /// Centre of rigidity from the centre of mass, m.
     pub eccentricity_m: [f64; 2],
-    /// Its standard deviations; `None` where it was stated, or one of what was measured is not known.
+    /// Its standard deviations; `None` where it was given, or one of the measured numbers has no known deviation.
     pub eccentricity_sd_m: Option<[f64; 2]>,
     /// u, v and ρθ of the centre of mass in each mode, ascending, their squares summing to 1.
     pub shapes: [[f64; 3]; 3],
-    /// By how many per cent a stiffness is off, most, where each frequency is off by 1 %; 2 if sway and twist do not couple.
+    /// The largest change of a stiffness in per cent when each frequency changes by 1 %; 2 if sway and twist do not couple.
     pub amplification: f64,
-    /// Solutions meet here within the scatter of what was measured: the deviations span all of them.
+    /// Whether solutions coincide here within the scatter of the measurement: the deviations then span all of them.
     pub roots_meet: bool,
-    /// The first mode that contradicts the measured motion: the solution is not accepted.
+    /// The first mode that contradicts the measured motion; if there is one, the solution is not accepted.
     pub moves_otherwise: Option<MovesOtherwise>,
-    /// The mode whose measured shape it contradicts most: the solution is not accepted.
+    /// The mode that contradicts its measured shape most; if there is one, the solution is not accepted.
     pub shape_otherwise: Option<ShapeOtherwise>,
 }
 
 impl PlanSolution {
-    /// Parts of the energy of each mode, ascending, in u, v and θ of the centre of mass.
+    /// Shares of the energy of each mode, ascending, in u, v and θ of the centre of mass.
     pub fn energy_shares(&self) -> [[f64; 3]; 3] {
         self.shapes.map(|shape| shape.map(|q| q * q))
     }
@@ -82,11 +82,11 @@ impl PlanSolution {
     }
 }
 
-/// One stiffness that its own frequency gives, whatever the others are.
+/// A stiffness that its own frequency determines, whatever the others are.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct SingleStiffness {
-    /// Which one.
+    /// Which stiffness.
     pub motion: PlanMotion,
     /// k_x, k_y, N/m, or k_θ, N·m/rad.
     pub stiffness: f64,
@@ -94,19 +94,19 @@ pub struct SingleStiffness {
     pub stiffness_sd: Option<f64>,
 }
 
-/// What the frequencies of a floor say of its storey.
+/// Result of the frequencies of a floor for its storey.
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct PlanStiffness {
-    /// Every positive stiffness that has the three frequencies, accepted ones first, then by k_x. Empty with fewer frequencies.
+    /// Every positive stiffness with the three frequencies, accepted ones first, then by k_x. Empty with fewer frequencies.
     pub solutions: Vec<PlanSolution>,
-    /// Where their eccentricity is from.
+    /// Source of their eccentricity.
     pub eccentricity_from: EccentricityFrom,
-    /// Whether all solutions in complex numbers were reached. If not, one may be missing.
+    /// Whether all solutions in complex numbers were found. If not, one may be missing.
     pub complete: bool,
-    /// With fewer than three frequencies: what these determine by themselves.
+    /// With fewer than three frequencies: the stiffnesses that these determine by themselves.
     pub singles: Vec<SingleStiffness>,
-    /// With fewer than three frequencies: what stays free.
+    /// With fewer than three frequencies: the quantities that stay free.
     pub free: Vec<PlanMotion>,
 }
 
@@ -117,26 +117,26 @@ impl PlanStiffness {
     }
 }
 
-/// Every stiffness of a storey in plan that gives its floor the measured frequencies.
+/// Finds every stiffness of a storey in plan that gives its floor the measured frequencies.
 ///
 /// ```text
 /// K = k_x b_x b_xᵀ + k_y b_y b_yᵀ + k_θ b_θ b_θᵀ − w diag(1, 1, ρ²)                                   3 × 3
 /// b_x = [1 0 −e_y]ᵀ,  b_y = [0 1 e_x]ᵀ,  b_θ = [0 0 1]ᵀ,   det(K − λ_j diag(m, m, m ρ²)) = 0,  j = 1…3
 /// ```
-/// With the eccentricity stated, all six solutions in complex numbers are followed, and the real positive ones kept. With the
-/// twists of the modes along x and y the eccentricity is found too: the shapes are orthogonal and K has no entry between u and v,
-/// which leaves one unknown and a cubic. Where roots of it meet within the
-/// scatter (real ones within 1.96 standard deviations, such as scatter has made complex within 3) the deviations of each span them all, and where scatter has
-/// lost them the storey between them stands in. A twist of one of the two modes alone is not used.
+/// With a given eccentricity the function follows all six solutions in complex numbers, and keeps the real positive ones. With the twists of the
+/// modes along x and y it finds the eccentricity too: the shapes are orthogonal and K has no entry between u and v, which leaves one unknown and
+/// a cubic. Where roots of the cubic coincide within the scatter (real roots within 1.96 standard deviations, roots that scatter made complex
+/// within 3), the deviations of each span them all; where scatter removed them, the result is the storey between them. A twist of only one of
+/// the two modes is not used.
 ///
-/// Solutions whose modes move otherwise than measured, or have another shape, are kept with the reason. With fewer than three frequencies the result says
-/// what each determines by itself (only without eccentricity in its way), and what stays free.
+/// Solutions whose modes contradict the measured motions or shapes are kept, with the reason. With fewer than three frequencies the result has
+/// the stiffnesses that each determines by itself (only where no eccentricity prevents it), and the quantities that stay free.
 ///
 /// # Errors
 /// [`PlanStiffnessError`].
 ///
 /// # Limits
-/// One rigid floor; walls along x and y; deviations are linearised, and masses taken as exact.
+/// One rigid floor, with walls along x and y. Deviations are linearised, and masses taken as exact.
 ///
 /// # Example
 /// ```
@@ -270,7 +270,7 @@ fn check(storey: &PlanStorey, modes: &[PlanMode]) -> Result<(), PlanStiffnessErr
     Ok(())
 }
 
-/// What fewer than three frequencies say: sway along x is alone where e_y is 0, along y where e_x is 0, torsion where both are.
+/// Stiffnesses from fewer than three frequencies: sway along x is uncoupled where e_y is 0, along y where e_x is 0, torsion where both are.
 fn of_few(storey: &PlanStorey, modes: &[PlanMode]) -> PlanStiffness {
     let [e_x, e_y] = storey.eccentricity_m;
     let alone = [e_y == 0.0, e_x == 0.0, e_x == 0.0 && e_y == 0.0];
@@ -329,7 +329,7 @@ fn solution(
     Ok(solution)
 }
 
-/// The storey in the middle of an interval that moves as measured, where no real root in it does.
+/// The storey in the middle of an interval that moves as measured, where no real root of the interval does.
 fn of_double(double: &DoubleRoot) -> PlanSolution {
     let mut one = PlanSolution {
         stiffness: double.root.stiffness,
@@ -360,7 +360,7 @@ fn why_not(modes: &[PlanMode; 3], root: &PlanRoot) -> (Option<MovesOtherwise>, O
     )
 }
 
-/// The mode whose measured shape is least like that of the root.
+/// The mode whose measured shape differs most from that of the root.
 fn shape_otherwise(modes: &[PlanMode; 3], shapes: &[[f64; 3]; 3]) -> Option<ShapeOtherwise> {
     let dot = |a: &[f64; 3], b: &[f64; 3]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
     let each = modes.iter().zip(shapes).filter_map(|(mode, own)| {
@@ -372,11 +372,11 @@ fn shape_otherwise(modes: &[PlanMode; 3], shapes: &[[f64; 3]; 3]) -> Option<Shap
         })
     });
     let least = each.min_by(|a, b| a.assurance.total_cmp(&b.assurance));
-    // one that is not a number is no assurance
+    // a value that is not a number proves nothing
     least.filter(|of| of.assurance < SHAPE_LEAST || of.assurance.is_nan())
 }
 
-/// A measured shape says more than the name of the motion, and is held against the root by itself.
+/// A measured shape holds more than the name of the motion, and is compared with the root separately.
 pub(super) fn moves_otherwise(
     modes: &[PlanMode; 3],
     energy_shares: &[[f64; 3]; 3],

@@ -1,6 +1,6 @@
-//! One storey in plan without its stiffness, its measured modes, and why none is found.
+//! One storey in plan without its stiffness, its measured modes, and the errors of the search.
 
-/// How a floor moves in a mode, for the most part.
+/// The main motion of a floor in a mode.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum PlanMotion {
@@ -8,7 +8,7 @@ pub enum PlanMotion {
     X,
     /// Along y.
     Y,
-    /// It turns.
+    /// Rotation.
     Torsion,
 }
 
@@ -40,46 +40,46 @@ pub struct PlanMode {
     pub frequency_sd_hz: f64,
     /// How the floor moves, if that was measured.
     pub motion: Option<PlanMotion>,
-    /// How much it turns beside that.
+    /// Its twist, if that was measured.
     pub twist: Option<Twist>,
-    /// u, v and ρθ of the centre of mass, any scale that the three share, if all of them were measured.
+    /// u, v and ρθ of the centre of mass, with any common scale, if all of them were measured.
     pub shape: Option<[f64; 3]>,
 }
 
-/// The floor on its storey, without the stiffness.
+/// The floor and its storey, without the stiffness.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlanStorey {
     /// Mass, kg.
     pub mass_kg: f64,
     /// Radius of gyration about the centre of mass, m.
     pub gyration_m: f64,
-    /// What the weight takes of the sway stiffness, m g/h, N/m; 0 without P-delta.
+    /// Reduction of the sway stiffness by the weight, m g/h, N/m; 0 without P-delta.
     pub weight_takes_n_m: f64,
-    /// Centre of rigidity from the centre of mass as it is stated, m. Not used where twists give it.
+    /// Given centre of rigidity from the centre of mass, m. Not used where twists determine it.
     pub eccentricity_m: [f64; 2],
 }
 
-/// Where the eccentricity is from.
+/// Source of the eccentricity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum EccentricityFrom {
-    /// It was stated.
+    /// It was given.
     Stated,
     /// From the twists of the modes along x and y.
     Twists,
 }
 
-/// Which of the ascending modes moves along x, along y and turns, with the twists of the first two.
+/// Which of the modes, in ascending order, moves along x, along y and in rotation, with the twists of the first two.
 #[derive(Clone, Copy)]
 pub(super) struct Labelled {
     pub(super) mode_of: [usize; 3],
     pub(super) twist: [f64; 2],
 }
 
-/// Why no stiffness can be sought.
+/// Why the search for a stiffness fails.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum PlanStiffnessError {
-    /// A number is refused.
+    /// A refused number.
     #[error("{quantity} is {given}, but must be {allowed}")]
     Argument {
         /// Its name with its unit.
@@ -95,13 +95,13 @@ pub enum PlanStiffnessError {
         /// How many.
         given: usize,
     },
-    /// Two modes of one motion.
+    /// Two modes with the same motion.
     #[error("two modes of motion {motion:?} were measured, but one floor has one of each")]
     Twice {
         /// The motion.
         motion: PlanMotion,
     },
-    /// Two frequencies that are one, with sway and twist coupled.
+    /// Two equal frequencies, with sway and twist coupled.
     #[error(
         "{frequency_hz} Hz was measured twice: sway and twist that couple have no shapes of their own at one frequency"
     )]
@@ -118,7 +118,7 @@ pub enum PlanStiffnessError {
 }
 
 impl PlanStiffnessError {
-    /// Whether an iteration ended before it converged: the input may be good.
+    /// Whether an iteration ended before it converged, in which case the input may be valid.
     pub fn did_not_converge(&self) -> bool {
         match self {
             Self::Structure(why) => why.did_not_converge(),

@@ -1,10 +1,10 @@
-//! P-delta: what the weight takes from a storey, and the factor on it at which the storey falls.
+//! P-delta: the stiffness that the weight takes from a storey, and the factor on the weight at which the storey falls.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | w_j | | weight of floor j, m_j g | N |
 //! | k_s | | elastic stiffness of storey s against drift | N/m … |
-//! | g_s | `geometric` | what the weight takes from it | N/m … |
+//! | g_s | `geometric` | geometric stiffness: the reduction by the weight | N/m … |
 //! | λ_s | `load_factor` | factor on the weight at which storey s falls | – |
 
 use super::elements::moved;
@@ -12,10 +12,10 @@ use super::error::BuildingError;
 use super::floors::{Floor, Storey};
 use dolmen_linalg::{Matrix, generalized_symmetric_eigen};
 
-/// How and under what weight a storey falls.
+/// The fall of a storey: its mode and its factor on the weight.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StoreyFall {
-    /// Which storey, from 1 at the bottom.
+    /// The storey, from 1 at the bottom.
     pub storey: usize,
     /// Weight that it carries, N.
     pub weight_n: f64,
@@ -42,7 +42,7 @@ impl StoreyFall {
     }
 }
 
-/// What the weight above takes from each storey, against u, v, θ at `about_m`.
+/// The geometric stiffness of each storey by the weight above, against u, v, θ at `about_m`.
 ///
 /// ```text
 /// g_s = 1/h_s Σ_(j ≥ s) w_j [1 0 −y; 0 1 x; −y x ρ² + x² + y²],   x, y of the centre of floor j from the point       3 × 3
@@ -73,18 +73,18 @@ pub(super) fn geometric(
     sums
 }
 
-/// Under what factor on the weight each storey falls, lowest first. Storeys fall one by one: in the drifts of the storeys the
-/// stiffness is a block for each.
+/// The factor on the weight at which each storey falls, lowest first. Storeys fall independently, because in terms of storey drifts the
+/// stiffness matrix is block-diagonal.
 ///
 /// ```text
 /// det(k_s − λ_s g_s) = 0, the smallest λ_s > 0
 /// ```
 ///
 /// # Errors
-/// [`BuildingError::Linalg`] for a storey that does not stand without weight either.
+/// [`BuildingError::Linalg`] for a storey that does not stand even without weight.
 ///
 /// # Limits
-/// Small drifts, linear walls; the weight of a floor is carried where its mass is, straight down.
+/// Drifts are small and walls linear. The weight of a floor acts vertically at its centre of mass.
 pub fn storey_falls(
     floors: &[Floor],
     storeys: &[Storey],

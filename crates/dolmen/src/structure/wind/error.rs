@@ -1,4 +1,4 @@
-/// Why the pressure of a wind is not known. Each variant carries the value that was refused.
+/// Why the pressure of a wind is unknown. Each variant carries the refused value.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum WindError {
     /// A quantity that must be positive and finite is not.
@@ -9,7 +9,7 @@ pub enum WindError {
         /// The value given.
         given: f64,
     },
-    /// The mean profile of a code ends below the top.
+    /// The code's profile of the mean wind ends below the top of the body.
     #[error("the top is at {given} m, but the profile of the code holds up to {most_m} m")]
     Height {
         /// Height of the top, m.
@@ -17,12 +17,12 @@ pub enum WindError {
         /// Where the profile ends, m.
         most_m: f64,
     },
-    /// The code asks whether the wind makes it vibrate, and its frequency is not known.
+    /// The code needs to know whether the wind makes the body vibrate, and its frequency is unknown.
     #[error(
         "the code asks for the lowest natural frequency, which is not known: the stiffness of the joints is not given"
     )]
     FrequencyUnknown,
-    /// Resonance counts, and the damping is not known.
+    /// Resonance matters, and the damping is unknown.
     #[error(
         "the lowest natural frequency is {frequency_hz:.3} Hz, so that resonance counts, and the damping ratio is not given"
     )]
@@ -30,7 +30,7 @@ pub enum WindError {
         /// Lowest natural frequency, Hz.
         frequency_hz: f64,
     },
-    /// Turbulence goes with a mean, and this is none.
+    /// Turbulence is defined for a mean wind, and this is none.
     #[error(
         "the wind is a gust or a pressure, but its turbulence goes with the mean of ten minutes by a code"
     )]
@@ -42,7 +42,7 @@ pub enum WindError {
     TooSoft {
         /// Lowest natural frequency, Hz.
         frequency_hz: f64,
-        /// From which the formula holds, Hz.
+        /// Lower limit of the formula, Hz.
         least_hz: f64,
     },
 }

@@ -43,9 +43,9 @@ pub struct EurocodeWind {
     pub air_density_kg_m3: f64,
 }
 
-/// Where the profile of the code ends, m: 4.3.2.
+/// Height at which the profile of the code ends, m: 4.3.2.
 const HEIGHT_MOST_M: f64 = 200.0;
-/// From which a structure is stiff, Hz: 6.2 (1) c names 5 Hz for façades and roofs; taken here for what stands free.
+/// Frequency from which a structure is stiff, Hz: 6.2 (1) c names 5 Hz for façades and roofs; here it applies to free-standing structures.
 const STIFF_HZ: f64 = 5.0;
 /// Factor of I_v in q_p: 4.8.
 const PEAK: f64 = 7.0;
@@ -66,7 +66,7 @@ impl EurocodeTerrain {
 }
 
 impl EurocodeWind {
-    /// The pressure that a body meets, with the structural factor.
+    /// The pressure on a body, with the structural factor.
     ///
     /// ```text
     /// v_m = k_r ln(z/z_0) c_o v_b,  I_v = 1/(c_o ln(z/z_0)),  q_p = (1 + 7 I_v) ½ ρ v_m²        below z_min as there
@@ -77,7 +77,7 @@ impl EurocodeWind {
     /// [`WindError::Height`] above 200 m, [`WindError::FrequencyUnknown`], [`WindError::DampingUnknown`] at 5 Hz and below.
     ///
     /// # Limits
-    /// Along the wind in the first mode; aerodynamic damping is left out (safe). Vortices are not in it.
+    /// Along the wind in the first mode. Aerodynamic damping is left out (on the safe side), and so are vortices.
     ///
     /// # Source
     /// EN 1991-1-4:2005, 4.3 to 4.5, 6.2, Annex B.
@@ -182,12 +182,12 @@ impl EurocodeWind {
     }
 }
 
-/// L(z): B.1.
+/// Length scale L(z): B.1.
 fn length_scale_m(z_m: f64, roughness_m: f64) -> f64 {
     300.0 * (z_m / 200.0).powf(0.67 + 0.05 * roughness_m.ln())
 }
 
-/// R_h(η), R_b(η): 1 as η → 0.
+/// Admittances R_h(η), R_b(η): 1 as η → 0.
 fn admittance(eta: f64) -> f64 {
     // below this the difference loses digits: 1 − 2η/3 is within 1e-8
     const SMALL: f64 = 1e-4;
@@ -221,7 +221,7 @@ mod tests {
 
     #[test]
     fn exact_peak_pressure_at_10_8_m_in_the_five_terrains() {
-        // q_p/(½ ρ v_b²) worked out by hand from 4.3 to 4.8
+        // q_p/(½ ρ v_b²) computed by hand from 4.3 to 4.8
         for (terrain, ratio) in TERRAINS.into_iter().zip([3.028, 2.815, 2.401, 1.759, 1.226]) {
             let peak = wind(terrain).peak().unwrap().at_pa(10.8);
             let basic = 0.5 * 1.25 * 26.0 * 26.0;
@@ -250,7 +250,7 @@ mod tests {
         };
         let stiff = wind(EurocodeTerrain::Ii).pressure(&body).unwrap();
         assert_eq!((stiff.response_factor, stiff.resonance), (1.0, Resonance::Stiff));
-        // B² → 1 and R² → 0: k_p = 3 at the least, so that c_s c_d → (1 + 6 I_v)/(1 + 7 I_v)
+        // B² → 1 and R² → 0: k_p is at least 3, so that c_s c_d → (1 + 6 I_v)/(1 + 7 I_v)
         let small = WindBody {
             height_m: 3.0,
             breadth_m: 1e-9,

@@ -1,10 +1,10 @@
-//! A wind as it is given: a pressure, a gust, or a mean by a code.
+//! A wind as given: a pressure, a gust, or a mean by a code.
 
 use super::error::positive;
 use super::pressure::{Profile, Resonance, WindBody, WindPressure, velocity_pressure_pa};
 use super::{EurocodeWind, Kds41Wind, WindError};
 
-/// A wind as it is given.
+/// A wind as given.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Wind {
     /// The peak velocity pressure, the same at all heights, Pa.
@@ -23,10 +23,10 @@ pub enum Wind {
 }
 
 impl Wind {
-    /// The pressure that a body meets.
+    /// The pressure on a body.
     ///
     /// # Errors
-    /// [`WindError`] for a number that is not positive, and where a code needs what is not known of the body.
+    /// [`WindError`] for a number that is not positive, and where a code needs an unknown property of the body.
     ///
     /// # Example
     /// ```

@@ -28,7 +28,7 @@ pub struct GustStrip {
     pub wind: Turbulence,
 }
 
-/// Strips from the lowest up, and the air that meets them.
+/// Strips from the lowest up, and the air that flows against them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GustFace {
     /// The strips; they do not overlap.
@@ -37,12 +37,12 @@ pub struct GustFace {
     pub air_density_kg_m3: f64,
     /// Spectrum of the turbulence.
     pub spectrum: TurbulenceSpectrum,
-    /// C, [`COHERENCE_DECAY`]; 0: the whole face feels one gust.
+    /// C, [`COHERENCE_DECAY`]; with 0 the whole face feels the same gust.
     pub coherence_decay: f64,
 }
 
 impl GustFace {
-    /// Refuses strips that cannot be.
+    /// Refuses invalid strips.
     ///
     /// # Errors
     /// [`WindError::NotPositive`].
@@ -66,7 +66,7 @@ impl GustFace {
         }
     }
 
-    /// A frequency below which densities are flat to 1e-5, Hz.
+    /// A frequency below which the densities are flat to 1e-5, Hz.
     pub(crate) fn lowest_hz(&self) -> f64 {
         const FLAT: f64 = 1e-6;
         let slow = self.strips.iter();
@@ -74,8 +74,8 @@ impl GustFace {
         slow.fold(f64::INFINITY, f64::min)
     }
 
-    /// The shapes, one value a strip, in which the forces on the strips vary independently at a frequency, the strongest first, down to a part of the
-    /// whole variance; each of length 1.
+    /// The independent force patterns on the strips at a frequency, one value for each strip, each of length 1: the strongest first, down to a
+    /// fraction of the total variance.
     ///
     /// # Errors
     /// [`LinalgError`] if the decomposition fails.
@@ -106,11 +106,11 @@ impl GustFace {
     /// S_ij = χ_i χ_j √(S_u,i S_u,j J_i J_j) · mean of exp(−c |z − z′|) over both strips                      strips × strips
     /// c = C n/V̄,  V̄ = (V_i + V_j)/2,  J_i = 2 (x − 1 + e^−x)/x²,  x = c b_i: the coherence averaged over the breadth
     /// ```
-    /// Averaging over a strip makes the aerodynamic admittance: small gusts do not meet all of it at once.
+    /// Averaging over a strip gives the aerodynamic admittance: a small gust does not act on the whole strip at once.
     ///
     /// # Limits
-    /// Quasi-steady, linear in the gust (I_u² is left out: some 3 % of the mean); gusts in front of the face reach its back in step, which
-    /// is on the safe side; no aerodynamic damping, on the safe side as well.
+    /// Quasi-steady and linear in the gust (I_u² is left out: some 3 % of the mean). Gusts act on the front and the back of the building at the
+    /// same time, and there is no aerodynamic damping: both are on the safe side.
     ///
     /// # Source
     /// Davenport A. G. (1967) J. Struct. Div. ASCE 93(3):11–34. With one strip over the whole height and C = 9.2, J J is R_h R_b of
@@ -155,7 +155,7 @@ impl GustFace {
 
 /// Mean of e^(−x |s − t|) over s, t in (0, 1): 2 (x − 1 + e^−x)/x².
 fn within(x: f64) -> f64 {
-    // below this the difference loses digits: the series is right to x³/60
+    // below this the difference loses digits: the series is accurate to x³/60
     const SMALL: f64 = 1e-4;
     match x < SMALL {
         true => 1.0 - x / 3.0 + x * x / 12.0,

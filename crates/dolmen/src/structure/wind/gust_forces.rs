@@ -11,28 +11,28 @@ use crate::numeric::Random;
 use dolmen_linalg::{Complex64, LinalgError, symmetric_eigen};
 use rayon::prelude::*;
 
-/// Samples of one period of the highest line. Our choice: the largest sample of a lone cosine is then at worst 1 − cos 45° low, and lines up
-/// there carry next to nothing of a sway.
+/// Samples in one period of the highest line. Our choice: the largest sample of a single cosine is then at worst 1 − cos 45° too small, and
+/// lines up there hardly contribute to sway.
 const SAMPLES_PER_LINE: usize = 4;
-/// The number of samples is a multiple of this, which a Fourier transform takes quickly. Our choice.
+/// The number of samples is a multiple of this, for a fast Fourier transform. Our choice.
 const SMOOTH: f64 = 1200.0;
 
-/// When a history is looked at, and the period after which it repeats.
+/// Times of the samples of a history, and the period after which it repeats.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GustTimes {
-    /// Between samples, s.
+    /// Time between samples, s.
     pub time_step_s: f64,
-    /// Samples of a whole period.
+    /// Number of samples in a whole period.
     pub samples: usize,
-    /// Samples that are looked at, from the first on.
+    /// Number of samples in use, from the first on.
     pub looked_at: usize,
 }
 
 impl GustTimes {
-    /// Samples over `duration_s`, out of a period of at least `period_least_s`; all of them positive.
+    /// Samples over `duration_s`, from a period of at least `period_least_s`; both positive.
     pub fn new(duration_s: f64, time_step_s: f64, period_least_s: f64) -> Self {
         let whole = duration_s.max(period_least_s);
-        // so that 600/0.02 is not rounded up
+        // prevents that 600/0.02 is rounded up
         let samples = SMOOTH * (whole / time_step_s / SMOOTH * (1.0 - 1e-12)).ceil();
         GustTimes {
             time_step_s,
@@ -41,7 +41,7 @@ impl GustTimes {
         }
     }
 
-    /// After which the history repeats, s.
+    /// Period after which the history repeats, s.
     pub fn period_s(&self) -> f64 {
         self.samples as f64 * self.time_step_s
     }
@@ -51,7 +51,7 @@ impl GustTimes {
         1.0 / self.period_s()
     }
 
-    /// Lines of the spectrum, that at frequency 0 included.
+    /// Number of spectral lines, including that at frequency 0.
     pub fn lines(&self) -> usize {
         self.samples / SAMPLES_PER_LINE + 1
     }
@@ -62,12 +62,12 @@ impl GustTimes {
     }
 }
 
-/// Which random numbers a history has: the same for the same two.
+/// Random numbers of a history: equal seeds and draws give equal histories.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct GustDraw {
-    /// Of the history; every number is as good.
+    /// Seed of the history; any number will do.
     pub seed: u64,
-    /// Which of the histories of that seed: winds that blow at other times or from other sides.
+    /// Which history of that seed: winds at other times or from other sides.
     pub stream: u64,
 }
 
@@ -76,7 +76,7 @@ pub struct GustDraw {
 pub struct GustForces {
     /// Its random numbers.
     pub draw: GustDraw,
-    /// When it is looked at, and its period.
+    /// Times of its samples, and its period.
     pub times: GustTimes,
     /// Mean force on each strip, N.
     pub mean_n: Vec<f64>,
@@ -104,12 +104,12 @@ impl GustForces {
 }
 
 impl GustFace {
-    /// A history for each draw, each a periodic Gaussian process whose cross spectra are those of the face, line by line.
+    /// A history for each draw: a periodic Gaussian process whose cross spectra equal those of the face at each line.
     ///
     /// ```text
     /// F(t) = F̄ + Σ_k √Δn A(n_k) [a_k cos 2πn_k t + b_k sin 2πn_k t],  n_k = k Δn,  a, b normal     strips
     /// ```
-    /// The line at frequency 0 stands for half a spacing: it shifts the whole history, as gusts slower than its period do.
+    /// The line at frequency 0 represents half a spacing: it shifts the whole history, as gusts slower than its period do.
     ///
     /// # Errors
     /// [`LinalgError`] if a decomposition fails, as for a face that [`GustFace::check`] refuses.
@@ -118,8 +118,8 @@ impl GustFace {
     /// Gaussian, as is the spectrum. Frequencies beyond a quarter of the sampling rate are left out.
     ///
     /// # Source
-    /// Shinozuka M. & Deodatis G. (1991) Appl. Mech. Rev. 44(4):191–204. Differs: normal amplitudes where they take random phases alone, so
-    /// that ten minutes scatter as those of a Gaussian process do.
+    /// Shinozuka M. & Deodatis G. (1991) Appl. Mech. Rev. 44(4):191–204. Differs from the source: amplitudes are normal, where they take random
+    /// phases alone, so that ten minutes scatter as those of a Gaussian process do.
     pub fn histories(&self, times: &GustTimes, draws: &[GustDraw]) -> Result<Vec<GustForces>, LinalgError> {
         let strips = self.strips.len();
         let spacing_hz = times.spacing_hz();
@@ -127,7 +127,7 @@ impl GustFace {
             let hz = times.frequency_hz(line).max(self.lowest_hz());
             let found = symmetric_eigen(&self.force_density_n2_hz(hz))?;
             let width_hz = if line == 0 { 0.5 * spacing_hz } else { spacing_hz };
-            // a pair of strips with a mean speed of its own may leave a density a little below 0
+            // each pair of strips has its own mean speed, which may make a density slightly negative
             let sizes: Vec<f64> = found
                 .values
                 .iter()

@@ -38,10 +38,10 @@ pub struct Kds41Wind {
     pub air_density_kg_m3: f64,
 }
 
-/// Below it the resonant part comes on top, Hz.
+/// Frequency below which the code adds a resonant part, Hz.
 const STIFF_HZ: f64 = 1.0;
 
-/// Numbers of an exposure.
+/// Parameters of an exposure.
 struct Numbers {
     /// z_b, m.
     lowest_m: f64,
@@ -73,7 +73,7 @@ impl Kds41Exposure {
 }
 
 impl Kds41Wind {
-    /// The pressure that a body meets, the same over its height.
+    /// The pressure on a body, constant over its height.
     ///
     /// ```text
     /// V_H = V_0 K_zr K_zt I_w,  q_H = ½ ρ V_H²,  q = G_D q_H,  G_D = 1 + 4 γ_D √B_D
@@ -82,10 +82,10 @@ impl Kds41Wind {
     /// ```
     ///
     /// # Errors
-    /// [`WindError::FrequencyUnknown`]; [`WindError::TooSoft`] at 1 Hz and below, where the resonant part comes on top.
+    /// [`WindError::FrequencyUnknown`]; [`WindError::TooSoft`] at 1 Hz and below, where the code adds a resonant part.
     ///
     /// # Limits
-    /// K_D, the factor on directions, is 1: any direction.
+    /// K_D, the directional factor, is 1.
     ///
     /// # Source
     /// KDS 41 12 00:2022, chapter 5, after two public programs; the text itself was not at hand.
@@ -122,7 +122,7 @@ impl Kds41Wind {
         })
     }
 
-    /// The numbers of the exposure, with every input checked.
+    /// The parameters of the exposure, after a check of every input.
     fn numbers_up_to(&self, height_m: f64) -> Result<Numbers, WindError> {
         positive("basic_speed_m_s", self.basic_speed_m_s)?;
         positive("topography", self.topography)?;
@@ -161,7 +161,7 @@ fn length_m(height_m: f64) -> f64 {
     }
 }
 
-/// G_D of a stiff structure.
+/// Gust factor G_D of a stiff structure.
 fn gust_factor(of: &Numbers, h: f64, b: f64) -> f64 {
     let gamma = (3.0 + 3.0 * of.alpha) / (2.0 + of.alpha) * intensity(of, h);
     let k = if h >= b { 0.33 } else { -0.33 };

@@ -1,4 +1,4 @@
-//! The mean wind of a code and its turbulence, of a wind as it is given.
+//! The mean wind and turbulence of a code, for a wind as given.
 
 use super::{Turbulence, TurbulenceSpectrum, Wind, WindError};
 
@@ -12,12 +12,12 @@ impl Wind {
     /// Below z_min (EN) or z_b (KDS) as there.
     ///
     /// # Errors
-    /// [`WindError::NotAMean`] of a gust or a pressure as given; [`WindError::Height`] above the profile of the code;
+    /// [`WindError::NotAMean`] for a gust or a given pressure; [`WindError::Height`] above the profile of the code;
     /// [`WindError::NotPositive`].
     ///
     /// # Source
-    /// EN 1991-1-4:2005; KDS 41 12 00:2022 after two public programs, which take the speed and turbulence of the height of the roof: here
-    /// the same formulas are read at every height.
+    /// EN 1991-1-4:2005; KDS 41 12 00:2022 after two public programs. Differs from these: they take speed and turbulence at the height of the
+    /// roof; here the same formulas are evaluated at every height.
     pub fn turbulence_at(&self, height_m: f64) -> Result<Turbulence, WindError> {
         super::error::positive("height_m", height_m)?;
         match self {
@@ -27,7 +27,7 @@ impl Wind {
         }
     }
 
-    /// ρ of a wind that is given by its speed, kg/m³.
+    /// ρ of a wind given by its speed, kg/m³.
     pub fn air_density_kg_m3(&self) -> Option<f64> {
         match self {
             Wind::Pressure(_) => None,
@@ -39,7 +39,7 @@ impl Wind {
         }
     }
 
-    /// The spectrum that goes with the code: Kaimal's form of EN 1991-1-4, else von Kármán.
+    /// The spectrum of the code: Kaimal's form for EN 1991-1-4, otherwise von Kármán's.
     pub fn own_spectrum(&self) -> TurbulenceSpectrum {
         match self {
             Wind::Eurocode(_) => TurbulenceSpectrum::Kaimal,

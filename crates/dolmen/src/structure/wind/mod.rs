@@ -1,4 +1,4 @@
-//! Wind on what stands free: pressures by height, of a gust as given or by a code.
+//! Wind on free-standing structures: pressures by height, for a given gust or by a code.
 
 mod air;
 mod error;

@@ -1,4 +1,4 @@
-//! Pressure of a wind by height, and what a strip of a body takes of it.
+//! Pressure of a wind by height, and the force on a strip of a body.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -6,7 +6,7 @@
 //! | ρ | `air_density_kg_m3` | density of air | kg/m³ |
 //! | z_0, z_min | `roughness_m`, `lowest_m` | roughness length; height below which the pressure does not fall | m |
 
-/// What a code asks of the body that the wind meets.
+/// Properties of the body that a code needs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WindBody {
     /// Height of its top above the ground, m.
@@ -19,16 +19,16 @@ pub struct WindBody {
     pub damping_ratio: Option<f64>,
 }
 
-/// Whether the pressure holds what gusts near the natural frequency add.
+/// Whether the pressure includes resonance with the natural frequency.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Resonance {
-    /// The body is stiff in the sense of the code: nothing to add.
+    /// The body is stiff in the sense of the code: there is nothing to add.
     Stiff,
-    /// It is in the factor.
+    /// The factor includes it.
     Counted,
-    /// A pressure or a gust as given says nothing of it.
+    /// A given pressure or gust does not tell.
     NotCounted,
 }
 
@@ -36,18 +36,18 @@ pub enum Resonance {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WindPressure {
     pub(super) profile: Profile,
-    /// Factor for gusts, size and resonance that is in the pressure: 1, c_s c_d or G_D.
+    /// Factor for gusts, size and resonance in the pressure: 1, c_s c_d or G_D.
     pub response_factor: f64,
-    /// What it says of resonance.
+    /// Whether it includes resonance.
     pub resonance: Resonance,
 }
 
-/// How pressure goes with height.
+/// Variation of the pressure with height.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Profile {
     /// The same everywhere, Pa.
     Uniform(f64),
-    /// scale · (ln²(z/z_0) + linear · ln(z/z_0)), below z_min as there.
+    /// scale · (ln²(z/z_0) + linear · ln(z/z_0)); constant below z_min.
     Logarithmic {
         scale_pa: f64,
         linear: f64,
@@ -56,7 +56,7 @@ pub(super) enum Profile {
     },
 }
 
-/// What a strip of unit breadth between two heights takes.
+/// The wind on a strip of unit breadth between two heights.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct WindStrip {
     /// ∫ q dz, N/m.
@@ -88,7 +88,7 @@ impl WindPressure {
         self.response_factor * pressure
     }
 
-    /// What a strip of unit breadth from one height to another takes, in closed form.
+    /// The wind on a strip of unit breadth from one height to another, in closed form.
     ///
     /// ```text
     /// ∫ ln u dz = z (ln u − 1)          ∫ z ln u dz = z² (ln u / 2 − 1/4)                u = z/z_0

@@ -20,7 +20,7 @@ pub struct Turbulence {
     pub length_m: f64,
 }
 
-/// How the power of the turbulence along the wind is spread over frequency.
+/// Distribution of the power of the turbulence along the wind over frequency.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TurbulenceSpectrum {
     /// That of Kaimal's form in EN 1991-1-4:2005, B.2: 6.8 f/(1 + 10.2 f)^(5/3).
