@@ -104,6 +104,11 @@ fn composed_alike(path: &Path) -> Option<PathBuf> {
     Some(path.with_file_name(found))
 }
 
+/// Whether a path that is not there is there with the letters of its name composed otherwise.
+pub(crate) fn is_composed_otherwise(path: &Path) -> bool {
+    !path.exists() && composed_alike(path).is_some()
+}
+
 fn absent(path: &Path) -> FileError {
     let shown = path.display().to_string();
     let name = path.file_name().map(|name| name.to_string_lossy().into_owned());

@@ -24,6 +24,8 @@ pub struct Folder {
     path: PathBuf,
     /// What may be read and replaced.
     pub access: Access,
+    /// The project file that names its files, and its text.
+    project: Option<(String, String)>,
 }
 
 impl Folder {
@@ -40,6 +42,27 @@ impl Folder {
                 shown: self.shown(name),
             }),
             false => Ok(()),
+        }
+    }
+
+    /// What cannot be found, with the line of the project that names it: the first that has the name in quotes and is no comment.
+    fn with_line(&self, name: &str, why: FileError) -> FileError {
+        use FileError::{Absent, Backslash, Misspelt};
+        let (Some((file, text)), Absent { .. } | Backslash { .. } | Misspelt { .. }) = (&self.project, &why)
+        else {
+            return why;
+        };
+        let quoted = [format!("\"{name}\""), format!("'{name}'"), format!("{name:?}")];
+        let names = |line: &str| {
+            !line.trim_start().starts_with('#') && quoted.iter().any(|quoted| line.contains(quoted))
+        };
+        match text.lines().position(names) {
+            Some(before) => FileError::NamedIn {
+                file: file.clone(),
+                line: before + 1,
+                why: why.sentence().into(),
+            },
+            None => why,
         }
     }
 
@@ -70,6 +93,7 @@ pub fn motions_in(path: &Path, access: Access) -> Result<(Folder, Vec<String>)> 
     let folder = Folder {
         path: path.to_owned(),
         access,
+        project: None,
     };
     Ok((folder, names))
 }
@@ -78,7 +102,11 @@ impl Files for Folder {
     fn read(&self, name: &str, most_bytes: u64) -> Result<Vec<u8>, FileError> {
         let path = self.path.join(name);
         self.refuse_outside(name, &path)?;
-        files::read(&path, self.access.most(most_bytes))
+        files::read(&path, self.access.most(most_bytes)).map_err(|why| self.with_line(name, why))
+    }
+
+    fn is_composed_otherwise(&self, name: &str) -> bool {
+        files::is_composed_otherwise(&self.path.join(name))
     }
 
     fn shown(&self, name: &str) -> String {
@@ -102,11 +130,13 @@ impl Found {
         let file = files::project_file(path)?;
         refuse_record(&file)?;
         let text = files::read_text(&file, access.most(PROJECT_BYTES_MOST))?;
-        let files = Folder {
+        let mut files = Folder {
             path: file.parent().unwrap_or(Path::new(".")).to_owned(),
             access,
+            project: None, // faults of the project quote their lines themselves
         };
         let opened = Opened::read(text, file.display().to_string(), &files)?;
+        files.project = Some((opened.file.clone(), opened.text.clone()));
         Ok(Found { opened, file, files })
     }
 }

@@ -16,6 +16,11 @@ pub trait Files: Send + Sync {
         None
     }
 
+    /// Whether the file `name` is there by that name with its letters composed otherwise (NFC, NFD) alone.
+    fn is_composed_otherwise(&self, _name: &str) -> bool {
+        false
+    }
+
     /// The file `name` in errors for the user.
     fn shown(&self, name: &str) -> String {
         name.to_owned()
@@ -71,6 +76,15 @@ pub enum FileError {
         shown: String,
         /// The similar name.
         near: String,
+    },
+    /// A line of a project file names what cannot be had.
+    NamedIn {
+        /// The project file.
+        file: String,
+        /// Its line, from 1.
+        line: usize,
+        /// Why it cannot be had.
+        why: Both,
     },
     /// Only text was given, without files.
     TextAlone,

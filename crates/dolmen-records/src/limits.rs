@@ -9,16 +9,12 @@ pub(crate) const CHANNELS_MOST: usize = 4096;
 pub(crate) const LINE_BYTES_MOST: usize = 1 << 20;
 /// Largest number of variables, groups and channels in a binary file. Chosen here: files of recorders have some hundred.
 pub(crate) const PARTS_MOST: usize = 65_536;
-/// Largest number of bytes of numbers for each byte of a packed file. Chosen here: vibrations of 16 bits pack to a fiftieth at most, and take
-/// four times as many bytes in memory.
-const EXPANSION_MOST: u64 = 200;
-/// Bytes of numbers allowed for any file, however small. Chosen here: a constant channel packs to a thousandth, and does no harm.
-const EXPANDED_FREE: u64 = 64 << 20;
-/// Size of the numbers from which the stricter factor applies, bytes. Chosen here: an hour of 30 channels at 1 kHz.
-const LARGE: u64 = 1 << 30;
-/// Largest number of bytes of numbers for each byte of a packed file above that size. Chosen here: a quiet record of 16 bits, of which three
-/// change, packs as doubles to a twentieth.
-const EXPANSION_OF_LARGE_MOST: u64 = 20;
+/// Bytes of numbers allowed for any file, however small; twice that is held while they are read. Chosen here: six hours of six
+/// channels at 100 Hz.
+const EXPANDED_FREE: u64 = 100 << 20;
+/// Largest number of bytes of numbers for each byte of a larger file. Chosen here: a quiet record of 16 bits, of which three change, packs as
+/// doubles to a twentieth.
+const EXPANSION_MOST: u64 = 20;
 /// Number of first bytes that identify a format. Chosen here: the longest header examined, 200 lines, has 15 kB.
 const HEAD_BYTES: usize = 1 << 16;
 
@@ -69,11 +65,7 @@ pub enum LimitError {
 
 /// Largest number of bytes of numbers for a file of this size.
 pub(crate) fn expanded_most(packed: usize) -> u64 {
-    let times = |most: u64| most.saturating_mul(packed as u64);
-    times(EXPANSION_MOST)
-        .min(LARGE)
-        .max(times(EXPANSION_OF_LARGE_MOST))
-        .max(EXPANDED_FREE)
+    EXPANSION_MOST.saturating_mul(packed as u64).max(EXPANDED_FREE)
 }
 
 /// Refuses more channels than any recorder has.
@@ -149,9 +141,8 @@ mod tests {
 
     #[test]
     fn exact_how_much_may_come_out_of_a_file() {
-        assert_eq!(expanded_most(1000), 64 << 20);
-        assert_eq!(expanded_most(1_000_000), 200_000_000);
-        assert_eq!(expanded_most(10_000_000), 1 << 30);
+        assert_eq!(expanded_most(1000), 100 << 20);
+        assert_eq!(expanded_most(5_000_000), 100 << 20);
         assert_eq!(expanded_most(100_000_000), 2_000_000_000);
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::error::StoreError;
 use crate::raw::{Kept, RawFiles, hash_of_bytes, lost, packed, refuse_no_hash, unpacked};
+use dolmen_words::said_by_system;
 use dolmen_work::kept::StoreFault;
 use std::fs;
 use std::io::{ErrorKind, Write as _};
@@ -29,7 +30,7 @@ fn folder_fault(path: &Path, why: &std::io::Error) -> StoreError {
         ErrorKind::ReadOnlyFilesystem => StoreFault::ReadOnly,
         _ => StoreFault::Folder {
             shown: path.display().to_string(),
-            why: why.to_string(),
+            why: said_by_system(why),
         },
     }
     .into()

@@ -1,6 +1,7 @@
 //! The record of a survey: read with the settings of the project file, checked for faulty channels, conditioned.
 
 use crate::error::{Within as _, WorkError};
+use crate::wrong::FileRemark;
 use dolmen::modal::{Losses, earthquakes_in};
 use dolmen::signal::{
     Channel, ChannelFault, Join, Processing, Record, SignalError, Trend, band_pass, cut, decimate, detrend,
@@ -38,12 +39,18 @@ const BEHIND_S: f64 = 5.0;
 
 /// Reads the record file of a survey, or its several files as one record, as [`record_of`] does.
 pub(crate) fn record(source: &RecordSource, files: &dyn Files) -> Result<OpenedRecord, WorkError> {
-    let read = |source: &RecordSource| {
+    let mut composed: Vec<Both> = Vec::new();
+    let mut read = |source: &RecordSource| {
+        if files.is_composed_otherwise(&source.file) {
+            let file = source.file.clone();
+            composed.push(FileRemark::ComposedOtherwise { file }.into());
+        }
         let bytes = files.read(&source.file, RECORD_BYTES_MOST)?;
         reading(&bytes, source).within(|| files.shown(&source.file))
     };
     if source.stations.is_empty() {
-        return opened(read(source)?, source);
+        let reading = read(source)?;
+        return opened(reading, source, composed);
     }
     let mut stations = Vec::with_capacity(source.stations.len());
     for station in &source.stations {
@@ -57,7 +64,7 @@ pub(crate) fn record(source: &RecordSource, files: &dyn Files) -> Result<OpenedR
         starts: source.starts,
         ..Join::default()
     };
-    opened(join_stations(stations, &options)?, source)
+    opened(join_stations(stations, &options)?, source, composed)
 }
 
 /// As [`record`]; but a record with an earthquake is used on both sides of its lost samples, so that its times count from its first sample, and
@@ -92,8 +99,14 @@ fn reading(bytes: &[u8], source: &RecordSource) -> Result<Reading, WorkError> {
     Ok(reading)
 }
 
-fn opened(reading: Reading, source: &RecordSource) -> Result<OpenedRecord, WorkError> {
-    let (remarks, unread_stamps) = (reading.remarks(), reading.unread_stamps());
+/// A record as it was read, with `remarks` on its files.
+fn opened(
+    reading: Reading,
+    source: &RecordSource,
+    mut remarks: Vec<Both>,
+) -> Result<OpenedRecord, WorkError> {
+    remarks.extend(reading.remarks());
+    let unread_stamps = reading.unread_stamps();
     let begins_s = reading.begins_s;
     let record = reading.record;
     let left_out: usize = std::iter::once(source)

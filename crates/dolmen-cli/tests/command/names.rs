@@ -163,3 +163,67 @@ fn holds_each_restitution_goes_where_it_is_used() {
         );
     }
 }
+
+/// 기록 composed as Windows and Linux write it, and in parts as macOS does.
+const WHOLE: &str = "\u{ae30}\u{b85d}.csv";
+const IN_PARTS: &str = "\u{1100}\u{1175}\u{1105}\u{1169}\u{11a8}.csv";
+
+#[test]
+fn refuses_a_file_that_is_not_there_with_its_line_and_the_nearest_name() {
+    let scratch = Scratch::new("names-missing");
+    let stack = "schema = 1\nkind = \"stack\"\nname = \"a\"\n# \"m2.csv\"\ndensity = 2600\njoint = { friction = 0.6 }\n\
+        blocks = [{ name = \"b\", width = 1, height = 1 }]\n\
+        [motion.m]\nfiles = { x = \"m2.csv\" }\nunit = \"g\"\n\
+        [survey.2024.records]\nfile = \"기럭.csv\"\nsampling_rate = \"50 Hz\"\n";
+    fs::write(scratch.path().join("project.toml"), stack).unwrap();
+    fs::write(scratch.path().join("m1.csv"), "1\n").unwrap();
+    fs::write(scratch.path().join(IN_PARTS), "1\n").unwrap();
+    let record = format!(
+        "project.toml, line 12: there is no ./기럭.csv: did you mean \"{IN_PARTS}\", which lies beside it?"
+    );
+    for (words, said) in [
+        ("identify .", record.as_str()),
+        (
+            "simulate . --motion m",
+            "project.toml, line 9: there is no ./m2.csv: did you mean \"m1.csv\", which lies beside it?",
+        ),
+    ] {
+        let answer = scratch.dolmen(words);
+        assert_eq!(answer.status, 2, "{words}");
+        assert!(answer.stderr.contains(said), "{words}: {}", answer.stderr);
+        let korean = scratch.dolmen(&format!("{words} --language ko")).stderr;
+        assert!(korean.contains("행: ") && !korean.contains("line"), "{korean}");
+    }
+}
+
+#[test]
+fn holds_a_record_whose_name_is_composed_otherwise_is_read_and_that_is_said() {
+    let scratch = Scratch::new("names-composed");
+    let survey = format!(
+        "schema = 1\nkind = \"survey\"\nname = \"a\"\n[survey.2024.records]\nfile = \"{WHOLE}\"\nsampling_rate = \"50 Hz\"\n"
+    );
+    fs::write(scratch.path().join("project.toml"), survey).unwrap();
+    let mut seed = 1_u64;
+    let rows = (0..6000).map(|_| {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+        format!("{}\n", seed >> 40)
+    });
+    fs::write(scratch.path().join(IN_PARTS), rows.collect::<String>()).unwrap();
+    let said = format!(
+        "composed otherwise on this disk (NFD, as macOS writes Hangul, for NFC, or the reverse): it was read as {WHOLE}"
+    );
+    let answer = scratch.dolmen("identify . --full");
+    assert!(
+        answer.words().contains(&said),
+        "{}{}",
+        answer.stdout,
+        answer.stderr
+    );
+    fs::rename(scratch.path().join(IN_PARTS), scratch.path().join(WHOLE)).unwrap();
+    let answer = scratch.dolmen("identify . --full");
+    assert!(
+        !answer.words().contains("composed otherwise"),
+        "{}",
+        answer.stdout
+    );
+}

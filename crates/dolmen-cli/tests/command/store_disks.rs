@@ -32,7 +32,7 @@ impl<'a> Small<'a> {
         }
     }
 
-    fn remount(&self, options: &str) {
+    pub(super) fn remount(&self, options: &str) {
         let done = Command::new("mount")
             .args(["-o", options])
             .arg(self.0.path().join("small"))

@@ -1,30 +1,15 @@
 // SOURCE     docs/project-file.md, files that outputs replace.
-// GOAL       On a disk that is full every writer says so and ends with status 2; what was there before stays as it was, and nothing half written is left.
+// GOAL       On a disk that is full, or may only be read, every writer says so in both languages and ends with status 2; what was there before stays as
+//            it was, and nothing half written is left.
 // PARAMETERS a file system of 4 MiB in memory, of which 8 KiB are free.
 // TOLERANCE  none: bytes, names and exit statuses.
 
+use super::folders::files;
 use super::store_disks::Small;
 use super::verbs::Scratch;
-use std::collections::BTreeMap;
 use std::fs;
 use std::io::Write as _;
 use std::path::Path;
-
-/// All files of a folder and below, hidden ones too, by name.
-fn content(folder: &Path) -> BTreeMap<String, Vec<u8>> {
-    let mut found = BTreeMap::new();
-    let mut left = vec![folder.to_owned()];
-    while let Some(next) = left.pop() {
-        for path in fs::read_dir(next).unwrap().map(|entry| entry.unwrap().path()) {
-            if path.is_dir() {
-                left.push(path);
-            } else {
-                found.insert(path.display().to_string(), fs::read(&path).unwrap());
-            }
-        }
-    }
-    found
-}
 
 /// Takes the room of the disk but for so many bytes.
 fn fill(folder: &Path, free: usize) {
@@ -42,9 +27,9 @@ fn fill(folder: &Path, free: usize) {
 }
 
 #[test]
-fn refuses_a_full_disk_whatever_writes_and_keeps_the_whole_file_that_was_there() {
+fn refuses_a_full_or_read_only_disk_whatever_writes_and_keeps_what_was_there() {
     let scratch = Scratch::with_examples("full-disk");
-    let Some(_small) = Small::of(&scratch, "4m") else {
+    let Some(small) = Small::of(&scratch, "4m") else {
         return;
     };
     let folder = scratch.path().join("small");
@@ -83,7 +68,7 @@ fn refuses_a_full_disk_whatever_writes_and_keeps_the_whole_file_that_was_there()
             assert!(first.status < 2, "{command}: {}", first.stderr);
         }
         fill(&folder, 8192);
-        let before = content(&folder);
+        let before = files(&folder);
         let answer = scratch.dolmen(&command);
         assert_eq!(answer.status, 2, "{command}: {}{}", answer.stdout, answer.stderr);
         assert!(
@@ -92,18 +77,25 @@ fn refuses_a_full_disk_whatever_writes_and_keeps_the_whole_file_that_was_there()
             "{command}: {}",
             answer.stderr
         );
-        let after = content(&folder);
+        let korean = scratch.dolmen(&format!("{command} --language ko")).stderr;
+        assert!(
+            korean.contains("쓸 수 없다: 디스크가 가득 찼다") && !korean.contains("No space"),
+            "{command}: {korean}"
+        );
+        let after = files(&folder);
         // the list of our files names what was to come as well
-        let is_list = |name: &str| name.ends_with(".dolmen-files");
+        let is_list = |name: &Path| name.ends_with(".dolmen-files");
         for (name, bytes) in before.iter().filter(|(name, _)| !is_list(name)) {
             assert!(
                 after.get(name) == Some(bytes),
-                "{command}: {name} is not what it was"
+                "{command}: {} is not what it was",
+                name.display()
             );
         }
         for name in after
             .keys()
             .filter(|name| !before.contains_key(*name) && !is_list(name))
+            .map(|name| name.display().to_string())
         {
             assert!(!is_file && !name.contains(".part"), "{command}: {name} is left");
         }
@@ -115,5 +107,20 @@ fn refuses_a_full_disk_whatever_writes_and_keeps_the_whole_file_that_was_there()
             "{command}: {}",
             again.stderr
         );
+        let whole = files(&folder);
+        small.remount("remount,ro");
+        let answer = scratch.dolmen(&command);
+        let korean = scratch.dolmen(&format!("{command} --language ko")).stderr;
+        small.remount("remount,rw");
+        assert!(
+            answer.status == 2 && answer.stderr.contains("Read-only file system"),
+            "{command}: {}",
+            answer.stderr
+        );
+        assert!(
+            korean.contains("수 없다: 읽기 전용 디스크이다"),
+            "{command}: {korean}"
+        );
+        assert!(files(&folder) == whole, "{command}");
     }
 }

@@ -5,6 +5,7 @@
 //            call, spread over all of them, of every writer.
 // TOLERANCE  none: bytes and names.
 
+use super::folders::files;
 use super::verbs::{Answer, Scratch};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -40,24 +41,6 @@ fn writer(before: &str, command: &str) -> Writer {
         before: before.to_owned(),
         command: command.to_owned(),
     }
-}
-
-fn files(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
-    let mut found = BTreeMap::new();
-    let mut left = vec![folder.to_owned()];
-    while let Some(next) = left.pop() {
-        for path in fs::read_dir(next).unwrap().map(|entry| entry.unwrap().path()) {
-            if path.is_dir() {
-                left.push(path);
-            } else {
-                found.insert(
-                    path.strip_prefix(folder).unwrap().to_owned(),
-                    fs::read(&path).unwrap(),
-                );
-            }
-        }
-    }
-    found
 }
 
 fn put_back(folder: &Path, files: &BTreeMap<PathBuf, Vec<u8>>) {

@@ -243,7 +243,7 @@ mod tests {
         let said = matrices(&stated(1 << 40)).unwrap_err().to_string();
         assert!(
             said.starts_with(&format!("the mat file of {} bytes unpacks to 1759", PACKED.len()))
-                && said.contains("but at most 67108864 are unpacked of it"),
+                && said.contains("but at most 104857600 are unpacked of it"),
             "{said}"
         );
         // within the limit, there must be as many chunks

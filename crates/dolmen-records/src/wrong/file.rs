@@ -34,6 +34,10 @@ sentences! {
             en: "there is no {shown}: did you mean \"{near}\", which lies beside it?",
             ko: "{shown}이(가) 없다. 같은 폴더에 있는 \"{near}\"인가?",
         },
+        NamedIn { file, line, why } => {
+            en: "{file}, line {line}: {why}",
+            ko: "{file} {line}행: {why}",
+        },
         TextAlone => {
             en: "no files are read here, only the text of the project",
             ko: "여기서는 파일을 읽지 않고 프로젝트의 텍스트만 읽는다",

@@ -9,11 +9,8 @@ use dolmen_words::message::Both;
 use dolmen_words::{Quantity, messages};
 use dolmen_work::answer::{CheckAnswer, UnreadableMotion};
 use dolmen_work::judgement::{Colour, Evidence};
-use dolmen_work::state::{Check, State};
+use dolmen_work::state::{Check, LOAD_FACTOR_USUAL_MOST, State};
 use dolmen_work::survey_date;
-
-/// Load factors above this are asked about. Chosen here: measured timber frames and stone poles have 5 to 100.
-const LOAD_FACTOR_USUAL_MOST: f64 = 500.0;
 
 messages! {
     /// What no kind says alone.
@@ -96,12 +93,11 @@ fn of_kind(check: &Check) -> Vec<Finding> {
 }
 
 fn unusual(state: &State) -> Option<Finding> {
-    let factor = state.load_factor().filter(|factor| factor.is_finite())?;
     let said = Unusual::LoadFactor {
-        factor: Quantity::beside_one(factor, 4),
-        most: Quantity::ratio(LOAD_FACTOR_USUAL_MOST, 3),
+        factor: Quantity::beside_one(state.unusual_load_factor()?, 4),
+        most: Quantity::ratio(LOAD_FACTOR_USUAL_MOST, 4),
     };
-    (factor > LOAD_FACTOR_USUAL_MOST).then(|| Finding::key(Tone::Warn, said).with_code("unit-slip"))
+    Some(Finding::key(Tone::Warn, said).with_code("unit-slip"))
 }
 
 /// Frequencies of surveys that the file marks as assumed, beside the model.

@@ -1,5 +1,6 @@
 //! Why a store cannot answer, and what to do.
 
+use dolmen_words::message::Both;
 use dolmen_words::{Sentence, messages};
 use dolmen_work::kept::StoreFault;
 
@@ -54,7 +55,7 @@ messages! {
             en: "The raw file {hash} is missing or was changed: `dolmen survey verify` lists what is wrong; copy it from a good copy of the folder of raw files.",
             ko: "원본 파일 {hash}이(가) 없거나 변경되었다. `dolmen survey verify`로 확인하고 원본 파일 폴더의 정상 사본에서 복사한다.",
         },
-        Folder { shown: String, why: String } => {
+        Folder { shown: String, why: Both } => {
             en: "Cannot use {shown}: {why}.",
             ko: "{shown}을(를) 사용할 수 없다: {why}.",
         },

@@ -1,5 +1,7 @@
 //! Faults of a store.
 
+use dolmen_words::message::Both;
+
 /// Why a store fails.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum StoreFault {
@@ -52,7 +54,7 @@ pub enum StoreFault {
         /// The file or folder.
         shown: String,
         /// What the system says.
-        why: String,
+        why: Both,
     },
     /// There is no structure of that name.
     NoStructure {

@@ -68,6 +68,11 @@ pub enum MotionRequestError {
         /// The largest allowed, g.
         most_g: f64,
     },
+    /// A turn that is typed turns more than once about.
+    TurnTyped {
+        /// It, degrees.
+        given_deg: f64,
+    },
     /// A factor for all components that is not positive.
     ScaleTyped {
         /// It.

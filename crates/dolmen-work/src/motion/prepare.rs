@@ -160,10 +160,7 @@ fn wanted(options: &MotionRequest, project: Option<Of<'_>>) -> Result<Wanted, Wo
         sample_step_s: options.sample_step_s.or_else(|| of(|part| part.sample_step_s)),
         keep_first_s: options.keep_first_s.or_else(|| of(|part| part.keep_first_s)),
         taper_s: options.taper_s.or_else(|| of(|part| part.taper_s)),
-        turn_rad: options
-            .turn_deg
-            .map(f64::to_radians)
-            .or_else(|| of(|part| part.turn_rad)),
+        turn_rad: typed_turn_rad(options)?.or_else(|| of(|part| part.turn_rad)),
         acts: project.is_some(),
         is_sized_first: project.is_some_and(|(project, _)| {
             matches!(project.structure, Structure::Stack(_) | Structure::Building(_))
@@ -208,6 +205,16 @@ fn typed_size(options: &MotionRequest) -> Result<Option<MotionSize>, WorkError> 
             }
         },
         (None, None) => Ok(None),
+    }
+}
+
+/// The turn that is typed, at most once about.
+fn typed_turn_rad(options: &MotionRequest) -> Result<Option<f64>, WorkError> {
+    match options.turn_deg {
+        Some(given_deg) if !(-360.0..=360.0).contains(&given_deg) => {
+            Err(MotionRequestError::TurnTyped { given_deg }.into())
+        }
+        given_deg => Ok(given_deg.map(f64::to_radians)),
     }
 }
 

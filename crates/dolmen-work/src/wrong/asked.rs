@@ -54,6 +54,10 @@ sentences! {
             en: "--scale is {given}, but must be above 0: a record is turned about by --turn 180, or in the project file by a negative scale of its [motion]",
             ko: "--scale이 {given}인데 0보다 커야 한다. 방향을 뒤집으려면 --turn 180을 쓰거나 프로젝트 파일의 [motion]에 음수 scale을 쓴다",
         },
+        TurnTyped { given_deg } => {
+            en: "--turn is {given_deg}°, but must be -360° to 360°: from x towards y",
+            ko: "--turn이 {given_deg}°인데 -360°~360°이어야 한다. x에서 y 쪽으로 돌린다",
+        },
         PeakTyped { given } => {
             en: "--peak is {given}, but must be above 0, and of a motion that acts at most 10 g: 0.3g",
             ko: "--peak가 {given}인데 0보다 커야 하고, 구조물에 작용하려면 10 g 이하이어야 한다. 예: 0.3g",

@@ -2,7 +2,8 @@
 
 use super::flag::FlagWords;
 use super::pieces::{
-    CaseRefused, DesignNeeds, JournalDiffers, KnownNames, NoPlace, NotHeld, OfRuns, Place, RowLacks, RowNeeds,
+    CaseRefused, DesignNeeds, FileRemark, JournalDiffers, KnownNames, NoPlace, NotHeld, OfRuns, Place,
+    RowLacks, RowNeeds,
 };
 use crate::change_fault::ChangeFault;
 use crate::error::WorkError;
@@ -22,7 +23,7 @@ use dolmen_words::{Template, sayable};
 use std::error::Error;
 
 /// All sentences of the errors of this crate.
-pub const ERRORS: [&[Template]; 21] = [
+pub const ERRORS: [&[Template]; 22] = [
     WorkError::TEMPLATES,
     ChangeFault::TEMPLATES,
     MotionRequestError::TEMPLATES,
@@ -41,6 +42,7 @@ pub const ERRORS: [&[Template]; 21] = [
     JournalDiffers::TEMPLATES,
     NoPlace::TEMPLATES,
     NotHeld::TEMPLATES,
+    FileRemark::TEMPLATES,
     RowLacks::TEMPLATES,
     RowNeeds::TEMPLATES,
     DesignNeeds::TEMPLATES,

@@ -11,5 +11,6 @@ pub(crate) use flag::FlagWords;
 pub use list::ERRORS;
 pub(crate) use list::of_work;
 pub(crate) use pieces::{
-    CaseRefused, DesignNeeds, JournalDiffers, KnownNames, NoPlace, NotHeld, OfRuns, Place, RowLacks, RowNeeds,
+    CaseRefused, DesignNeeds, FileRemark, JournalDiffers, KnownNames, NoPlace, NotHeld, OfRuns, Place,
+    RowLacks, RowNeeds,
 };

@@ -44,6 +44,16 @@ messages! {
 }
 
 messages! {
+    /// Remarks on a file that is read.
+    pub(crate) enum FileRemark in "work.file_remark" {
+        ComposedOtherwise { file: String } => {
+            en: "the letters of the file's name are composed otherwise on this disk (NFD, as macOS writes Hangul, for NFC, or the reverse): it was read as {file}",
+            ko: "디스크에 있는 파일 이름은 글자 조합 방식이 다르다(macOS의 NFD와 NFC). {file}(으)로 보고 읽었다",
+        },
+    }
+}
+
+messages! {
     /// Why a structure is not compared with its site.
     pub(crate) enum NotHeld in "work.not_held" {
         Falls => {

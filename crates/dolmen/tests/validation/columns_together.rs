@@ -9,6 +9,7 @@
 // PUBLISHED  That they are alike; no numbers.
 // TOLERANCE  A false alarm in at most 1 % of surveys, calibration included; none in the twelve of this test. Closed forms 1e-12.
 
+use crate::made_mode::made_mode;
 use dolmen::modal::{Identify, MadeMode, MadeRecord, Method, Mode, Modes, identify};
 use dolmen::signal::{Channel, Quantity};
 use dolmen::structure::{ColumnsMove, ColumnsOfLevel, ColumnsTogether, columns_together};
@@ -105,20 +106,8 @@ fn holds_columns_that_move_as_one_raise_no_alarm_and_one_apart_is_named() {
 /// One mode with these ordinates at one level of columns, each known to a hundredth.
 fn one_level(ordinates: &[Complex64]) -> ColumnsMove {
     let mode = Mode {
-        frequency_hz: 1.1,
-        frequency_sd_hz: None,
-        frequency_changes_hz: vec![],
-        damping_ratio: None,
-        damping_ratio_sd: None,
-        shape: ordinates.to_vec(),
         shape_sd: Some(vec![0.01; ordinates.len()]),
-        phase_collinearity: 1.0,
-        cycles: 600.0,
-        orders: vec![],
-        kurtosis: None,
-        wander: None,
-        window_bias: None,
-        accepted: None,
+        ..made_mode(1.1, ordinates.to_vec())
     };
     let modes = Modes {
         modes: vec![mode],
@@ -169,20 +158,8 @@ fn holds_what_cannot_be_told_says_nothing() {
     let shape = vec![Complex64::new(1.0, 0.0); 4];
     let modes = |sd: Option<Vec<f64>>, channels: Vec<Channel>| Modes {
         modes: vec![Mode {
-            frequency_hz: 1.1,
-            frequency_sd_hz: None,
-            frequency_changes_hz: vec![],
-            damping_ratio: None,
-            damping_ratio_sd: None,
-            shape: shape.clone(),
             shape_sd: sd,
-            phase_collinearity: 1.0,
-            cycles: 600.0,
-            orders: vec![],
-            kurtosis: None,
-            wander: None,
-            window_bias: None,
-            accepted: None,
+            ..made_mode(1.1, shape.clone())
         }],
         channels,
         method: Method::Fdd,

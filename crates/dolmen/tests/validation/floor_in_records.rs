@@ -10,6 +10,7 @@
 // PUBLISHED  Nothing.
 // TOLERANCE  1e-7 times the amplification of a storey: rounding of shapes. Bounds 4 %: what 40,000 draws leave of a corner.
 
+use crate::made_mode::made_mode;
 use dolmen::modal::{Method, Mode, Modes};
 use dolmen::numeric::Random;
 use dolmen::signal::{Channel, Quantity};
@@ -55,20 +56,9 @@ fn record(frequencies_hz: &[f64], motions: &[[f64; 3]], channels: &[Channel]) ->
         });
         let phase = Complex64::from_polar(1.0, 0.4 + at as f64);
         Mode {
-            frequency_hz: *frequency_hz,
             frequency_sd_hz: Some(0.001 * frequency_hz),
-            frequency_changes_hz: vec![],
-            damping_ratio: None,
-            damping_ratio_sd: None,
-            shape: seen.map(|x| phase * x).collect(),
             shape_sd: Some(vec![0.01; channels.len()]),
-            phase_collinearity: 1.0,
-            cycles: 600.0,
-            orders: vec![],
-            kurtosis: None,
-            wander: None,
-            window_bias: None,
-            accepted: None,
+            ..made_mode(*frequency_hz, seen.map(|x| phase * x).collect())
         }
     };
     Modes {

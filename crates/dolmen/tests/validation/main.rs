@@ -43,6 +43,7 @@ mod limit_analysis_microlp;
 mod liquid_columns;
 mod lost_samples;
 mod machines_in_records;
+mod made_mode;
 mod made_records;
 mod one_stone;
 mod park_min_2010;

@@ -11,6 +11,7 @@
 // TOLERANCE  none: names; shares by closed form 1e-9.
 
 use crate::choi_2021::{naju, twice_the_least};
+use crate::made_mode::made_mode;
 use dolmen::modal::{Method, Mode, Modes};
 use dolmen::signal::{Channel, Quantity};
 use dolmen::structure::{
@@ -39,24 +40,10 @@ fn channel(name: &str, z: f64, direction: [f64; 3]) -> Channel {
 
 fn modes(channels: Vec<Channel>, mut all: Vec<(f64, Vec<f64>)>) -> Modes {
     all.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let phase = Complex64::from_polar(1.0, 0.3);
     let mode = |(frequency_hz, shape): (f64, Vec<f64>)| Mode {
-        frequency_hz,
         frequency_sd_hz: Some(0.002 * frequency_hz),
-        frequency_changes_hz: vec![],
-        damping_ratio: None,
-        damping_ratio_sd: None,
-        shape: shape
-            .into_iter()
-            .map(|x| Complex64::from_polar(1.0, 0.3) * x)
-            .collect(),
-        shape_sd: None,
-        phase_collinearity: 1.0,
-        cycles: 600.0,
-        orders: vec![],
-        kurtosis: None,
-        wander: None,
-        window_bias: None,
-        accepted: None,
+        ..made_mode(frequency_hz, shape.into_iter().map(|x| phase * x).collect())
     };
     Modes {
         modes: all.into_iter().map(mode).collect(),
