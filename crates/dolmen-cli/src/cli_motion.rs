@@ -143,6 +143,9 @@ pub(crate) struct Motion {
     /// What the numbers are multiplied by to be in the unit: what one count of a recorder is worth
     #[arg(long, value_name = "FACTOR", default_value_t = 1.0)]
     pub(crate) factor: f64,
+    /// Responses that networks publish beside miniSEED (SEED RESP), of every channel: they stand for --unit and --factor
+    #[arg(long, value_name = "FILE", num_args = 1.., conflicts_with_all = ["unit", "factor"])]
+    pub(crate) response: Vec<String>,
     /// Cut components that begin at one time to the shortest
     #[arg(long)]
     pub(crate) shortest: bool,

@@ -25,6 +25,14 @@ pub(crate) fn motion(options: &Motion, named: &[String], manner: &Manner) -> Res
             bytes: dolmen_folder::read(Path::new(name), manner.access().most(MOTION_BYTES_MOST))?,
         });
     }
+    let mut responses = Vec::new();
+    for name in &options.response {
+        responses.push(GivenFile {
+            component: None,
+            name: name.clone(),
+            bytes: dolmen_folder::read(Path::new(name), manner.access().most(MOTION_BYTES_MOST))?,
+        });
+    }
     Ok(MotionRequest {
         name: options.motion.clone(),
         files,
@@ -33,6 +41,7 @@ pub(crate) fn motion(options: &Motion, named: &[String], manner: &Manner) -> Res
         channel: options.channel.clone(),
         columns: options.columns.clone(),
         factor: options.factor,
+        responses,
         shortest: options.shortest,
         ignore_stated_peak: options.ignore_stated_peak,
         x_azimuth_deg: options.x_azimuth,

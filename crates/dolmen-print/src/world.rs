@@ -9,6 +9,9 @@ use typst::text::{Font, FontBook};
 use typst::utils::LazyHash;
 use typst::{Library, LibraryExt, World};
 
+/// New Computer Modern Math Regular (GUST Font License): formulas need a font with a table of mathematics.
+const MATHEMATICS: &[u8] = include_bytes!("../../../data/fonts/NewCMMath-Regular.otf");
+
 pub(crate) struct Desk {
     library: LazyHash<Library>,
     book: LazyHash<FontBook>,
@@ -21,6 +24,7 @@ impl Desk {
     pub(crate) fn new(sheets: Sheets) -> Self {
         let fonts: Vec<Font> = FONTS
             .iter()
+            .chain([&MATHEMATICS])
             .flat_map(|font| Font::iter(Bytes::new(*font)))
             .collect();
         let id = |name: &str| FileId::new(None, VirtualPath::new(name));

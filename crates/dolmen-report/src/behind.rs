@@ -5,6 +5,7 @@ use crate::html::Imprint;
 use crate::html::front::{closing, sources};
 use crate::html::given::{survey_head, survey_lines};
 use crate::html::method::method;
+use crate::inputs_by_part::by_part;
 use crate::surveys_given::{inputs_listed, is_tabled};
 use crate::warned::warned;
 use crate::xlsx::{Workbook, inputs_tables};
@@ -16,11 +17,7 @@ use dolmen_work::answer::ProjectReport;
 pub(crate) fn behind_document(answer: &ProjectReport, imprint: &Imprint) -> Document<'static> {
     let mut document = Document::default();
     given(&mut document, answer);
-    document.heading(said(|language| language.pick("Method and limits", "방법과 한계")));
-    document.put(list(|language| {
-        let lines = method(&answer.project.structure, language);
-        lines.into_iter().map(str::to_owned).collect()
-    }));
+    document.append(method(&answer.project));
     document.heading(said(|language| {
         language.pick("Evidence and sources", "근거와 출처")
     }));
@@ -35,7 +32,11 @@ fn given(document: &mut Document<'_>, answer: &ProjectReport) {
     if let Some(description) = &project.description {
         document.paragraph(Sentence::of_symbol(description));
     }
-    for headed in inputs_tables(answer, &inputs_listed(project)) {
+    let (tables, others) = by_part(&project.structure, &inputs_listed(project));
+    for table in tables {
+        document.put(Block::Table(table));
+    }
+    for headed in inputs_tables(answer, &others) {
         document.put(Block::Table(headed.table.without_empty_columns()));
     }
     // many surveys are in a table above already

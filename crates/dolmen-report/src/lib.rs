@@ -28,6 +28,7 @@ pub mod html;
 pub mod hwpx;
 mod identification;
 mod identify;
+mod inputs_by_part;
 pub mod json;
 pub mod kept;
 mod limits;

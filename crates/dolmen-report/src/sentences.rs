@@ -3,7 +3,9 @@
 use crate::brief::Brief;
 use crate::brief_rows::BriefRows;
 use crate::document::Label;
+use crate::html::method::Method;
 use crate::identify::Nothing;
+use crate::inputs_by_part::ByPart;
 use crate::load_factor::LoadFactor;
 use crate::surveys_given::Given;
 use crate::{
@@ -21,6 +23,8 @@ pub fn sentences() -> Vec<Template> {
         Brief::TEMPLATES,
         Nothing::TEMPLATES,
         BriefRows::TEMPLATES,
+        Method::TEMPLATES,
+        ByPart::TEMPLATES,
         Given::TEMPLATES,
     ];
     groups.extend(chain::TEMPLATES);

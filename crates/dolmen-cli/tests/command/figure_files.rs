@@ -54,10 +54,12 @@ fn holds_each_figure_of_the_page_is_a_file_under_its_number() {
         let mut drawn = 0;
         for caption in page.split("<figcaption><span class=\"no\">Figure ").skip(1) {
             let number = caption.split('<').next().unwrap();
-            for ending in ["svg", "png"] {
+            for ending in ["svg", "png", "csv"] {
                 let name = format!("figure-{number}.{ending}");
                 assert!(there.contains(&name), "{example}: no {name} in {there:?}");
             }
+            let numbers = fs::read_to_string(folder.join(format!("figure-{number}.csv"))).unwrap();
+            assert!(numbers.lines().count() > 1, "{example}, figure {number}: {numbers}");
             drawn += 1;
         }
         assert!(drawn > 0, "{example}: no figure");

@@ -205,6 +205,8 @@ pub(crate) struct MotionRaw {
     pub(super) unit: Option<At<String>>,
     /// What the numbers are multiplied by to be in the unit: what one count of a recorder is worth. 1 if not given.
     pub(super) factor: Option<At<f64>>,
+    /// Files of responses that networks publish beside miniSEED (SEED RESP), of every channel: they stand for unit and factor.
+    pub(super) response: Option<Vec<At<String>>>,
     /// What is done with the peak that a header states where it is not that of the samples: "check", it is refused; "ignore". "check" if
     /// not given.
     pub(super) stated_peak: Option<At<StatedPeakRaw>>,

@@ -80,6 +80,7 @@ fn motion(reader: &mut Reader, name: &str, raw: &At<MotionRaw>) -> Option<Motion
         columns,
         x_azimuth_deg,
         factor,
+        responses: response_files(given),
         ignores_stated_peak: given
             .stated_peak
             .as_ref()
@@ -206,6 +207,11 @@ fn columns(reader: &mut Reader, given: &MotionRaw, path: &str) -> Vec<(Component
     named
 }
 
+fn response_files(given: &MotionRaw) -> Vec<String> {
+    let files = given.response.iter().flatten();
+    files.map(|file| file.value.clone()).collect()
+}
+
 /// Refuses what says how files are read beside a motion that is in none.
 fn refuse_idle(reader: &mut Reader, given: &MotionRaw, from: &MotionSource, path: &str) {
     let MotionSource::BuiltIn(name) = from else {
@@ -215,6 +221,10 @@ fn refuse_idle(reader: &mut Reader, given: &MotionRaw, from: &MotionSource, path
         ("columns", given.columns.as_ref().map(|of| &of.span)),
         ("x_azimuth_deg", given.x_azimuth_deg.as_ref().map(|of| &of.span)),
         ("factor", given.factor.as_ref().map(|of| &of.span)),
+        (
+            "response",
+            given.response.iter().flatten().next().map(|of| &of.span),
+        ),
         ("stated_peak", given.stated_peak.as_ref().map(|of| &of.span)),
     ];
     for (key, span) in keys {

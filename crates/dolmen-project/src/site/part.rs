@@ -85,6 +85,8 @@ pub struct MotionPart {
     pub x_azimuth_deg: Option<f64>,
     /// What the numbers are multiplied by to be in the unit.
     pub factor: Option<f64>,
+    /// Files of responses (RESP), relative to the project: what a count of each channel is worth.
+    pub responses: Vec<String>,
     /// Whether the peak that a header states is passed over.
     pub ignores_stated_peak: bool,
     /// Unit of the numbers in the files; `None` where they say it.

@@ -2,7 +2,7 @@
 
 use super::plausible::refuse_implausible;
 use super::{MotionError, MotionFormat, MotionOptions, Orientation, SeismicError, StatedPeak, text};
-use crate::seismic::{Raw, motion_channels};
+use crate::seismic::{Raw, Response, motion_channels};
 use crate::unit::Unit;
 use crate::workbook::{is_workbook, workbook_as_csv};
 use crate::wrong::OfStation;
@@ -143,8 +143,37 @@ fn chosen(channels: &[Raw], given: Option<&str>) -> Result<usize, MotionError> {
         })
 }
 
+/// What a count is worth by the response of its channel, where responses are given and the file names no unit.
+fn respond(raw: &mut Raw, options: &MotionOptions) -> Result<(), MotionError> {
+    if options.responses.is_empty() || raw.unit.is_some() {
+        return Ok(());
+    }
+    let covers = |of: &&Response| {
+        let begins_s = raw.begins_s.unwrap_or(of.from_s);
+        of.channel == raw.name && of.from_s <= begins_s && of.to_s.is_none_or(|to_s| begins_s < to_s)
+    };
+    let Some(found) = options.responses.iter().find(covers) else {
+        return Err(MotionError::NoResponse {
+            channel: raw.name.clone(),
+            known: options.responses.iter().map(|of| of.channel.clone()).collect(),
+        });
+    };
+    if options.factor != 1.0 {
+        return Err(MotionError::ResponseAndFactor {
+            factor: options.factor,
+        });
+    }
+    raw.quantity = Some(found.quantity);
+    raw.unit = Some(Unit::MetrePerSecondSquared);
+    raw.samples
+        .iter_mut()
+        .for_each(|count| *count /= found.counts_per_unit);
+    Ok(())
+}
+
 /// A channel in SI units.
-fn finished(raw: Raw, options: &MotionOptions) -> Result<ComponentReading, MotionError> {
+fn finished(mut raw: Raw, options: &MotionOptions) -> Result<ComponentReading, MotionError> {
+    respond(&mut raw, options)?;
     let other = match raw.quantity {
         Some(Quantity::Velocity) => Some(OfStation::Velocities),
         Some(Quantity::Displacement) => Some(OfStation::Displacements),

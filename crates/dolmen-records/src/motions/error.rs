@@ -27,6 +27,18 @@ pub enum MotionError {
     },
     /// The unit of the numbers is unknown.
     NoUnit,
+    /// No response is of the channel at its time.
+    NoResponse {
+        /// The channel.
+        channel: String,
+        /// The channels that have one.
+        known: Vec<String>,
+    },
+    /// A response and a factor: both say what a count is worth.
+    ResponseAndFactor {
+        /// The factor.
+        factor: f64,
+    },
     /// The unit measures something else.
     NotAcceleration {
         /// The unit.

@@ -10,7 +10,7 @@ mod read;
 mod text;
 mod write;
 
-pub use crate::seismic::{MotionFormat, Orientation, SeismicError};
+pub use crate::seismic::{MotionFormat, Orientation, Response, SeismicError, responses};
 pub use crate::start::start_of_text;
 pub use channel::{ComponentReading, read_channels, read_component};
 pub use error::MotionError;

@@ -1,6 +1,7 @@
 //! Options of the reader of a motion.
 
 use crate::records::Column;
+use crate::seismic::Response;
 use crate::unit::Unit;
 pub(super) use dolmen::known::STANDARD_GRAVITY_M_S2;
 use std::ops::RangeInclusive;
@@ -20,6 +21,9 @@ pub struct MotionOptions {
     pub channel: Option<String>,
     /// Factor from the numbers to the unit: 1 (default), or the value of one count of a recorder.
     pub factor: f64,
+    /// What a count of a channel is worth, by the responses that its network publishes: they stand for unit and factor of the channels that they
+    /// name. A channel of counts that none names is refused where there are any.
+    pub responses: Vec<Response>,
     /// Whether the peak in a header must be that of its samples. Default: yes.
     pub stated_peak: StatedPeak,
     /// Range of peaks of one component, m/s²; others are refused as a mistaken unit. Default 0.001 g to 5 g, chosen here: smaller ones are not
@@ -37,6 +41,7 @@ impl Default for MotionOptions {
             column: None,
             channel: None,
             factor: 1.0,
+            responses: Vec::new(),
             stated_peak: StatedPeak::Check,
             plausible_peak_m_s2: 0.001 * STANDARD_GRAVITY_M_S2..=5.0 * STANDARD_GRAVITY_M_S2,
             lengths: Lengths::Same,

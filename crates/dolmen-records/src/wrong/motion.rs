@@ -29,6 +29,14 @@ sentences! {
             en: "the unit of the accelerations is not known: the file does not say it; give unit = g, gal or m/s2",
             ko: "가속도의 단위를 알 수 없다. 파일에 없으므로 unit을 g, gal 또는 m/s2로 입력한다",
         },
+        NoResponse { channel, known } as { channel: shown(channel), known: shown(&known.join(", ")) } => {
+            en: "no response is of the channel {channel} at the time of the record; there are {known}: give the RESP file of this channel and time with the record",
+            ko: "기록 시각의 채널 {channel}에 맞는 계기응답이 없다. 있는 것: {known}. 이 채널과 시각의 RESP 파일을 함께 입력한다",
+        },
+        ResponseAndFactor { factor } => {
+            en: "factor is {factor}, but a response is given too, which says what a count is worth: give one of them",
+            ko: "factor가 {factor}인데 한 카운트의 값을 알려 주는 계기응답도 있다. 둘 중 하나만 입력한다",
+        },
         NotAcceleration { given } as { given: shown(given) } => {
             en: "the unit \"{given}\" is not one of acceleration: give g, gal, m/s2, cm/s2, mm/s2 or mg, and a file of accelerations",
             ko: "단위 \"{given}\"은(는) 가속도의 단위가 아니다. g, gal, m/s2, cm/s2, mm/s2 또는 mg로 하고 가속도 파일을 쓴다",

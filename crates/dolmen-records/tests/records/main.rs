@@ -6,6 +6,7 @@ mod csv_stamps;
 mod korean_logs;
 mod motion_formats;
 mod motion_networks;
+mod motion_responses;
 mod motions;
 mod npy_records;
 mod palisaden;

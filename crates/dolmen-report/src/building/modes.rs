@@ -1,7 +1,7 @@
 //! The natural modes of a building: how much each sways and twists, and where it turns.
 
 use super::words::{fixed, number, significant};
-use crate::document::{Block, Cell, Column, Document, Table};
+use crate::document::{Block, Cell, Column, Document, Figure, Table, table_series};
 use crate::figures::building_plan;
 use dolmen_words::{Quantity, Sentence, Unit, messages};
 use dolmen_work::building::StandingBuilding;
@@ -54,7 +54,8 @@ pub(super) fn section<'a>(document: &mut Document<'a>, standing: &'a StandingBui
     let modes = &standing.modes;
     let shown = || modes.modes.iter().take(standing.shown());
     let caption = vec![Modes::Plan.into(), Modes::PlanMeaning.into()];
-    document.figure(caption, |language| building_plan(standing, language));
+    let plan = Figure::new(caption, |language| building_plan(standing, language));
+    document.charted(plan.with_series(|| table_series(&table(standing))));
     document.put(Block::Table(table(standing)));
     if shown().any(|mode| mode.repeated) {
         document.note(Modes::RepeatedMeaning);

@@ -1,8 +1,8 @@
 //! A building in the wind of its file, in time.
 
 use super::words::{axis_words, fixed, kilonewtons, millimetres, name, scaled, significant, stroke_words};
-use crate::document::{Block, Cell, Column, Document, Table};
-use crate::figures::{GustPlot, gust_profile};
+use crate::document::{Block, Cell, Column, Document, Figure, Table};
+use crate::figures::{GustPlot, gust_profile, gust_series};
 use crate::loads::as_given;
 use dolmen::structure::wind::TurbulenceSpectrum;
 use dolmen_project::{LoadsPart, strokes_of};
@@ -129,11 +129,12 @@ pub(super) fn section<'a>(
         (GustPlot::Acceleration, [InWind::Profile, InWind::ProfileMeaning]),
         (GustPlot::Displacement, [InWind::Moved, InWind::MovedMeaning]),
     ] {
-        let heights_m = heights_m.clone();
+        let (heights_m, of_series) = (heights_m.clone(), heights_m.clone());
         let caption = caption.into_iter().map(Sentence::from).collect();
-        document.figure(caption, move |language| {
+        let drawn = Figure::new(caption, move |language| {
             gust_profile(plot, wind, &heights_m, language)
         });
+        document.charted(drawn.with_series(move || gust_series(plot, wind, &of_series)));
     }
 }
 

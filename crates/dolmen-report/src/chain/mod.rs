@@ -21,7 +21,7 @@ pub(crate) use simulation_ending::simulation_findings;
 pub(crate) use soil::identified;
 
 use crate::document::{Document, Figure};
-use crate::figures::{chain_elevation, stiffness_limits};
+use crate::figures::{chain_elevation, chain_series, stiffness_limits};
 use dolmen::assess::ChainCheck;
 use dolmen::stability::{ChainStability, Verdict};
 use dolmen::structure::Chain;
@@ -149,7 +149,9 @@ fn elevation<'a>(
         limit: limit.clone(),
         same: limit,
     };
-    document.figure(vec![caption.into(), signs.into()], move |language| {
+    let (of, named) = (chain.clone(), names.clone());
+    let drawn = Figure::new(vec![caption.into(), signs.into()], move |language| {
         chain_elevation(&chain, &names, stability, language)
     });
+    document.charted(drawn.with_series(move || chain_series(&of, &named)));
 }

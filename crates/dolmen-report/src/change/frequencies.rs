@@ -62,7 +62,7 @@ pub(super) fn section(document: &mut Document<'_>, change: &SurveyChange) {
     }
 }
 
-fn table(change: &SurveyChange) -> Table {
+pub(super) fn table(change: &SurveyChange) -> Table {
     let power = Quantity::percent(change.power, 2);
     let percents = |head: Frequencies| Column::numbers(head, Unit::percent());
     let hertzs = |head: Frequencies| Column::numbers(head, Unit::si("Hz"));

@@ -15,7 +15,7 @@ mod temperature;
 pub(crate) use findings::{findings, undated};
 pub(crate) use parts::{findings as part_findings, section as part_section};
 
-use crate::document::Document;
+use crate::document::{Document, Figure, table_series};
 use crate::figures::survey_changes;
 use dolmen_words::{Quantity, Template, messages};
 use dolmen_work::answer::CompareAnswer;
@@ -72,7 +72,8 @@ pub(crate) fn sections(answer: &CompareAnswer) -> Document<'_> {
     if !change.modes.is_empty() {
         let power = Quantity::percent(change.power, 2);
         let caption = vec![Compared::Drawn.into(), Compared::Band { power }.into()];
-        document.figure(caption, |language| survey_changes(change, language));
+        let drawn = Figure::new(caption, |language| survey_changes(change, language));
+        document.charted(drawn.with_series(|| table_series(&frequencies::table(change))));
         frequencies::section(&mut document, change);
         temperature::fitted(&mut document, change);
         dampings::section(&mut document, change);

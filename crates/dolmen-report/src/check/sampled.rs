@@ -198,7 +198,8 @@ pub(crate) fn sections(answer: &CheckAnswer) -> Document<'_> {
         .blocks
         .extend(answer.state.iter().flat_map(|state| of_state(state).blocks));
     if !answer.sensitivities.is_empty() {
-        document.put(Block::Table(table(answer)));
+        // without scatter given, two columns are empty
+        document.put(Block::Table(table(answer).without_empty_columns()));
     }
     document
 }

@@ -1,6 +1,6 @@
 //! The project as given beside its variants, before and after a repair.
 
-use crate::document::{Block, Cell, Column, Document, Finding, Table, Tone};
+use crate::document::{Block, Cell, Column, Document, Figure, Finding, Table, Tone, table_series};
 use crate::figures::{VariantDot, variants_compared};
 use crate::html::words::verdict_word;
 use dolmen::stability::Verdict;
@@ -251,10 +251,12 @@ pub(crate) fn section(answer: &CheckAnswer) -> Document<'_> {
     let all: Vec<Row> = basis.into_iter().chain(of_versions).collect();
     let table = table(&all);
     let caption = vec![Variants::Drawn.into(), Variants::DrawnMeaning.into()];
-    document.figure(caption, move |language| {
+    let drawn = Figure::new(caption, move |language| {
         let dots: Vec<VariantDot> = all.iter().map(|row| dot(row, language)).collect();
         variants_compared(&dots, language)
     });
+    let shown = table.clone();
+    document.charted(drawn.with_series(move || table_series(&shown)));
     document.put(Block::Table(table));
     document
 }

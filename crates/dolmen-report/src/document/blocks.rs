@@ -1,5 +1,6 @@
 //! Blocks of a document: values and sentences.
 
+use super::formula::Equation;
 use super::photos::{Answered, Photo, Signatory};
 use super::series::Series;
 use dolmen_words::{Language, Quantity, Sentence, Unit};
@@ -29,6 +30,8 @@ pub(crate) enum Block<'a> {
     KeyValues(Vec<(Sentence, Cell)>),
     /// A table.
     Table(Table),
+    /// A formula on a line of its own.
+    Equation(Equation),
     /// Figures, side by side where there are several.
     Figures(Vec<Figure<'a>>),
     /// Photographs, side by side where there are several.
@@ -104,8 +107,8 @@ pub(crate) struct Figure<'a> {
     pub(crate) caption: Vec<Sentence>,
     /// Its SVG.
     pub(crate) draw: Box<dyn Fn(Language) -> String + 'a>,
-    /// Its numbers, where they are known apart from the drawing.
-    pub(crate) series: Option<Box<dyn Fn() -> Vec<Series> + 'a>>,
+    /// Its numbers.
+    pub(crate) series: Box<dyn Fn() -> Vec<Series> + 'a>,
 }
 
 impl std::fmt::Debug for Figure<'_> {
@@ -148,32 +151,35 @@ impl<'a> Document<'a> {
         self.put(Block::Note(sentence.into()));
     }
 
-    /// Adds a figure with its numbers.
+    /// Adds a figure.
     pub(crate) fn charted(&mut self, figure: Figure<'a>) {
         self.put(Block::Figures(vec![figure]));
-    }
-
-    /// Adds a figure.
-    pub(crate) fn figure(&mut self, caption: Vec<Sentence>, draw: impl Fn(Language) -> String + 'a) {
-        self.put(Block::Figures(vec![Figure::new(caption, draw)]));
     }
 }
 
 impl<'a> Figure<'a> {
-    /// A figure under a caption.
-    pub(crate) fn new(caption: Vec<Sentence>, draw: impl Fn(Language) -> String + 'a) -> Self {
-        Figure {
+    /// A figure under a caption, as it is drawn; it is none before it has its numbers.
+    pub(crate) fn new(caption: Vec<Sentence>, draw: impl Fn(Language) -> String + 'a) -> Unnumbered<'a> {
+        Unnumbered {
             caption,
             draw: Box::new(draw),
-            series: None,
         }
     }
+}
 
-    /// The same with its numbers.
-    pub(crate) fn with_series(self, series: impl Fn() -> Vec<Series> + 'a) -> Self {
+/// A figure that has no numbers yet: nobody can put it into a document.
+pub(crate) struct Unnumbered<'a> {
+    caption: Vec<Sentence>,
+    draw: Box<dyn Fn(Language) -> String + 'a>,
+}
+
+impl<'a> Unnumbered<'a> {
+    /// The figure with its numbers.
+    pub(crate) fn with_series(self, series: impl Fn() -> Vec<Series> + 'a) -> Figure<'a> {
         Figure {
-            series: Some(Box::new(series)),
-            ..self
+            caption: self.caption,
+            draw: self.draw,
+            series: Box::new(series),
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use super::blocks::{Block, Cell, Document, Figure, Table};
 use super::finding::{Finding, Tone};
+use super::formula::{Equation, Math};
 use super::numbers::{Numbers, figure_label, table_label};
 use super::photos::{Photo, Signatory};
 use super::words::Framed;
@@ -55,6 +56,7 @@ pub(crate) fn block_html(block: &Block<'_>, language: Language, numbers: &mut Nu
             td class=[cell.is_bad().then_some("bad-number")] { (cell.whole(language)) }
         } } } } } },
         Block::Table(table) => table_html(table, language, numbers),
+        Block::Equation(of) => equation_html(of, language),
         Block::Figures(figures) => match figures.as_slice() {
             [one] => figure_html(one, language, numbers),
             several => html! { div.pair { @for one in several { (figure_html(one, language, numbers)) } } },
@@ -70,6 +72,31 @@ pub(crate) fn block_html(block: &Block<'_>, language: Language, numbers: &mut Nu
             }
         } } },
     }
+}
+
+/// MathML, which browsers draw by themselves.
+fn equation_html(of: &Equation, language: Language) -> Markup {
+    html! { div.equation {
+        math display="block" { (pieces_html(&of.formula)) }
+        p.note { (of.meaning.text(language)) }
+    } }
+}
+
+fn pieces_html(pieces: &[Math]) -> Markup {
+    html! { mrow { @for piece in pieces { (piece_html(piece)) } } }
+}
+
+fn piece_html(piece: &Math) -> Markup {
+    html! { @match piece {
+        Math::Symbol(text) => mi { (text) },
+        Math::Matrix(text) => mi mathvariant="normal" style="font-weight:bold" { (text) },
+        Math::Word(text) => mtext { (text) },
+        Math::Sign(text) => mo { (text) },
+        Math::Index(base, foot) => msub { (piece_html(base)) (piece_html(foot)) },
+        Math::Power(base, head) => msup { (piece_html(base)) (piece_html(head)) },
+        Math::Fraction(above, below) => mfrac { (pieces_html(above)) (pieces_html(below)) },
+        Math::Fenced([left, right], inside) => mrow { mo { (left) } (pieces_html(inside)) mo { (right) } },
+    } }
 }
 
 /// The image stands in the page itself; its name where it was not read.

@@ -2,6 +2,7 @@
 
 mod blocks;
 mod finding;
+mod formula;
 mod html;
 mod numbers;
 mod photos;
@@ -13,6 +14,7 @@ mod words;
 
 pub(crate) use blocks::{Block, Cell, Column, Document, Figure, Table};
 pub(crate) use finding::{Finding, Tone};
+pub(crate) use formula::{Equation, Math, linear};
 pub(crate) use html::{block_html, document_html, findings_html, numbered};
 pub(crate) use numbers::{Label, Numbers, figure_label, table_label};
 pub(crate) use photos::{Answered, Photo, Signatory};

@@ -36,6 +36,15 @@ impl Series {
         }
     }
 
+    /// Names.
+    pub(crate) fn words(name: impl Into<Sentence>, words: impl IntoIterator<Item = Sentence>) -> Self {
+        Series {
+            name: name.into(),
+            unit: String::new(),
+            entries: Entries::Words(words.into_iter().collect()),
+        }
+    }
+
     /// "time (s)".
     pub(crate) fn head(&self, language: Language) -> String {
         match self.unit.as_str() {

@@ -2,6 +2,7 @@
 
 use super::blocks::{Block, Cell, Document};
 use super::finding::Finding;
+use super::formula::linear;
 use super::photos::{Answered, Photo, Signatory};
 use super::text_table::table_text;
 use super::words::Framed;
@@ -80,6 +81,9 @@ fn block_text(block: &Block<'_>, style: TextStyle) -> String {
         Block::Table(table) => {
             let caption = wrapped(&joined(&table.caption, language), "", "", columns);
             format!("\n{caption}{}", table_text(table, language, columns))
+        }
+        Block::Equation(of) => {
+            wrapped(&linear(&of.formula), "      ", "        ", columns) + &said(&of.meaning, "  ", "  ")
         }
         Block::Figures(_) => String::new(),
         Block::Photos(photos) => photos.iter().map(|photo| photo_text(photo, style)).collect(),

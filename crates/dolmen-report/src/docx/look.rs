@@ -59,7 +59,7 @@ const fn heading(id: &'static str, name: &'static str, level: &'static str) -> S
     }
 }
 
-const STYLES: [Style; 21] = [
+const STYLES: [Style; 22] = [
     BODY,
     Style {
         half_points: "30",
@@ -134,6 +134,15 @@ const STYLES: [Style; 21] = [
         after: "0",
         centred: true,
         next: "Caption",
+        ..BODY
+    },
+    Style {
+        id: "Equation",
+        name: "Equation",
+        keep_next: true,
+        before: "160",
+        after: "80",
+        centred: true,
         ..BODY
     },
     Style {

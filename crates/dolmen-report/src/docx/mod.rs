@@ -1,6 +1,7 @@
 //! A report as a document for Word, Hangul and LibreOffice (DOCX): to be edited and used again.
 
 mod contents;
+mod equation;
 mod inline;
 mod look;
 mod numbering;
@@ -42,6 +43,7 @@ pub fn docx(
     let mut document = Xml::document();
     let spaces = [
         ("xmlns:w", look::W),
+        ("xmlns:m", equation::M),
         (
             "xmlns:r",
             "http://schemas.openxmlformats.org/officeDocument/2006/relationships",

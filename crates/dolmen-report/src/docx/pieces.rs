@@ -1,6 +1,7 @@
 //! What stands on the pages, as WordprocessingML.
 
 use super::contents::{contents, mark};
+use super::equation::equation;
 use super::inline::{field, paragraph, tab, words};
 use super::look::{MARGIN_SIDE, MARGIN_TOP, PAGE, cell_margins};
 use super::picture::drawing;
@@ -15,6 +16,7 @@ pub(super) fn put(xml: &mut Xml, piece: &Piece, paper: &Paper, language: Languag
         Piece::Paragraph(paragraph) => line(xml, paragraph),
         Piece::Heading(of) => heading(xml, of),
         Piece::Caption(of) => caption(xml, of),
+        Piece::Equation(formula) => equation(xml, formula),
         Piece::Table(grid) => table(xml, grid),
         Piece::Picture(picture, on_cover) => shown(xml, picture, *on_cover),
         Piece::Beside(pictures) => beside(xml, pictures),

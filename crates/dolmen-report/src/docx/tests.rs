@@ -153,6 +153,42 @@ fn holds_tables_repeat_their_heads_and_captions_count_by_fields() {
 }
 
 #[test]
+fn holds_every_formula_is_an_equation_that_word_processors_edit() {
+    for answer in [pole("\"unknown\""), gate(), survey()] {
+        let formulas = crate::html::method::method(&answer.project).blocks;
+        let formulas = formulas.iter().filter_map(|block| match block {
+            crate::document::Block::Equation(of) => Some(&of.formula),
+            _ => None,
+        });
+        let wanted: Vec<String> = formulas
+            .map(|formula| {
+                crate::document::linear(formula).replace([' ', '/', '²', '_', '^', '(', ')', '|'], "")
+            })
+            .collect();
+        assert!(!wanted.is_empty());
+        let bytes = written(std::slice::from_ref(&answer), &[], Language::English, &imprint());
+        let document = text(&parts(&bytes), "word/document.xml");
+        let tree = roxmltree::Document::parse(&document).unwrap();
+        let of = |tag: &'static str| {
+            let all = tree.descendants();
+            all.filter(move |node| node.has_tag_name((super::equation::M, tag)))
+        };
+        let found: Vec<String> = of("oMath")
+            .map(|equation| {
+                let letters = equation
+                    .descendants()
+                    .filter(|node| node.has_tag_name((super::equation::M, "t")));
+                let letters: String = letters.filter_map(|node| node.text()).collect();
+                // the power of a square stands as a digit of its own
+                letters.replace('2', "")
+            })
+            .collect();
+        assert_eq!(found, wanted);
+        assert_eq!(of("oMathPara").count(), wanted.len());
+    }
+}
+
+#[test]
 fn refuses_a_figure_that_cannot_be_painted() {
     let paint = |_: &str| Err("no".to_owned());
     let fault = docx(&[pole("\"unknown\"")], &[], Language::English, &imprint(), &paint).unwrap_err();

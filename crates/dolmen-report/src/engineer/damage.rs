@@ -2,7 +2,7 @@
 
 use super::photos::Pictures;
 use super::words::{cell, verbatim};
-use crate::document::{Block, Cell, Column, Document, Photo, Table};
+use crate::document::{Block, Cell, Column, Document, Figure, Photo, Table, table_series};
 use crate::figures::{DamageMark, damage_map};
 use dolmen_project::{DamageKind, Inspection, Project, Severity, Survey};
 use dolmen_words::message::Both;
@@ -69,10 +69,11 @@ fn of_survey<'a>(
     });
     let marks: Vec<DamageMark> = survey.inspections.iter().map(mark).collect();
     if damage_map(&project.structure, &marks, dolmen_words::Language::English).is_some() {
-        document.figure(
+        let map = Figure::new(
             vec![Damage::Map.into(), Damage::MapMeaning.into()],
             move |language| damage_map(&project.structure, &marks, language).unwrap_or_default(),
         );
+        document.charted(map.with_series(move || table_series(&list(survey))));
     }
     document.put(Block::Table(list(survey)));
     document.put(Block::Table(counts(&survey.inspections)));

@@ -1,7 +1,7 @@
 //! The structure as it is entered.
 
-use crate::document::Document;
-use crate::figures::drawing;
+use crate::document::{Document, Figure};
+use crate::figures::{drawing, drawing_series};
 use dolmen_project::Project;
 use dolmen_words::{Language, messages};
 
@@ -23,9 +23,10 @@ pub(crate) fn structure(project: &Project) -> Document<'_> {
     if drawing(project, Language::English).is_some() {
         document.heading(Structure::Head);
         let caption = vec![Structure::Drawing.into(), Structure::DrawingMeaning.into()];
-        document.figure(caption, move |language| {
+        let drawn = Figure::new(caption, move |language| {
             drawing(project, language).unwrap_or_default()
         });
+        document.charted(drawn.with_series(move || drawing_series(project)));
     }
     document
 }

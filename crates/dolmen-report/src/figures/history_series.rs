@@ -23,7 +23,7 @@ fn unit(axis: &Axes) -> String {
     name_and_unit(axis, Language::English).1
 }
 
-fn column(axis: &Axes, of: Option<[&str; 2]>, values: Vec<f64>) -> Series {
+pub(super) fn column(axis: &Axes, of: Option<[&str; 2]>, values: Vec<f64>) -> Series {
     let axis_name = |language| name_and_unit(axis, language).0;
     let name = match of {
         None => Sentence::from(Columns::Axis {

@@ -28,9 +28,11 @@ mod likeness;
 mod lines;
 mod modal;
 mod model_likeness;
+mod more_numbers;
 mod motion;
 mod moved_supports;
 mod moving_shapes;
+mod numbers;
 mod plan_modes;
 mod plot;
 mod rank;
@@ -88,9 +90,16 @@ pub(crate) use joint_factors::joint_factors;
 pub use likeness::likeness;
 pub use modal::{sensor_shapes, singular_values, stabilization};
 pub(crate) use model_likeness::model_likeness;
+pub(crate) use more_numbers::{
+    columns_series, direction_series, gust_series, pushed_series, study_series, tune_series, years_series,
+};
 pub use motion::motion_figures;
 pub(crate) use moved_supports::moved_supports;
 pub use moving_shapes::moving_shapes;
+pub(crate) use numbers::{
+    chain_series, drawing_series, frame_series, likeness_series, moved_series, pole_series, singular_series,
+    stone_series, through_series,
+};
 pub(crate) use plan_modes::plan_modes;
 pub use rank::ranking;
 pub(crate) use responses::{response_coherence, response_magnitudes};

@@ -12,6 +12,24 @@ use std::f64::consts::TAU;
 /// Directions of the curves.
 const DIRECTIONS: usize = 360;
 
+fn unit(k: usize) -> [f64; 2] {
+    let angle = TAU * (k % DIRECTIONS) as f64 / DIRECTIONS as f64;
+    [angle.cos(), angle.sin()]
+}
+
+/// First uplift in each direction of the plan, g; none where some direction has none.
+pub(super) fn uplift_g(limits: &StackLimitStates, gravity_m_s2: f64) -> Option<Vec<f64>> {
+    let least = |k: usize| {
+        let each = limits
+            .cuts
+            .iter()
+            .filter_map(|cut| cut.uplift_in_m_s2(unit(k)).ok()?);
+        let least = each.fold(f64::INFINITY, f64::min);
+        least.is_finite().then_some(least / gravity_m_s2)
+    };
+    (0..DIRECTIONS).map(least).collect()
+}
+
 /// Limits by direction: the acceleration of the part's inertia at which some joint opens, in every direction of the plan, and at
 /// which one slides where that is soonest. `shaking` is what the ground does. Nothing where equilibrium alone does not
 /// give the forces, or it does not stand.
@@ -30,24 +48,11 @@ pub fn stack_directions(
     if !limits.statically_determinate || !limits.standing.stands() {
         return None;
     }
-    let unit = |k: usize| {
-        let angle = TAU * k as f64 / DIRECTIONS as f64;
-        [angle.cos(), angle.sin()]
-    };
     let along = |[x, y]: [f64; 2], g: f64| [g * x, g * y];
-    let mut rocks: Vec<[f64; 2]> = Vec::with_capacity(DIRECTIONS + 1);
-    for k in 0..=DIRECTIONS {
-        let direction = unit(k % DIRECTIONS);
-        let each = limits
-            .cuts
-            .iter()
-            .filter_map(|cut| cut.uplift_in_m_s2(direction).ok()?);
-        let least = each.fold(f64::INFINITY, f64::min);
-        if !least.is_finite() {
-            return None;
-        }
-        rocks.push(along(direction, least / gravity_m_s2));
-    }
+    let uplift = uplift_g(limits, gravity_m_s2)?;
+    let rocks: Vec<[f64; 2]> = (0..=DIRECTIONS)
+        .map(|k| along(unit(k), uplift[k % DIRECTIONS]))
+        .collect();
     let circle = |g: f64| -> Vec<[f64; 2]> { (0..=DIRECTIONS).map(|k| along(unit(k), g)).collect() };
     let slides = limits.sliding.map(|sliding| sliding.threshold.acceleration_g);
     let far = rocks.iter().map(|[x, y]| x.hypot(*y)).fold(0.0, f64::max);

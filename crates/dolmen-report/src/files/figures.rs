@@ -17,7 +17,7 @@ pub struct NotDrawn {
     pub why: String,
 }
 
-/// Every figure of the reports, named by its number in them: SVG, PNG as `paint` makes it, and CSV where its numbers are known; and the list
+/// Every figure of the reports, named by its number in them: SVG, PNG as `paint` makes it, and its numbers as CSV; and the list
 /// of all with their captions. Where there are several projects, each has a folder.
 ///
 /// # Errors
@@ -96,15 +96,9 @@ fn of_figure(
         why,
     })?;
     let name = format!("figure-{number}");
-    let mut files = vec![
+    Ok(vec![
         NamedFile::svg(&name, &svg),
         NamedFile::new(&format!("{name}.png"), painted),
-    ];
-    if let Some(series) = &figure.series {
-        files.push(NamedFile::new(
-            &format!("{name}.csv"),
-            series_csv(&series(), language),
-        ));
-    }
-    Ok(files)
+        NamedFile::new(&format!("{name}.csv"), series_csv(&(figure.series)(), language)),
+    ])
 }

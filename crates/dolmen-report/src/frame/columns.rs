@@ -1,7 +1,7 @@
 //! What the free-standing columns of a frame hold.
 
 use crate::document::{Block, Cell, Column, Document, Figure, Finding, Table, Tone};
-use crate::figures::free_columns;
+use crate::figures::{columns_series, free_columns};
 use dolmen::stability::{ColumnPoint, ColumnStanding};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::frame::{ColumnSwing, Springs, StoreyColumns};
@@ -164,9 +164,8 @@ pub(super) fn section<'a>(document: &mut Document<'a>, columns: &'a StoreyColumn
         FreeColumns::Figure { storey }.into(),
         FreeColumns::FigureMeaning.into(),
     ];
-    document.charted(Figure::new(caption, move |language| {
-        free_columns(columns, language)
-    }));
+    let drawn = Figure::new(caption, move |language| free_columns(columns, language));
+    document.charted(drawn.with_series(move || columns_series(columns)));
     let stiffness = |value| Quantity::engineering(value, "N/m", DIGITS);
     match (columns.springs, columns.bed_stiffness_n_m) {
         (Springs::Beside { stiffness_n_m }, Some(beds)) => document.note(FreeColumns::Contained {

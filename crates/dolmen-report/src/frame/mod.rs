@@ -10,8 +10,8 @@ mod tenons;
 
 pub(crate) use findings::findings;
 
-use crate::document::Document;
-use crate::figures::frame_sketch;
+use crate::document::{Document, Figure};
+use crate::figures::{frame_series, frame_sketch};
 use dolmen::structure::{Convention, Frame};
 use dolmen_project::{FramePart, Quantity as Input};
 use dolmen_words::{Sentence, Template, messages};
@@ -96,7 +96,9 @@ fn sketch<'a>(
         [one] => one.check.stability.as_ref(),
         _ => None,
     };
-    document.figure(caption, move |language| {
+    let (of, named) = (frame.clone(), names.clone());
+    let sketch = Figure::new(caption, move |language| {
         frame_sketch(&frame, &names, known, language)
     });
+    document.charted(sketch.with_series(move || frame_series(&of, &named)));
 }

@@ -118,8 +118,7 @@ fn article(answer: &ProjectReport, language: Language, imprint: &Imprint, number
         @if let Some((head, block)) = &front.to_do { h3 { (head.text(language)) } (block_html(block, language, &mut numbers)) }
         (document_html(&whole_document(answer), language, &mut numbers))
         (given::section(answer, language, &mut numbers))
-        h2 { (numbered(&numbers.section(), language.pick("Method and limits", "방법과 한계"))) }
-        ul { @for line in method(&project.structure, language) { li { (line) } } }
+        (document_html(&method(project), language, &mut numbers))
         h2 { (numbered(&numbers.section(), language.pick("Evidence and sources", "근거와 출처"))) }
         ul { @for line in sources(answer, language, imprint) { li { (line) } } }
         footer { (closing(language)) }

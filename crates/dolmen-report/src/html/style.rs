@@ -30,6 +30,7 @@ li.plain::before{content:'–';color:var(--grey)}
 li.unknown::before{content:'?';color:var(--unknown)}
 .wrong{border:1px solid var(--line);border-left:.55rem solid #d55e00;padding:.55rem 1rem;margin:1rem 0;background:#fdf4ee}
 .note{border-left:.3rem solid var(--line);padding:.1rem .9rem;margin:.8rem 0;color:var(--grey)}
+math{font-size:1.1rem;margin:.9rem 0 .4rem}.equation{break-inside:avoid}.equation .note{border:0;padding:0;margin:.2rem 0 1rem}
 figure{margin:1.1rem 0;break-inside:avoid}
 figure svg{display:block;max-width:100%;height:auto;margin:0 auto}
 figcaption,caption{font-size:.87rem;color:var(--grey);text-align:left;line-height:1.45}

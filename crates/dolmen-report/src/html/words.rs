@@ -125,6 +125,25 @@ pub(crate) fn input_words(structure: &Structure, path: &str, language: Language)
     }
 }
 
+/// "1층탑신" and "폭" of `blocks[4].width`; `None` of what is of no numbered part.
+pub(crate) fn part_and_quantity(
+    structure: &Structure,
+    path: &str,
+    language: Language,
+) -> Option<(String, String)> {
+    let whole = input_words(structure, path, language);
+    let (part, _) = path.split_once("].")?;
+    let number = part
+        .strip_prefix("blocks[")
+        .and_then(|number| number.parse::<usize>().ok());
+    let name = match (structure, number) {
+        (Structure::Stack(stack), Some(number)) => stack.blocks.get(number.checked_sub(1)?)?.name.clone(),
+        _ => part_words(&format!("{part}]"), language)?,
+    };
+    let quantity = whole.strip_prefix(&name)?.trim_start_matches([' ', ',', ':']);
+    (!quantity.is_empty()).then(|| (name, quantity.to_owned()))
+}
+
 /// `survey.2009.frequencies.x[1]` and `survey.2009.modes.x[1].frequency`.
 fn survey_words(path: &str, language: Language) -> Option<String> {
     let rest = path.strip_prefix("survey.")?;

@@ -5,6 +5,7 @@ use super::looks::{Letters, Lie, Looks, Style};
 use super::picture::picture;
 use super::spaces::SPACES;
 use super::table::{beside, table};
+use crate::document::linear;
 use crate::paper::xml::{Attributes, Xml};
 use crate::paper::{Heading, Ink, Paper, Paragraph, Picture, Piece, Run, TEXT_WIDTH};
 use dolmen_words::Language;
@@ -51,6 +52,10 @@ impl<'a> Writer<'a> {
             Piece::Paragraph(of) => self.line(of),
             Piece::Heading(of) => self.heading(of),
             Piece::Caption(of) => self.with_lines(|xml, lines| lines.caption(xml, of)),
+            Piece::Equation(formula) => {
+                let style = Style::Figure;
+                self.words(style, style.lie(), &[Run::Words(linear(formula), Ink::PLAIN)]);
+            }
             Piece::Table(grid) => self.with_lines(|xml, lines| {
                 lines.holding(xml, Style::Normal, Style::Normal.lie(), |xml, lines| {
                     xml.element("hp:run", &[("charPrIDRef", "0")], |xml| table(xml, lines, grid));

@@ -3,7 +3,7 @@
 use super::joint_modes::{self, Modes};
 use super::joint_tables;
 use super::left_out::left_out;
-use crate::document::{Block, Document, Finding, Tone};
+use crate::document::{Block, Document, Figure, Finding, Tone, table_series};
 use crate::figures::joint_factors;
 use crate::stack::beside;
 use dolmen::blocks::{JointFactor, JointFactorsError};
@@ -286,10 +286,11 @@ pub(super) fn section<'a>(document: &mut Document<'a>, survey: &str, answer: &'a
     document.put(Block::Table(joint_tables::factors(answer)));
     let [low, high] = band(answer);
     document.note(Joints::Band { low, high });
-    document.figure(
+    let drawn = Figure::new(
         vec![Joints::FigureCaption.into(), Joints::FigureMeaning.into()],
         move |language| joint_factors(answer, language),
     );
+    document.charted(drawn.with_series(move || table_series(&joint_tables::factors(answer))));
     document.put(Block::Table(joint_tables::energy(answer)));
     if answer.is_of_beds() {
         document.note(Joints::Beds);

@@ -2,7 +2,7 @@
 
 use super::plan_centre;
 use super::plan_values::{Units, eccentricity};
-use crate::document::{Block, Cell, Column, Document, Finding, Table, Tone};
+use crate::document::{Block, Cell, Column, Document, Figure, Finding, Table, Tone, table_series};
 use crate::figures::{letter, plan_modes};
 use crate::html::words::verdict_word;
 use dolmen::stability::Verdict;
@@ -294,10 +294,11 @@ pub(super) fn section<'a>(document: &mut Document<'a>, survey: &str, answer: &'a
         }
     }
     if let Some(one) = found.accepted().next() {
-        document.figure(
+        let drawn = Figure::new(
             vec![Plan::ShapesCaption.into(), Plan::ShapesMeaning.into()],
             move |language| plan_modes(answer, one, language),
         );
+        document.charted(drawn.with_series(move || table_series(&modes_table(answer))));
         document.put(Block::Table(modes_table(answer)));
     }
     if found.solutions.iter().any(|one| one.stiffness_sd.is_some()) {

@@ -1,7 +1,7 @@
 //! The solutions of a stiffness from vibration: their values, what tells them apart.
 
 use super::words::spring_word;
-use crate::document::{Block, Cell, Column, Document, Table};
+use crate::document::{Block, Cell, Column, Document, Figure, Table, table_series};
 use crate::figures::{letter, solution_shapes};
 use crate::html::words::verdict_word;
 use dolmen::stability::Verdict;
@@ -80,9 +80,10 @@ pub(super) fn section<'a>(
     }
     document.put(Block::Table(table(answer)));
     if matches!(project.structure, Structure::Chain(_) | Structure::Frame(_)) {
-        document.figure(shapes_caption(answer), move |language| {
+        let drawn = Figure::new(shapes_caption(answer), move |language| {
             solution_shapes(&project.structure, answer, &measured, language).unwrap_or_default()
         });
+        document.charted(drawn.with_series(move || table_series(&modes_table(answer))));
     }
     document.put(Block::Table(modes_table(answer)));
 }

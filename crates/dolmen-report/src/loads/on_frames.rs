@@ -2,7 +2,7 @@
 
 use super::words::{DIGITS, Found, what};
 use crate::document::{Block, Cell, Column, Document, Figure, Finding, Table, Tone};
-use crate::figures::storey_pushed;
+use crate::figures::{pushed_series, storey_pushed};
 use dolmen::assess::demand::DriftLimit;
 use dolmen::stability::{StoreyEnd, Verdict};
 use dolmen_project::{Project, Structure};
@@ -220,7 +220,8 @@ pub(super) fn section<'a>(
         .into(),
         OnFrames::FigureMeaning.into(),
     ];
-    document.charted(Figure::new(caption, move |language| storey_pushed(of, language)));
+    let drawn = Figure::new(caption, move |language| storey_pushed(of, language));
+    document.charted(drawn.with_series(move || pushed_series(of)));
 }
 
 /// The wind along a direction.

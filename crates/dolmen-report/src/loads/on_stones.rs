@@ -1,7 +1,7 @@
 //! What the worst combination does to a stack: what the wind meets, and how the stones begin to move.
 
-use crate::document::{Block, Cell, Column, Document, Table};
-use crate::figures::stack_pushed;
+use crate::document::{Block, Cell, Column, Document, Figure, Table, table_series};
+use crate::figures::{stack_pushed, stone_series};
 use crate::stack::{joint_rows, moving_columns};
 use dolmen::assess::StackUnderLoads;
 use dolmen::stability::stack::BlownBlock;
@@ -62,7 +62,11 @@ pub(super) fn section<'a>(
         document.put(Block::Table(met(&under.blown, stack)));
     }
     let caption = vec![OnStones::Figure.into(), OnStones::FigureMeaning.into()];
-    document.figure(caption, move |language| stack_pushed(stack, under, language));
+    let drawn = Figure::new(caption, move |language| stack_pushed(stack, under, language));
+    document.charted(drawn.with_series(move || match under.blown.is_empty() {
+        true => stone_series(stack),
+        false => table_series(&met(&under.blown, stack)),
+    }));
 }
 
 fn met(blown: &[BlownBlock], stack: &Stack) -> Table {

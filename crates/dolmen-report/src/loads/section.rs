@@ -3,7 +3,7 @@
 use super::findings::why_not;
 use super::words::what;
 use super::{on_frames, on_stones};
-use crate::document::{Block, Cell, Column, Document, Table};
+use crate::document::{Block, Cell, Column, Document, Figure, Table, table_series};
 use crate::figures::chain_moments;
 use crate::stack::direction;
 use dolmen::stability::{ChainUnderLoads, JointUnderLoads, Verdict};
@@ -269,14 +269,18 @@ fn chain_section<'a>(
     document.note(Shown::Opens);
     let caption = vec![Shown::Figure.into(), Shown::FigureMeaning.into()];
     let heights_across = heights_m.clone();
-    document.figure(caption, move |language| {
+    let drawn = Figure::new(caption, move |language| {
         chain_moments(&chain.under, &heights_m, language)
     });
+    let along = joints(Shown::Figure.into(), answer, &chain.under);
+    document.charted(drawn.with_series(move || table_series(&along)));
     if let Some(across) = &chain.across {
         let caption = vec![Shown::FigureAcross.into(), Shown::FigureMeaning.into()];
-        document.figure(caption, move |language| {
+        let drawn = Figure::new(caption, move |language| {
             chain_moments(&across.under, &heights_across, language)
         });
+        let across = joints(Shown::FigureAcross.into(), answer, &across.under);
+        document.charted(drawn.with_series(move || table_series(&across)));
     }
 }
 

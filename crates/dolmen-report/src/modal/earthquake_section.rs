@@ -4,7 +4,7 @@ use super::earthquake::findings;
 use super::earthquake_words::{HALF_95, Quake, share, time};
 use super::values::hertz;
 use crate::document::{Block, Cell, Column, Document, Figure, Series, Table};
-use crate::figures::{frequency_through, spectra_of_channels};
+use crate::figures::{frequency_through, spectra_of_channels, through_series};
 use dolmen::modal::{AtLeast, During, LastingChange, StrongChannel};
 use dolmen_words::{Digits, Quantity, Sentence, Unit};
 use dolmen_work::surveyed::RecordAnswer;
@@ -44,7 +44,8 @@ pub(super) fn section<'a>(document: &mut Document<'a>, record: &'a RecordAnswer)
         During::Unknown => {}
     }
     let caption = vec![Quake::Through.into(), Quake::ThroughMeaning.into()];
-    document.figure(caption, move |language| frequency_through(found, language));
+    let through = Figure::new(caption, move |language| frequency_through(found, language));
+    document.charted(through.with_series(move || through_series(found)));
     if !found.changes.is_empty() {
         let caption = match is_one {
             true => Quake::Changes,

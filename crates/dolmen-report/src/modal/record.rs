@@ -11,8 +11,8 @@ use super::shapes::{ShapeFigures, shape_figures};
 use super::steps::step_words;
 use super::tables::{caption, modes_table, shapes_table};
 use super::values::seconds;
-use crate::document::{Block, Document};
-use crate::figures::{singular_values, stabilization};
+use crate::document::{Block, Document, Figure};
+use crate::figures::{pole_series, singular_series, singular_values, stabilization};
 use dolmen::modal::{Method, ModalAnalysis};
 use dolmen_words::message::Both;
 use dolmen_words::number::fixed;
@@ -157,10 +157,12 @@ fn read(document: &mut Document<'_>, record: &RecordAnswer) {
 
 fn figures<'a>(document: &mut Document<'a>, analysis: &'a ModalAnalysis) {
     let caption = vec![Record::Spectrum.into(), Record::SpectrumMeaning.into()];
-    document.figure(caption, |language| singular_values(analysis, language));
+    let values = Figure::new(caption, |language| singular_values(analysis, language));
+    document.charted(values.with_series(|| singular_series(analysis)));
     if !analysis.stabilization.poles.is_empty() {
         let caption = vec![Record::Stabilization.into(), Record::StabilizationMeaning.into()];
-        document.figure(caption, |language| stabilization(analysis, language));
+        let poles = Figure::new(caption, |language| stabilization(analysis, language));
+        document.charted(poles.with_series(|| pole_series(analysis)));
     }
 }
 

@@ -1,7 +1,8 @@
 //! Figures of shapes at the sensors, still and moving.
 
-use crate::document::Document;
-use crate::figures::{likeness, moving_shapes, sensor_shapes};
+use super::tables::shapes_table;
+use crate::document::{Document, Figure, table_series};
+use crate::figures::{likeness, likeness_series, moving_shapes, sensor_shapes};
 use dolmen::modal::Modes;
 use dolmen_words::{Language, Sentence, messages};
 
@@ -62,15 +63,18 @@ pub(super) fn shape_figures<'a>(document: &mut Document<'a>, modes: &'a Modes, o
         ShapeFigures::Setups => vec![Shapes::OfSetups.into(), Shapes::OfSetupsMeaning.into()],
         ShapeFigures::Joint => vec![Shapes::OfJoint.into()],
     };
-    document.figure(caption, |language| sensor_shapes(modes, language));
+    let still = Figure::new(caption, |language| sensor_shapes(modes, language));
+    document.charted(still.with_series(|| table_series(&shapes_table(modes))));
     if of != ShapeFigures::Joint && likeness(modes, Language::English).is_some() {
         let caption = vec![Shapes::Likeness.into(), Shapes::LikenessMeaning.into()];
-        document.figure(caption, |language| likeness(modes, language).unwrap_or_default());
+        let alike = Figure::new(caption, |language| likeness(modes, language).unwrap_or_default());
+        document.charted(alike.with_series(|| likeness_series(modes)));
     }
     if of != ShapeFigures::Joint && moving_shapes(modes, Language::English).is_some() {
         let caption = vec![Shapes::Moving.into(), Shapes::MovingMeaning.into()];
-        document.figure(caption, |language| {
+        let moving = Figure::new(caption, |language| {
             moving_shapes(modes, language).unwrap_or_default()
         });
+        document.charted(moving.with_series(|| table_series(&shapes_table(modes))));
     }
 }

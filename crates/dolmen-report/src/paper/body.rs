@@ -65,6 +65,10 @@ impl Body<'_> {
             }
             Block::KeyValues(rows) => self.key_values(rows),
             Block::Table(of) => self.table(of),
+            Block::Equation(of) => {
+                self.pieces.push(Piece::Equation(of.formula.clone()));
+                self.line(Role::Remark, &of.meaning.text(language));
+            }
             Block::Figures(figures) => return self.figures(figures),
             Block::Photos(photos) => self.photos(photos),
             Block::Signatures(rows) => self.signatures(rows),
@@ -154,18 +158,42 @@ impl Body<'_> {
         self.pieces.push(Piece::Gap(None));
     }
 
-    /// Photographs above their captions; those that were not read are left out, as in print.
+    /// Pictures above their captions, two beside each other where there are several.
+    fn pictures(&mut self, mut shown: Vec<(Picture, Caption)>) {
+        match shown.len() {
+            0 => {}
+            1 => {
+                for (picture, caption) in shown.drain(..) {
+                    self.pieces.push(Piece::Picture(picture, false));
+                    self.pieces.push(Piece::Caption(caption));
+                }
+            }
+            _ => {
+                self.pieces.push(Piece::Beside(shown));
+                self.pieces.push(Piece::Gap(None));
+            }
+        }
+    }
+
+    /// Photographs; those that were not read are left out, as in print.
     fn photos(&mut self, photos: &[Photo<'_>]) {
         let language = self.language;
-        for photo in photos {
-            let Some(image) = photo.image else { continue };
-            let picture = self.media.photo(image, &photo.text(language), WIDTH);
+        let read: Vec<_> = photos
+            .iter()
+            .filter_map(|photo| Some((photo, photo.image?)))
+            .collect();
+        let width = match read.len() {
+            1 => WIDTH,
+            _ => 0.5 * WIDTH - 8.0,
+        };
+        let mut shown: Vec<(Picture, Caption)> = Vec::with_capacity(read.len());
+        for (photo, image) in read {
+            let picture = self.media.photo(image, &photo.text(language), width);
             let number = self.numbers.figure();
             let label = figure_label(&number, language);
-            self.pieces.push(Piece::Picture(picture, false));
-            let caption = caption(&label, &number, &photo.caption, language, false);
-            self.pieces.push(Piece::Caption(caption));
+            shown.push((picture, caption(&label, &number, &photo.caption, language, false)));
         }
+        self.pictures(shown);
     }
 
     /// Rows to sign in, with room at the right.
@@ -191,18 +219,13 @@ impl Body<'_> {
 
     /// Figures above their captions, two beside each other where there are several.
     fn figures(&mut self, figures: &[Figure<'_>]) -> Result<(), PaperFault> {
-        if let [one] = figures {
-            let (picture, caption) = self.figure(one, WIDTH)?;
-            self.pieces.push(Piece::Picture(picture, false));
-            self.pieces.push(Piece::Caption(caption));
-            return Ok(());
-        }
-        let drawn: Result<Vec<(Picture, Caption)>, PaperFault> = figures
-            .iter()
-            .map(|figure| self.figure(figure, 0.5 * WIDTH - 8.0))
-            .collect();
-        self.pieces.push(Piece::Beside(drawn?));
-        self.pieces.push(Piece::Gap(None));
+        let width = match figures.len() {
+            1 => WIDTH,
+            _ => 0.5 * WIDTH - 8.0,
+        };
+        let drawn: Result<Vec<(Picture, Caption)>, PaperFault> =
+            figures.iter().map(|figure| self.figure(figure, width)).collect();
+        self.pictures(drawn?);
         Ok(())
     }
 

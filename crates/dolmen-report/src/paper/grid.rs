@@ -40,7 +40,7 @@ pub(crate) fn text_size(columns: usize) -> usize {
 /// How wide a text is on one line with the room of its cell, twentieths of a point.
 fn wide(text: &str, half_points: usize) -> usize {
     // a letter is at most about 0.64 of its size wide, a Korean one twice that
-    (text.width() * half_points * 64).div_ceil(10) + ROOM
+    (text.width_cjk() * half_points * 64).div_ceil(10) + ROOM
 }
 
 /// How many lines the text of a cell takes in a column of this width, about.

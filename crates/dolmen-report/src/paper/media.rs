@@ -36,6 +36,18 @@ pub(crate) struct Media<'a> {
     placed: usize,
 }
 
+impl Picture {
+    /// The same, at most so high.
+    pub(crate) fn within(self, height_most: f64) -> Self {
+        let [width, height] = self.size_pt;
+        let scale = (height_most / height).min(1.0);
+        Picture {
+            size_pt: [width * scale, height * scale],
+            ..self
+        }
+    }
+}
+
 impl<'a> Media<'a> {
     pub(crate) fn new(paint: &'a dyn Fn(&str) -> Result<Vec<u8>, String>) -> Self {
         Media {

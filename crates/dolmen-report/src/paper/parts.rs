@@ -13,6 +13,9 @@ use dolmen_words::Sentence;
 use dolmen_work::answer::ProjectReport;
 use dolmen_work::judgement::Colour;
 
+/// Height of the picture on a cover, points: the rows below it have room on the same page.
+const COVER_HEIGHT_MOST: f64 = 270.0;
+
 impl Body<'_> {
     /// The whole report on one project; its number where there are several.
     pub(super) fn project(
@@ -46,7 +49,6 @@ impl Body<'_> {
         }
         if number.is_none() {
             self.pieces.push(Piece::Contents);
-            self.pieces.push(Piece::PageBreak);
         }
         self.document(&whole)?;
         self.document(&behind_document(answer, imprint))
@@ -113,6 +115,7 @@ impl Body<'_> {
         let alt = first.caption.first().map(|said| said.text(self.language));
         let svg = (first.draw)(self.language);
         let picture = self.media.picture(&svg, &alt.unwrap_or_default(), WIDTH)?;
+        let picture = picture.within(COVER_HEIGHT_MOST);
         self.pieces.push(Piece::Picture(picture, true));
         Ok(())
     }

@@ -3,6 +3,7 @@
 use super::grid::Grid;
 use super::ink::Ink;
 use super::media::Picture;
+use crate::document::Math;
 
 /// What a paragraph is for; each has a look of its own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -81,6 +82,8 @@ pub(crate) enum Piece {
     Paragraph(Paragraph),
     Heading(Heading),
     Caption(Caption),
+    /// A formula on a line of its own.
+    Equation(Vec<Math>),
     Table(Grid),
     /// A picture; that of a cover stands farther down.
     Picture(Picture, bool),

@@ -1,7 +1,7 @@
 //! The sections of a ranking.
 
 use super::{remarks, table};
-use crate::document::{Block, Document};
+use crate::document::{Block, Document, Figure, table_series};
 use crate::figures::ranking;
 use dolmen_words::messages;
 use dolmen_work::portfolio::PortfolioAnswer;
@@ -37,9 +37,10 @@ messages! {
 pub(crate) fn sections(answer: &PortfolioAnswer) -> Document<'_> {
     let mut document = Document::default();
     remarks::before(&mut document, answer);
-    document.figure(vec![Rank::FigureCaption.into()], |language| {
+    let drawn = Figure::new(vec![Rank::FigureCaption.into()], |language| {
         ranking(answer, language)
     });
+    document.charted(drawn.with_series(|| table_series(&table::table(answer, false))));
     table::section(&mut document, answer);
     remarks::left_out(&mut document, answer);
     document.heading(Rank::How);

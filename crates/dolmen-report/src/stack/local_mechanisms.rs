@@ -50,7 +50,7 @@ pub(super) fn section(document: &mut Document<'_>, answer: &StackAnswer) {
         factor,
     };
     let symbol = Sentence::of_symbol;
-    document.put(Block::Table(Table {
+    let table = Table {
         caption: vec![Local::Caption.into(), Local::CaptionMeaning.into()],
         columns: vec![
             Column::words(Local::Towards),
@@ -66,7 +66,8 @@ pub(super) fn section(document: &mut Document<'_>, answer: &StackAnswer) {
             Column::numbers(Local::GroundByForce, Unit::si("g")),
         ],
         rows: found.iter().map(|of| row(&answer.stack, of)).collect(),
-    }));
+    };
+    document.put(Block::Table(table.without_empty_columns()));
     document.note(Local::Meaning);
     document.note(Local::LeftOut);
 }

@@ -28,7 +28,9 @@ pub(crate) use verdict::{banner, thresholds};
 pub(crate) use words::{direction, megapascals};
 
 use crate::document::{Document, Figure};
-use crate::figures::{Shaking, stack_capacity, stack_directions, stack_governing, stack_view};
+use crate::figures::{
+    Shaking, direction_series, stack_capacity, stack_directions, stack_governing, stack_view, stone_series,
+};
 use dolmen_words::{Sentence, Template, messages};
 use dolmen_work::answer::ProjectReport;
 use dolmen_work::state::{SpringFit, StackAnswer};
@@ -105,9 +107,10 @@ pub(crate) fn sections<'a>(answer: &'a StackAnswer, fits: &[SpringFit], shaking:
     let check = &answer.check;
     let mut document = Document::default();
     document.heading(Drawn::Head);
-    document.figure(vec![Drawn::Model.into(), parts(answer).into()], |language| {
+    let model = Figure::new(vec![Drawn::Model.into(), parts(answer).into()], |language| {
         stack_view(&answer.stack, language)
     });
+    document.charted(model.with_series(|| stone_series(&answer.stack)));
     limits::section(&mut document, check);
     mechanism::section(&mut document, answer);
     if is_cut_through(answer) {
@@ -163,6 +166,7 @@ fn directions<'a>(document: &mut Document<'a>, answer: &'a StackAnswer, shaking:
     let draw = move |language| stack_directions(limits, &shaking, gravity_m_s2, language);
     if draw(dolmen_words::Language::English).is_some() {
         let caption = vec![Drawn::Directions.into(), Drawn::DirectionsMeaning.into()];
-        document.figure(caption, move |language| draw(language).unwrap_or_default());
+        let drawn = Figure::new(caption, move |language| draw(language).unwrap_or_default());
+        document.charted(drawn.with_series(move || direction_series(limits, gravity_m_s2)));
     }
 }

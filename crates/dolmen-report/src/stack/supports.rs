@@ -2,8 +2,8 @@
 
 use super::mechanism::{joint_rows, joints_moving, moving_columns};
 use super::words::DIGITS;
-use crate::document::{Block, Cell, Column, Document, Finding, Table, Tone};
-use crate::figures::moved_supports;
+use crate::document::{Block, Cell, Column, Document, Figure, Finding, Table, Tone};
+use crate::figures::{moved_series, moved_supports};
 use dolmen::assess::StackCheck;
 use dolmen::stability::stack::{MovedStack, MovedSupports, MovementEnding};
 use dolmen::structure::stack::{Body, Stack, SupportMovement};
@@ -207,9 +207,10 @@ pub(super) fn section<'a>(document: &mut Document<'a>, answer: &'a StackAnswer) 
         }
         .into(),
     ];
-    document.figure(caption, move |language| {
+    let drawn = Figure::new(caption, move |language| {
         moved_supports(stack, &supports.last, language)
     });
+    document.charted(drawn.with_series(move || moved_series(stack, &supports.last.solids)));
     for (caption, state) in [
         (Supports::First, &supports.small),
         (Supports::AtTheEnd, &supports.last),

@@ -14,7 +14,7 @@ pub(crate) use run::points_a_side;
 pub use supports::supports_text;
 pub(crate) use supports::{findings as supports_findings, sections as supports_sections};
 
-use crate::document::{Block, Document, Figure, TextStyle, Tone, document_text, findings_text};
+use crate::document::{Block, Document, Figure, TextStyle, Tone, document_text, findings_text, table_series};
 use crate::figures::{StackPlot, stack_after};
 use crate::simulated::{Simulated, capitalised, motion_section};
 use dolmen_words::{Sentence, Template, messages};
@@ -107,10 +107,11 @@ fn ended(document: &mut Document<'_>, runs: &StackRuns) {
 }
 
 fn details<'a>(document: &mut Document<'a>, simulation: &'a StackSimulation) {
-    document.figure(
+    let after = Figure::new(
         vec![Shown::After.into(), Shown::AfterMeaning.into()],
         |language| stack_after(simulation, language),
     );
+    document.charted(after.with_series(|| table_series(&tables::joints(simulation))));
     document.put(Block::Table(tables::joints(simulation)));
     document.paragraph(run::top(simulation));
     for plot in StackPlot::ALL {

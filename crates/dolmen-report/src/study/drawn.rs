@@ -1,7 +1,7 @@
 //! The figures of a study.
 
-use crate::document::Document;
-use crate::figures::study_figures;
+use crate::document::{Document, Figure};
+use crate::figures::{study_figures, study_series};
 use dolmen_words::{Language, Sentence, messages};
 use dolmen_work::study::StudyAnswer;
 use std::cell::OnceCell;
@@ -46,14 +46,15 @@ messages! {
 /// The first figures; each language is drawn once for all of them.
 pub(super) fn section<'a>(document: &mut Document<'a>, answer: &'a StudyAnswer) {
     let english = study_figures(answer, Language::English);
-    let captions: Vec<Vec<Sentence>> = english.iter().map(|figure| caption(&figure.name)).collect();
+    let names: Vec<String> = english.iter().map(|figure| figure.name.clone()).collect();
     let drawn = Rc::new([OnceCell::from(svgs(english)), OnceCell::new()]);
-    for (at, caption) in captions.into_iter().enumerate().take(FIGURES_MOST) {
+    for (at, name) in names.into_iter().enumerate().take(FIGURES_MOST) {
         let drawn = Rc::clone(&drawn);
-        document.figure(caption, move |language| {
+        let figure = Figure::new(caption(&name), move |language| {
             let all = drawn[language.pick(0, 1)].get_or_init(|| svgs(study_figures(answer, language)));
             all.get(at).cloned().unwrap_or_default()
         });
+        document.charted(figure.with_series(move || study_series(answer, &name)));
     }
 }
 

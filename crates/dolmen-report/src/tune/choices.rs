@@ -3,7 +3,7 @@
 use super::words::{choice_words, goal_words, load_words, of_none, part};
 use crate::building::{direction_words, fixed, name};
 use crate::document::{Block, Cell, Column, Document, Figure, Table};
-use crate::figures::tune_drawings;
+use crate::figures::{tune_drawings, tune_series};
 use dolmen::damper::{Choice, Compared, Goal};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::building::TuneAnswer;
@@ -178,9 +178,8 @@ pub(super) fn section<'a>(document: &mut Document<'a>, answer: &'a TuneAnswer) {
             "plan" => vec![Choices::Plan.into(), Choices::PlanMeaning.into()],
             _ => vec![Choices::Robustness.into(), Choices::RobustnessMeaning.into()],
         };
-        document.put(Block::Figures(vec![Figure::new(caption, move |language| {
-            draw(answer, language)
-        })]));
+        let drawn = Figure::new(caption, move |language| draw(answer, language));
+        document.charted(drawn.with_series(move || tune_series(answer, figure)));
     }
 }
 

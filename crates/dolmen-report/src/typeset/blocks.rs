@@ -1,5 +1,6 @@
 //! Blocks as calls.
 
+use super::equation::equation;
 use super::literal::{array, literal};
 use super::parts::{Parts, tone};
 use crate::document::{Answered, Block, Cell, Document, Figure, Framed, Photo, Signatory, Table};
@@ -31,6 +32,10 @@ impl Parts {
                 self.line(&format!("#pairs({})", each.join(", ")));
             }
             Block::Table(table) => self.table(table),
+            Block::Equation(of) => {
+                let meaning = literal(&of.meaning.text(language));
+                self.line(&format!("#formula({}, {meaning})", equation(&of.formula)));
+            }
             Block::Figures(figures) => self.figures(figures),
             Block::Photos(photos) => self.photos(photos),
             Block::Signatures(rows) => {

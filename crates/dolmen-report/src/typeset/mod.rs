@@ -1,6 +1,7 @@
 //! A report as the source of a Typst document: calls of its prelude's functions, and figures as files of their own.
 
 mod blocks;
+mod equation;
 mod literal;
 mod parts;
 

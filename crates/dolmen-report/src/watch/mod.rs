@@ -21,8 +21,8 @@ pub(crate) use findings::findings;
 pub(crate) use inspected::damage_name;
 pub(crate) use logs::label;
 
-use crate::document::{Block, Document};
-use crate::figures::years;
+use crate::document::{Block, Document, Figure};
+use crate::figures::{years, years_series};
 use dolmen_words::{Quantity, Sentence, Template, messages};
 use dolmen_work::watched::WatchAnswer;
 use numbers::percent;
@@ -86,9 +86,10 @@ pub(crate) const TEMPLATES: [&[Template]; 16] = [
 pub(crate) fn sections(answer: &WatchAnswer) -> Document<'_> {
     let mut document = Document::default();
     document.heading(Years::Head);
-    document.figure(vec![Years::Drawn.into(), Years::Panels.into()], |language| {
+    let drawn = Figure::new(vec![Years::Drawn.into(), Years::Panels.into()], |language| {
         years(answer, language)
     });
+    document.charted(drawn.with_series(|| years_series(answer)));
     let works: Vec<Sentence> = answer
         .works
         .iter()

@@ -90,6 +90,7 @@ fn rows_table(head: &Sentence, block: Block<'_>) -> Option<Table> {
         | Block::Warning(_)
         | Block::Note(_)
         | Block::List(_)
+        | Block::Equation(_)
         | Block::Figures(_) => return None,
     })
 }

@@ -3,13 +3,14 @@
 use super::acting::MotionAnswer;
 use super::error::MotionRequestError;
 use super::of_survey::{SURVEY, of_survey};
-use super::request::MotionRequest;
+use super::request::{GivenFile, MotionRequest};
 use super::wanted_file::{WantedFile, column_of, given_files, typed_columns};
 use crate::error::{Within as _, WorkError};
 use dolmen::signal::{Baseline, Component, GroundMotion, Quantity};
 use dolmen_project::{MotionPart, MotionSize, MotionSource, Project, Structure};
 use dolmen_records::motions::{
-    ComponentSource, Lengths, MotionOptions, StatedPeak, read_columns_as, read_motion, read_oriented,
+    ComponentSource, Lengths, MotionError, MotionOptions, Response, StatedPeak, read_columns_as, read_motion,
+    read_oriented, responses,
 };
 use dolmen_records::records::Unit;
 use dolmen_records::{FileError, Files, MOTION_BYTES_MOST};
@@ -43,6 +44,8 @@ struct Wanted {
     size: Option<MotionSize>,
     /// Further options, of the request only.
     read: MotionOptions,
+    /// Files of responses that the project file names.
+    responses: Vec<String>,
     x_azimuth_deg: Option<f64>,
     baseline: Option<usize>,
     high_pass_hz: Option<f64>,
@@ -182,6 +185,7 @@ fn wanted(options: &MotionRequest, project: Option<Of<'_>>) -> Result<Wanted, Wo
             },
             ..motion_options(options)?
         },
+        responses: part.map_or_else(Vec::new, |part| part.responses.clone()),
         x_azimuth_deg: match options.columns.is_empty() && options.channel.is_none() {
             true => options.x_azimuth_deg.or_else(|| of(|part| part.x_azimuth_deg)),
             false => options.x_azimuth_deg,
@@ -270,6 +274,7 @@ pub(crate) fn motion_options(options: &MotionRequest) -> Result<MotionOptions, W
         time_step_s: options.sample_step_s,
         channel: options.channel.clone(),
         factor: options.factor,
+        responses: typed_responses(&options.responses)?,
         stated_peak: if options.ignore_stated_peak {
             StatedPeak::Ignore
         } else {
@@ -284,12 +289,44 @@ pub(crate) fn motion_options(options: &MotionRequest) -> Result<MotionOptions, W
     })
 }
 
+/// The responses that are typed.
+fn typed_responses(files: &[GivenFile]) -> Result<Vec<Response>, WorkError> {
+    let mut all = Vec::new();
+    for file in files {
+        let read = responses(&String::from_utf8_lossy(&file.bytes)).map_err(MotionError::from);
+        all.extend(read.within(|| file.name.clone())?);
+    }
+    Ok(all)
+}
+
+/// Those that the project file names.
+fn responses_of_files(
+    names: &[String],
+    project: Option<Of<'_>>,
+    place: impl Fn(&str) -> String,
+) -> Result<Vec<Response>, WorkError> {
+    let Some((_, files)) = project else {
+        return Ok(Vec::new());
+    };
+    let mut all = Vec::new();
+    for name in names {
+        let bytes = files.read(name, MOTION_BYTES_MOST).within(|| place(name))?;
+        let read = responses(&String::from_utf8_lossy(&bytes)).map_err(MotionError::from);
+        all.extend(read.within(|| place(name))?);
+    }
+    Ok(all)
+}
+
 fn from_files(
     named: &[WantedFile],
     wanted: &Wanted,
     project: Option<Of<'_>>,
 ) -> Result<MotionAnswer, WorkError> {
-    let read = MotionOptions {
+    let place = |file: &str| match &wanted.part {
+        Some(part) => format!("{part}.files: {file}"),
+        None => file.to_owned(),
+    };
+    let mut read = MotionOptions {
         unit: match &wanted.unit {
             Some(unit) => Some(Unit::parse(unit)?),
             None => None,
@@ -297,10 +334,9 @@ fn from_files(
         time_step_s: wanted.sample_step_s,
         ..wanted.read.clone()
     };
-    let place = |file: &str| match &wanted.part {
-        Some(part) => format!("{part}.files: {file}"),
-        None => file.to_owned(),
-    };
+    if read.responses.is_empty() {
+        read.responses = responses_of_files(&wanted.responses, project, place)?;
+    }
     let mut bytes: Vec<Cow<'_, [u8]>> = Vec::new();
     for (at, file) in named.iter().enumerate() {
         let before = named[..at].iter().position(|other| other.name == file.name);

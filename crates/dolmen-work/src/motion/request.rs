@@ -20,6 +20,8 @@ pub struct MotionRequest {
     pub columns: Vec<(Component, String)>,
     /// Factor from the numbers to the unit.
     pub factor: f64,
+    /// Responses that networks publish (RESP): what a count of each channel is worth.
+    pub responses: Vec<GivenFile>,
     /// Cut components that begin at one time to the shortest.
     pub shortest: bool,
     /// Ignore the peak in a header if it differs from that of the samples.
@@ -63,6 +65,7 @@ impl Default for MotionRequest {
             channel: None,
             columns: Vec::new(),
             factor: 1.0,
+            responses: Vec::new(),
             shortest: false,
             ignore_stated_peak: false,
             x_azimuth_deg: None,
@@ -99,6 +102,7 @@ impl MotionRequest {
             (self.channel.is_some(), "channel"),
             (!self.columns.is_empty(), "columns"),
             (self.factor != 1.0, "factor"),
+            (!self.responses.is_empty(), "response"),
             (self.shortest, "shortest"),
             (self.ignore_stated_peak, "ignore-stated-peak"),
             (self.x_azimuth_deg.is_some(), "x-azimuth"),

@@ -1,0 +1,145 @@
+//! Inputs of an appendix, one row a stone, link or storey.
+
+use crate::document::{Cell, Column, Table};
+use crate::html::words::{evidence_word, part_and_quantity};
+use dolmen_project::{Quantity as Input, Structure};
+use dolmen_words::message::Both;
+use dolmen_words::{Language, messages};
+use std::collections::BTreeSet;
+
+/// Parts from which on a row each says more than a line for every number. Chosen here.
+const PARTS_LEAST: usize = 2;
+/// Quantities beside each other that a page has room for. Chosen here.
+const QUANTITIES_MOST: usize = 8;
+
+messages! {
+    /// The table of parts.
+    pub(crate) enum ByPart in "given.parts" {
+        Caption { source: Both } => {
+            en: "What the project file gives of each part, as it is written. Source of all these numbers: {source}.",
+            ko: "프로젝트 파일에 입력한 부재별 값(입력한 그대로). 모두의 출처: {source}.",
+        },
+        Part => { en: "Part", ko: "부재" },
+        Text { text: Both } => { en: "{text}", ko: "{text}" },
+    }
+}
+
+/// An input of a part: the part's path, what it is called, and what is given.
+struct OfPart<'a> {
+    part: &'a str,
+    group: &'a str,
+    name: Both,
+    quantity: Both,
+    input: &'a Input,
+}
+
+fn of_part<'a>(structure: &Structure, input: &'a Input) -> Option<OfPart<'a>> {
+    if input.cov.is_some() || input.note.is_some() {
+        return None;
+    }
+    let (part, _) = input.path.split_once("].")?;
+    let (group, number) = part.split_once('[')?;
+    if group.contains('.') || number.parse::<usize>().is_err() {
+        return None;
+    }
+    let words = |language| part_and_quantity(structure, &input.path, language);
+    let [(name, quantity), (name_ko, quantity_ko)] = [words(Language::English)?, words(Language::Korean)?];
+    let both = |english: String, korean: String| Both { english, korean };
+    Some(OfPart {
+        part,
+        group,
+        name: both(name, name_ko),
+        quantity: both(quantity, quantity_ko),
+        input,
+    })
+}
+
+/// A table a group of parts, and the inputs that stand in none.
+pub(crate) fn by_part<'a>(structure: &Structure, inputs: &[&'a Input]) -> (Vec<Table>, Vec<&'a Input>) {
+    let known: Vec<OfPart<'a>> = inputs
+        .iter()
+        .filter_map(|input| of_part(structure, input))
+        .collect();
+    let mut groups: Vec<&str> = known.iter().map(|of| of.group).collect();
+    groups.dedup();
+    let mut tabled: BTreeSet<&str> = BTreeSet::new();
+    let mut tables = Vec::new();
+    for group in groups {
+        let Some(source) = known
+            .iter()
+            .find(|of| of.group == group)
+            .map(|of| of.input.source)
+        else {
+            continue;
+        };
+        let own: Vec<&OfPart<'a>> = known
+            .iter()
+            .filter(|of| {
+                of.group == group && of.input.source == source && !tabled.contains(of.input.path.as_str())
+            })
+            .collect();
+        if let Some((table, shown)) = table(&own) {
+            tabled.extend(shown);
+            tables.push(table);
+        }
+    }
+    let rest = inputs
+        .iter()
+        .copied()
+        .filter(|input| !tabled.contains(input.path.as_str()));
+    (tables, rest.collect())
+}
+
+/// Parts by quantities, with the paths of what stands in it; `None` where parts are few or share nothing.
+fn table<'a>(own: &[&OfPart<'a>]) -> Option<(Table, Vec<&'a str>)> {
+    let mut parts: Vec<&OfPart<'a>> = Vec::new();
+    let mut quantities: Vec<(&Both, usize)> = Vec::new();
+    for of in own {
+        if parts.iter().all(|part| part.part != of.part) {
+            parts.push(of);
+        }
+        match quantities.iter_mut().find(|(known, _)| **known == of.quantity) {
+            Some((_, count)) => *count += 1,
+            None => quantities.push((&of.quantity, 1)),
+        }
+    }
+    quantities.retain(|(_, count)| *count > 1);
+    quantities.truncate(QUANTITIES_MOST);
+    if parts.len() < PARTS_LEAST || quantities.is_empty() {
+        return None;
+    }
+    let said = |text: &Both| ByPart::Text { text: text.clone() };
+    let mut shown = Vec::new();
+    let mut rows = Vec::new();
+    for part in parts {
+        let mut row = vec![Cell::words(said(&part.name))];
+        for (quantity, _) in &quantities {
+            let found = own
+                .iter()
+                .find(|of| of.part == part.part && of.quantity == **quantity);
+            shown.extend(found.map(|of| of.input.path.as_str()));
+            let text = found.map_or("–", |of| of.input.written.as_str());
+            row.push(Cell::words(said(&Both::of(|_| text))));
+        }
+        // a part of which all stands elsewhere has no row
+        if row.iter().skip(1).any(|cell| cell.text(Language::English) != "–") {
+            rows.push(row);
+        }
+    }
+    let source = own.first()?.input.source;
+    let mut columns = vec![Column::words(ByPart::Part)];
+    columns.extend(
+        quantities
+            .iter()
+            .map(|(quantity, _)| Column::words(said(quantity))),
+    );
+    let caption = ByPart::Caption {
+        source: Both::of(|language| evidence_word(source, language)),
+    };
+    let table = Table {
+        caption: vec![caption.into()],
+        columns,
+        rows,
+    };
+    Some((table, shown))
+}
