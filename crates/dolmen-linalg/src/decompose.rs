@@ -1,7 +1,7 @@
 use crate::product::view;
 use crate::{ComplexMatrix, LinalgError, Matrix};
 use faer::linalg::solvers::{Solve as _, SolveLstsq as _};
-use faer::{Mat, MatRef, Side};
+use faer::{MatRef, Side};
 use num_complex::Complex64;
 
 /// Eigenvalues (ascending) and orthonormal eigenvectors (columns) of a symmetric matrix.
@@ -278,19 +278,11 @@ pub fn hermitian_eigen(a: &ComplexMatrix) -> Result<HermitianEigen, LinalgError>
     })
 }
 
-/// Eigenvalues of a Hermitian matrix, ascending (its lower triangle is read).
-///
-/// # Errors
-/// As [`hermitian_eigen`].
-pub fn hermitian_eigenvalues(a: &ComplexMatrix) -> Result<Vec<f64>, LinalgError> {
-    const WHAT: &str = "hermitian_eigenvalues";
-    square_complex(WHAT, a)?
-        .self_adjoint_eigenvalues(Side::Lower)
-        .map_err(|_| LinalgError::NoConvergence { what: WHAT })
-}
-
 /// As faer has it, if it is square and finite.
-fn square_complex(what: &'static str, a: &ComplexMatrix) -> Result<Mat<Complex64>, LinalgError> {
+pub(crate) fn square_complex<'a>(
+    what: &'static str,
+    a: &'a ComplexMatrix,
+) -> Result<MatRef<'a, Complex64>, LinalgError> {
     let (rows, columns) = (a.rows(), a.columns());
     if rows != columns || rows == 0 {
         return Err(LinalgError::Shape {
@@ -310,7 +302,7 @@ fn square_complex(what: &'static str, a: &ComplexMatrix) -> Result<Mat<Complex64
             value,
         });
     }
-    Ok(Mat::from_fn(rows, columns, |i, j| a[(i, j)]))
+    Ok(MatRef::from_column_major_slice(a.as_slice(), rows, columns))
 }
 
 #[cfg(test)]

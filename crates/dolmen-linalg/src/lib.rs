@@ -6,6 +6,7 @@
 
 mod decompose;
 mod error;
+mod hermitian_values;
 mod leading;
 mod matrix;
 mod product;
@@ -13,10 +14,10 @@ mod triangular;
 
 pub use decompose::{
     Eigen, HermitianEigen, Qr, Svd, SymmetricEigen, cholesky, eigen, generalized_symmetric_eigen,
-    hermitian_eigen, hermitian_eigenvalues, qr, solve, solve_least_squares, svd, symmetric_eigen,
-    symmetric_eigenvalues,
+    hermitian_eigen, qr, solve, solve_least_squares, svd, symmetric_eigen, symmetric_eigenvalues,
 };
 pub use error::LinalgError;
+pub use hermitian_values::hermitian_eigenvalues;
 pub use leading::{Operator, leading_svd};
 pub use matrix::{ComplexMatrix, Matrix};
 pub use num_complex::Complex64;

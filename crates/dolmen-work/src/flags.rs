@@ -124,12 +124,13 @@ const fn flag(verb: FlagVerb, name: &'static str, kinds: &'static [Kind]) -> Fla
 }
 
 /// Flags that say which motion acts, and what is done to it.
-const MOTION: [&str; 17] = [
+const MOTION: [&str; 18] = [
     "motion",
     "motion-file",
     "unit",
     "sample-step",
     "channel",
+    "response",
     "columns",
     "factor",
     "shortest",

@@ -24,7 +24,9 @@ use dolmen::modal::{
 };
 use dolmen::signal::{Record, cut};
 use dolmen::structure::{StiffnessNote, directional_modes};
-use dolmen_project::{EarthquakePart, Merge, ModeKind, Project, Quantity, RecordSource, Structure, Survey};
+use dolmen_project::{
+    Conditioning, EarthquakePart, Merge, ModeKind, Project, Quantity, RecordSource, Structure, Survey,
+};
 use dolmen_records::Files;
 
 /// Choice of surveys.
@@ -343,12 +345,15 @@ pub(crate) fn of_opened(
     let options = options(source, opened.record.channels())?;
     let asked = drawn(source.modal.spectrogram.as_ref(), opened.record.channels());
     let asked = asked.within(|| source.file.clone())?;
-    let sought = !source.modal.without_earthquake;
+    // what found no shaking in the record as it was read would look at the same samples again
+    let is_still =
+        !opened.is_shaken && options.inputs.is_empty() && source.conditioning == Conditioning::default();
+    let sought = !source.modal.without_earthquake && !is_still;
     let found = sought
         .then(|| strong_motion(&opened.record, &options, &opened.losses))
         .flatten();
     let Quiet {
-        record,
+        part,
         analysis,
         earthquake,
     } = quiet(
@@ -366,6 +371,7 @@ pub(crate) fn of_opened(
         found: of.found.later(seen.time.from_s),
         ..of
     });
+    let record = part.unwrap_or(opened.record);
     let answer = RecordAnswer {
         file: source.file.clone(),
         channels: opened.channels,
@@ -385,7 +391,8 @@ pub(crate) fn of_opened(
 
 /// The part of a record from which its modes are identified.
 struct Quiet {
-    record: Record,
+    /// `None`: the whole.
+    part: Option<Record>,
     analysis: ModalAnalysis,
     earthquake: Option<Earthquake>,
 }
@@ -402,7 +409,7 @@ fn quiet(
 ) -> Result<Quiet, WorkError> {
     let whole = |earthquake: Option<Earthquake>| -> Result<Quiet, WorkError> {
         Ok(Quiet {
-            record: record.clone(),
+            part: None,
             analysis: modes_of(record, options).within(|| source.file.clone())?,
             earthquake,
         })
@@ -442,7 +449,7 @@ fn quiet(
             true => modes_of(&part, options).within(|| source.file.clone())?,
             false => analysis,
         },
-        record: part,
+        part: Some(part),
         earthquake: Some(Earthquake {
             found,
             modes_of: modes_of_part,

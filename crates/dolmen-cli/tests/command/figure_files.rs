@@ -59,7 +59,10 @@ fn holds_each_figure_of_the_page_is_a_file_under_its_number() {
                 assert!(there.contains(&name), "{example}: no {name} in {there:?}");
             }
             let numbers = fs::read_to_string(folder.join(format!("figure-{number}.csv"))).unwrap();
-            assert!(numbers.lines().count() > 1, "{example}, figure {number}: {numbers}");
+            assert!(
+                numbers.lines().count() > 1,
+                "{example}, figure {number}: {numbers}"
+            );
             drawn += 1;
         }
         assert!(drawn > 0, "{example}: no figure");

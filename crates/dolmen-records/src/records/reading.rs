@@ -101,7 +101,10 @@ fn of_columns(csv: &CsvLayout, unit_unknown: bool, remarks: &mut Vec<Both>) {
         remarks.push(Remark::NamesUnread.into());
     }
     if let Some([first, last]) = csv.passed_over {
-        remarks.push(Remark::PassedOver { first, last }.into());
+        remarks.push(match first == last {
+            true => Remark::LinePassedOver { line: first }.into(),
+            false => Remark::PassedOver { first, last }.into(),
+        });
     }
     let unit_of = |name: &String| match unit_in_name(name) {
         FileUnit::Known(unit) => Some((name.clone(), unit.symbol().to_owned())),

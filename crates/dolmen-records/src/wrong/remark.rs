@@ -30,6 +30,10 @@ messages! {
             en: "names of columns are neither UTF-8 nor CP949: those columns are called ch1, ch2, … by their number; save the file as UTF-8 to have their names",
             ko: "열 이름이 UTF-8도 CP949도 아니므로 그 열을 번호에 따라 ch1, ch2, …로 부른다. 이름을 쓰려면 파일을 UTF-8로 저장한다",
         },
+        LinePassedOver { line: usize } => {
+            en: "line {line} stands above the names of the columns and is passed over",
+            ko: "열 이름 위의 {line}행은 읽지 않았다",
+        },
         PassedOver { first: usize, last: usize } => {
             en: "lines {first} to {last} stand above the names of the columns and are passed over",
             ko: "열 이름 위의 {first}~{last}행은 읽지 않았다",

@@ -9,7 +9,7 @@ use dolmen_records::motions::{MotionError, MotionOptions, read_channels, read_mo
 use std::path::Path;
 
 fn file(name: &str) -> Vec<u8> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/motions/kma");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/responses");
     std::fs::read(folder.join(name)).unwrap()
 }
 
@@ -64,7 +64,7 @@ fn refuses_what_the_responses_do_not_say() {
     ));
     let other = told(&response().replace("HGE", "BGE"));
     assert!(
-        refused(&other).starts_with("no response is of the channel \"KS.ADOA..HGE\""),
+        refused(&other).starts_with("no response is of the channel KS.ADOA..HGE"),
         "{}",
         refused(&other)
     );

@@ -54,7 +54,7 @@ pub(super) fn section<'a>(document: &mut Document<'a>, standing: &'a StandingBui
     let modes = &standing.modes;
     let shown = || modes.modes.iter().take(standing.shown());
     let caption = vec![Modes::Plan.into(), Modes::PlanMeaning.into()];
-    let plan = Figure::new(caption, |language| building_plan(standing, language));
+    let plan = Figure::drawn(caption, |language| building_plan(standing, language));
     document.charted(plan.with_series(|| table_series(&table(standing))));
     document.put(Block::Table(table(standing)));
     if shown().any(|mode| mode.repeated) {

@@ -131,7 +131,7 @@ pub(super) fn section<'a>(
     ] {
         let (heights_m, of_series) = (heights_m.clone(), heights_m.clone());
         let caption = caption.into_iter().map(Sentence::from).collect();
-        let drawn = Figure::new(caption, move |language| {
+        let drawn = Figure::drawn(caption, move |language| {
             gust_profile(plot, wind, &heights_m, language)
         });
         document.charted(drawn.with_series(move || gust_series(plot, wind, &of_series)));

@@ -109,7 +109,7 @@ fn details<'a>(document: &mut Document<'a>, simulation: &'a BuildingSimulation) 
     limits::section(document, &simulation.parts(), simulation.drift_limit.as_ref());
     document.put(Block::Paragraph(base(simulation)));
     for plot in BuildingPlot::all(simulation) {
-        let drawn = Figure::new(caption(plot, simulation), move |language| {
+        let drawn = Figure::drawn(caption(plot, simulation), move |language| {
             plot.draw(simulation, language).unwrap_or_default()
         });
         document.charted(drawn.with_series(move || plot.numbers(simulation)));

@@ -49,7 +49,7 @@ pub(super) fn section<'a>(document: &mut Document<'a>, check: &'a ChainCheck) {
             link: effect.link,
             change: Quantity::percent(-effect.change, 2),
         };
-        let drawn = Figure::new(vec![caption.into()], |language| {
+        let drawn = Figure::drawn(vec![caption.into()], |language| {
             centroid_effect(&check.limits, effect, language)
         });
         drawn.with_series(|| effect_series(&check.limits, effect))

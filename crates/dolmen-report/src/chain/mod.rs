@@ -113,7 +113,7 @@ pub(crate) fn sections<'a>(part: &ChainPart, check: &'a ChainCheck) -> Document<
         Stability::LimitsTinted.into(),
         Stability::LimitsTogether.into(),
     ];
-    let limits = Figure::new(caption, |language| {
+    let limits = Figure::drawn(caption, |language| {
         stiffness_limits(&check.limits, check.stability.as_ref(), language)
     });
     document.charted(limits.with_series(|| {
@@ -150,7 +150,7 @@ fn elevation<'a>(
         same: limit,
     };
     let (of, named) = (chain.clone(), names.clone());
-    let drawn = Figure::new(vec![caption.into(), signs.into()], move |language| {
+    let drawn = Figure::drawn(vec![caption.into(), signs.into()], move |language| {
         chain_elevation(&chain, &names, stability, language)
     });
     document.charted(drawn.with_series(move || chain_series(&of, &named)));

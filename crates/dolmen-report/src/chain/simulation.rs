@@ -115,7 +115,7 @@ fn details<'a>(document: &mut Document<'a>, simulation: &'a ChainSimulation) {
     bed_notes(document, simulation);
     let plots = ChainPlot::all(simulation).into_iter();
     for plot in plots.filter(|plot| tells(*plot, simulation)) {
-        let drawn = Figure::new(caption(plot, simulation), move |language| {
+        let drawn = Figure::drawn(caption(plot, simulation), move |language| {
             plot.draw(simulation, language).unwrap_or_default()
         });
         document.charted(drawn.with_series(move || plot.series(simulation)));

@@ -72,7 +72,7 @@ pub(crate) fn sections(answer: &CompareAnswer) -> Document<'_> {
     if !change.modes.is_empty() {
         let power = Quantity::percent(change.power, 2);
         let caption = vec![Compared::Drawn.into(), Compared::Band { power }.into()];
-        let drawn = Figure::new(caption, |language| survey_changes(change, language));
+        let drawn = Figure::drawn(caption, |language| survey_changes(change, language));
         document.charted(drawn.with_series(|| table_series(&frequencies::table(change))));
         frequencies::section(&mut document, change);
         temperature::fitted(&mut document, change);

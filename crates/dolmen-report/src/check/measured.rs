@@ -32,8 +32,8 @@ messages! {
             ko: "{direction} 방향 {tilt}",
         },
         TiltUnchecked { tilts: Vec<Sentence>, survey: String } => {
-            en: "The measured tilt of {tilts} (survey {survey}) is not checked against overturning: that needs the joints' stiffness and bed widths.",
-            ko: "실측 기울기({tilts}, {survey} 조사)에 대한 전도 검토는 하지 못하였다. 접합부 강성과 접합면 폭이 필요하다.",
+            en: "The measured tilt of {tilts} (survey {survey}) is not checked against overturning: that needs the joints' stiffness and bed widths, not all given.",
+            ko: "실측 기울기({tilts}, {survey} 조사)에 대한 전도 검토는 하지 못하였다. 접합부 강성과 접합면 폭이 모두 있어야 한다.",
         },
         TiltUnused { tilt: Sentence, direction: String, survey: String } => {
             en: "The tilt of {tilt} measured in direction {direction} (survey {survey}) is not used: storeys start plumb here. What leans pushes sideways with that share of its weight.",

@@ -217,7 +217,7 @@ fn samples<'a>(document: &mut Document<'a>, sampled: &'a Sampled, nominal: Optio
     let caption = Scatter::Drawn {
         samples: sampled.unstable.samples,
     };
-    let drawn = Figure::new(
+    let drawn = Figure::drawn(
         vec![caption.into(), Scatter::DrawnMeaning.into()],
         move |language| load_factor_distribution(&sampled.load_factors, &sampled.unstable, nominal, language),
     );

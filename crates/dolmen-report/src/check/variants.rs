@@ -251,7 +251,7 @@ pub(crate) fn section(answer: &CheckAnswer) -> Document<'_> {
     let all: Vec<Row> = basis.into_iter().chain(of_versions).collect();
     let table = table(&all);
     let caption = vec![Variants::Drawn.into(), Variants::DrawnMeaning.into()];
-    let drawn = Figure::new(caption, move |language| {
+    let drawn = Figure::drawn(caption, move |language| {
         let dots: Vec<VariantDot> = all.iter().map(|row| dot(row, language)).collect();
         variants_compared(&dots, language)
     });

@@ -97,7 +97,7 @@ pub(crate) fn sections(answer: &DemandAnswer) -> Document<'_> {
         None => (!answer.spectral.is_empty()).then_some(Demand::SpectrumOfOthers),
     };
     let caption = std::iter::once(Demand::Spectrum).chain(meaning);
-    let drawn = Figure::new(caption.map(Sentence::from).collect(), |language| {
+    let drawn = Figure::drawn(caption.map(Sentence::from).collect(), |language| {
         design_spectrum(answer, language)
     });
     document.charted(drawn.with_series(|| spectrum_series(answer)));

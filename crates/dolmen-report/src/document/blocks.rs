@@ -159,7 +159,7 @@ impl<'a> Document<'a> {
 
 impl<'a> Figure<'a> {
     /// A figure under a caption, as it is drawn; it is none before it has its numbers.
-    pub(crate) fn new(caption: Vec<Sentence>, draw: impl Fn(Language) -> String + 'a) -> Unnumbered<'a> {
+    pub(crate) fn drawn(caption: Vec<Sentence>, draw: impl Fn(Language) -> String + 'a) -> Unnumbered<'a> {
         Unnumbered {
             caption,
             draw: Box::new(draw),

@@ -69,7 +69,7 @@ fn of_survey<'a>(
     });
     let marks: Vec<DamageMark> = survey.inspections.iter().map(mark).collect();
     if damage_map(&project.structure, &marks, dolmen_words::Language::English).is_some() {
-        let map = Figure::new(
+        let map = Figure::drawn(
             vec![Damage::Map.into(), Damage::MapMeaning.into()],
             move |language| damage_map(&project.structure, &marks, language).unwrap_or_default(),
         );

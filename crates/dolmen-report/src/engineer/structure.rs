@@ -23,7 +23,7 @@ pub(crate) fn structure(project: &Project) -> Document<'_> {
     if drawing(project, Language::English).is_some() {
         document.heading(Structure::Head);
         let caption = vec![Structure::Drawing.into(), Structure::DrawingMeaning.into()];
-        let drawn = Figure::new(caption, move |language| {
+        let drawn = Figure::drawn(caption, move |language| {
             drawing(project, language).unwrap_or_default()
         });
         document.charted(drawn.with_series(move || drawing_series(project)));

@@ -39,7 +39,7 @@ messages! {
         Angle => { en: "direction from x towards y", ko: "x에서 y로 잰 방향" },
         Uplift => { en: "first uplift", ko: "들림 시작" },
         Sliding => { en: "first sliding, least", ko: "미끄러짐 시작(최소)" },
-        Columns { line: Sentence } => { en: "{line}", ko: "{line}" },
+        Line { line: Sentence } => { en: "{line}", ko: "{line}" },
         DamperX => { en: "x of the damper", ko: "제진장치의 x 위치" },
         DamperY => { en: "y of the damper", ko: "제진장치의 y 위치" },
         AsGiven { point: String } => { en: "{point}, tuned as in the file", ko: "{point}, 입력한 동조" },

@@ -164,7 +164,7 @@ pub(super) fn section<'a>(document: &mut Document<'a>, columns: &'a StoreyColumn
         FreeColumns::Figure { storey }.into(),
         FreeColumns::FigureMeaning.into(),
     ];
-    let drawn = Figure::new(caption, move |language| free_columns(columns, language));
+    let drawn = Figure::drawn(caption, move |language| free_columns(columns, language));
     document.charted(drawn.with_series(move || columns_series(columns)));
     let stiffness = |value| Quantity::engineering(value, "N/m", DIGITS);
     match (columns.springs, columns.bed_stiffness_n_m) {

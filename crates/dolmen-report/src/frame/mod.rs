@@ -97,7 +97,7 @@ fn sketch<'a>(
         _ => None,
     };
     let (of, named) = (frame.clone(), names.clone());
-    let sketch = Figure::new(caption, move |language| {
+    let sketch = Figure::drawn(caption, move |language| {
         frame_sketch(&frame, &names, known, language)
     });
     document.charted(sketch.with_series(move || frame_series(&of, &named)));

@@ -38,7 +38,7 @@ pub(super) fn section<'a>(document: &mut Document<'a>, frame: Option<Frame>, che
     }
     if let Some(frame) = frame {
         let caption = vec![Modes::Caption.into(), Modes::Drawn.into()];
-        let shapes = Figure::new(caption, move |language| drawn(&frame, &check.modes, language));
+        let shapes = Figure::drawn(caption, move |language| drawn(&frame, &check.modes, language));
         document.charted(shapes.with_series(|| table_series(&table(&check.modes))));
     }
     document.put(Block::Table(table(&check.modes)));

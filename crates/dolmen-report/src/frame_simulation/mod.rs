@@ -125,7 +125,7 @@ fn details<'a>(document: &mut Document<'a>, simulation: &'a FrameSimulation) {
         .extend(storeys::together(simulation).map(Block::Table));
     limits::section(document, &simulation.parts(), simulation.drift_limit.as_ref());
     for plot in FramePlot::all(simulation) {
-        let drawn = Figure::new(caption(plot, simulation), move |language| {
+        let drawn = Figure::drawn(caption(plot, simulation), move |language| {
             plot.draw(simulation, language).unwrap_or_default()
         });
         document.charted(drawn.with_series(move || plot.series(simulation)));

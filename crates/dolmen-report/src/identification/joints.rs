@@ -286,7 +286,7 @@ pub(super) fn section<'a>(document: &mut Document<'a>, survey: &str, answer: &'a
     document.put(Block::Table(joint_tables::factors(answer)));
     let [low, high] = band(answer);
     document.note(Joints::Band { low, high });
-    let drawn = Figure::new(
+    let drawn = Figure::drawn(
         vec![Joints::FigureCaption.into(), Joints::FigureMeaning.into()],
         move |language| joint_factors(answer, language),
     );

@@ -294,7 +294,7 @@ pub(super) fn section<'a>(document: &mut Document<'a>, survey: &str, answer: &'a
         }
     }
     if let Some(one) = found.accepted().next() {
-        let drawn = Figure::new(
+        let drawn = Figure::drawn(
             vec![Plan::ShapesCaption.into(), Plan::ShapesMeaning.into()],
             move |language| plan_modes(answer, one, language),
         );

@@ -80,7 +80,7 @@ pub(super) fn section<'a>(
     }
     document.put(Block::Table(table(answer)));
     if matches!(project.structure, Structure::Chain(_) | Structure::Frame(_)) {
-        let drawn = Figure::new(shapes_caption(answer), move |language| {
+        let drawn = Figure::drawn(shapes_caption(answer), move |language| {
             solution_shapes(&project.structure, answer, &measured, language).unwrap_or_default()
         });
         document.charted(drawn.with_series(move || table_series(&modes_table(answer))));

@@ -220,7 +220,7 @@ pub(super) fn section<'a>(
         .into(),
         OnFrames::FigureMeaning.into(),
     ];
-    let drawn = Figure::new(caption, move |language| storey_pushed(of, language));
+    let drawn = Figure::drawn(caption, move |language| storey_pushed(of, language));
     document.charted(drawn.with_series(move || pushed_series(of)));
 }
 

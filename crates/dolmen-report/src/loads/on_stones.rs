@@ -62,7 +62,7 @@ pub(super) fn section<'a>(
         document.put(Block::Table(met(&under.blown, stack)));
     }
     let caption = vec![OnStones::Figure.into(), OnStones::FigureMeaning.into()];
-    let drawn = Figure::new(caption, move |language| stack_pushed(stack, under, language));
+    let drawn = Figure::drawn(caption, move |language| stack_pushed(stack, under, language));
     document.charted(drawn.with_series(move || match under.blown.is_empty() {
         true => stone_series(stack),
         false => table_series(&met(&under.blown, stack)),

@@ -269,14 +269,14 @@ fn chain_section<'a>(
     document.note(Shown::Opens);
     let caption = vec![Shown::Figure.into(), Shown::FigureMeaning.into()];
     let heights_across = heights_m.clone();
-    let drawn = Figure::new(caption, move |language| {
+    let drawn = Figure::drawn(caption, move |language| {
         chain_moments(&chain.under, &heights_m, language)
     });
     let along = joints(Shown::Figure.into(), answer, &chain.under);
     document.charted(drawn.with_series(move || table_series(&along)));
     if let Some(across) = &chain.across {
         let caption = vec![Shown::FigureAcross.into(), Shown::FigureMeaning.into()];
-        let drawn = Figure::new(caption, move |language| {
+        let drawn = Figure::drawn(caption, move |language| {
             chain_moments(&across.under, &heights_across, language)
         });
         let across = joints(Shown::FigureAcross.into(), answer, &across.under);

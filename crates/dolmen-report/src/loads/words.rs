@@ -79,8 +79,8 @@ messages! {
             ko: "{what}: 이 하중조합의 자중만으로도 전도된다.",
         },
         AtLeast { what: Sentence, joint: usize, moment: Quantity } => {
-            en: "{what}: whether it is borne is unknown. Joint {joint} passes {moment} at the least, without what the weight adds as it leans; that needs the stiffness of the joints and the widths of their beds.",
-            ko: "{what}: 저항 여부를 판정할 수 없다. 접합면 {joint}의 모멘트는 최소 {moment}이며 기울어짐에 따른 자중의 증가분은 포함되지 않았다. 접합부 강성과 접합면 폭이 필요하다.",
+            en: "{what}: whether it is borne is unknown. Joint {joint} passes {moment} at the least, without what the weight adds as it leans; that needs the stiffness of the joints and the widths of their beds, and not all of these are given.",
+            ko: "{what}: 저항 여부를 판정할 수 없다. 접합면 {joint}의 모멘트는 최소 {moment}이며 기울어짐에 따른 자중의 증가분은 포함되지 않았다. 접합부 강성과 접합면 폭이 모두 있어야 한다.",
         },
         FrameFalls { what: Sentence, direction: String, storey: Sentence, force: Quantity, most: Quantity, factor: Quantity } => {
             en: "{what}: {storey} does not bear it in direction {direction}. {force} pushes it, and {most} is the most that it resists with; {factor} times the load is borne.",

@@ -75,7 +75,7 @@ pub(super) fn section<'a>(document: &mut Document<'a>, survey: &str, model: &'a 
         rows: rows.map(|(at, of)| row(model, at, of)).collect(),
     }));
     let caption = vec![Beside::Figure.into(), Beside::FigureMeaning.into()];
-    let figure = Figure::new(caption, move |language| model_likeness(model, language));
+    let figure = Figure::drawn(caption, move |language| model_likeness(model, language));
     document.charted(figure.with_series(move || {
         let measured = model.measured.iter().map(|of| of.frequency_hz);
         let mut all = vec![Series::numbers(Beside::Frequency, "Hz", measured)];

@@ -80,7 +80,7 @@ fn responses<'a>(document: &mut Document<'a>, driven: &'a Driven, analysis: &'a 
             segments: of.segments,
         };
         let caption = vec![caption.into(), Drivens::ResponsesMeaning.into()];
-        let figure = Figure::new(caption, move |language| {
+        let figure = Figure::drawn(caption, move |language| {
             response_magnitudes(analysis, (of, input), language)
         });
         document.charted(figure.with_series(move || of_input(of, (input, name))));
@@ -90,7 +90,7 @@ fn responses<'a>(document: &mut Document<'a>, driven: &'a Driven, analysis: &'a 
         chance: fixed(driven.inputs.len() as f64 / of.segments as f64, 2),
     };
     let caption = vec![Drivens::Coherence.into(), meaning.into()];
-    let figure = Figure::new(caption, move |language| {
+    let figure = Figure::drawn(caption, move |language| {
         response_coherence(analysis, of, language)
     });
     document.charted(figure.with_series(move || {

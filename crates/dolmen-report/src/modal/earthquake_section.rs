@@ -27,7 +27,7 @@ pub(super) fn section<'a>(document: &mut Document<'a>, record: &'a RecordAnswer)
     let largest = found.largest();
     if largest.channels.iter().any(|of| !of.spectrum.is_empty()) {
         let caption = vec![Quake::Spectra.into(), Quake::SpectraMeaning.into()];
-        let figure = Figure::new(caption, move |language| {
+        let figure = Figure::drawn(caption, move |language| {
             spectra_of_channels(&largest.channels, language)
         });
         document.charted(figure.with_series(move || spectra(&largest.channels)));
@@ -44,7 +44,7 @@ pub(super) fn section<'a>(document: &mut Document<'a>, record: &'a RecordAnswer)
         During::Unknown => {}
     }
     let caption = vec![Quake::Through.into(), Quake::ThroughMeaning.into()];
-    let through = Figure::new(caption, move |language| frequency_through(found, language));
+    let through = Figure::drawn(caption, move |language| frequency_through(found, language));
     document.charted(through.with_series(move || through_series(found)));
     if !found.changes.is_empty() {
         let caption = match is_one {

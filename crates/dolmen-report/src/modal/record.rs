@@ -157,11 +157,11 @@ fn read(document: &mut Document<'_>, record: &RecordAnswer) {
 
 fn figures<'a>(document: &mut Document<'a>, analysis: &'a ModalAnalysis) {
     let caption = vec![Record::Spectrum.into(), Record::SpectrumMeaning.into()];
-    let values = Figure::new(caption, |language| singular_values(analysis, language));
+    let values = Figure::drawn(caption, |language| singular_values(analysis, language));
     document.charted(values.with_series(|| singular_series(analysis)));
     if !analysis.stabilization.poles.is_empty() {
         let caption = vec![Record::Stabilization.into(), Record::StabilizationMeaning.into()];
-        let poles = Figure::new(caption, |language| stabilization(analysis, language));
+        let poles = Figure::drawn(caption, |language| stabilization(analysis, language));
         document.charted(poles.with_series(|| pole_series(analysis)));
     }
 }

@@ -64,7 +64,7 @@ pub(super) fn time_figure<'a>(document: &mut Document<'a>, seen: &'a RecordSeen)
     if time.lost_elsewhere {
         caption.push(Seen::LostElsewhere.into());
     }
-    let figure = Figure::new(caption, move |language| channels_over_time(seen, language));
+    let figure = Figure::drawn(caption, move |language| channels_over_time(seen, language));
     document.charted(figure.with_series(move || envelopes(seen)));
 }
 
@@ -90,7 +90,7 @@ pub(super) fn spectrogram_figure<'a>(document: &mut Document<'a>, seen: &'a Reco
         }
         .into(),
     ];
-    let figure = Figure::new(caption, move |language| spectrogram(seen, drawn, modes, language));
+    let figure = Figure::drawn(caption, move |language| spectrogram(seen, drawn, modes, language));
     document.charted(figure.with_series(move || densities(seen, drawn)));
 }
 

@@ -63,16 +63,16 @@ pub(super) fn shape_figures<'a>(document: &mut Document<'a>, modes: &'a Modes, o
         ShapeFigures::Setups => vec![Shapes::OfSetups.into(), Shapes::OfSetupsMeaning.into()],
         ShapeFigures::Joint => vec![Shapes::OfJoint.into()],
     };
-    let still = Figure::new(caption, |language| sensor_shapes(modes, language));
+    let still = Figure::drawn(caption, |language| sensor_shapes(modes, language));
     document.charted(still.with_series(|| table_series(&shapes_table(modes))));
     if of != ShapeFigures::Joint && likeness(modes, Language::English).is_some() {
         let caption = vec![Shapes::Likeness.into(), Shapes::LikenessMeaning.into()];
-        let alike = Figure::new(caption, |language| likeness(modes, language).unwrap_or_default());
+        let alike = Figure::drawn(caption, |language| likeness(modes, language).unwrap_or_default());
         document.charted(alike.with_series(|| likeness_series(modes)));
     }
     if of != ShapeFigures::Joint && moving_shapes(modes, Language::English).is_some() {
         let caption = vec![Shapes::Moving.into(), Shapes::MovingMeaning.into()];
-        let moving = Figure::new(caption, |language| {
+        let moving = Figure::drawn(caption, |language| {
             moving_shapes(modes, language).unwrap_or_default()
         });
         document.charted(moving.with_series(|| table_series(&shapes_table(modes))));

@@ -37,7 +37,7 @@ messages! {
 pub(crate) fn sections(answer: &PortfolioAnswer) -> Document<'_> {
     let mut document = Document::default();
     remarks::before(&mut document, answer);
-    let drawn = Figure::new(vec![Rank::FigureCaption.into()], |language| {
+    let drawn = Figure::drawn(vec![Rank::FigureCaption.into()], |language| {
         ranking(answer, language)
     });
     document.charted(drawn.with_series(|| table_series(&table::table(answer, false))));

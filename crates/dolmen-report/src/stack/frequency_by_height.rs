@@ -48,7 +48,7 @@ pub(super) fn section<'a>(document: &mut Document<'a>, answer: &'a StackAnswer) 
         &thumb,
         caption.clone(),
     )));
-    let drawn = Figure::new(caption, {
+    let drawn = Figure::drawn(caption, {
         let thumb = thumb.clone();
         move |language| frequency_by_height(grid, &thumb, language).unwrap_or_default()
     });

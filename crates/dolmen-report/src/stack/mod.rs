@@ -107,7 +107,7 @@ pub(crate) fn sections<'a>(answer: &'a StackAnswer, fits: &[SpringFit], shaking:
     let check = &answer.check;
     let mut document = Document::default();
     document.heading(Drawn::Head);
-    let model = Figure::new(vec![Drawn::Model.into(), parts(answer).into()], |language| {
+    let model = Figure::drawn(vec![Drawn::Model.into(), parts(answer).into()], |language| {
         stack_view(&answer.stack, language)
     });
     document.charted(model.with_series(|| stone_series(&answer.stack)));
@@ -135,12 +135,12 @@ fn is_cut_through(answer: &StackAnswer) -> bool {
 fn by_joints<'a>(document: &mut Document<'a>, answer: &'a StackAnswer, shaking: Shaking) {
     let check = &answer.check;
     let caption = vec![Drawn::Governing.into(), Drawn::GoverningMeaning.into()];
-    let governing = Figure::new(caption, move |language| {
+    let governing = Figure::drawn(caption, move |language| {
         stack_governing(&check.limits, &shaking, language)
     });
     document.charted(governing.with_series(|| limits::series(check)));
     let caption = vec![Drawn::Capacity.into(), Drawn::CapacityTinted.into()];
-    let capacity = Figure::new(caption, move |language| {
+    let capacity = Figure::drawn(caption, move |language| {
         stack_capacity(&check.limits, &shaking, language)
     });
     document.charted(capacity.with_series(|| limits::series(check)));
@@ -166,7 +166,7 @@ fn directions<'a>(document: &mut Document<'a>, answer: &'a StackAnswer, shaking:
     let draw = move |language| stack_directions(limits, &shaking, gravity_m_s2, language);
     if draw(dolmen_words::Language::English).is_some() {
         let caption = vec![Drawn::Directions.into(), Drawn::DirectionsMeaning.into()];
-        let drawn = Figure::new(caption, move |language| draw(language).unwrap_or_default());
+        let drawn = Figure::drawn(caption, move |language| draw(language).unwrap_or_default());
         document.charted(drawn.with_series(move || direction_series(limits, gravity_m_s2)));
     }
 }

@@ -207,7 +207,7 @@ pub(super) fn section<'a>(document: &mut Document<'a>, answer: &'a StackAnswer) 
         }
         .into(),
     ];
-    let drawn = Figure::new(caption, move |language| {
+    let drawn = Figure::drawn(caption, move |language| {
         moved_supports(stack, &supports.last, language)
     });
     document.charted(drawn.with_series(move || moved_series(stack, &supports.last.solids)));

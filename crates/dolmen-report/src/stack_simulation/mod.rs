@@ -107,7 +107,7 @@ fn ended(document: &mut Document<'_>, runs: &StackRuns) {
 }
 
 fn details<'a>(document: &mut Document<'a>, simulation: &'a StackSimulation) {
-    let after = Figure::new(
+    let after = Figure::drawn(
         vec![Shown::After.into(), Shown::AfterMeaning.into()],
         |language| stack_after(simulation, language),
     );
@@ -115,7 +115,7 @@ fn details<'a>(document: &mut Document<'a>, simulation: &'a StackSimulation) {
     document.put(Block::Table(tables::joints(simulation)));
     document.paragraph(run::top(simulation));
     for plot in StackPlot::ALL {
-        let drawn = Figure::new(caption(plot), move |language| {
+        let drawn = Figure::drawn(caption(plot), move |language| {
             plot.draw(simulation, language).unwrap_or_default()
         });
         document.charted(drawn.with_series(move || plot.series(simulation)));

@@ -237,7 +237,7 @@ fn details<'a>(document: &mut Document<'a>, of: &'a SupportsSimulation) {
     document.heading(InTime::Head);
     document.put(Block::Table(ways(of)));
     let caption = vec![InTime::Figure.into(), InTime::FigureMeaning.into()];
-    let drawn = Figure::new(caption, move |language| supports_in_time(of, language));
+    let drawn = Figure::drawn(caption, move |language| supports_in_time(of, language));
     document.charted(drawn.with_series(move || supports_series(of)));
     document.note(InTime::Meaning);
 }

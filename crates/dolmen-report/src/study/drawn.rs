@@ -50,7 +50,7 @@ pub(super) fn section<'a>(document: &mut Document<'a>, answer: &'a StudyAnswer) 
     let drawn = Rc::new([OnceCell::from(svgs(english)), OnceCell::new()]);
     for (at, name) in names.into_iter().enumerate().take(FIGURES_MOST) {
         let drawn = Rc::clone(&drawn);
-        let figure = Figure::new(caption(&name), move |language| {
+        let figure = Figure::drawn(caption(&name), move |language| {
             let all = drawn[language.pick(0, 1)].get_or_init(|| svgs(study_figures(answer, language)));
             all.get(at).cloned().unwrap_or_default()
         });

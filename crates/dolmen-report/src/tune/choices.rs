@@ -178,7 +178,7 @@ pub(super) fn section<'a>(document: &mut Document<'a>, answer: &'a TuneAnswer) {
             "plan" => vec![Choices::Plan.into(), Choices::PlanMeaning.into()],
             _ => vec![Choices::Robustness.into(), Choices::RobustnessMeaning.into()],
         };
-        let drawn = Figure::new(caption, move |language| draw(answer, language));
+        let drawn = Figure::drawn(caption, move |language| draw(answer, language));
         document.charted(drawn.with_series(move || tune_series(answer, figure)));
     }
 }

@@ -86,7 +86,7 @@ pub(crate) const TEMPLATES: [&[Template]; 16] = [
 pub(crate) fn sections(answer: &WatchAnswer) -> Document<'_> {
     let mut document = Document::default();
     document.heading(Years::Head);
-    let drawn = Figure::new(vec![Years::Drawn.into(), Years::Panels.into()], |language| {
+    let drawn = Figure::drawn(vec![Years::Drawn.into(), Years::Panels.into()], |language| {
         years(answer, language)
     });
     document.charted(drawn.with_series(|| years_series(answer)));

@@ -120,7 +120,7 @@ fn section(run: &WindSimulation) -> Document<'_> {
     }
     document.note(Histories::LeftOut);
     for plot in WindPlot::all(run) {
-        let drawn = Figure::new(caption(plot), move |language| {
+        let drawn = Figure::drawn(caption(plot), move |language| {
             plot.draw(run, language).unwrap_or_default()
         });
         document.charted(drawn.with_series(move || plot.numbers(run)));

@@ -118,7 +118,7 @@ impl Evidence {
             surveys.any(|survey| survey.name == name && survey.is_made_up)
         };
         let found = found.iter().filter(|of| !is_made_up(&of.survey));
-        measured.extend(found.filter_map(|of| {
+        measured.extend(found.clone().filter_map(|of| {
             Some(MeasuredFrequency {
                 survey: of.survey.clone(),
                 direction: of.direction.to_owned(),
@@ -128,7 +128,13 @@ impl Evidence {
             })
         }));
         if measured.is_empty() {
-            return Evidence::without(project, check);
+            return match Evidence::without(project, check) {
+                // its modes are known, the model's are not
+                Evidence::Unread { survey } if found.clone().any(|of| of.survey == survey) => {
+                    Evidence::NotCompared { survey }
+                }
+                none => none,
+            };
         }
         match Evidence::of_frequencies(latest(project, measured)) {
             Evidence::Agrees { survey } if project.identified_from().contains(survey.as_str()) => {

@@ -13,7 +13,8 @@ use dolmen_words::Language;
 use dolmen_work::{CheckOptions, Opened, check, told};
 use std::fmt::Write as _;
 
-const SEED: u64 = 20_261_124;
+/// Another than that of the draws by which the bound of load factors was set.
+const SEED: u64 = 20_261_127;
 const DRAWN: usize = 1000;
 /// Of 1,000: half a per cent.
 const ALARMS_MOST: usize = 5;

@@ -10,7 +10,9 @@
 
 use super::ModalError;
 use super::streaming_sums::StreamingSums;
+use crate::numeric::inner;
 use crate::signal::Record;
+use pulp::{Arch, Simd, WithSimd};
 use std::f64::consts::PI;
 
 /// Segments shorter than this waste the FFT on its overhead.
@@ -26,17 +28,16 @@ pub(crate) const CLEAN_SHARE: f64 = 0.8;
 #[derive(Clone, Debug)]
 pub(crate) struct Correlations {
     pub(crate) channels: usize,
-    /// Largest lag K.
-    pub(crate) lags: usize,
     /// Time from one lag to the next, s.
     pub(crate) step_s: f64,
     /// R_k of the whole record: lag after lag, each row by row.
     pub(crate) mean: Vec<f64>,
-    /// Share of block j in the mean times (R_k of block j - mean): they sum to zero.
-    pub(crate) deviations: Vec<Vec<f64>>,
+    /// Share of block j in the mean times (R_k of block j - mean): they sum to zero. In 32 bits: only deviations come from them.
+    pub(crate) deviations: Vec<Vec<f32>>,
     /// The samples that windows other than this one gain or lose; `None` after decimation.
     pub(crate) ends: Option<Ends>,
-    /// After decimation: the same as `mean` of the record with zeros behind it. Matrices of these are never indefinite.
+    /// After decimation, where they are asked for: the same as `mean` of the record with zeros behind it. Matrices of these are never
+    /// indefinite.
     pub(crate) padded: Option<Vec<f64>>,
 }
 
@@ -58,6 +59,11 @@ pub(crate) fn lags_before(lags: usize, factor: usize) -> usize {
     } else {
         lags
     }
+}
+
+/// Deviations in 64 bits, to calculate with.
+pub(crate) fn wide(lags: &[f32]) -> Vec<f64> {
+    lags.iter().map(|x| f64::from(*x)).collect()
 }
 
 /// How a record is cut for one pass over it.
@@ -98,54 +104,183 @@ pub(crate) fn windows(record: &Record, lags: usize, blocks: usize) -> Result<Win
 /// ```
 /// Each lag sums over the same start times, so that all lags weigh the record alike. The mean of each channel is
 /// removed while reading; the record is not copied.
+#[cfg(test)]
 pub(crate) fn correlate(record: &Record, lags: usize, blocks: usize) -> Result<Correlations, ModalError> {
-    let l = record.channels().len();
-    let windows = windows(record, lags, blocks)?;
+    correlate_lowered(record, (lags, blocks), &LowPass::new(1), false)
+}
+
+/// The same after a low-pass filter and decimation by `factor`, for `lags` at the new rate; `padded` too if that is asked.
+///
+/// ```text
+/// R'_k = Σ h_m R_(factor k - m),   h_m = sinc(m / factor) / factor × Blackman's window
+/// ```
+/// h is the correlation of the filter's own response. It is zero at every multiple of `factor` but 0: white
+/// sensor noise stays white, in R_0 alone. Each block of time is filtered as soon as it is summed: no more than one is held at the old rate.
+pub(crate) fn correlate_decimated(
+    record: &Record,
+    (lags, blocks): (usize, usize),
+    factor: usize,
+    is_padded: bool,
+) -> Result<Correlations, ModalError> {
+    correlate_lowered(record, (lags, blocks), &LowPass::new(factor), is_padded)
+}
+
+fn correlate_lowered(
+    record: &Record,
+    (lags, blocks): (usize, usize),
+    low_pass: &LowPass,
+    is_padded: bool,
+) -> Result<Correlations, ModalError> {
+    let (l, factor) = (record.channels().len(), low_pass.factor);
+    let before = lags_before(lags, factor);
+    let windows = windows(record, before, blocks)?;
     let (starts, segment) = (windows.starts, windows.segment);
-    let mut pass = StreamingSums::new(record, 0..l, lags, segment);
+    let mut pass = StreamingSums::new(record, 0..l, before, segment);
     let segments = windows.segments();
-    let mut sums: Vec<(usize, Vec<f64>)> = Vec::with_capacity(blocks);
+    let mut of_pairs = vec![0.0; (before + 1) * l * l];
+    let mut mean = vec![0.0; (lags + 1) * l * l];
+    // the first block stands for the mean until that is known, so that 32 bits hold differences alone
+    let mut first: Vec<f64> = Vec::new();
+    let mut parts: Vec<(f64, Vec<f32>)> = Vec::with_capacity(blocks);
     for j in 0..blocks {
         let range = j * segments / blocks..(j + 1) * segments / blocks;
-        let count = (range.end * segment).min(starts) - range.start * segment;
-        let mut sum = vec![0.0; (lags + 1) * l * l];
+        let count = ((range.end * segment).min(starts) - range.start * segment) as f64;
         pass.block(range, starts, |[a, b], of_pair| {
-            for (of_lag, t) in sum.chunks_exact_mut(l * l).zip(of_pair) {
-                of_lag[a * l + b] = *t;
-            }
+            let at = (a * l + b) * (before + 1);
+            of_pairs[at..=at + before].copy_from_slice(of_pair);
         });
-        sums.push((count, sum));
-    }
-    let size = (lags + 1) * l * l;
-    let mut mean = vec![0.0; size];
-    for (_, sum) in &sums {
-        for (m, s) in mean.iter_mut().zip(sum) {
-            *m += s;
+        let sum = low_pass.lowered(&of_pairs, l, [before, lags]);
+        if first.is_empty() {
+            first = sum.iter().map(|s| s / count).collect();
         }
+        let part = sum.iter().zip(&first).map(|(s, f)| (s - count * f) as f32);
+        parts.push((count, part.collect()));
+        mean.iter_mut().zip(&sum).for_each(|(m, s)| *m += s);
     }
     mean.iter_mut().for_each(|m| *m /= starts as f64);
-    let deviations = sums
-        .into_iter()
-        .map(|(count, mut sum)| {
-            for (s, m) in sum.iter_mut().zip(&mean) {
-                *s = (*s - count as f64 * m) / starts as f64;
-            }
-            sum
-        })
-        .collect();
+    first.iter_mut().zip(&mean).for_each(|(f, m)| *f = m - *f);
+    let deviation = |(count, mut part): (f64, Vec<f32>)| {
+        for (d, late) in part.iter_mut().zip(&first) {
+            *d = ((f64::from(*d) - count * late) / starts as f64) as f32;
+        }
+        part
+    };
+    let deviations = parts.into_iter().map(deviation).collect();
+    let ends = |count: usize| Ends {
+        head: pass.samples(0..count),
+        tail: pass.samples(starts..starts + count),
+        starts,
+    };
+    let padded = (factor > 1 && is_padded).then(|| {
+        ends(before).products(l, before, &mut of_pairs);
+        let more = low_pass.lowered(&of_pairs, l, [before, lags]);
+        mean.iter().zip(more).map(|(m, more)| m + more).collect()
+    });
     Ok(Correlations {
         channels: l,
-        lags,
-        step_s: 1.0 / record.sampling_rate_hz(),
-        mean,
+        step_s: factor as f64 / record.sampling_rate_hz(),
         deviations,
-        ends: Some(Ends {
-            head: pass.samples(0..lags),
-            tail: pass.samples(starts..starts + lags),
-            starts,
-        }),
-        padded: None,
+        ends: (factor == 1).then(|| ends(lags)),
+        padded,
+        mean,
     })
+}
+
+impl Ends {
+    /// What start times up to the last that has an end add to the mean of `lags` lags, a pair of channels after the other.
+    fn products(&self, l: usize, lags: usize, of_pairs: &mut [f64]) {
+        let share = 1.0 / self.starts as f64;
+        let tail = |c: usize| -> Vec<f64> { self.tail[c..].iter().step_by(l).copied().collect() };
+        let tails: Vec<Vec<f64>> = (0..l).map(tail).collect();
+        for (pair, sums) in of_pairs.chunks_exact_mut(lags + 1).enumerate() {
+            let (late, early) = (&tails[pair / l], &tails[pair % l]);
+            for (k, sum) in sums.iter_mut().enumerate() {
+                *sum = share * inner(&late[k..], &early[..early.len() - k]);
+            }
+        }
+    }
+}
+
+/// Pairs of channels that are filtered at once: two or more registers of every processor.
+const PAIRS: usize = 16;
+
+/// The filter of [`correlate_decimated`].
+struct LowPass {
+    factor: usize,
+    /// h from -reach to reach, of sum 1.
+    weights: Vec<f64>,
+}
+
+impl LowPass {
+    /// A factor of 0 or 1 changes nothing.
+    fn new(factor: usize) -> Self {
+        if factor <= 1 {
+            return LowPass {
+                factor: 1,
+                weights: vec![1.0],
+            };
+        }
+        let reach = CROSSINGS * factor;
+        let h: Vec<f64> = (0..=reach).map(|m| filter(m, factor, reach)).collect();
+        let gain = h[0] + 2.0 * h[1..].iter().sum::<f64>();
+        LowPass {
+            factor,
+            weights: (0..=2 * reach).map(|m| h[m.abs_diff(reach)] / gain).collect(),
+        }
+    }
+
+    /// From lags 0 to `before` of a pair of channels after the other to lags 0 to `lags` at the new rate, lag after lag.
+    fn lowered(&self, of_pairs: &[f64], l: usize, [before, lags]: [usize; 2]) -> Vec<f64> {
+        let reach = self.weights.len() / 2;
+        let mut out = vec![0.0; (lags + 1) * l * l];
+        let mut along = vec![[0.0; PAIRS]; reach + before + 1];
+        for from in (0..l * l).step_by(PAIRS) {
+            let pairs = from..(from + PAIRS).min(l * l);
+            for pair in pairs.clone() {
+                let of = |pair: usize| &of_pairs[pair * (before + 1)..(pair + 1) * (before + 1)];
+                let turned = of(pair % l * l + pair / l); // R_-k = R_kᵀ
+                let late = turned[1..=reach.min(before)].iter().rev().chain(of(pair));
+                for (along, r) in along.iter_mut().zip(late) {
+                    along[pair - from] = *r;
+                }
+            }
+            let columns = out.chunks_exact_mut(l * l).map(|lag| &mut lag[pairs.clone()]);
+            Arch::new().dispatch(Filtered {
+                along: &along,
+                weights: &self.weights,
+                factor: self.factor,
+                columns,
+            });
+        }
+        out
+    }
+}
+
+/// Each of the columns: what the filter makes of the values from its own on.
+struct Filtered<'a, C> {
+    along: &'a [[f64; PAIRS]],
+    weights: &'a [f64],
+    factor: usize,
+    columns: C,
+}
+
+impl<'a, C: Iterator<Item = &'a mut [f64]>> WithSimd for Filtered<'_, C> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        for (k, column) in self.columns.enumerate() {
+            let mut sum = [0.0; PAIRS];
+            for (weight, along) in self.weights.iter().zip(&self.along[k * self.factor..]) {
+                for (sum, r) in sum.iter_mut().zip(along) {
+                    *sum += weight * r;
+                }
+            }
+            for (x, sum) in column.iter_mut().zip(sum) {
+                *x = sum;
+            }
+        }
+    }
 }
 
 impl Correlations {
@@ -158,22 +293,28 @@ impl Correlations {
     /// Of the channels in another order, each times its sign.
     pub(crate) fn arranged(&self, order: &[usize], signs: &[f64]) -> Correlations {
         let l = self.channels;
+        let places: Vec<(f64, usize)> = (0..l * l)
+            .map(|at| (at / l, at % l))
+            .map(|(i, j)| (signs[i] * signs[j], order[i] * l + order[j]))
+            .collect();
         let pairs = |lags: &Vec<f64>| -> Vec<f64> {
-            let of_lag = |lag: &[f64]| -> Vec<f64> {
-                let places = (0..l * l).map(|at| (at / l, at % l));
-                places
-                    .map(|(i, j)| signs[i] * signs[j] * lag[order[i] * l + order[j]])
-                    .collect()
-            };
+            let of_lag =
+                |lag: &[f64]| -> Vec<f64> { places.iter().map(|(sign, at)| sign * lag[*at]).collect() };
             lags.chunks_exact(l * l).flat_map(of_lag).collect()
         };
+        let deviations = self.deviations.iter().map(|lags| {
+            let of_lag = |lag: &[f32]| -> Vec<f32> {
+                places.iter().map(|(sign, at)| *sign as f32 * lag[*at]).collect()
+            };
+            lags.chunks_exact(l * l).flat_map(of_lag).collect()
+        });
         let samples = |all: &Vec<f64>| -> Vec<f64> {
             let of_sample = |y: &[f64]| -> Vec<f64> { (0..l).map(|i| signs[i] * y[order[i]]).collect() };
             all.chunks_exact(l).flat_map(of_sample).collect()
         };
         Correlations {
             mean: pairs(&self.mean),
-            deviations: self.deviations.iter().map(pairs).collect(),
+            deviations: deviations.collect(),
             ends: self.ends.as_ref().map(|ends| Ends {
                 head: samples(&ends.head),
                 tail: samples(&ends.tail),
@@ -181,71 +322,6 @@ impl Correlations {
             }),
             padded: self.padded.as_ref().map(pairs),
             ..*self
-        }
-    }
-
-    /// Lags of the record with zeros behind it: start times up to the last that has an end, over the same S.
-    fn padded(&self) -> Option<Vec<f64>> {
-        let (l, ends) = (self.channels, self.ends.as_ref()?);
-        let share = 1.0 / ends.starts as f64;
-        let tail: Vec<&[f64]> = ends.tail.chunks_exact(l).collect();
-        let mut padded = self.mean.clone();
-        for (k, sum) in padded.chunks_exact_mut(l * l).enumerate() {
-            for (late, early) in tail.iter().skip(k).zip(&tail) {
-                for (row, a) in sum.chunks_exact_mut(l).zip(*late) {
-                    for (x, b) in row.iter_mut().zip(*early) {
-                        *x += share * a * b;
-                    }
-                }
-            }
-        }
-        Some(padded)
-    }
-
-    /// Correlations of the record after a low-pass filter and decimation by `factor`, from those before it.
-    ///
-    /// ```text
-    /// R'_k = Σ h_m R_(factor k - m),   h_m = sinc(m / factor) / factor × Blackman's window
-    /// ```
-    /// h is the correlation of the filter's own response. It is zero at every multiple of `factor` but 0: white
-    /// sensor noise stays white, in R_0 alone.
-    pub(crate) fn decimated(self, factor: usize) -> Correlations {
-        if factor <= 1 {
-            return self;
-        }
-        let reach = CROSSINGS * factor;
-        let lags = (self.lags / factor).saturating_sub(CROSSINGS);
-        let h: Vec<f64> = (0..=reach).map(|m| filter(m, factor, reach)).collect();
-        let gain = h[0] + 2.0 * h[1..].iter().sum::<f64>();
-        let reduce = |r: &[f64]| {
-            let l = self.channels;
-            let mut out = vec![0.0; (lags + 1) * l * l];
-            for (k, target) in out.chunks_exact_mut(l * l).enumerate() {
-                for m in 0..=2 * reach {
-                    let weight = h[m.abs_diff(reach)] / gain;
-                    let at = (k * factor + m) as isize - reach as isize;
-                    let from = &r[at.unsigned_abs() * l * l..(at.unsigned_abs() + 1) * l * l];
-                    if at >= 0 {
-                        for (t, x) in target.iter_mut().zip(from) {
-                            *t += weight * x;
-                        }
-                    } else {
-                        for (i, t) in target.iter_mut().enumerate() {
-                            *t += weight * from[(i % l) * l + i / l]; // R_-k = R_kᵀ
-                        }
-                    }
-                }
-            }
-            out
-        };
-        Correlations {
-            channels: self.channels,
-            lags,
-            step_s: self.step_s * factor as f64,
-            mean: reduce(&self.mean),
-            deviations: self.deviations.iter().map(|d| reduce(d)).collect(),
-            ends: None,
-            padded: self.padded().map(|padded| reduce(&padded)),
         }
     }
 }
@@ -296,9 +372,67 @@ mod tests {
                 assert!((found - sum / starts as f64).abs() < 1e-13, "lag {k}: {found}");
             }
         }
+        // six segments of 512 samples in four blocks
+        let deviation = |k: usize, [from, to]: [usize; 2]| {
+            let product = |t: usize| centred[2][t + k] * centred[1][t];
+            let whole: f64 = (0..starts).map(product).sum();
+            let own: f64 = (from..to).map(product).sum();
+            (own - (to - from) as f64 * whole / starts as f64) / starts as f64
+        };
+        let segments = starts.div_ceil(512);
+        for (j, found) in r.deviations.iter().enumerate() {
+            let span = [j, j + 1].map(|j| (j * segments / blocks * 512).min(starts));
+            for k in [0, 1, 20, lags] {
+                let (found, exact) = (f64::from(found[k * 9 + 7]), deviation(k, span));
+                assert!((found - exact).abs() < 1e-9, "{j} {k}: {found} {exact}"); // of 32 bits
+            }
+        }
         for at in 0..r.mean.len() {
-            let sum: f64 = r.deviations.iter().map(|d| d[at]).sum();
-            assert!(sum.abs() < 1e-13);
+            let sum: f64 = r.deviations.iter().map(|d| f64::from(d[at])).sum();
+            assert!(sum.abs() < 1e-8);
+        }
+    }
+
+    #[test]
+    fn exact_filter_of_all_lags_of_more_pairs_than_are_filtered_at_once() {
+        let (l, factor, lags) = (5, 3, 8);
+        let record = noise(l, 3001);
+        let before = lags_before(lags, factor);
+        let (r, found) = (
+            correlate(&record, before, 4).unwrap(),
+            correlate_decimated(&record, (lags, 4), factor, true).unwrap(),
+        );
+        assert!((found.step_s - 0.3).abs() < 1e-15 && found.ends.is_none());
+        let reach = (CROSSINGS * factor) as isize;
+        let h = |m: isize| filter(m.unsigned_abs(), factor, CROSSINGS * factor);
+        let gain: f64 = (-reach..=reach).map(h).sum();
+        let filtered = |at: &dyn Fn(usize, usize, usize) -> f64, [k, a, b]: [usize; 3]| -> f64 {
+            let term = |m: isize| match (k * factor) as isize - m {
+                late if late >= 0 => h(m) * at(late as usize, a, b),
+                early => h(m) * at(early.unsigned_abs(), b, a),
+            };
+            (-reach..=reach).map(term).sum::<f64>() / gain
+        };
+        let starts = record.length() - before;
+        let means: Vec<f64> = (0..l)
+            .map(|c| record.samples(c).iter().sum::<f64>() / 3001.0)
+            .collect();
+        let padded = |k: usize, a: usize, b: usize| {
+            let product =
+                |t: usize| (record.samples(a)[t + k] - means[a]) * (record.samples(b)[t] - means[b]);
+            (0..3001 - k).map(product).sum::<f64>() / starts as f64
+        };
+        for [k, a, b] in [[0, 0, 0], [0, 4, 1], [1, 1, 4], [8, 3, 2], [8, 4, 4]] {
+            let at = (k * l + a) * l + b;
+            let exact = filtered(&|k, a, b| r.lag(k)[a * l + b], [k, a, b]);
+            assert!(
+                (found.mean[at] - exact).abs() < 1e-14,
+                "{k}: {} {exact}",
+                found.mean[at]
+            );
+            let exact = filtered(&padded, [k, a, b]);
+            let with_zeros = found.padded.as_ref().unwrap()[at];
+            assert!((with_zeros - exact).abs() < 1e-13, "{k}: {with_zeros} {exact}");
         }
     }
 
@@ -309,10 +443,8 @@ mod tests {
             .map(|t| (2.0 * PI * frequency_hz * t as f64 / 10.0).sin())
             .collect();
         let record = Record::from_contiguous(vec![Channel::named("wave")], wave, 10.0).unwrap();
-        let slow = correlate(&record, lags_before(8, factor), 4)
-            .unwrap()
-            .decimated(factor);
-        assert_eq!(slow.lags, 8);
+        let slow = correlate_decimated(&record, (8, 4), factor, false).unwrap();
+        assert_eq!(slow.mean.len(), 9);
         for k in 0..=8 {
             let exact = 0.5 * (2.0 * PI * frequency_hz * k as f64 * slow.step_s).cos();
             assert!(

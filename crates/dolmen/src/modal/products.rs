@@ -41,6 +41,11 @@ impl Segments {
         }
     }
 
+    /// Segments there is room for.
+    pub(super) fn most(&self) -> usize {
+        self.most
+    }
+
     pub(super) fn is_full(&self) -> bool {
         self.held == self.most
     }

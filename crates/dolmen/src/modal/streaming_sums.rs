@@ -14,7 +14,7 @@ use std::ops::Range;
 /// Segments whose spectra are multiplied in one go: their part of one group of bins, of 32 channels, stays in the second cache. Fewer where
 /// their spectra would take more memory than this.
 const SEGMENTS_AT_ONCE: usize = 16;
-const SPECTRA_BYTES: usize = 1 << 25;
+const SPECTRA_BYTES: usize = 1 << 24;
 
 pub(super) struct StreamingSums<'a> {
     reader: Reader<'a>,
@@ -68,6 +68,18 @@ impl<'a> StreamingSums<'a> {
             sums: vec![Bins::default(); rows.len() * l * groups],
             rows,
         }
+    }
+
+    /// The same of other rows, in the memory of those before.
+    pub(super) fn turned_to(mut self, rows: Range<usize>) -> Self {
+        if rows.len() != self.rows.len() {
+            let groups = (self.segment + 1).div_ceil(WIDTH);
+            self.future = Segments::new(rows.len(), groups, self.past.most());
+            self.sums
+                .resize(rows.len() * self.reader.means.len() * groups, Bins::default());
+        }
+        self.rows = rows;
+        self
     }
 
     /// The samples in `range`, means removed, sample after sample.

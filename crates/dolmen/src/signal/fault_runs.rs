@@ -50,11 +50,9 @@ pub(super) fn stuck(x: &[f64], rate_hz: f64) -> Option<[usize; 2]> {
     let wanted = STUCK_LEAST.max((STUCK_S * rate_hz).ceil() as usize);
     // the mean of the others: a channel that is dead most of the time also has one such run
     let others = (x.len() - length) / (runs - 1).max(1);
-    let mut least = wanted.max(STUCK_RUNS * others.max(1)).max(STUCK_BESIDE * beside);
-    if is_coarse(x) {
-        least = least.max((COARSE_SHARE * x.len() as f64) as usize);
-    }
-    (runs > 1 && length >= least).then_some(longest)
+    let least = wanted.max(STUCK_RUNS * others.max(1)).max(STUCK_BESIDE * beside);
+    let is_long = || length >= (COARSE_SHARE * x.len() as f64) as usize || !is_coarse(x);
+    (runs > 1 && length >= least && is_long()).then_some(longest)
 }
 
 /// Whether the digitiser's step is so coarse that quiet motion stays within one value.

@@ -387,15 +387,14 @@ struct Held {
 
 /// The samples at the largest value (`sign` 1) or the smallest (`sign` -1), if the channel appears to be clipped there.
 fn held_at_extreme(x: &[f64], sign: f64) -> Option<Held> {
-    let extreme = x.iter().fold(f64::NEG_INFINITY, |m, v| m.max(sign * v));
-    let next = x
-        .iter()
-        .map(|v| sign * v)
-        .filter(|v| *v < extreme)
-        .fold(f64::NEG_INFINITY, f64::max);
+    let extreme = largest_of(x, sign);
     let count = |value: f64| x.iter().filter(|v| sign * **v == value).count();
     let samples = count(extreme);
-    if samples < HELD_LEAST || samples < CROWDED * count(next) {
+    if samples < HELD_LEAST {
+        return None;
+    }
+    let below = x.iter().map(|v| sign * v).filter(|v| *v < extreme);
+    if samples < CROWDED * count(below.fold(f64::NEG_INFINITY, f64::max)) {
         return None;
     }
     let in_runs: usize = x
@@ -409,6 +408,20 @@ fn held_at_extreme(x: &[f64], sign: f64) -> Option<Held> {
         samples,
         first,
     })
+}
+
+/// Largest of the values times `sign`, in lanes that the processor compares at once.
+fn largest_of(x: &[f64], sign: f64) -> f64 {
+    let larger = |a: f64, b: f64| if b > a { b } else { a };
+    let mut lanes = [f64::NEG_INFINITY; 8];
+    let chunks = x.chunks_exact(lanes.len());
+    let rest = chunks.remainder().iter().map(|v| sign * v);
+    for chunk in chunks {
+        for (lane, v) in lanes.iter_mut().zip(chunk) {
+            *lane = larger(*lane, sign * v);
+        }
+    }
+    lanes.into_iter().chain(rest).fold(f64::NEG_INFINITY, larger)
 }
 
 /// b / a if the steps of `b` are those of `a` times one factor, taken from the largest step of `a`.

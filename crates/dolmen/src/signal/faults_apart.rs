@@ -2,6 +2,7 @@
 
 use super::Record;
 use super::faults::{ChannelFault, inspect};
+use std::borrow::Cow;
 
 /// All faults that [`inspect`] finds, except in given times, from and to, s. `lost_s` is left out; in `shaken_s` single large samples and
 /// changes of strength are no faults, because the ground causes them.
@@ -36,14 +37,20 @@ pub fn inspect_apart(record: &Record, lost_s: &[[f64; 2]], shaken_s: &[[f64; 2]]
 }
 
 /// A record without given spans of time.
-struct Rest {
-    record: Record,
+struct Rest<'a> {
+    record: Cow<'a, Record>,
     /// The remaining spans, s.
     spans_s: Vec<[f64; 2]>,
 }
 
 /// `None` if nothing remains.
-fn without(record: &Record, apart_s: &[[f64; 2]]) -> Option<Rest> {
+fn without<'a>(record: &'a Record, apart_s: &[[f64; 2]]) -> Option<Rest<'a>> {
+    if apart_s.is_empty() {
+        return Some(Rest {
+            spans_s: vec![[0.0, record.duration_s()]],
+            record: Cow::Borrowed(record),
+        });
+    }
     let rate_hz = record.sampling_rate_hz();
     let end_s = record.duration_s();
     let mut apart = apart_s.to_vec();
@@ -66,10 +73,13 @@ fn without(record: &Record, apart_s: &[[f64; 2]]) -> Option<Rest> {
         each.flatten().copied().collect()
     });
     let record = Record::new(record.channels().to_vec(), samples.collect(), rate_hz).ok()?;
-    Some(Rest { record, spans_s })
+    Some(Rest {
+        record: Cow::Owned(record),
+        spans_s,
+    })
 }
 
-impl Rest {
+impl Rest<'_> {
     /// Converts its faults to the times of the original record.
     fn faults(&self) -> Vec<ChannelFault> {
         let mut faults = inspect(&self.record);

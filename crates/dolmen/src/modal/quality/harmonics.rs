@@ -11,6 +11,7 @@
 
 use crate::modal::ModalError;
 use crate::modal::error::refused;
+use crate::numeric::inner;
 use crate::signal::Record;
 use dolmen_linalg::{Complex64, ComplexMatrix, hermitian_eigen};
 use std::f64::consts::PI;
@@ -254,20 +255,6 @@ fn where_it_runs(
         deviation: GAUSSIAN * ((n - 1.0) / ((n + 2.0) * (n + 3.0)) / count).sqrt(),
         share: count / blocks as f64,
     })
-}
-
-/// Σ a b, in lanes that the processor adds at once.
-fn inner(a: &[f64], b: &[f64]) -> f64 {
-    const LANES: usize = 8;
-    let mut sum = [0.0; LANES];
-    let (head, tail) = a.split_at(a.len() / LANES * LANES);
-    for (a, b) in head.chunks_exact(LANES).zip(b.chunks_exact(LANES)) {
-        for ((s, a), b) in sum.iter_mut().zip(a).zip(b) {
-            *s += a * b;
-        }
-    }
-    let rest = tail.iter().zip(&b[head.len()..]);
-    sum.iter().sum::<f64>() + rest.map(|(a, b)| a * b).sum::<f64>()
 }
 
 #[cfg(test)]

@@ -11,9 +11,10 @@ use crate::modal::Mode;
 use crate::modal::subspace::HALF_WIDTH_LEAST;
 use crate::signal::Record;
 use dolmen_linalg::Complex64;
-use realfft::RealFftPlanner;
+use realfft::{RealFftPlanner, RealToComplex};
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 /// Lines on each side of the frequency, at least and at most.
 const REACH: [usize; 2] = [64, 512];
@@ -53,6 +54,9 @@ impl LineTest {
 pub(crate) struct FineLines<'a> {
     record: &'a Record,
     channels: BTreeMap<usize, Vec<Complex64>>,
+    /// Hann's window over the record, and its transform, once they are needed.
+    hann: Vec<f64>,
+    plan: Option<Arc<dyn RealToComplex<f64>>>,
 }
 
 impl<'a> FineLines<'a> {
@@ -60,18 +64,22 @@ impl<'a> FineLines<'a> {
         FineLines {
             record,
             channels: BTreeMap::new(),
+            hann: Vec::new(),
+            plan: None,
         }
     }
 
     fn of_channel(&mut self, c: usize) -> &[Complex64] {
-        let record = self.record;
+        let (record, hann, plan) = (self.record, &mut self.hann, &mut self.plan);
         self.channels.entry(c).or_insert_with(|| {
             let y = record.samples(c);
             let n = y.len();
+            if hann.is_empty() {
+                hann.extend((0..n).map(|t| (PI * (t as f64 + 0.5) / n as f64).sin().powi(2)));
+            }
+            let plan = plan.get_or_insert_with(|| RealFftPlanner::new().plan_fft_forward(n));
             let mean = y.iter().sum::<f64>() / n as f64;
-            let hann = |t: usize| (PI * (t as f64 + 0.5) / n as f64).sin().powi(2);
-            let mut time: Vec<f64> = y.iter().enumerate().map(|(t, y)| hann(t) * (y - mean)).collect();
-            let plan = RealFftPlanner::<f64>::new().plan_fft_forward(n);
+            let mut time: Vec<f64> = y.iter().zip(&*hann).map(|(y, hann)| hann * (y - mean)).collect();
             let mut bins = plan.make_output_vec();
             let _ = plan.process(&mut time, &mut bins); // lengths are the plan's own
             bins.into_iter().map(|z| Complex64::new(z.re, z.im)).collect()

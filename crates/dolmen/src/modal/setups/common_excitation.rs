@@ -10,7 +10,7 @@
 //! | X | `x` | singular vectors of the stacked matrix over its singular values | r br × n |
 
 use super::sensor_places::ChannelPlace;
-use crate::modal::correlations::{Correlations, correlate, lags_before};
+use crate::modal::correlations::{Correlations, correlate_decimated, wide};
 use crate::modal::subspace::{BlockHankel, FuturePast, RANK_LEAST, Rows, Ssi, Subspace};
 use crate::modal::subspace::{of_operator, of_product, subspace};
 use crate::modal::{Method, ModalError};
@@ -39,8 +39,8 @@ impl Setup {
         references: &[usize],
         ssi: &Ssi,
     ) -> Result<Self, ModalError> {
-        let lags = lags_before(2 * ssi.block_rows - 1, ssi.decimation);
-        let r = correlate(record, lags, ssi.time_blocks)?.decimated(ssi.decimation);
+        let lags = (2 * ssi.block_rows - 1, ssi.time_blocks);
+        let r = correlate_decimated(record, lags, ssi.decimation, false)?;
         Ok(Self::of(&r, channel_places, references, ssi.block_rows))
     }
 
@@ -56,7 +56,7 @@ impl Setup {
         Setup {
             whole: FuturePast::new(&r, &first, br),
             deviations: (r.deviations.iter())
-                .map(|lags| BlockHankel::new(lags, l, &first, br))
+                .map(|lags| BlockHankel::new(&wide(lags), l, &first, br))
                 .collect(),
             channels: l,
             references: n,
@@ -220,7 +220,6 @@ pub(super) fn stacked(
     };
     let correlations = Correlations {
         channels: places,
-        lags: 0,
         step_s: setups[0].step_s,
         mean: Vec::new(),
         deviations: Vec::new(),
@@ -370,13 +369,12 @@ mod tests {
                     *x *= channel_places[i / l % l].sign * channel_places[i % l].sign;
                 }
             }
-            let deviations = vec![change.clone(), change.iter().map(|x| -x).collect()];
+            let deviations = [1.0, -1.0].map(|sign| change.iter().map(|x| (sign * x) as f32).collect());
             let r = Correlations {
                 channels: l,
-                lags: 2 * BLOCK_ROWS - 1,
                 step_s: STEP_S,
                 mean,
-                deviations,
+                deviations: deviations.to_vec(),
                 ends: None,
                 padded: None,
             };

@@ -11,7 +11,7 @@ use crate::modal::error::refused;
 use crate::modal::indicators::{largest, normalized, phase_collinearity};
 use crate::modal::{Method, ModalError, Mode, Modes};
 use crate::signal::Record;
-use dolmen_linalg::{HermitianEigen, Matrix, hermitian_eigen, hermitian_eigenvalues};
+use dolmen_linalg::{ComplexMatrix, HermitianEigen, Matrix, hermitian_eigen, hermitian_eigenvalues};
 use std::ops::Range;
 
 /// Spectral lines never exceed this: finer ones cost memory and show nothing more.
@@ -163,8 +163,10 @@ pub(crate) fn peaks_of(
     let (l, lines) = (matrices.channels, matrices.lines);
     let step_hz = 0.5 * record.sampling_rate_hz() / lines as f64;
     let mut singular_values = Vec::with_capacity(lines + 1);
+    let mut lower = ComplexMatrix::zeros(l, l);
     for line in 0..=lines {
-        let mut s = hermitian_eigenvalues(&matrices.at(line))?;
+        matrices.lower_into(line, &mut lower);
+        let mut s = hermitian_eigenvalues(&lower)?;
         s.reverse();
         s.iter_mut().for_each(|s| *s = s.max(0.0));
         singular_values.push(s);

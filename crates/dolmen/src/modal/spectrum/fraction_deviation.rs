@@ -83,7 +83,7 @@ impl<'a> FractionScatter<'a> {
                     .mean
                     .iter()
                     .zip(block)
-                    .map(|(a, b)| a + b)
+                    .map(|(a, b)| a + f64::from(*b))
                     .collect();
                 self.sums.push(of(&moved));
             }

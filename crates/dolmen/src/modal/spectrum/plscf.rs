@@ -10,7 +10,7 @@
 use super::fraction_fit::Fit;
 use super::half_spectra::{HalfSpectra, Sums};
 use super::plscf_options::Plscf;
-use crate::modal::correlations::{Correlations, correlate, lags_before};
+use crate::modal::correlations::{Correlations, correlate_decimated};
 use crate::modal::error::{at_least, references_of, refused};
 use crate::modal::subspace::Pole;
 use crate::modal::{Method, ModalError};
@@ -62,12 +62,8 @@ pub struct MatrixFraction {
 /// the cut correlations exact; shapes from the numerator, where they fit residues afterwards.
 pub fn plscf(record: &Record, options: &Plscf) -> Result<MatrixFraction, ModalError> {
     let options = check(options, record)?;
-    let correlations = correlate(
-        record,
-        lags_before(options.lags, options.decimation),
-        options.time_blocks,
-    )?
-    .decimated(options.decimation);
+    let lags = (options.lags, options.time_blocks);
+    let correlations = correlate_decimated(record, lags, options.decimation, false)?;
     fraction(correlations, options, record.duration_s())
 }
 
@@ -170,10 +166,12 @@ mod tests {
     fn correlations(mean: Vec<f64>, deviations: Vec<Vec<f64>>) -> Correlations {
         Correlations {
             channels: 3,
-            lags: LAGS,
             step_s: STEP_S,
             mean,
-            deviations,
+            deviations: deviations
+                .iter()
+                .map(|of| of.iter().map(|x| *x as f32).collect())
+                .collect(),
             ends: None,
             padded: None,
         }

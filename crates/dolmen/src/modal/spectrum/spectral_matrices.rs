@@ -13,18 +13,27 @@ use crate::signal::Record;
 use dolmen_linalg::{Complex64, ComplexMatrix};
 use realfft::RealFftPlanner;
 use realfft::num_complex::Complex;
+use std::cmp::Ordering;
 
 /// Sums of products of so many bytes are held at once: of a record of many channels those of some rows of the matrices, in as many passes
 /// as it takes.
-const SUMS_BYTES: usize = 1 << 26;
+const SUMS_BYTES: usize = 3 << 24;
 /// Bytes of a sum, complex.
 const SUM_BYTES: usize = 16;
+
+/// Larger triangles than these are held in 32 bits: of a hundred channels or fewer the singular values then have six digits of the largest.
+const PAIRS_BYTES: usize = 1 << 26;
 
 /// Lower triangle of S at every line, one pair of channels after the other.
 pub(crate) struct SpectralMatrices {
     pub(super) channels: usize,
     pub(super) lines: usize,
-    pairs: Vec<Complex<f64>>,
+    pairs: Pairs,
+}
+
+enum Pairs {
+    Wide(Vec<Complex<f64>>),
+    Narrow(Vec<Complex<f32>>),
 }
 
 impl SpectralMatrices {
@@ -37,6 +46,12 @@ impl SpectralMatrices {
     /// [`ModalError::TooShort`].
     pub(crate) fn of(record: &Record, lines: usize) -> Result<Self, ModalError> {
         let (l, m) = (record.channels().len(), lines);
+        let size = l * (l + 1) / 2 * (m + 1);
+        Self::held(record, lines, Pairs::new(size, size * SUM_BYTES > PAIRS_BYTES))
+    }
+
+    fn held(record: &Record, lines: usize, mut pairs: Pairs) -> Result<Self, ModalError> {
+        let (l, m) = (record.channels().len(), lines);
         let windows = windows(record, m, 1)?;
         let plan = RealFftPlanner::new().plan_fft_forward(2 * m);
         let (mut time, mut bins) = (plan.make_input_vec(), plan.make_output_vec());
@@ -45,25 +60,31 @@ impl SpectralMatrices {
         let weights: Vec<f64> = (0..m)
             .map(|k| scale * if k == 0 { 0.5 } else { parzen(k as f64 / m as f64) })
             .collect();
-        let mut pairs = vec![Complex::default(); l * (l + 1) / 2 * (m + 1)];
         let held = SUMS_BYTES / SUM_BYTES / (l * (windows.segment + 1));
         let rows = held.max(1).next_multiple_of(2);
+        let mut before: Option<StreamingSums<'_>> = None;
         for from in (0..l).step_by(rows) {
-            let mut pass = StreamingSums::new(record, from..(from + rows).min(l), m, windows.segment);
+            let own = from..(from + rows).min(l);
+            let mut pass = match before.take() {
+                Some(pass) => pass.turned_to(own),
+                None => StreamingSums::new(record, own, m, windows.segment),
+            };
             pass.block(0..windows.segments(), windows.starts, |[a, b], lags| {
                 time.fill(0.0);
                 for ((t, r), w) in time.iter_mut().zip(lags).zip(&weights) {
                     *t = *r * w;
                 }
                 let _ = plan.process_with_scratch(&mut time, &mut bins, &mut scratch); // lengths are the plan's own
-                let at = pair(a, b) * (m + 1);
-                for (s, h) in pairs[at..=at + m].iter_mut().zip(&bins) {
-                    *s += if a >= b { *h } else { h.conj() };
-                    if a == b {
-                        *s += h.conj();
-                    }
+                for h in &mut bins {
+                    *h = match a.cmp(&b) {
+                        Ordering::Greater => *h,
+                        Ordering::Equal => Complex::new(2.0 * h.re, 0.0),
+                        Ordering::Less => h.conj(),
+                    };
                 }
+                pairs.add(pair(a, b) * (m + 1), &bins);
             });
+            before = Some(pass);
         }
         Ok(SpectralMatrices {
             channels: l,
@@ -73,11 +94,47 @@ impl SpectralMatrices {
     }
 
     pub(super) fn at(&self, line: usize) -> ComplexMatrix {
-        ComplexMatrix::from_fn(self.channels, self.channels, |i, j| {
-            let z = self.pairs[pair(i, j) * (self.lines + 1) + line];
-            let im = if i == j { 0.0 } else { z.im };
-            Complex64::new(z.re, if i >= j { im } else { -im })
-        })
+        let mut whole = ComplexMatrix::zeros(self.channels, self.channels);
+        self.lower_into(line, &mut whole);
+        for j in 0..self.channels {
+            for i in 0..j {
+                whole[(i, j)] = whole[(j, i)].conj();
+            }
+        }
+        whole
+    }
+
+    /// Puts the lower triangle at a line in its place.
+    pub(super) fn lower_into(&self, line: usize, lower: &mut ComplexMatrix) {
+        let mut at = line;
+        for i in 0..self.channels {
+            for j in 0..=i {
+                lower[(i, j)] = match &self.pairs {
+                    Pairs::Wide(pairs) => Complex64::new(pairs[at].re, pairs[at].im),
+                    Pairs::Narrow(pairs) => Complex64::new(pairs[at].re.into(), pairs[at].im.into()),
+                };
+                at += self.lines + 1;
+            }
+        }
+    }
+}
+
+impl Pairs {
+    fn new(size: usize, is_narrow: bool) -> Self {
+        match is_narrow {
+            true => Pairs::Narrow(vec![Complex::default(); size]),
+            false => Pairs::Wide(vec![Complex::default(); size]),
+        }
+    }
+
+    fn add(&mut self, at: usize, bins: &[Complex<f64>]) {
+        match self {
+            Pairs::Wide(pairs) => pairs[at..].iter_mut().zip(bins).for_each(|(s, h)| *s += h),
+            Pairs::Narrow(pairs) => pairs[at..].iter_mut().zip(bins).for_each(|(s, h)| {
+                s.re += h.re as f32;
+                s.im += h.im as f32;
+            }),
+        }
     }
 }
 
@@ -113,6 +170,7 @@ mod tests {
         let record = Record::from_contiguous(names, samples, rate_hz).unwrap();
         let r = correlate(&record, lines, 1).unwrap();
         let found = SpectralMatrices::of(&record, lines).unwrap();
+        let narrow = SpectralMatrices::held(&record, lines, Pairs::new(6 * 65, true)).unwrap();
         for line in [0, 1, 17, lines] {
             let s = found.at(line);
             for (a, b) in [(0, 0), (2, 1), (1, 2), (0, 2)] {
@@ -129,6 +187,11 @@ mod tests {
                     (s[(a, b)] - exact).norm() < 1e-14,
                     "{line} {a} {b} {} {exact}",
                     s[(a, b)]
+                );
+                let narrow = narrow.at(line)[(a, b)];
+                assert!(
+                    (narrow - exact).norm() < 1e-6 * exact.norm(),
+                    "{line} {a} {b} {narrow} {exact}"
                 );
             }
         }

@@ -35,7 +35,7 @@ pub(super) struct Levels {
     pub(super) rate_hz: f64,
     /// Samples from one window to the next.
     hop: usize,
-    /// Each channel without its drift.
+    /// Each channel without its drift, once it is asked for.
     pub(super) steady: Vec<Vec<f64>>,
     /// Noise of each channel.
     pub(super) noise: Vec<f64>,
@@ -70,17 +70,9 @@ impl Levels {
                 lost_s.iter().any(|[from, to]| *from < to_s && *to > from_s)
             })
             .collect();
-        let steady = |c: usize| {
-            let mut own = without_drift(record.samples(c), (SLOW_S * rate_hz) as usize);
-            for [from_s, to_s] in lost_s {
-                let [from, to] =
-                    [from_s, to_s].map(|at_s| ((at_s * rate_hz).round() as usize).min(own.len()));
-                own[from..to].fill(0.0);
-            }
-            own
-        };
-        let steady: Vec<Vec<f64>> = (0..channels).map(steady).collect();
-        let levels: Vec<Vec<f64>> = steady.iter().map(|own| levels(own, hop, windows)).collect();
+        let levels: Vec<Vec<f64>> = (0..channels)
+            .map(|c| levels(&steady(record, c, lost_s), hop, windows))
+            .collect();
         let floors: Vec<f64> = (0..channels).map(|c| OF_STEP * step(record.samples(c))).collect();
         let level = |c: usize, share: f64, until: usize| {
             let own = levels[c][..until].iter().zip(&is_lost);
@@ -98,9 +90,14 @@ impl Levels {
             rate_hz,
             hop,
             scores: scores(&levels, &noise, &is_lost)?,
-            steady,
+            steady: Vec::new(),
             noise,
         })
+    }
+
+    /// Keeps each channel without its drift: as large as the record, and most records hold no motion to look at.
+    pub(super) fn keep_steady(&mut self, record: &Record, lost_s: &[[f64; 2]]) {
+        self.steady = (0..self.noise.len()).map(|c| steady(record, c, lost_s)).collect();
     }
 
     /// When a window begins, s.
@@ -110,7 +107,7 @@ impl Levels {
 
     /// Channels that move.
     pub(super) fn live(&self) -> impl Iterator<Item = usize> {
-        (0..self.steady.len()).filter(|c| self.noise[*c] > 0.0)
+        (0..self.noise.len()).filter(|c| self.noise[*c] > 0.0)
     }
 
     /// The strongest motion outside of these windows, of a score of `least` and more.
@@ -133,6 +130,17 @@ impl Levels {
             ends: end.is_some() || next.is_some(),
         })
     }
+}
+
+/// A channel without its drift, nothing where it was lost.
+fn steady(record: &Record, c: usize, lost_s: &[[f64; 2]]) -> Vec<f64> {
+    let rate_hz = record.sampling_rate_hz();
+    let mut own = without_drift(record.samples(c), (SLOW_S * rate_hz) as usize);
+    for span_s in lost_s {
+        let [from, to] = span_s.map(|at_s| ((at_s * rate_hz).round() as usize).min(own.len()));
+        own[from..to].fill(0.0);
+    }
+    own
 }
 
 /// The channel less the average of what came before: a centred one would carry an arrival forward in time.

@@ -77,9 +77,13 @@ pub fn earthquake_in(record: &Record, inputs: &[usize]) -> Option<Shaking> {
 /// The ratio of a short to a long average: Allen (1978) Bull. Seism. Soc. Am. 68(5):1521-1532. Differs from the source: medians over all
 /// channels, and the tests of growth and decay.
 pub fn earthquakes_in(record: &Record, inputs: &[usize], lost_s: &[[f64; 2]]) -> Vec<Shaking> {
-    let Some(levels) = Levels::of(record, lost_s) else {
+    let Some(mut levels) = Levels::of(record, lost_s) else {
         return Vec::new();
     };
+    if levels.motion(&[], SCORE_LEAST).is_none() {
+        return Vec::new();
+    }
+    levels.keep_steady(record, lost_s);
     let mut windows = Vec::new();
     let mut all: Vec<Features> = Vec::new();
     while windows.len() < MOTIONS_MOST

@@ -303,7 +303,7 @@ impl Transform {
 mod tests {
     use super::super::hankel::future_past;
     use super::*;
-    use crate::modal::correlations::correlate;
+    use crate::modal::correlations::{correlate, wide};
     use crate::numeric::Random;
     use crate::signal::{Channel, Record};
 
@@ -338,7 +338,7 @@ mod tests {
     fn exact_hankel_matrix_of_a_block_of_time() {
         let br = 6;
         let r = correlate(&record(3), 2 * br - 1, 4).unwrap();
-        let (references, lags) = ([1, 2], &r.deviations[2]);
+        let (references, lags) = ([1, 2], &wide(&r.deviations[2]));
         let beside = side_by_side(lags, 3, &references, br);
         let dense = Matrix::from_fn(3 * br, 2 * br, |i, j| beside[(i % 3, i / 3 * 2 + j)]);
         let hankel = BlockHankel::new(lags, 3, &references, br);

@@ -15,7 +15,7 @@
 use super::block_change::Block;
 use super::decomposed::{Decomposed, of_covariance, of_data};
 use super::ssi_options::Ssi;
-use crate::modal::correlations::{Correlations, correlate, lags_before};
+use crate::modal::correlations::{Correlations, correlate_decimated};
 use crate::modal::error::{at_least, references_of};
 use crate::modal::indicators::{normalized, phase_collinearity, phase_deviation};
 use crate::modal::{Method, ModalError};
@@ -113,7 +113,7 @@ pub struct Subspace {
 /// Control Eng. Pract. 20:1078-1086 (their algorithm 2). Differs from the sources: the sums over other windows follow
 /// from one by displacement; U is not scaled with √S, which changes no pole.
 pub fn ssi_cov(record: &Record, options: &Ssi) -> Result<Subspace, ModalError> {
-    let (options, correlations) = correlated(record, options)?;
+    let (options, correlations) = correlated(record, options, false)?;
     let parts = of_covariance(&correlations, &options)?;
     subspace(
         correlations,
@@ -144,7 +144,7 @@ pub fn ssi_cov(record: &Record, options: &Ssi) -> Result<Subspace, ModalError> {
 /// Identification for Linear Systems, section 4.4. Differs from the sources: displacement instead of products of the
 /// stacked matrix.
 pub fn ssi_data(record: &Record, options: &Ssi) -> Result<Subspace, ModalError> {
-    let (options, correlations) = correlated(record, options)?;
+    let (options, correlations) = correlated(record, options, true)?;
     let parts = of_data(record, &correlations, &options)?;
     subspace(
         correlations,
@@ -154,13 +154,12 @@ pub fn ssi_data(record: &Record, options: &Ssi) -> Result<Subspace, ModalError> 
     )
 }
 
-/// Options with the reference channels written out, and the correlations that they ask for.
-fn correlated(record: &Record, options: &Ssi) -> Result<(Ssi, Correlations), ModalError> {
+/// Options with the reference channels written out, and the correlations that they ask for; those of the past with itself want `is_padded`.
+fn correlated(record: &Record, options: &Ssi, is_padded: bool) -> Result<(Ssi, Correlations), ModalError> {
     let channels = record.channels().len();
     let options = check_ssi(options, channels)?;
-    let lags = 2 * options.block_rows - 1;
-    let correlations = correlate(record, lags_before(lags, options.decimation), options.time_blocks)?
-        .decimated(options.decimation);
+    let lags = (2 * options.block_rows - 1, options.time_blocks);
+    let correlations = correlate_decimated(record, lags, options.decimation, is_padded)?;
     Ok((options, correlations))
 }
 
@@ -303,7 +302,6 @@ mod tests {
         }
         Correlations {
             channels: 3,
-            lags,
             step_s: STEP_S,
             mean,
             deviations: Vec::new(),

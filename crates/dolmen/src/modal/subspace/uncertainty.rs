@@ -14,6 +14,7 @@ use super::block_change::{Block, Rows};
 use super::block_hankel::BlockHankel;
 use super::ssi::{Pole, Subspace, back_substitute, state};
 use crate::modal::ModalError;
+use crate::modal::correlations::wide;
 use crate::modal::indicators::largest;
 use dolmen_linalg::{Complex64, ComplexMatrix, Matrix, eigen};
 use std::f64::consts::PI;
@@ -91,7 +92,7 @@ impl<'a> Propagation<'a> {
         let (l, br) = (subspace.correlations.channels, subspace.block_rows);
         let (mut x, mut rows) = (None, None);
         let of_lags = subspace.correlations.deviations.iter().map(|lags| {
-            let hankel = BlockHankel::new(lags, l, &subspace.references, br);
+            let hankel = BlockHankel::new(&wide(lags), l, &subspace.references, br);
             let x = x.get_or_insert_with(|| hankel.transformed(&subspace.x));
             let rows = rows.get_or_insert_with(|| {
                 Rows::of((&subspace.u, &subspace.upper), l, &(0..l).collect::<Vec<_>>())
