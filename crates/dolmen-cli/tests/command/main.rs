@@ -67,6 +67,7 @@ mod not_known;
 mod nrml;
 mod once_escaped;
 mod one_stones;
+mod out_of_range;
 mod plan_stiffness;
 mod prints;
 mod safety;
