@@ -48,6 +48,8 @@ pub enum SheetError {
         /// How its place begins.
         place: String,
     },
+    /// An element of its XML does not end where it should.
+    Damaged,
     /// There is no such sheet.
     NoSuchSheet {
         /// The name.

@@ -171,22 +171,33 @@ pub(crate) fn too_many(rows: usize, columns: usize) -> SheetError {
 
 /// Refuses sheets of a workbook (ODS) that become larger than any table through repeated contents or gaps: a row repeated a million times takes
 /// a hundred bytes in the file, and gigabytes in memory. Empty rows and cells at the end of a sheet do not count: LibreOffice writes them up to
-/// the last row.
+/// the last row. Refuses also what is cut off: calamine waits for the end of a table without end.
 pub(crate) fn refuse_repeats(bytes: &[u8]) -> Result<(), SheetError> {
     let mut archive = zip::ZipArchive::new(Cursor::new(bytes)).map_err(unreadable)?;
     let Ok(part) = archive.by_name("content.xml") else {
         return Ok(()); // the reader of the workbook reports this error
     };
     let mut reader = Reader::from_reader(BufReader::new(part));
-    // as calamine reads it, so that both see the same
+    // as calamine reads it, so that both see the same, except that each end is that of what began last
     let config = reader.config_mut();
-    config.check_end_names = false;
+    config.check_end_names = true;
     config.check_comments = false;
     config.expand_empty_elements = true;
     let (mut sheet, mut whole) = (Extent::default(), 0_usize);
+    let mut open = 0_usize;
     let mut buffer = Vec::new();
     loop {
-        match reader.read_event_into(&mut buffer).map_err(unreadable)? {
+        let event = reader.read_event_into(&mut buffer).map_err(|fault| match fault {
+            quick_xml::Error::IllFormed(_) | quick_xml::Error::Syntax(_) => SheetError::Damaged,
+            other => unreadable(other),
+        })?;
+        open = match event {
+            Event::Start(_) => open + 1,
+            Event::End(_) => open.saturating_sub(1),
+            Event::Eof if open > 0 => return Err(SheetError::Damaged),
+            _ => open,
+        };
+        match event {
             Event::Start(tag) => match tag.name().as_ref() {
                 "table:table" => sheet = Extent::default(),
                 "table:table-row" => sheet.begin_row(repeats(&tag, "table:number-rows-repeated")),

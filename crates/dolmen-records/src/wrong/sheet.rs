@@ -31,6 +31,10 @@ sentences! {
             en: "has a cell at {place}…, where no sheet has one (the last is XFD1048576): it is damaged; save the table again",
             ko: "{place}… 위치의 셀이 있는데 시트에는 그런 위치가 없다(마지막은 XFD1048576). 파일이 손상되었으므로 표를 다시 저장한다",
         },
+        Damaged => {
+            en: "is damaged: a table or row in it does not end; save the table again",
+            ko: "손상된 파일이다. 끝나지 않는 표나 행이 있으므로 표를 다시 저장한다",
+        },
         NoSuchSheet { name, known } => {
             en: "has no sheet \"{name}\": it has {known}",
             ko: "시트 \"{name}\"이(가) 없다. 있는 시트: {known}",
