@@ -7,7 +7,7 @@ use crate::note::note;
 use crate::outcome::Outcome;
 use crate::say::say;
 use crate::signals;
-use crate::survey::Where;
+use crate::survey::StoreAccess;
 use crate::tools::complain;
 use crate::watch_call::judged;
 use crate::wrong::Noted;
@@ -25,7 +25,7 @@ pub(crate) fn follow(folder: &Path, options: &Watch, manner: &Manner) -> Result<
         who: None,
         wait: 60.0,
     };
-    let at = Where {
+    let at = StoreAccess {
         options: &place,
         manner,
     };

@@ -23,7 +23,7 @@ use std::time::Duration;
 const UNSOUND: u8 = 1;
 
 pub(crate) fn run(options: &Survey, manner: &Manner) -> Result<Outcome> {
-    let at = Where {
+    let at = StoreAccess {
         options: &options.place,
         manner,
     };
@@ -39,7 +39,7 @@ pub(crate) fn run(options: &Survey, manner: &Manner) -> Result<Outcome> {
 }
 
 /// The store, and the manner of the answers.
-pub(crate) struct Where<'a> {
+pub(crate) struct StoreAccess<'a> {
     pub(crate) options: &'a StoreWhere,
     pub(crate) manner: &'a Manner,
 }
@@ -48,7 +48,7 @@ fn variable(name: &str) -> Option<String> {
     std::env::var(name).ok().filter(|value| !value.is_empty())
 }
 
-impl Where<'_> {
+impl StoreAccess<'_> {
     /// A fault of a store in the language of the user.
     pub(crate) fn store_failure(&self, fault: StoreError) -> anyhow::Error {
         CommandError::Store {
@@ -89,7 +89,7 @@ impl Where<'_> {
     }
 }
 
-fn add(options: &Add, at: &Where<'_>) -> Result<Outcome> {
+fn add(options: &Add, at: &StoreAccess<'_>) -> Result<Outcome> {
     if options.name.is_some() && options.projects.len() > 1 {
         return Err(CommandError::OneName.into());
     }
@@ -102,7 +102,7 @@ fn add(options: &Add, at: &Where<'_>) -> Result<Outcome> {
     Ok(Outcome::Done)
 }
 
-fn add_one(store: &mut Store, options: &Add, found: &Found, at: &Where<'_>) -> Result<()> {
+fn add_one(store: &mut Store, options: &Add, found: &Found, at: &StoreAccess<'_>) -> Result<()> {
     let terminal = Terminal::new(at.manner.quiet);
     let progress: Option<&dyn Progress> = (!options.without_modes).then_some(&terminal);
     let added = add_project(store, found, options.name.as_deref(), &at.who(), progress)?;
@@ -120,7 +120,7 @@ fn search(options: &List) -> Search {
     }
 }
 
-fn list(options: &List, at: &Where<'_>) -> Result<Outcome> {
+fn list(options: &List, at: &StoreAccess<'_>) -> Result<Outcome> {
     let mut store = at.open()?;
     let store_failure = |fault| at.store_failure(fault);
     let unsaid = |fault: anyhow::Error| StoreError::Reader(format!("{fault:#}"));
@@ -181,7 +181,7 @@ fn list(options: &List, at: &Where<'_>) -> Result<Outcome> {
     Ok(Outcome::Done)
 }
 
-fn show(options: &Show, at: &Where<'_>) -> Result<Outcome> {
+fn show(options: &Show, at: &StoreAccess<'_>) -> Result<Outcome> {
     let mut store = at.open()?;
     let kept = store.structure(&options.name, options.survey.as_deref());
     let kept = kept.map_err(|fault| at.store_failure(fault))?;
@@ -192,14 +192,14 @@ fn show(options: &Show, at: &Where<'_>) -> Result<Outcome> {
     Ok(Outcome::Done)
 }
 
-fn export(options: &Export, at: &Where<'_>) -> Result<Outcome> {
+fn export(options: &Export, at: &StoreAccess<'_>) -> Result<Outcome> {
     match &options.name {
         Some(name) => export_one(name, options, at),
         None => export_all(options, at),
     }
 }
 
-fn export_one(name: &str, options: &Export, at: &Where<'_>) -> Result<Outcome> {
+fn export_one(name: &str, options: &Export, at: &StoreAccess<'_>) -> Result<Outcome> {
     let files = export_project(&mut at.open()?, name, &options.output)?;
     let folder = options.output.display().to_string();
     match at.manner.json {
@@ -210,7 +210,7 @@ fn export_one(name: &str, options: &Export, at: &Where<'_>) -> Result<Outcome> {
 }
 
 /// A whole store as a file of its own, with its folder.
-fn export_all(options: &Export, at: &Where<'_>) -> Result<Outcome> {
+fn export_all(options: &Export, at: &StoreAccess<'_>) -> Result<Outcome> {
     if Place::is_server(&options.output.to_string_lossy()) {
         return Err(CommandError::StoreIsServer.into());
     }
@@ -225,13 +225,13 @@ fn export_all(options: &Export, at: &Where<'_>) -> Result<Outcome> {
     taken_over(from, &into, at)
 }
 
-fn import(options: &Import, at: &Where<'_>) -> Result<Outcome> {
+fn import(options: &Import, at: &StoreAccess<'_>) -> Result<Outcome> {
     let from =
         Store::open(&at.place_of(&options.from)?, at.wait()).map_err(|fault| at.store_failure(fault))?;
     taken_over(from, &at.place()?, at)
 }
 
-fn taken_over(mut from: Store, into: &Place, at: &Where<'_>) -> Result<Outcome> {
+fn taken_over(mut from: Store, into: &Place, at: &StoreAccess<'_>) -> Result<Outcome> {
     let into = Store::open_to_write(into, at.wait(), now_us());
     let done = take_over(
         &mut from,
@@ -245,7 +245,7 @@ fn taken_over(mut from: Store, into: &Place, at: &Where<'_>) -> Result<Outcome> 
     Ok(Outcome::Done)
 }
 
-fn verify(at: &Where<'_>) -> Result<Outcome> {
+fn verify(at: &StoreAccess<'_>) -> Result<Outcome> {
     let found = at.open()?.verify().map_err(|fault| at.store_failure(fault))?;
     match at.manner.json {
         true => say_json(&json!(found))?,
@@ -257,7 +257,7 @@ fn verify(at: &Where<'_>) -> Result<Outcome> {
     }
 }
 
-fn remove(options: &Remove, at: &Where<'_>) -> Result<Outcome> {
+fn remove(options: &Remove, at: &StoreAccess<'_>) -> Result<Outcome> {
     let store_failure = |fault| at.store_failure(fault);
     let place = at.place()?;
     Store::open(&place, at.wait()).map_err(store_failure)?; // a store that is not there is not made

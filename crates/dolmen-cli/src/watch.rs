@@ -8,7 +8,7 @@ use crate::note::note;
 use crate::outcome::Outcome;
 use crate::progress::Terminal;
 use crate::say::{say, say_json};
-use crate::survey::Where;
+use crate::survey::StoreAccess;
 use crate::watch_call::judged;
 use crate::wrong::Noted;
 use anyhow::Result;
@@ -60,7 +60,7 @@ fn all(options: &Watch, manner: &Manner) -> Result<Outcome> {
         who: None,
         wait: 10.0,
     };
-    let at = Where {
+    let at = StoreAccess {
         options: &place,
         manner,
     };

@@ -62,11 +62,6 @@ impl Matrix {
         }
     }
 
-    /// From entries already in column order; `None` if their number is not `rows` × `columns`.
-    pub fn from_column_major(rows: usize, columns: usize, data: Vec<f64>) -> Option<Self> {
-        (data.len() == rows * columns).then_some(Matrix { rows, columns, data })
-    }
-
     /// Number of rows.
     pub fn rows(&self) -> usize {
         self.rows

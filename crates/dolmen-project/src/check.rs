@@ -35,11 +35,11 @@ pub(super) struct SchemaCheck<'t, 'i> {
 
 /// One table on the way from the root to the value.
 #[derive(Clone, Copy)]
-struct Above<'a> {
+struct EnclosingTable<'a> {
     path: &'a str,
     properties: Option<&'static [(&'static str, Tree)]>,
     header: Option<&'a Range<usize>>,
-    parent: Option<&'a Above<'a>>,
+    parent: Option<&'a EnclosingTable<'a>>,
 }
 
 impl<'t, 'i> SchemaCheck<'t, 'i> {
@@ -76,7 +76,7 @@ impl<'t, 'i> SchemaCheck<'t, 'i> {
         node: &mut Node<'i>,
         schema: &'static Tree,
         path: &str,
-        above: Option<&Above<'_>>,
+        above: Option<&EnclosingTable<'_>>,
     ) -> bool {
         let span = node.span();
         let schema = self.schema.resolved(schema);
@@ -125,7 +125,7 @@ impl<'t, 'i> SchemaCheck<'t, 'i> {
         span: &Range<usize>,
         schema: &'static Tree,
         path: &str,
-        parent: Option<&Above<'_>>,
+        parent: Option<&EnclosingTable<'_>>,
     ) {
         let known = properties(schema);
         let others = schema
@@ -135,7 +135,7 @@ impl<'t, 'i> SchemaCheck<'t, 'i> {
             .text
             .get(span.clone())
             .filter(|written| written.starts_with('['));
-        let above = Above {
+        let above = EnclosingTable {
             path,
             properties: known,
             header: header.map(|_| span),
@@ -163,7 +163,13 @@ impl<'t, 'i> SchemaCheck<'t, 'i> {
     }
 
     /// Reports an unknown key: swallowed by the table above, or misspelt.
-    fn unknown(&mut self, key: &Spanned<Cow<'i, str>>, value: &Node<'i>, path: &str, above: &Above<'_>) {
+    fn unknown(
+        &mut self,
+        key: &Spanned<Cow<'i, str>>,
+        value: &Node<'i>,
+        path: &str,
+        above: &EnclosingTable<'_>,
+    ) {
         let name = key.get_ref().as_ref();
         let place = match path.len() - name.len() {
             0 => Both::from(WrongKey::TopLevel),

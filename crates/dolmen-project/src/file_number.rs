@@ -232,11 +232,12 @@ impl<'de, T: Deserialize<'de>> Deserialize<'de> for OrUnknown<T> {
                 f.write_str("a list, \"unknown\" or \"identified\"")
             }
 
-            fn visit_str<E>(self, word: &str) -> Result<OrUnknown<T>, E> {
-                Ok(match word {
-                    "identified" => OrUnknown::Identified(None),
-                    _ => OrUnknown::Unknown,
-                })
+            fn visit_str<E: serde::de::Error>(self, word: &str) -> Result<OrUnknown<T>, E> {
+                match word {
+                    "identified" => Ok(OrUnknown::Identified(None)),
+                    "unknown" => Ok(OrUnknown::Unknown),
+                    _ => Err(E::invalid_value(serde::de::Unexpected::Str(word), &self)),
+                }
             }
 
             fn visit_map<M: MapAccess<'de>>(self, map: M) -> Result<OrUnknown<T>, M::Error> {

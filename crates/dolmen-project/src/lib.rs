@@ -94,8 +94,8 @@ pub use names::Names;
 pub use quantity::{Evidence, Pick, Quantity};
 pub use read::{parse_project, parse_project_with};
 pub use report::{
-    Author, Grade, GradeScale, Location, MaterialMethod, MaterialTest, PhotoPart, ReportPart, SensorPart,
-    calendar_day, is_day,
+    Author, Grade, GradeScale, Location, MaterialMethod, MaterialTest, PeriodicGrade, PhotoPart, ReportPart,
+    SensorPart, calendar_day, is_day,
 };
 pub use safe_text::texts;
 pub use schema::json_schema;
@@ -118,7 +118,6 @@ pub use survey::{
     Severity, Survey, SurveyMode, TemperaturePart, Tilt, WatchPart, WorkKind, WorkPart, date_of,
 };
 pub use survey_like::{LikeSurvey, survey_like};
-pub use tabled::lists_in_tables;
 pub use units::{AngleError, parse_angle_rad};
 pub use warned::Warned;
 pub use write_back::{IdentifiedNumber, NewValue, with_values, with_values_on_their_lines};

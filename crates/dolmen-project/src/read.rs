@@ -286,10 +286,7 @@ fn of_raw(
         }
     }
     if let Some(structure) = &structure {
-        let names: Vec<&str> = surveys.iter().map(|survey| survey.name.as_str()).collect();
-        let mut faults = without_survey(&structure.inputs(), &names, |path| reader.place(path));
-        faults.extend(sought_in_none(structure, &names, |path| reader.place(path)));
-        faults.into_iter().for_each(|fault| reader.fault(fault));
+        judge_surveys_named(&mut reader, structure, &surveys);
     }
     buildable(&mut reader, structure.as_mut());
     if reader.faults.is_empty() {
@@ -335,6 +332,14 @@ fn of_raw(
     project.warnings = reader.take_warnings(text);
     project.spans = reader.take_places();
     Some(project)
+}
+
+/// Refuses numbers and stiffness that name a survey which the file does not have.
+fn judge_surveys_named(reader: &mut Reader, structure: &Structure, surveys: &[Survey]) {
+    let names: Vec<&str> = surveys.iter().map(|survey| survey.name.as_str()).collect();
+    let mut faults = without_survey(&structure.inputs(), &names, |path| reader.place(path));
+    faults.extend(sought_in_none(structure, &names, |path| reader.place(path)));
+    faults.into_iter().for_each(|fault| reader.fault(fault));
 }
 
 fn structure(

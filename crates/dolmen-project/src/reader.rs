@@ -27,11 +27,18 @@ struct BareUnit {
     factor: f64,
 }
 
+/// An entry of `allow`.
+struct Allowed {
+    path: At<String>,
+    /// Whether a value needed it.
+    is_used: bool,
+}
+
 /// The state of one reading.
 pub(super) struct Reader<'f> {
     units: BTreeMap<Measure, BareUnit>,
     places: BTreeMap<String, Range<usize>>,
-    allow: Vec<(At<String>, bool)>,
+    allow: Vec<Allowed>,
     /// Where numbers come from that do not say it.
     evidence: Option<Evidence>,
     /// Where the file's own values start, if a variant is read: only they have the default evidence.
@@ -53,10 +60,14 @@ impl<'f> Reader<'f> {
         allow: Option<Vec<At<String>>>,
         files: &'f dyn Files,
     ) -> Self {
+        let allowed = allow
+            .into_iter()
+            .flatten()
+            .map(|path| Allowed { path, is_used: false });
         let mut reader = Reader {
             units: BTreeMap::new(),
             places: BTreeMap::new(),
-            allow: allow.into_iter().flatten().map(|path| (path, false)).collect(),
+            allow: allowed.collect(),
             evidence: None,
             own: None,
             meant: Vec::new(),
@@ -145,10 +156,14 @@ impl<'f> Reader<'f> {
         self.faults.push(fault);
     }
 
+    fn allowed(&mut self, path: &str) -> Option<&mut Allowed> {
+        self.allow.iter_mut().find(|allowed| allowed.path.value == path)
+    }
+
     /// A probable slip: a fault, or a warning where `allow` names it.
     pub(super) fn slip(&mut self, path: &str, message: impl Into<Both>, help: impl Into<Both>) {
-        if let Some((_, used)) = self.allow.iter_mut().find(|(allowed, _)| allowed.value == path) {
-            *used = true;
+        if let Some(allowed) = self.allowed(path) {
+            allowed.is_used = true;
             self.warn(
                 WarningKind::Allowed,
                 path,
@@ -173,8 +188,8 @@ impl<'f> Reader<'f> {
 
     /// A pattern that looks like a slip but may be right: a warning, or nothing where `allow` names it.
     pub(super) fn doubt(&mut self, path: &str, doubted: Doubted) {
-        match self.allow.iter_mut().find(|(allowed, _)| allowed.value == path) {
-            Some((_, used)) => *used = true,
+        match self.allowed(path) {
+            Some(allowed) => allowed.is_used = true,
             None => self.put(WarningKind::Doubtful, path, doubted.into()),
         }
     }
@@ -196,7 +211,7 @@ impl<'f> Reader<'f> {
     /// The warnings, by line; entries of `allow` that nothing needed are among them.
     pub(super) fn take_warnings(&mut self, text: &str) -> Vec<Warning> {
         let mut all = std::mem::take(&mut self.warnings);
-        for (path, _) in self.allow.iter().filter(|(_, used)| !used) {
+        for Allowed { path, .. } in self.allow.iter().filter(|allowed| !allowed.is_used) {
             let path_in_vain = path.value.clone();
             let said = Warned::AllowedInVain { path: path_in_vain };
             let warning = Warning::new(WarningKind::AllowedInVain, "allow", said.into());
@@ -282,106 +297,12 @@ impl<'f> Reader<'f> {
         path: &str,
         measure: Measure,
     ) -> Option<Number> {
-        let (value, unit_text, unit_span) = match raw {
-            NumberRaw::Number(value) => match unit {
-                Some(unit) => (*value, unit.value.as_str(), &unit.span),
-                None if let (true, Some((what, units))) = (*value != 0.0, with_its_unit(measure)) => {
-                    let given = short(*value);
-                    let fault = Fault::new(
-                        span.clone(),
-                        path,
-                        WrongNumber::HasNoUnit {
-                            path: path.to_string(),
-                            given: given.to_string(),
-                        },
-                    );
-                    let [one, other] = units.map(|unit| format!("\"{given} {unit}\""));
-                    self.fault(fault.allowed(WrongNumber::MustBeWithIts { what }).help(
-                        WrongNumber::WriteOr {
-                            one: one.to_string(),
-                            other: other.to_string(),
-                        },
-                    ));
-                    return None;
-                }
-                None => {
-                    let (text, factor) = self.bare_unit(measure);
-                    let written = with_unit(&short(*value), text);
-                    return Some(Number {
-                        value: value * factor,
-                        factor,
-                        written,
-                    });
-                }
-            },
-            NumberRaw::Text(text) if measure == Measure::Tilt => {
-                let Some(value) = tilt_ratio(text) else {
-                    let fault = Fault::new(
-                        span.clone(),
-                        path,
-                        WrongNumber::IsNotTilt {
-                            path: path.to_string(),
-                            text: text.to_string(),
-                        },
-                    );
-                    self.fault(fault.allowed(Common::MustBeTilt));
-                    return None;
-                };
-                return Some(Number {
-                    value,
-                    factor: 1.0,
-                    written: text.trim().to_owned(),
-                });
-            }
-            NumberRaw::Text(text) => {
-                let allowed = WrongNumber::MustBeNumberOr {
-                    example: measure.example(),
-                };
-                let Some((value, rest)) = split_number(text) else {
-                    let fault = Fault::new(
-                        span.clone(),
-                        path,
-                        WrongNumber::IsTextNotNumber {
-                            path: path.to_string(),
-                            text: text.to_string(),
-                        },
-                    );
-                    self.fault(fault.allowed(allowed));
-                    return None;
-                };
-                if rest.is_empty() && measure != Measure::Ratio {
-                    let (bare, _) = self.bare_unit(measure);
-                    let fault = Fault::new(
-                        span.clone(),
-                        path,
-                        WrongNumber::IsTextWithoutUnit {
-                            path: path.to_string(),
-                            text: text.to_string(),
-                        },
-                    );
-                    let help = WrongNumber::WriteWithoutQuotesOr {
-                        text: text.trim().to_string(),
-                        bare: bare.to_string(),
-                    };
-                    self.fault(fault.allowed(allowed).help(help));
-                    return None;
-                }
-                if rest.starts_with(',') {
-                    let fault = Fault::new(
-                        span.clone(),
-                        path,
-                        WrongNumber::HoldsComma {
-                            path: path.to_string(),
-                            text: text.to_string(),
-                        },
-                    );
-                    self.fault(
-                        fault
-                            .allowed(WrongNumber::UnclearNumber)
-                            .help(WrongNumber::WriteDecimalsWithPoint),
-                    );
-                    return None;
-                }
+        let (value, unit_text, unit_span) = match (raw, unit) {
+            (NumberRaw::Number(value), Some(unit)) => (*value, unit.value.as_str(), &unit.span),
+            (NumberRaw::Number(value), None) => return self.bare_number(*value, span, path, measure),
+            (NumberRaw::Text(text), _) if measure == Measure::Tilt => return self.tilt(text, span, path),
+            (NumberRaw::Text(text), _) => {
+                let (value, rest) = self.number_and_unit(text, span, path, measure)?;
                 if let Some(unit) = unit {
                     let message = WrongNumber::HasItsUnitTwice {
                         path: path.to_string(),
@@ -391,11 +312,7 @@ impl<'f> Reader<'f> {
                     self.fault(Fault::new(unit.span.clone(), path, message).help(Common::KeepOneOfThem));
                     return None;
                 }
-                if rest.is_empty() {
-                    (value, "1", span)
-                } else {
-                    (value, rest, span)
-                }
+                (value, if rest.is_empty() { "1" } else { rest }, span)
             }
         };
         let unit = self.unit(unit_text, unit_span, path, measure, path)?;
@@ -408,6 +325,99 @@ impl<'f> Reader<'f> {
             factor: unit.factor,
             written,
         })
+    }
+
+    /// A number without a unit: in that of the file, where its measure allows that.
+    fn bare_number(
+        &mut self,
+        value: f64,
+        span: &Range<usize>,
+        path: &str,
+        measure: Measure,
+    ) -> Option<Number> {
+        if let (true, Some((what, units))) = (value != 0.0, with_its_unit(measure)) {
+            let given = short(value);
+            let message = WrongNumber::HasNoUnit {
+                path: path.to_string(),
+                given: given.to_string(),
+            };
+            let [one, other] = units.map(|unit| format!("\"{given} {unit}\""));
+            let fault = Fault::new(span.clone(), path, message).allowed(WrongNumber::MustBeWithIts { what });
+            self.fault(fault.help(WrongNumber::WriteOr { one, other }));
+            return None;
+        }
+        let (text, factor) = self.bare_unit(measure);
+        let written = with_unit(&short(value), text);
+        Some(Number {
+            value: value * factor,
+            factor,
+            written,
+        })
+    }
+
+    fn tilt(&mut self, text: &str, span: &Range<usize>, path: &str) -> Option<Number> {
+        let Some(value) = tilt_ratio(text) else {
+            let message = WrongNumber::IsNotTilt {
+                path: path.to_string(),
+                text: text.to_string(),
+            };
+            self.fault(Fault::new(span.clone(), path, message).allowed(Common::MustBeTilt));
+            return None;
+        };
+        Some(Number {
+            value,
+            factor: 1.0,
+            written: text.trim().to_owned(),
+        })
+    }
+
+    /// The number that a text begins with, and the unit behind it; only a ratio may have none.
+    fn number_and_unit<'t>(
+        &mut self,
+        text: &'t str,
+        span: &Range<usize>,
+        path: &str,
+        measure: Measure,
+    ) -> Option<(f64, &'t str)> {
+        let (path_named, given) = (path.to_owned(), text.to_owned());
+        let must_be = WrongNumber::MustBeNumberOr {
+            example: measure.example(),
+        };
+        let fault = match split_number(text) {
+            None => {
+                let message = WrongNumber::IsTextNotNumber {
+                    path: path_named,
+                    text: given,
+                };
+                Fault::new(span.clone(), path, message).allowed(must_be)
+            }
+            Some((_, "")) if measure != Measure::Ratio => {
+                let (bare, _) = self.bare_unit(measure);
+                let help = WrongNumber::WriteWithoutQuotesOr {
+                    text: text.trim().to_string(),
+                    bare: bare.to_string(),
+                };
+                let message = WrongNumber::IsTextWithoutUnit {
+                    path: path_named,
+                    text: given,
+                };
+                let fault = Fault::new(span.clone(), path, message);
+                fault.allowed(must_be).help(help)
+            }
+            Some((_, rest)) if rest.starts_with(',') => {
+                let message = WrongNumber::HoldsComma {
+                    path: path_named,
+                    text: given,
+                };
+                let fault = Fault::new(span.clone(), path, message);
+                fault
+                    .allowed(WrongNumber::UnclearNumber)
+                    .help(WrongNumber::WriteDecimalsWithPoint)
+            }
+            found => return found,
+        };
+        self.fault(fault);
+        None
     }
 
     /// A quantity; `None` if it is missing or wrong, which has then been reported.

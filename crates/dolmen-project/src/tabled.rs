@@ -161,17 +161,6 @@ pub(super) fn tabled(text: &str, files: &dyn Files) -> Result<Vec<Tabled>, Vec<F
     }
 }
 
-/// Whether a list of the project stands in a table beside it: the text alone then does not say what it holds.
-pub fn lists_in_tables(text: &str) -> bool {
-    let (root, _) = DeTable::parse_recoverable(text);
-    let root = root.get_ref();
-    let is_tabled = |key: &str| {
-        let table = root.get(key).and_then(|list| list.get_ref().as_table());
-        table.is_some_and(|table| table.contains_key("file"))
-    };
-    LISTS.iter().any(|(key, _)| is_tabled(key))
-}
-
 /// The unit of bare numbers that the file gives for a measure.
 fn unit_of_file<'a>(root: &'a DeTable<'_>, measure: Measure) -> Option<(&'static str, &'a str)> {
     let key = match measure {
@@ -195,74 +184,10 @@ fn list(
     root: &DeTable<'_>,
     file: &str,
 ) -> Result<Written, Vec<(Both, Both)>> {
-    let mut faults = Vec::new();
-    let mut heads: Vec<Option<(&'static str, Option<String>)>> = Vec::new();
     let (header, body) = rows.split_first().unwrap_or((&rows[0], &[]));
-    for cell in header {
-        let SheetValue::Text(head) = &cell.value else {
-            // an empty head over an empty column is no column
-            heads.push(None);
-            continue;
-        };
-        match column(head, columns) {
-            Some((of, _)) if heads.iter().flatten().any(|(known, _)| *known == of.0) => {
-                let message = WrongTable::CellColumnIsThere {
-                    file: file.to_string(),
-                    place: cell.place.to_string(),
-                    of: of.0.to_string(),
-                };
-                faults.push((message.into(), Common::KeepOneOfThem.into()));
-            }
-            Some((of, unit)) => match checked_unit(of, unit, root) {
-                Ok(unit) => heads.push(Some((of.0, unit))),
-                Err((said, help)) => faults.push((
-                    Both::from(WrongTable::Cell {
-                        file: file.to_string(),
-                        place: cell.place.to_string(),
-                        said,
-                    }),
-                    help,
-                )),
-            },
-            None => {
-                let known: Vec<&str> = columns.iter().map(|(known, ..)| *known).collect();
-                let message = WrongTable::CellIsNoColumn {
-                    file: file.to_string(),
-                    place: cell.place.to_string(),
-                    head: head.to_string(),
-                    key: key.to_string(),
-                };
-                let help = WrongTable::NameItOneOf {
-                    known: known.join(", "),
-                };
-                faults.push((message.into(), help.into()));
-            }
-        }
-    }
-    if !faults.is_empty() {
-        return Err(faults);
-    }
-    let name_at = heads
-        .iter()
-        .position(|head| head.as_ref().is_some_and(|(name, _)| *name == "name"));
-    if let Some(total) = total(body, name_at) {
-        let file = file.to_owned();
-        let message = match total {
-            Total::Named(cell) => WrongTable::RowIsTotal {
-                file,
-                place: cell.place.clone(),
-                name: match &cell.value {
-                    SheetValue::Text(text) => text.clone(),
-                    SheetValue::Number(_) | SheetValue::Empty => String::new(),
-                },
-            },
-            Total::Sums(cell) => WrongTable::RowIsSum {
-                file,
-                place: cell.place.clone(),
-            },
-        };
-        return Err(vec![(message.into(), WrongTable::DeleteTotal.into())]);
-    }
+    let heads = heads(key, columns, header, root, file)?;
+    refuse_total(&heads, body, file)?;
+    let mut faults = Vec::new();
     let mut text = format!("{key} = [");
     let mut places = BTreeMap::new();
     for (number, row) in (1..).zip(body) {
@@ -306,6 +231,96 @@ fn list(
         true => Ok((text, places)),
         false => Err(faults),
     }
+}
+
+/// A head of the table: the key that its column stands for, and its unit.
+type Head = (&'static str, Option<String>);
+
+/// The heads of a table, `None` over a column without one.
+fn heads(
+    key: &'static str,
+    columns: &[Column],
+    header: &[SheetCell],
+    root: &DeTable<'_>,
+    file: &str,
+) -> Result<Vec<Option<Head>>, Vec<(Both, Both)>> {
+    let mut faults = Vec::new();
+    let mut heads: Vec<Option<Head>> = Vec::new();
+    for cell in header {
+        let SheetValue::Text(head) = &cell.value else {
+            // an empty head over an empty column is no column
+            heads.push(None);
+            continue;
+        };
+        match column(head, columns) {
+            Some((of, _)) if heads.iter().flatten().any(|(known, _)| *known == of.0) => {
+                let message = WrongTable::CellColumnIsThere {
+                    file: file.to_string(),
+                    place: cell.place.to_string(),
+                    of: of.0.to_string(),
+                };
+                faults.push((message.into(), Common::KeepOneOfThem.into()));
+            }
+            Some((of, unit)) => match checked_unit(of, unit, root) {
+                Ok(unit) => heads.push(Some((of.0, unit))),
+                Err((said, help)) => faults.push((
+                    Both::from(WrongTable::Cell {
+                        file: file.to_string(),
+                        place: cell.place.to_string(),
+                        said,
+                    }),
+                    help,
+                )),
+            },
+            None => {
+                let known: Vec<&str> = columns.iter().map(|(known, ..)| *known).collect();
+                let message = WrongTable::CellIsNoColumn {
+                    file: file.to_string(),
+                    place: cell.place.to_string(),
+                    head: head.to_string(),
+                    key: key.to_string(),
+                };
+                let help = WrongTable::NameItOneOf {
+                    known: known.join(", "),
+                };
+                faults.push((message.into(), help.into()));
+            }
+        }
+    }
+    match faults.is_empty() {
+        true => Ok(heads),
+        false => Err(faults),
+    }
+}
+
+/// Refuses a row that is the total of the others.
+fn refuse_total(
+    heads: &[Option<Head>],
+    body: &[Vec<SheetCell>],
+    file: &str,
+) -> Result<(), Vec<(Both, Both)>> {
+    let name_at = heads
+        .iter()
+        .position(|head| head.as_ref().is_some_and(|(name, _)| *name == "name"));
+    if let Some(total) = total(body, name_at) {
+        let file = file.to_owned();
+        let message = match total {
+            Total::Named(cell) => WrongTable::RowIsTotal {
+                file,
+                place: cell.place.clone(),
+                name: match &cell.value {
+                    SheetValue::Text(text) => text.clone(),
+                    SheetValue::Number(_) | SheetValue::Empty => String::new(),
+                },
+            },
+            Total::Sums(cell) => WrongTable::RowIsSum {
+                file,
+                place: cell.place.clone(),
+            },
+        };
+        return Err(vec![(message.into(), WrongTable::DeleteTotal.into())]);
+    }
+    Ok(())
 }
 
 /// "width (mm)" → the column and its unit.

@@ -156,7 +156,9 @@ pub fn read_log(bytes: &[u8], column: Option<&str>) -> Result<Log, LogError> {
     let first_row = cells(lines.get(first).copied().unwrap_or_default(), sign);
     let dates = lines.iter().skip(first).map(|line| first_cell(line, sign));
     let times = TimeCells::of(&first_row, dates).map_err(|UnclearDay(found)| LogError::WhichDay { found })?;
-    let at = place(&names, column, (times, is_toa5))?;
+    // the record number of a Campbell logger is not a reading
+    let is_reading = |at: usize, name: &str| at >= times.cells() && !(is_toa5 && name == "RECORD");
+    let at = place(&names, column, is_reading)?;
     let mut rows = Vec::new();
     let mut log = Log {
         times_s: Vec::new(),
@@ -275,10 +277,9 @@ fn headed(lines: &[&str]) -> Option<(char, Vec<String>, usize)> {
 fn place(
     names: &[String],
     column: Option<&str>,
-    (times, is_toa5): (TimeCells, bool),
+    is_reading: impl Fn(usize, &str) -> bool,
 ) -> Result<usize, LogError> {
-    // the record number of a Campbell logger is not a reading
-    let is_reading = |(at, name): &(usize, &String)| *at >= times.cells() && !(is_toa5 && *name == "RECORD");
+    let is_reading = |(at, name): &(usize, &String)| is_reading(*at, name);
     let all: Vec<(usize, &String)> = names.iter().enumerate().filter(is_reading).collect();
     let known = || {
         let names: Vec<String> = all.iter().take(SHOWN_MOST).map(|(_, name)| shown(name)).collect();

@@ -25,11 +25,11 @@ impl TimeCells {
             has_clock_apart,
             is_month_first,
         };
-        if !Turned::of(date).is_some_and(|turned| turned.is_unclear) {
+        if !YearLastDate::of(date).is_some_and(|turned| turned.is_unclear) {
             return Ok(with(false));
         }
         let mut could_be = [true; 2]; // the first number a day, a month
-        for turned in dates.filter_map(Turned::of) {
+        for turned in dates.filter_map(YearLastDate::of) {
             could_be[0] &= turned.second <= MONTHS;
             could_be[1] &= turned.first <= MONTHS;
             if could_be.contains(&false) {
@@ -62,7 +62,7 @@ impl TimeCells {
 
     /// A day with or without a time, its year first or last; a time zone applies to all rows.
     fn other_time(self, cell: &str) -> Option<f64> {
-        let cell = match Turned::of(cell) {
+        let cell = match YearLastDate::of(cell) {
             Some(turned) => turned.year_first(self.is_month_first),
             None => cell.to_owned(),
         };
@@ -91,7 +91,7 @@ const DAY_S: f64 = 86_400.0;
 const MONTHS: u32 = 12;
 
 /// A date whose year stands last: "25.11.2026 10:00", "11/25/2026".
-struct Turned<'a> {
+struct YearLastDate<'a> {
     first: u32,
     second: u32,
     year: &'a str,
@@ -100,7 +100,7 @@ struct Turned<'a> {
     is_unclear: bool,
 }
 
-impl<'a> Turned<'a> {
+impl<'a> YearLastDate<'a> {
     fn of(cell: &'a str) -> Option<Self> {
         let sign = cell.chars().find(|sign| !sign.is_ascii_digit())?;
         if !matches!(sign, '/' | '.' | '-') {
@@ -113,7 +113,7 @@ impl<'a> Turned<'a> {
         let (year, rest) = behind.split_at_checked(4)?;
         let is_year = year.chars().all(|sign| sign.is_ascii_digit());
         let ends = !rest.starts_with(|sign: char| sign.is_ascii_digit());
-        (is_year && ends).then_some(Turned {
+        (is_year && ends).then_some(YearLastDate {
             first: number(first)?,
             second: number(second)?,
             year,

@@ -5,10 +5,15 @@ use crate::sheet_limits::{refuse_bomb, refuse_far};
 use calamine::{Data, Reader as _, Xlsx};
 use std::io::Cursor;
 
-/// Required keys of factors.
-const NEEDED: [&str; 4] = ["storeys", "body_height", "taper", "body_base_height_ratio"];
+/// Required factors.
+const NEEDED: [FormFactor; 4] = [
+    FormFactor::Storeys,
+    FormFactor::BodyHeight,
+    FormFactor::Taper,
+    FormFactor::BodyBaseHeightRatio,
+];
 /// One of these is enough.
-const EITHER: [&str; 2] = ["body_slenderness", "slenderness_angle"];
+const EITHER: [FormFactor; 2] = [FormFactor::BodySlenderness, FormFactor::SlendernessAngle];
 /// The column of the values, from 0.
 const VALUES: usize = 3;
 /// Most rows of a sheet of the form. Chosen here: it has some thirty, and notes may stand below.
@@ -44,13 +49,44 @@ pub enum ScoreFormError {
     },
 }
 
+/// A factor of the form.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FormFactor {
+    /// Number of storeys.
+    Storeys,
+    /// Height of all storeys, m.
+    BodyHeight,
+    /// Taper, degrees.
+    Taper,
+    /// Body height / base height.
+    BodyBaseHeightRatio,
+    /// Height / width of the body.
+    BodySlenderness,
+    /// Slenderness angle of the body.
+    SlendernessAngle,
+}
+
+impl FormFactor {
+    /// Its key, in the form and in a project file.
+    pub fn key(self) -> &'static str {
+        match self {
+            FormFactor::Storeys => "storeys",
+            FormFactor::BodyHeight => "body_height",
+            FormFactor::Taper => "taper",
+            FormFactor::BodyBaseHeightRatio => "body_base_height_ratio",
+            FormFactor::BodySlenderness => "body_slenderness",
+            FormFactor::SlendernessAngle => "slenderness_angle",
+        }
+    }
+}
+
 /// A filled form.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ScoreForm {
     /// The name of the pagoda, if it is given.
     pub name: Option<String>,
-    /// Keys of factors with their values, in the units of the form: m, degrees.
-    pub factors: Vec<(&'static str, f64)>,
+    /// Factors with their values, in the units of the form: m, degrees.
+    pub factors: Vec<(FormFactor, f64)>,
 }
 
 /// Reads a filled form from the bytes of a workbook.
@@ -87,9 +123,10 @@ fn filled(rows: &[(String, &Data)]) -> Result<ScoreForm, ScoreFormError> {
         (!text.is_empty() && text != "–").then_some((row.1, text))
     };
     let mut factors = Vec::new();
-    for key in NEEDED.into_iter().chain(EITHER) {
+    for factor in NEEDED.into_iter().chain(EITHER) {
+        let key = factor.key();
         let Some((cell, text)) = given(key) else {
-            match EITHER.contains(&key) {
+            match EITHER.contains(&factor) {
                 true => continue,
                 false => return Err(ScoreFormError::Missing { key }),
             }
@@ -101,16 +138,16 @@ fn filled(rows: &[(String, &Data)]) -> Result<ScoreForm, ScoreFormError> {
             _ => None,
         };
         match value.filter(|value: &f64| value.is_finite()) {
-            Some(value) if key == "storeys" && value.fract() != 0.0 => {
+            Some(value) if factor == FormFactor::Storeys && value.fract() != 0.0 => {
                 return Err(ScoreFormError::NotWhole { given: text });
             }
-            Some(value) => factors.push((key, value)),
+            Some(value) => factors.push((factor, value)),
             None => return Err(ScoreFormError::NoNumber { key, given: text }),
         }
     }
-    match EITHER.map(|key| factors.iter().any(|(of, _)| *of == key)) {
+    match EITHER.map(|either| factors.iter().any(|(of, _)| *of == either)) {
         [true, true] => return Err(ScoreFormError::Both),
-        [false, false] => return Err(ScoreFormError::Missing { key: EITHER[0] }),
+        [false, false] => return Err(ScoreFormError::Missing { key: EITHER[0].key() }),
         _ => {}
     }
     Ok(ScoreForm {
@@ -128,13 +165,18 @@ impl ScoreForm {
             .map(|c| if c.is_control() { ' ' } else { c })
             .collect();
         let name = safe.replace('\\', "\\\\").replace('"', "\\\"");
-        let factor = |(key, value): &(&str, f64)| match *key {
-            "storeys" => format!("{key} = {value:.0}"),
-            "body_height" => format!("{key} = \"{value} m\""),
-            "taper" => format!("{key} = \"{value} deg\""),
-            _ => format!("{key} = {value:?}"),
+        let written = |(factor, value): &(FormFactor, f64)| {
+            let value = match factor {
+                FormFactor::Storeys => format!("{value:.0}"),
+                FormFactor::BodyHeight => format!("\"{value} m\""),
+                FormFactor::Taper => format!("\"{value} deg\""),
+                FormFactor::BodyBaseHeightRatio
+                | FormFactor::BodySlenderness
+                | FormFactor::SlendernessAngle => format!("{value:?}"),
+            };
+            format!("{} = {value}", factor.key())
         };
-        let factors: Vec<String> = self.factors.iter().map(factor).collect();
+        let factors: Vec<String> = self.factors.iter().map(written).collect();
         format!(
             "schema = 1\nkind = \"stack\"\nname = \"{name}\"\ndensity = 2600\n\
              joint = {{ friction = 0.6, normal_stiffness = 1e9, shear_stiffness = 4e8 }}\npagoda = {{ {} }}\n",

@@ -67,15 +67,15 @@ fn condition(search: &Search) -> (String, Vec<Value>) {
 }
 
 /// Reads the values of a row in turn, each with its type.
-pub(crate) struct Taker {
+pub(crate) struct RowReader {
     values: std::vec::IntoIter<Value>,
     of: &'static str,
 }
 
-impl Taker {
+impl RowReader {
     pub(crate) fn of(values: Vec<Value>, of: &'static str) -> Self {
         let values = values.into_iter();
-        Taker { values, of }
+        RowReader { values, of }
     }
 
     pub(crate) fn take<T: crate::database::Field>(&mut self, column: &'static str) -> Result<T, StoreError> {
@@ -93,7 +93,7 @@ fn seconds(us: i64) -> f64 {
 }
 
 fn listed(row: Vec<Value>) -> Result<ListedStructure, StoreError> {
-    let mut row = Taker::of(row, "structure");
+    let mut row = RowReader::of(row, "structure");
     Ok(ListedStructure {
         name: row.take("name")?,
         kind: row.take("kind")?,
@@ -192,7 +192,7 @@ impl Store {
         for structure in named {
             for sql in [&of_state, &arrived] {
                 self.database.query(sql, &structure, &mut |row| {
-                    let mut row = Taker::of(row, "survey");
+                    let mut row = RowReader::of(row, "survey");
                     each(ListedSurvey {
                         structure: row.take("structure")?,
                         survey: row.take("name")?,
@@ -475,7 +475,7 @@ fn state(database: &mut dyn Database, adoption: AdoptionRow) -> Result<KeptState
     let of = [Value::Text(adoption.project.clone())];
     let sql = "select p.dolmen, (select count(*) from project_file f where f.project = p.hash) from project p where p.hash = $1";
     let rows = all(database, sql, &of)?;
-    let mut row = Taker::of(rows.into_iter().next().unwrap_or_default(), "project");
+    let mut row = RowReader::of(rows.into_iter().next().unwrap_or_default(), "project");
     Ok(KeptState {
         dolmen: row.take("dolmen")?,
         files: row.take("files")?,

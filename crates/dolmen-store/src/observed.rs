@@ -2,7 +2,7 @@
 
 use crate::database::{Value, all};
 use crate::error::StoreError;
-use crate::find::{Exported, LAST_ANALYSIS, Taker, not_in};
+use crate::find::{Exported, LAST_ANALYSIS, RowReader, not_in};
 use crate::store::{Store, refuse_unknown};
 use crate::stored_files::StoredFiles;
 use dolmen::modal::{ObservedMode, ObservedPoint};
@@ -39,7 +39,7 @@ impl Store {
         );
         let mut found = SensorFaults::new();
         for row in all(database, &sql, &[Value::Text(name.to_owned())])? {
-            let mut row = Taker::of(row, "channel_fault");
+            let mut row = RowReader::of(row, "channel_fault");
             let (survey, channel): (String, String) = (row.take("survey")?, row.take("channel")?);
             let word: String = row.take("fault")?;
             // a later version may have other kinds of fault
@@ -71,7 +71,7 @@ impl Store {
         );
         let mut found = BTreeMap::new();
         for row in all(database, &sql, &[Value::Text(name.to_owned())])? {
-            let mut row = Taker::of(row, "earthquake");
+            let mut row = RowReader::of(row, "earthquake");
             let survey: String = row.take("survey")?;
             let part = EarthquakePart {
                 peak_m_s2: row.take("peak_m_s2")?,
@@ -106,7 +106,7 @@ impl Store {
         let mut found: BTreeMap<String, Vec<ObservedMode>> = BTreeMap::new();
         let mut last = None;
         for row in all(database, &sql, &[Value::Text(name.to_owned())])? {
-            let mut row = Taker::of(row, "mode");
+            let mut row = RowReader::of(row, "mode");
             let survey: String = row.take("survey")?;
             let position: i64 = row.take("position")?;
             let mode = ObservedMode {

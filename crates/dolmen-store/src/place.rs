@@ -11,10 +11,10 @@ const SCHEMES: [&str; 2] = ["postgresql://", "postgres://"];
 
 /// An SQLite file, whose raw files lie in the folder of the same name with ".files" at its end; or a PostgreSQL database.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Place(Where);
+pub struct Place(Location);
 
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) enum Where {
+pub(crate) enum Location {
     File(PathBuf),
     #[cfg(feature = "postgres")]
     Server(Address),
@@ -25,12 +25,12 @@ fn after_scheme(named: &str) -> Option<&str> {
 }
 
 #[cfg(feature = "postgres")]
-fn server(after_scheme: &str) -> Result<Where, StoreFault> {
-    Address::of(after_scheme).map(Where::Server)
+fn server(after_scheme: &str) -> Result<Location, StoreFault> {
+    Address::of(after_scheme).map(Location::Server)
 }
 
 #[cfg(not(feature = "postgres"))]
-fn server(_after_scheme: &str) -> Result<Where, StoreFault> {
+fn server(_after_scheme: &str) -> Result<Location, StoreFault> {
     Err(StoreFault::NoPostgres)
 }
 
@@ -44,7 +44,7 @@ impl Place {
         match (named, after_scheme(named)) {
             ("", _) => Err(StoreFault::Unnamed.into()),
             (_, Some(address)) => Ok(Place(server(address)?)),
-            (file, None) => Ok(Place(Where::File(file.into()))),
+            (file, None) => Ok(Place(Location::File(file.into()))),
         }
     }
 
@@ -59,7 +59,7 @@ impl Place {
     pub fn with_password(self, given: Option<String>, file: Option<&Path>) -> Self {
         match self.0 {
             #[cfg(feature = "postgres")]
-            Where::Server(mut address) => {
+            Location::Server(mut address) => {
                 if address.password.is_none() {
                     let of_file = || {
                         address.password_in(
@@ -68,11 +68,11 @@ impl Place {
                     };
                     address.password = given.or_else(of_file);
                 }
-                Place(Where::Server(address))
+                Place(Location::Server(address))
             }
-            Where::File(path) => {
+            Location::File(path) => {
                 let _ = (given, file); // a file has no password
-                Place(Where::File(path))
+                Place(Location::File(path))
             }
         }
     }
@@ -80,15 +80,15 @@ impl Place {
     /// The files of the store itself, which may lie among others; a server has none.
     pub fn own_files(&self) -> Vec<PathBuf> {
         match &self.0 {
-            Where::File(path) => ["", "-wal", "-shm", "-journal"]
+            Location::File(path) => ["", "-wal", "-shm", "-journal"]
                 .map(|ending| with_ending(path, ending))
                 .to_vec(),
             #[cfg(feature = "postgres")]
-            Where::Server(_) => Vec::new(),
+            Location::Server(_) => Vec::new(),
         }
     }
 
-    pub(crate) fn place(&self) -> &Where {
+    pub(crate) fn place(&self) -> &Location {
         &self.0
     }
 }

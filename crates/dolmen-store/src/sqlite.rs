@@ -210,14 +210,12 @@ impl Database for Sqlite {
         let sql = "select name, type from pragma_table_info($1) order by cid";
         let rows = all(self, sql, &[Value::Text(table.to_owned())])?;
         let column = |row: Vec<Value>| match <[Value; 2]>::try_from(row) {
-            Ok([Value::Text(name), Value::Text(kind)]) => Some((
-                name,
-                match kind.to_lowercase().as_str() {
-                    "integer" => Kind::Whole,
-                    "real" => Kind::Number,
-                    _ => Kind::Text,
-                },
-            )),
+            Ok([Value::Text(name), Value::Text(of)]) => match of.to_lowercase().as_str() {
+                "integer" => Some((name, Kind::Whole)),
+                "real" => Some((name, Kind::Number)),
+                "text" => Some((name, Kind::Text)),
+                _ => Some((format!("{name} {of}"), Kind::Text)),
+            },
             _ => None,
         };
         Ok(rows.into_iter().filter_map(column).collect())

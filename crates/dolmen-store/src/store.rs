@@ -3,7 +3,7 @@
 use crate::database::{Access, Database, Value, all, transaction};
 use crate::error::StoreError;
 use crate::incoming::{Group, Incoming, SurveyTables, refuse_name};
-use crate::place::{Place, Where, files_of};
+use crate::place::{Location, Place, files_of};
 use crate::raw::{Kept, RawFiles};
 use crate::raw_folder::RawFolder;
 use crate::rows::{AdoptionRow, LogRow, MarkRow, ProjectRow, StructureRow, SurveyRow, insert, select};
@@ -136,9 +136,9 @@ impl Store {
 
 fn connect(place: &Place, access: Access, wait: Duration) -> Result<Box<dyn Database>, StoreError> {
     Ok(match place.place() {
-        Where::File(file) => Box::new(Sqlite::open(file, access, wait)?),
+        Location::File(file) => Box::new(Sqlite::open(file, access, wait)?),
         #[cfg(feature = "postgres")]
-        Where::Server(address) => Box::new(Session::open(address, access, wait)?),
+        Location::Server(address) => Box::new(Session::open(address, access, wait)?),
     })
 }
 
@@ -151,9 +151,9 @@ fn connect(place: &Place, access: Access, wait: Duration) -> Result<Box<dyn Data
 )]
 fn raw_files(place: &Place, access: Access, wait: Duration) -> Arc<dyn RawFiles> {
     match place.place() {
-        Where::File(file) => Arc::new(RawFolder::new(files_of(file))),
+        Location::File(file) => Arc::new(RawFolder::new(files_of(file))),
         #[cfg(feature = "postgres")]
-        Where::Server(address) => Arc::new(Pieces::new(address, access, wait)),
+        Location::Server(address) => Arc::new(Pieces::new(address, access, wait)),
     }
 }
 

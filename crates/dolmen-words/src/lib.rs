@@ -13,7 +13,7 @@ mod run;
 pub mod science;
 mod system;
 
-pub use file_name::{composed, file_name, folded_file_name, same_file_name};
+pub use file_name::{composed, file_name, folded_file_name};
 pub use language::Language;
 pub use message::{Sentence, Template};
 pub use nearest::nearest;

@@ -24,9 +24,6 @@ const DIGITS_MOST: usize = 17;
 /// Half width of a 95 % interval, in standard deviations of a normal variable.
 pub const TWO_SIDED_95: f64 = 1.96;
 
-/// What is below this part of its like is rounding. Chosen here: sums of some thousand products keep 12 digits.
-const ROUNDING: f64 = 1e-9;
-
 /// "1 fault was", "3 faults were": English only, for Korean has no plural.
 ///
 /// ```
@@ -35,19 +32,6 @@ const ROUNDING: f64 = 1e-9;
 /// ```
 pub fn counted(count: usize, one: &str, many: &str) -> String {
     format!("{count} {}", if count == 1 { one } else { many })
-}
-
-/// As [`significant`], with 0 for what is rounding beside `largest`, the largest number of its kind.
-///
-/// ```
-/// use dolmen_words::number::significant_beside;
-/// assert_eq!((significant_beside(3e-13, 42.0, 4), significant_beside(3e-7, 42.0, 2)), ("0".to_string(), "3.0×10⁻⁷".to_string()));
-/// ```
-pub fn significant_beside(value: f64, largest: f64, digits: usize) -> String {
-    match value.abs() <= ROUNDING * largest.abs() {
-        true => "0".to_owned(),
-        false => significant(value, digits),
-    }
 }
 
 /// `value` rounded to so many significant digits (1 to 17).
@@ -211,11 +195,6 @@ impl Prefixed {
     /// `value_si` in this unit, without the unit's name: for a table whose head names it.
     pub fn number(&self, value_si: f64, digits: usize) -> String {
         significant(value_si * self.factor, digits)
-    }
-
-    /// Value and standard deviation in this unit, without the unit's name.
-    pub fn number_with_sd(&self, value_si: f64, sd_si: f64) -> String {
-        with_sd(value_si * self.factor, sd_si * self.factor)
     }
 
     /// `value_si` in this unit with the unit's name, without zeros behind the point: for what a person wrote.

@@ -23,19 +23,23 @@ pub struct BesideFile {
 
 /// A stiffness and its standard deviation, 0 if unknown.
 #[derive(Clone, Copy)]
-pub(crate) struct Known {
+pub(crate) struct KnownStiffness {
     pub(crate) value: f64,
     pub(crate) sd: f64,
 }
 
 /// Compares the stiffness found with that of the file.
-pub(crate) fn beside(found: &[Known], file: &[Known], is_assumed: bool) -> Option<BesideFile> {
+pub(crate) fn beside(
+    found: &[KnownStiffness],
+    file: &[KnownStiffness],
+    is_assumed: bool,
+) -> Option<BesideFile> {
     if found.len() != file.len() || found.is_empty() {
         return None;
     }
     let both = || found.iter().zip(file);
     let ratios: Vec<f64> = both().map(|(a, b)| a.value / b.value).collect();
-    let deviation = |(a, b): (&Known, &Known)| {
+    let deviation = |(a, b): (&KnownStiffness, &KnownStiffness)| {
         let sd = a.sd.hypot(b.sd);
         (a.sd > 0.0).then(|| (a.value - b.value).abs() / sd)
     };
@@ -64,8 +68,11 @@ pub(crate) fn beside(found: &[Known], file: &[Known], is_assumed: bool) -> Optio
 mod tests {
     use super::*;
 
-    fn all(values: &[f64], sd: f64) -> Vec<Known> {
-        values.iter().map(|value| Known { value: *value, sd }).collect()
+    fn all(values: &[f64], sd: f64) -> Vec<KnownStiffness> {
+        values
+            .iter()
+            .map(|value| KnownStiffness { value: *value, sd })
+            .collect()
     }
 
     #[test]

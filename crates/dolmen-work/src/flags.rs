@@ -95,7 +95,7 @@ impl FlagVerb {
 }
 
 /// What to do instead of a flag, by kind.
-type Instead = (Kind, fn() -> FlagWords);
+type RemedyOfKind = (Kind, fn() -> FlagWords);
 
 /// One flag of a verb.
 #[derive(Clone, Copy, Debug)]
@@ -108,7 +108,7 @@ struct Flag {
     /// What it is for; `None`: "is for" and its kinds.
     is_for: Option<fn() -> FlagWords>,
     /// Kinds for which it has no effect, with what to do instead; the others read "this file has a KIND".
-    instead: &'static [Instead],
+    instead: &'static [RemedyOfKind],
 }
 
 const MOVING: &[Kind] = &[Chain, Frame, Stack, Building];
@@ -147,8 +147,8 @@ const MOTION: [&str; 18] = [
 
 /// Purpose of samples; the verdict of a stack has no load factor to scatter.
 const SAMPLES: Option<fn() -> FlagWords> = Some(|| FlagWords::DrawsLoadFactor);
-const NO_SAMPLES: &[Instead] = &[(Stack, || FlagWords::NotForStackCheck)];
-const NO_SAMPLES_REPORT: &[Instead] = &[(Stack, || FlagWords::NotForStackReport)];
+const NO_SAMPLES: &[RemedyOfKind] = &[(Stack, || FlagWords::NotForStackCheck)];
+const NO_SAMPLES_REPORT: &[RemedyOfKind] = &[(Stack, || FlagWords::NotForStackReport)];
 
 /// The flags of every verb but those of [`MOTION`].
 const FLAGS: &[Flag] = &[

@@ -1,6 +1,6 @@
 //! Compares every stiffness from a survey with that of the project file.
 
-use crate::beside_file::{BesideFile, Known, beside};
+use crate::beside_file::{BesideFile, KnownStiffness, beside};
 use crate::building::PlanAnswer;
 use crate::surveyed::{StiffnessAnswer, SurveyAnswer};
 use dolmen_project::{BuildingPart, Project, Quantity, StoreyStiffnessPart, Structure};
@@ -58,8 +58,8 @@ fn against(answer: &StiffnessAnswer, file: &[&Quantity]) -> Option<BesideFile> {
         .filter(|_| answer.is_chosen())?;
     let sd = |part: usize| one.stiffness_sd.as_ref().map_or(0.0, |sd| sd[part]);
     let found = one.stiffness.iter().enumerate();
-    let found: Vec<Known> = found
-        .map(|(at, value)| Known {
+    let found: Vec<KnownStiffness> = found
+        .map(|(at, value)| KnownStiffness {
             value: *value,
             sd: sd(at),
         })
@@ -67,8 +67,8 @@ fn against(answer: &StiffnessAnswer, file: &[&Quantity]) -> Option<BesideFile> {
     beside(&found, &known(file), file.iter().all(|of| of.is_assumed()))
 }
 
-fn known(file: &[&Quantity]) -> Vec<Known> {
-    let each = file.iter().map(|of| Known {
+fn known(file: &[&Quantity]) -> Vec<KnownStiffness> {
+    let each = file.iter().map(|of| KnownStiffness {
         value: of.value,
         sd: of.standard_deviation(),
     });
@@ -97,7 +97,7 @@ fn exchanged(project: &Project, survey: &SurveyAnswer) -> Option<[String; 2]> {
 /// k_x, k_y, k_θ compared with those of the file, in this order; only where the modes determine the centre of rigidity.
 fn of_plan(part: &BuildingPart, plan: &PlanAnswer, survey: &str, order: [usize; 3]) -> Option<BesideFile> {
     let one = plan.determined()?;
-    let found = [0, 1, 2].map(|at| Known {
+    let found = [0, 1, 2].map(|at| KnownStiffness {
         value: one.stiffness[at],
         sd: one.stiffness_sd.map_or(0.0, |sd| sd[at]),
     });
@@ -108,7 +108,7 @@ fn of_plan(part: &BuildingPart, plan: &PlanAnswer, survey: &str, order: [usize; 
     if written.iter().any(|of| of.survey.as_deref() == Some(survey)) {
         return None;
     }
-    let file = order.map(|at| Known {
+    let file = order.map(|at| KnownStiffness {
         value: plan.written.stiffness[at],
         sd: written.get(at).map_or(0.0, |of| of.standard_deviation()),
     });

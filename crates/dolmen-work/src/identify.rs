@@ -360,7 +360,10 @@ pub(crate) fn of_opened(
         source,
         &opened.record,
         &options,
-        (found, opened.losses.lost_s.is_empty()),
+        Shaking {
+            found,
+            is_whole: opened.losses.lost_s.is_empty(),
+        },
     )?;
     let read_s = opened.samples as f64 / opened.sampling_rate_hz;
     let is_one_file = source.stations.is_empty();
@@ -389,6 +392,14 @@ pub(crate) fn of_opened(
     Ok((answer, record))
 }
 
+/// The earthquake in a record.
+struct Shaking {
+    /// `None`: there is none.
+    found: Option<StrongMotion>,
+    /// Whether no samples of the record were lost.
+    is_whole: bool,
+}
+
 /// The part of a record from which its modes are identified.
 struct Quiet {
     /// `None`: the whole.
@@ -400,12 +411,11 @@ struct Quiet {
 /// The modes after the last earthquake, otherwise between two or before them; those of the strong phase if its ground motion is an input; those
 /// of the whole record where there was no earthquake, where it shows one state of the structure above its ground, and where all parts are too
 /// short.
-/// whole record where there was none, where it shows one state of the structure above its ground, and where all parts are too short.
 fn quiet(
     source: &RecordSource,
     record: &Record,
     options: &Identify,
-    (found, is_whole): (Option<StrongMotion>, bool),
+    shaking: Shaking,
 ) -> Result<Quiet, WorkError> {
     let whole = |earthquake: Option<Earthquake>| -> Result<Quiet, WorkError> {
         Ok(Quiet {
@@ -414,12 +424,14 @@ fn quiet(
             earthquake,
         })
     };
-    let Some(found) = found else { return whole(None) };
+    let Some(found) = shaking.found else {
+        return whole(None);
+    };
     let part = |of: ModesOf, part: &Part| Some((of, part.span_s, part.analysis.clone()?));
     let first = match (&found.strongest().during, options.method) {
         (During::Driven(of), _) => {
             let one_state = |whole: &ModalAnalysis| is_of_one_state(&whole.modes, &of.analysis.modes);
-            if is_whole && modes_of(record, options).is_ok_and(|whole| one_state(&whole)) {
+            if shaking.is_whole && modes_of(record, options).is_ok_and(|whole| one_state(&whole)) {
                 return whole(Some(Earthquake {
                     found,
                     modes_of: ModesOf::Whole,

@@ -8,7 +8,7 @@ use crate::loads::LoadsAnswer;
 use crate::motion::MotionAnswer;
 use crate::progress::Progress;
 use crate::simulation::Simulation;
-use crate::stack::simulate::{Shaken, StackOptions};
+use crate::stack::simulate::{StackOptions, StackOutcome};
 use crate::stack::{Law, Repeating};
 use crate::state::{Check, Leaning, SensitivityOf, SpringFit, TiltCheck};
 use crate::stiffness::MeasuredDirection;
@@ -248,8 +248,8 @@ pub(crate) fn simulated_for_report(
                 repeats: Repeating::WHOLE,
             };
             match stack::simulate::simulate(version, part, motion, &how, progress)? {
-                Shaken::Simulated(run) => vec![Simulation::Stack(run)],
-                Shaken::DoesNotStand(_) => Vec::new(),
+                StackOutcome::Simulated(run) => vec![Simulation::Stack(run)],
+                StackOutcome::DoesNotStand(_) => Vec::new(),
             }
         }
         Structure::Building(part) => {

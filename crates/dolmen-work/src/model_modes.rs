@@ -226,10 +226,10 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
 /// Motion of the model's places in each of its modes.
 struct Model {
     frequency_hz: Vec<f64>,
-    of: Moves,
+    of: PlaceMotion,
 }
 
-enum Moves {
+enum PlaceMotion {
     /// Of each mode, each floor from the ground on: u, v and θ about its centre.
     Floors {
         heights_m: Vec<f64>,
@@ -258,7 +258,7 @@ impl Model {
         all.truncate(wanted);
         Ok(Model {
             frequency_hz: all.iter().map(|mode| mode.frequency_hz).collect(),
-            of: Moves::Stones {
+            of: PlaceMotion::Stones {
                 solids: stack.blocks().iter().map(|block| block.solid.clone()).collect(),
                 shapes: all.into_iter().map(|mode| mode.shape).collect(),
             },
@@ -289,7 +289,7 @@ impl Model {
         let first = floors.first().map_or([0.0; 2], |floor| floor.centre_m);
         Ok(Some(Model {
             frequency_hz: modes.clone().map(|mode| mode.frequency_hz).collect(),
-            of: Moves::Floors {
+            of: PlaceMotion::Floors {
                 heights_m,
                 centres_m: std::iter::once(first)
                     .chain(floors.iter().map(|floor| floor.centre_m))
@@ -303,7 +303,7 @@ impl Model {
     fn moved(&self, position_m: [f64; 3], direction: [f64; 3]) -> Option<Vec<f64>> {
         let along = |by: [f64; 3]| by.iter().zip(direction).map(|(by, d)| by * d).sum::<f64>();
         match &self.of {
-            Moves::Floors {
+            PlaceMotion::Floors {
                 heights_m,
                 centres_m,
                 shapes,
@@ -331,7 +331,7 @@ impl Model {
                 });
                 Some(each.collect())
             }
-            Moves::Stones { solids, shapes } => {
+            PlaceMotion::Stones { solids, shapes } => {
                 let far = |solid: &Solid| {
                     let [low, high] = solid.bounds_m();
                     let beyond =
@@ -371,7 +371,8 @@ mod tests {
     fn example(name: &str) -> Opened {
         let text = match name {
             "twisting_floor" => include_str!("../../../examples/twisting_floor/project.toml"),
-            _ => include_str!("../../../examples/three_storey_pagoda/project.toml"),
+            "three_storey_pagoda" => include_str!("../../../examples/three_storey_pagoda/project.toml"),
+            other => panic!("no example {other}"),
         };
         Opened::read(text.to_owned(), "p".to_owned(), &NoFiles).unwrap()
     }
@@ -466,8 +467,8 @@ mod tests {
         let x = [1.0, 0.0, 0.0];
         let y = [0.0, 1.0, 0.0];
         let top = match &model.of {
-            Moves::Floors { heights_m, .. } => *heights_m.last().unwrap(),
-            Moves::Stones { .. } => unreachable!("it is a building"),
+            PlaceMotion::Floors { heights_m, .. } => *heights_m.last().unwrap(),
+            PlaceMotion::Stones { .. } => unreachable!("it is a building"),
         };
         let channels = vec![
             channel("a", [0.0, 0.0, top], x),
@@ -534,7 +535,7 @@ mod tests {
             "{:?}",
             model.frequency_hz
         );
-        let Moves::Stones { solids, .. } = &model.of else {
+        let PlaceMotion::Stones { solids, .. } = &model.of else {
             unreachable!("it is a stack")
         };
         let mut channels = Vec::new();

@@ -14,7 +14,7 @@ use crate::opened::Opened;
 use crate::progress::Progress;
 use crate::simulation::{AfterFirst, Second, SimulateAnswer, Simulation, WithoutShaking};
 use crate::stack::moving_supports::{Supported, supports};
-use crate::stack::simulate::{Shaken, StackOptions};
+use crate::stack::simulate::{StackOptions, StackOutcome};
 use crate::stack::{Law, Repeating};
 use crate::version::Version;
 use crate::{building, chain, frame, stack};
@@ -409,8 +409,8 @@ fn run_one(
         (Structure::Stack(part), Some(motion)) => {
             let how = stack_options(options);
             match stack::simulate::simulate(version, part, motion, &how, progress)? {
-                Shaken::Simulated(run) => answer.simulations.push(Simulation::Stack(run)),
-                Shaken::DoesNotStand(why) => answer.does_not_stand = Some(why),
+                StackOutcome::Simulated(run) => answer.simulations.push(Simulation::Stack(run)),
+                StackOutcome::DoesNotStand(why) => answer.does_not_stand = Some(why),
             }
         }
         (Structure::Building(part), Some(motion)) => {

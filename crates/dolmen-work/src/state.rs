@@ -360,17 +360,6 @@ fn as_quantiles<S: serde::Serializer>(load_factors: &[f64], serializer: S) -> Re
 }
 
 impl State {
-    /// Whether the stroke of a damper under the spectrum of the site exceeds its room.
-    pub fn is_beyond_room(&self) -> bool {
-        match &self.check {
-            Check::Building(answer) => {
-                let mut standing = answer.stands.iter();
-                standing.any(|standing| !standing.beyond_room().is_empty())
-            }
-            _ => false,
-        }
-    }
-
     /// Load factor λ: for a frame the smallest of its directions; `None` if no stiffness is known, and for a stack.
     pub fn load_factor(&self) -> Option<f64> {
         match &self.check {

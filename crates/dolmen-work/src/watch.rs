@@ -151,6 +151,79 @@ pub fn watch_stored(opened: &Opened, observed: &Observed, logs: &Logs) -> Result
     Ok(answer)
 }
 
+/// The surveys that are followed.
+#[derive(Default)]
+struct Followed {
+    surveys: Vec<HistorySurvey>,
+    left_out: Vec<String>,
+    earthquakes: Vec<WatchedEarthquake>,
+    /// Number of surveys whose temperature comes from a log.
+    temperatures_of_log: usize,
+}
+
+impl Followed {
+    fn of(
+        project: &Project,
+        logs: &Logs,
+        of: impl Fn(&Survey) -> (Surveyed, Option<EarthquakePart>),
+    ) -> Self {
+        let mut followed = Followed::default();
+        for survey in &project.surveys {
+            let dated = date(&survey.name);
+            let Some(when) = dated.filter(|_| is_usable(survey)) else {
+                // surveys with only an inspection are followed in addition
+                if dated.is_none() || survey.inspections.is_empty() {
+                    followed.left_out.push(survey.name.clone());
+                }
+                continue;
+            };
+            let (own, found) = of(survey);
+            let mut own = history_survey(survey, day_of(when), own);
+            if let Some(part) = survey.earthquake.or(found) {
+                followed.earthquakes.push(WatchedEarthquake {
+                    survey: survey.name.clone(),
+                    day: own.day,
+                    part,
+                    is_answered: false,
+                });
+                // a record of an earthquake is not a survey of the structure at rest; stated frequencies beside it are
+                if survey.earthquake.is_some() && (survey.records.is_some() || !survey.setups.is_empty()) {
+                    own.modes.clear();
+                }
+                if own.modes.is_empty() && own.tilts.is_empty() {
+                    continue;
+                }
+            }
+            if own.temperature_c.is_none() {
+                own.temperature_c = logs.temperature_c(&survey.name);
+                followed.temperatures_of_log += usize::from(own.temperature_c.is_some());
+            }
+            followed.surveys.push(own);
+        }
+        followed
+    }
+}
+
+/// The options of a watch, as the file gives them.
+fn options_of(project: &Project) -> WatchOptions {
+    let usual = WatchOptions::default();
+    WatchOptions {
+        tracking: Tracking {
+            frequency_within: project
+                .change
+                .frequency_within
+                .unwrap_or(Pairing::default().frequency_within),
+            ..Tracking::default()
+        },
+        years_between_false_alarms: project
+            .watch
+            .years_between_false_alarms
+            .unwrap_or(usual.years_between_false_alarms),
+        tilt_limit: project.watch.tilt_limit,
+        ..usual
+    }
+}
+
 fn watch_surveys(
     opened: &Opened,
     faults: &SensorFaults,
@@ -158,54 +231,18 @@ fn watch_surveys(
     of: impl Fn(&Survey) -> (Surveyed, Option<EarthquakePart>),
 ) -> Result<WatchAnswer, WorkError> {
     let project = &opened.project;
-    let mut left_out = Vec::new();
-    let mut surveys: Vec<HistorySurvey> = Vec::new();
-    let mut temperatures_of_log = 0;
-    let mut earthquakes: Vec<WatchedEarthquake> = Vec::new();
-    for survey in &project.surveys {
-        let dated = date(&survey.name);
-        let Some(when) = dated.filter(|_| is_usable(survey)) else {
-            // surveys with only an inspection are followed in addition
-            if dated.is_none() || survey.inspections.is_empty() {
-                left_out.push(survey.name.clone());
-            }
-            continue;
-        };
-        let (own, found) = of(survey);
-        let mut own = history_survey(survey, day_of(when), own);
-        if let Some(part) = survey.earthquake.or(found) {
-            earthquakes.push(WatchedEarthquake {
-                survey: survey.name.clone(),
-                day: own.day,
-                part,
-                is_answered: false,
-            });
-            // a record of an earthquake is not a survey of the structure at rest; stated frequencies beside it are
-            if survey.earthquake.is_some() && (survey.records.is_some() || !survey.setups.is_empty()) {
-                own.modes.clear();
-            }
-            if own.modes.is_empty() && own.tilts.is_empty() {
-                continue;
-            }
-        }
-        if own.temperature_c.is_none() {
-            own.temperature_c = logs.temperature_c(&survey.name);
-            temperatures_of_log += usize::from(own.temperature_c.is_some());
-        }
-        surveys.push(own);
-    }
-    let tracking = Tracking {
-        frequency_within: project
-            .change
-            .frequency_within
-            .unwrap_or(Pairing::default().frequency_within),
-        ..Tracking::default()
-    };
+    let Followed {
+        surveys,
+        mut left_out,
+        mut earthquakes,
+        temperatures_of_log,
+    } = Followed::of(project, logs, of);
+    let options = options_of(project);
     let Days {
         surveys: kept,
         several,
         left_out: of_one_day,
-    } = days(surveys, &tracking).map_err(ChangeFault::from)?;
+    } = days(surveys, &options.tracking).map_err(ChangeFault::from)?;
     left_out.extend(of_one_day);
     let with_modes = kept.iter().filter(|survey| !survey.modes.is_empty()).count();
     let with_tilts = kept.iter().filter(|survey| !survey.tilts.is_empty()).count();
@@ -235,16 +272,6 @@ fn watch_surveys(
             })
             .collect(),
         surveys: kept,
-    };
-    let usual = WatchOptions::default();
-    let options = WatchOptions {
-        tracking,
-        years_between_false_alarms: project
-            .watch
-            .years_between_false_alarms
-            .unwrap_or(usual.years_between_false_alarms),
-        tilt_limit: project.watch.tilt_limit,
-        ..usual
     };
     let watched = match are_too_few {
         true => Watched::nothing(options.significance),

@@ -19,7 +19,8 @@ const LICENCES: [&str; 8] = [
     "Unicode-3.0",
     "Zlib",
 ];
-/// Crates that stand in Cargo.lock in several versions, without those of Typst, which brings its own; `deny.toml` says who needs the older ones.
+/// Crates that stand in Cargo.lock in several versions, without those of Typst, which brings its own; `deny.toml` says who needs the older ones, but for those
+/// that stand below Typst too.
 const SEVERAL: [(&str, usize); 15] = [
     ("bitflags", 2),
     ("constant_time_eq", 2),

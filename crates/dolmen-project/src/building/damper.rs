@@ -175,7 +175,7 @@ pub enum DamperFault {
 }
 
 /// A building as a damper needs it.
-pub(super) struct Around<'a> {
+pub(super) struct HostBuilding<'a> {
     pub(super) vibrating: &'a VibratingBuilding,
     pub(super) gravity_m_s2: f64,
 }

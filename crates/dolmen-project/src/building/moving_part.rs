@@ -7,15 +7,15 @@ use crate::wrong::{Common, WrongDamper};
 use dolmen_words::message::Both;
 
 /// What is wrong with a damper as a whole.
-pub(super) struct Refused {
+pub(super) struct DamperRefusal {
     pub(super) message: WrongDamper,
     pub(super) help: Both,
 }
 
-impl Refused {
+impl DamperRefusal {
     fn because(message: WrongDamper, help: impl Into<Both>) -> Box<Self> {
         let help = help.into();
-        Box::new(Refused { message, help })
+        Box::new(DamperRefusal { message, help })
     }
 }
 
@@ -32,16 +32,16 @@ pub(super) fn mass_of(
     mass: Option<Quantity>,
     ratio: Option<Quantity>,
     path: &str,
-) -> Result<DamperMass, Box<Refused>> {
+) -> Result<DamperMass, Box<DamperRefusal>> {
     let path = path.to_owned();
     match (mass, ratio) {
         (Some(mass), None) => Ok(DamperMass::Mass(mass)),
         (None, Some(ratio)) => Ok(DamperMass::Ratio(ratio)),
-        (Some(_), Some(_)) => Err(Refused::because(
+        (Some(_), Some(_)) => Err(DamperRefusal::because(
             WrongDamper::HasBothMassAnd { path },
             Common::KeepOneOfThem,
         )),
-        (None, None) => Err(Refused::because(
+        (None, None) => Err(DamperRefusal::because(
             WrongDamper::HasNeitherMassNor { path },
             WrongDamper::GiveMassOrMass,
         )),
@@ -53,10 +53,10 @@ pub(super) fn frequency_of(
     given: [Option<Quantity>; 3],
     is_tuned: bool,
     path: &str,
-) -> Result<DamperFrequency, Box<Refused>> {
+) -> Result<DamperFrequency, Box<DamperRefusal>> {
     let path = path.to_owned();
     if given.iter().flatten().count() > 1 {
-        return Err(Refused::because(
+        return Err(DamperRefusal::because(
             WrongDamper::HasItsFrequencyTwice { path },
             Common::KeepOneOfThem,
         ));
@@ -66,7 +66,7 @@ pub(super) fn frequency_of(
         [_, Some(ratio), _] => Ok(DamperFrequency::Ratio(ratio)),
         [.., Some(length)] => Ok(DamperFrequency::Length(length)),
         _ if is_tuned => Ok(DamperFrequency::Tuned),
-        _ => Err(Refused::because(
+        _ => Err(DamperRefusal::because(
             WrongDamper::HasNoFrequency { path },
             WrongDamper::GiveFrequencyFrequencyRatio,
         )),
@@ -79,16 +79,16 @@ pub(super) fn judge_damping(
     is_tuned: bool,
     frequency: &DamperFrequency,
     path: &str,
-) -> Result<(), Box<Refused>> {
+) -> Result<(), Box<DamperRefusal>> {
     let path = path.to_owned();
     if !is_given && !is_tuned {
-        return Err(Refused::because(
+        return Err(DamperRefusal::because(
             WrongDamper::HasNoDampingRatio { path },
             WrongDamper::GiveDampingRatioOn,
         ));
     }
     if is_tuned && is_given && !matches!(frequency, DamperFrequency::Tuned) {
-        return Err(Refused::because(
+        return Err(DamperRefusal::because(
             WrongDamper::NamesTuningButGives { path },
             WrongDamper::TakeTuningOutOr,
         ));
@@ -102,13 +102,13 @@ pub(super) fn moving_part(
     liquid: Liquid,
     parts: Option<Vec<MassPart>>,
     path: &str,
-) -> Result<Option<MovingPart>, Box<Refused>> {
+) -> Result<Option<MovingPart>, Box<DamperRefusal>> {
     let path = path.to_owned();
     if matches!(kind, DamperKindRaw::Tmd | DamperKindRaw::Link) {
         return Ok(parts.map(MovingPart::Masses));
     }
     let Some(length_ratio) = liquid.length_ratio else {
-        return Err(Refused::because(
+        return Err(DamperRefusal::because(
             WrongDamper::HasNoLengthRatio { path },
             WrongDamper::GiveHorizontalLengthOf,
         ));
@@ -120,7 +120,7 @@ pub(super) fn moving_part(
         (Some(frequency), None) => DamperFrequency::Frequency(frequency),
         (None, Some(length)) => DamperFrequency::Length(length),
         _ => {
-            return Err(Refused::because(
+            return Err(DamperRefusal::because(
                 WrongDamper::NeedsOneOfLiquid { path },
                 WrongDamper::GiveLiquidSFrequency,
             ));
@@ -133,7 +133,7 @@ pub(super) fn moving_part(
             liquid_frequency,
             liquid_damping_ratio,
         })),
-        _ => Err(Refused::because(
+        _ => Err(DamperRefusal::because(
             WrongDamper::NeedsLiquidShareAnd { path },
             WrongDamper::GiveLiquidSPart,
         )),

@@ -1,7 +1,7 @@
 //! The building of a project file, and the building of the science it makes.
 
 use super::built_damper::BuiltDamper;
-use super::damper::{Around, DamperFault, DamperPart};
+use super::damper::{DamperFault, DamperPart, HostBuilding};
 use crate::heaviness::Heaviness;
 use crate::quantity::{Pick, Quantity};
 use dolmen::dynamics::{DynamicsError, VibratingBuilding};
@@ -219,7 +219,7 @@ impl BuildingPart {
         building: &VibratingBuilding,
         pick: Pick<'_>,
     ) -> Result<Vec<BuiltDamper>, DamperFault> {
-        let around = Around {
+        let around = HostBuilding {
             vibrating: building,
             gravity_m_s2: self.gravity_m_s2,
         };

@@ -2,7 +2,7 @@
 
 use super::built_damper::{BuiltDamper, TunedTo};
 use super::damper::{
-    Around, DamperBody, DamperFault, DamperFrequency, DamperMass, DamperPart, MassPart, MovingPart,
+    DamperBody, DamperFault, DamperFrequency, DamperMass, DamperPart, HostBuilding, MassPart, MovingPart,
 };
 use crate::quantity::Pick;
 use crate::wrong::StillMode;
@@ -42,12 +42,55 @@ impl MovingPart {
     }
 }
 
+impl MovingPart {
+    /// The damper as one that moves as a whole, of this mass, kg, frequency, Hz, and damping ratio.
+    fn as_one(
+        &self,
+        [mass_kg, frequency_hz, damping_ratio]: [f64; 3],
+        liquid_frequency_hz: f64,
+        pick: Pick<'_>,
+    ) -> DamperKind {
+        match self {
+            MovingPart::Masses(_) => DamperKind::TunedMass {
+                mass_kg,
+                frequency_hz,
+                damping_ratio,
+            },
+            MovingPart::Column { length_ratio } => DamperKind::LiquidColumn {
+                liquid_mass_kg: mass_kg,
+                length_ratio: pick(length_ratio),
+                frequency_hz,
+                damping_ratio,
+            },
+            MovingPart::ColumnMass {
+                length_ratio,
+                liquid_share,
+                liquid_damping_ratio,
+                ..
+            } => {
+                let liquid = pick(liquid_share) * mass_kg;
+                DamperKind::LiquidColumnMass {
+                    container_mass_kg: mass_kg - liquid,
+                    liquid_mass_kg: liquid,
+                    length_ratio: pick(length_ratio),
+                    frequency_hz,
+                    damping_ratio,
+                    liquid_frequency_hz,
+                    liquid_damping_ratio: pick(liquid_damping_ratio),
+                }
+            }
+        }
+    }
+}
+
 impl DamperPart {
-    pub(super) fn build(&self, around: &Around<'_>, pick: Pick<'_>) -> Result<Vec<BuiltDamper>, DamperFault> {
+    pub(super) fn build(
+        &self,
+        around: &HostBuilding<'_>,
+        pick: Pick<'_>,
+    ) -> Result<Vec<BuiltDamper>, DamperFault> {
         let place_m = [pick(&self.place[0]), pick(&self.place[1])];
-        let room_m = self.stroke.as_ref().map(&mut *pick);
-        let liquid_room_m = self.liquid_stroke.as_ref().map(&mut *pick);
-        let rooms_m = [room_m, liquid_room_m];
+        let rooms_m = [&self.stroke, &self.liquid_stroke].map(|room| room.as_ref().map(&mut *pick));
         let built = |name, place_m, row, kind| self.built(name, place_m, (row, kind), rooms_m);
         let row = self.row(around, self.floor, place_m)?;
         let (moving, mass, mode, frequency, damping_ratio, tuning) = match &self.body {
@@ -59,13 +102,10 @@ impl DamperPart {
                 let to_place_m = to_place
                     .as_ref()
                     .map_or(place_m, |to| [pick(&to[0]), pick(&to[1])]);
-                let other = match to_floor {
-                    0 => vec![0.0; row.len()],
-                    floor => self.row(around, *floor, to_place_m)?,
-                };
-                let AttachedDamper { kind, row } = AttachedDamper::link(pick(coefficient), &row, &other);
+                let to = (*to_floor, to_place_m);
+                let AttachedDamper { kind, row } = self.link(around, pick(coefficient), &row, to)?;
                 return Ok(vec![BuiltDamper {
-                    to: Some((*to_floor, to_place_m)),
+                    to: Some(to),
                     ..built(self.name.clone(), place_m, row, kind)
                 }]);
             }
@@ -108,12 +148,7 @@ impl DamperPart {
             ..built(self.name.clone(), place_m, row.clone(), kind)
         };
         Ok(match &**moving {
-            MovingPart::Masses(parts) if parts.is_empty() => vec![whole(DamperKind::TunedMass {
-                mass_kg,
-                frequency_hz,
-                damping_ratio,
-            })],
-            MovingPart::Masses(parts) => {
+            MovingPart::Masses(parts) if !parts.is_empty() => {
                 let whole = WholeDamper {
                     place_m,
                     mass_kg,
@@ -126,30 +161,26 @@ impl DamperPart {
                 };
                 self.several(parts, &whole, around, pick)?
             }
-            MovingPart::Column { .. } => vec![whole(DamperKind::LiquidColumn {
-                liquid_mass_kg: mass_kg,
-                length_ratio,
-                frequency_hz,
-                damping_ratio,
-            })],
-            MovingPart::ColumnMass {
-                length_ratio,
-                liquid_share,
-                liquid_damping_ratio,
-                ..
-            } => {
-                let liquid = pick(liquid_share) * mass_kg;
-                vec![whole(DamperKind::LiquidColumnMass {
-                    container_mass_kg: mass_kg - liquid,
-                    liquid_mass_kg: liquid,
-                    length_ratio: pick(length_ratio),
-                    frequency_hz,
-                    damping_ratio,
-                    liquid_frequency_hz: liquid_hz,
-                    liquid_damping_ratio: pick(liquid_damping_ratio),
-                })]
+            one => {
+                let tuned = [mass_kg, frequency_hz, damping_ratio];
+                vec![whole(one.as_one(tuned, liquid_hz, pick))]
             }
         })
+    }
+
+    /// A dashpot between its place and another, with the floor of that, 0 for the ground.
+    fn link(
+        &self,
+        around: &HostBuilding<'_>,
+        coefficient: f64,
+        row: &[f64],
+        (to_floor, to_place_m): (usize, [f64; 2]),
+    ) -> Result<AttachedDamper, DamperFault> {
+        let other = match to_floor {
+            0 => vec![0.0; row.len()],
+            floor => self.row(around, floor, to_place_m)?,
+        };
+        Ok(AttachedDamper::link(coefficient, row, &other))
     }
 
     fn built(
@@ -179,7 +210,7 @@ impl DamperPart {
         &self,
         mass: &DamperMass,
         (mode, at): (usize, &AtMode),
-        around: &Around<'_>,
+        around: &HostBuilding<'_>,
         pick: Pick<'_>,
     ) -> Result<[f64; 2], DamperFault> {
         let [mass_kg, mass_ratio] = match mass {
@@ -211,7 +242,7 @@ impl DamperPart {
         &self,
         parts: &[MassPart],
         whole: &WholeDamper,
-        around: &Around<'_>,
+        around: &HostBuilding<'_>,
         pick: Pick<'_>,
     ) -> Result<Vec<BuiltDamper>, DamperFault> {
         let mut all = Vec::with_capacity(parts.len());
@@ -257,7 +288,12 @@ impl DamperPart {
         Ok(all)
     }
 
-    fn row(&self, around: &Around<'_>, floor: usize, [x_m, y_m]: [f64; 2]) -> Result<Vec<f64>, DamperFault> {
+    fn row(
+        &self,
+        around: &HostBuilding<'_>,
+        floor: usize,
+        [x_m, y_m]: [f64; 2],
+    ) -> Result<Vec<f64>, DamperFault> {
         let row = around
             .vibrating
             .building()
@@ -270,7 +306,7 @@ impl DamperPart {
 
     fn at_mode(
         &self,
-        around: &Around<'_>,
+        around: &HostBuilding<'_>,
         number: usize,
         place_m: [f64; 2],
         row: &[f64],

@@ -3,7 +3,7 @@
 use super::damper::{DamperBody, DamperFrequency, DamperPart, MassPart};
 use super::file::{DamperKindRaw, DamperRaw, MassRaw, TuningRaw};
 use super::floor_number::floor_number;
-use super::moving_part::{Liquid, Refused, frequency_of, judge_damping, mass_of, moving_part};
+use super::moving_part::{DamperRefusal, Liquid, frequency_of, judge_damping, mass_of, moving_part};
 use crate::error::Fault;
 use crate::file_number::{At, QuantityRaw};
 use crate::measure::{Bound, Measure};
@@ -299,7 +299,7 @@ fn moving(
         damping_ratio: liquid_ratio,
     };
     let is_tuned = tuning.is_some();
-    let body = || -> Result<Option<DamperBody>, Box<Refused>> {
+    let body = || -> Result<Option<DamperBody>, Box<DamperRefusal>> {
         let mass = mass_of(mass, mass_ratio, path)?;
         let frequency = frequency_of([frequency, frequency_ratio, own_length], is_tuned, path)?;
         judge_damping(ratio.is_some(), is_tuned, &frequency, path)?;
@@ -318,7 +318,7 @@ fn moving(
     match body() {
         Ok(body) => body,
         Err(refused) => {
-            let Refused { message, help } = *refused;
+            let DamperRefusal { message, help } = *refused;
             reader.fault(Fault::new(raw.span.clone(), path, message).help(help));
             None
         }

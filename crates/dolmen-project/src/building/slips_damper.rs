@@ -1,7 +1,7 @@
 //! Probable slips in the dampers of a building, and what the science refuses of them.
 
 use super::built_damper::BuiltDamper;
-use super::damper::{Around, DamperPart};
+use super::damper::{DamperPart, HostBuilding};
 use super::part::BuildingPart;
 use crate::error::Fault;
 use crate::quantity::Quantity;
@@ -29,7 +29,7 @@ const ROOM_MOST_M: f64 = 5.0;
 /// Each damper alone on the building.
 pub(super) fn judge_dampers(reader: &mut Reader, part: &BuildingPart, vibrating: &VibratingBuilding) {
     let (building, modes) = (vibrating.building(), vibrating.modes());
-    let around = Around {
+    let around = HostBuilding {
         vibrating,
         gravity_m_s2: part.gravity_m_s2,
     };

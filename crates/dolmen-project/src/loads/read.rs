@@ -84,6 +84,28 @@ pub(crate) fn loads(reader: &mut Reader, raw: &FileRaw, structure: Option<&Struc
     for (name, raw) in written {
         combinations.extend(combination(reader, name, raw));
     }
+    judge_factors(reader, raw);
+    let answer = LoadsPart {
+        wind,
+        loads: loads.unwrap_or_default(),
+        combinations,
+    };
+    match (answer.is_empty(), answer.combinations.is_empty()) {
+        (false, true) => LoadsPart {
+            combinations: vec![CombinationPart {
+                name: None,
+                weight: 1.0,
+                wind: 1.0,
+                loads: 1.0,
+            }],
+            ..answer
+        },
+        _ => answer,
+    }
+}
+
+/// Refuses a factor on what the file does not have.
+fn judge_factors(reader: &mut Reader, raw: &FileRaw) {
     let missing = [
         ("wind", raw.wind.is_none(), WrongLoads::WriteWindSpeedMeans),
         ("loads", raw.loads.is_none(), WrongLoads::WriteLoadsNameAt),
@@ -104,23 +126,6 @@ pub(crate) fn loads(reader: &mut Reader, raw: &FileRaw, structure: Option<&Struc
                 );
             }
         }
-    }
-    let answer = LoadsPart {
-        wind,
-        loads: loads.unwrap_or_default(),
-        combinations,
-    };
-    match (answer.is_empty(), answer.combinations.is_empty()) {
-        (false, true) => LoadsPart {
-            combinations: vec![CombinationPart {
-                name: None,
-                weight: 1.0,
-                wind: 1.0,
-                loads: 1.0,
-            }],
-            ..answer
-        },
-        _ => answer,
     }
 }
 

@@ -9,7 +9,8 @@ mod read;
 pub use date::{calendar_day, is_day};
 pub(crate) use file::ReportRaw;
 pub use part::{
-    Author, Grade, GradeScale, Location, MaterialMethod, MaterialTest, PhotoPart, ReportPart, SensorPart,
+    Author, Grade, GradeScale, Location, MaterialMethod, MaterialTest, PeriodicGrade, PhotoPart, ReportPart,
+    SensorPart,
 };
 pub(crate) use parts_named::PartNames;
 pub(crate) use read::{a_part, report, words};

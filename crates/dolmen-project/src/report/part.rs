@@ -114,11 +114,43 @@ pub struct SensorPart {
     pub certificate: Option<Names>,
 }
 
+/// A grade of the Korean periodic inspection of heritage.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PeriodicGrade {
+    /// Good.
+    A,
+    /// Minor repair.
+    B,
+    /// Observe.
+    C,
+    /// Detailed diagnosis.
+    D,
+    /// Repair.
+    E,
+    /// Immediate action.
+    F,
+}
+
+impl PeriodicGrade {
+    /// The grade of a letter, "A" to "F".
+    pub(super) fn of_letter(letter: &str) -> Option<Self> {
+        match letter {
+            "A" => Some(PeriodicGrade::A),
+            "B" => Some(PeriodicGrade::B),
+            "C" => Some(PeriodicGrade::C),
+            "D" => Some(PeriodicGrade::D),
+            "E" => Some(PeriodicGrade::E),
+            "F" => Some(PeriodicGrade::F),
+            _ => None,
+        }
+    }
+}
+
 /// What a grade is one of.
 #[derive(Clone, Debug, PartialEq)]
 pub enum GradeScale {
     /// The six words of the Korean periodic inspection of heritage, A to F.
-    Periodic,
+    Periodic(PeriodicGrade),
     /// Another.
     Other(Names),
 }

@@ -5,7 +5,8 @@ use super::file::{
     AuthorRaw, GradeRaw, LocationRaw, MaterialMethodRaw, MaterialTestRaw, PhotoRaw, ReportRaw, SensorRaw,
 };
 use super::part::{
-    Author, Grade, GradeScale, Location, MaterialMethod, MaterialTest, PhotoPart, ReportPart, SensorPart,
+    Author, Grade, GradeScale, Location, MaterialMethod, MaterialTest, PeriodicGrade, PhotoPart, ReportPart,
+    SensorPart,
 };
 use super::parts_named::PartNames;
 use crate::error::Fault;
@@ -23,7 +24,6 @@ const VELOCITY_M_S: (f64, f64) = (100.0, 8000.0);
 /// Readings of a rebound hammer: its scale.
 const REBOUND: (f64, f64) = (0.0, 100.0);
 /// The grades of the Korean periodic inspection.
-const PERIODIC: [&str; 6] = ["A", "B", "C", "D", "E", "F"];
 
 /// What the engineer gives; `parts` are the names that photographs and tests may speak of.
 pub(crate) fn report(
@@ -348,7 +348,11 @@ fn grade(reader: &mut Reader, raw: &At<GradeRaw>) -> Option<Grade> {
     let reason = words(reader, raw.reason.as_ref(), &format!("{path}.reason"));
     let value_path = format!("{path}.value");
     let value = words(reader, raw.value.as_ref(), &value_path)?;
-    if scale.is_none() && raw.scale.is_none() && !PERIODIC.contains(&value.english()) {
+    let scale = match (scale, PeriodicGrade::of_letter(value.english())) {
+        (Some(scale), _) => Some(GradeScale::Other(scale)),
+        (None, letter) => letter.map(GradeScale::Periodic),
+    };
+    if scale.is_none() && raw.scale.is_none() {
         let message = WrongReport::IsNoGradeOf {
             value_path: value_path.to_string(),
             english: value.english().to_string(),
@@ -363,7 +367,7 @@ fn grade(reader: &mut Reader, raw: &At<GradeRaw>) -> Option<Grade> {
     }
     Some(Grade {
         value,
-        scale: scale.map_or(GradeScale::Periodic, GradeScale::Other),
+        scale: scale?,
         reason: reason?,
     })
 }

@@ -1,6 +1,7 @@
 //! Where a structure stands: its hazard and the motions of its ground.
 
 mod file;
+mod key;
 mod motion;
 mod part;
 mod place;

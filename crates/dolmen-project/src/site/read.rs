@@ -1,6 +1,7 @@
 //! The site from what is written.
 
 use super::file::{CodeRaw, GroundRaw, HazardRaw, SiteRaw, SoilRaw, ZoneRaw};
+use super::key::SiteKey;
 use super::part::{HazardPart, HazardSource, SitePart};
 use super::place::is_place_alone;
 use super::slips::judge_site;
@@ -22,53 +23,12 @@ use dolmen_words::message::Both;
 /// Damping ratio that codes give their plateaus for.
 const DAMPING_RATIO: f64 = 0.05;
 
-/// Keys of a site, and the codes that have them.
-const KEYS_OF_CODE: [(&str, &[CodeRaw]); 12] = [
-    ("zone", &[CodeRaw::Kds17, CodeRaw::Kds41]),
-    ("zone_factor", &[CodeRaw::Kds17, CodeRaw::Kds41]),
-    ("return_period_years", &[CodeRaw::Kds17]),
-    ("soil", &[CodeRaw::Kds17, CodeRaw::Kds41]),
-    ("spectrum_type", &[CodeRaw::Eurocode8]),
-    ("ground", &[CodeRaw::Eurocode8]),
-    ("ground_acceleration", &[CodeRaw::Eurocode8]),
-    ("importance_factor", &[CodeRaw::Eurocode8]),
-    ("periods_s", &[CodeRaw::Table]),
-    ("accelerations", &[CodeRaw::Table]),
-    ("file", &[CodeRaw::Table]),
-    ("peak_ground_acceleration", &[CodeRaw::Table]),
-];
-
 fn code_word(code: CodeRaw) -> &'static str {
     match code {
         CodeRaw::Kds17 => "KDS 17 10 00",
         CodeRaw::Kds41 => "KDS 41 17 00",
         CodeRaw::Eurocode8 => "EN 1998-1",
         CodeRaw::Table => "table",
-    }
-}
-
-/// Where a key stands, if it is given.
-fn span_of(raw: &SiteRaw, key: &str) -> Option<std::ops::Range<usize>> {
-    fn span<T>(key: &Option<At<T>>) -> Option<std::ops::Range<usize>> {
-        key.as_ref().map(|at| at.span.clone())
-    }
-    match key {
-        "zone" => span(&raw.zone),
-        "zone_factor" => span(&raw.zone_factor),
-        "return_period_years" => span(&raw.return_period_years),
-        "soil" => span(&raw.soil),
-        "spectrum_type" => span(&raw.spectrum_type),
-        "ground" => span(&raw.ground),
-        "ground_acceleration" => span(&raw.ground_acceleration),
-        "importance_factor" => span(&raw.importance_factor),
-        "periods_s" => span(&raw.periods_s),
-        "accelerations" => span(&raw.accelerations),
-        "file" => span(&raw.file),
-        "unit" => span(&raw.unit),
-        "peak_ground_acceleration" => span(&raw.peak_ground_acceleration),
-        "damping_ratio" => span(&raw.damping_ratio),
-        "vertical_ratio" => span(&raw.vertical_ratio),
-        _ => None,
     }
 }
 
@@ -87,14 +47,14 @@ pub(crate) fn site(reader: &mut Reader, raw: Option<&At<SiteRaw>>) -> Option<Sit
         return None;
     };
     let code = code.value;
-    for key in ["periods_s", "file"] {
-        if let Some(span) = span_of(&raw.value, key) {
-            reader.mark(&format!("site.{key}"), &span);
+    for key in [SiteKey::PeriodsS, SiteKey::File] {
+        if let Some(span) = key.span_in(&raw.value) {
+            reader.mark(&key.path(), &span);
         }
     }
-    for (key, codes) in KEYS_OF_CODE {
-        if let (Some(span), false) = (span_of(&raw.value, key), codes.contains(&code)) {
-            let path = format!("site.{key}");
+    for (key, codes) in SiteKey::OF_CODES {
+        if let (Some(span), false) = (key.span_in(&raw.value), codes.contains(&code)) {
+            let path = key.path();
             let message = WrongSite::HasNoMeaningWith {
                 path: path.to_string(),
                 code: code_word(code).to_string(),
@@ -150,8 +110,9 @@ pub(crate) fn site(reader: &mut Reader, raw: Option<&At<SiteRaw>>) -> Option<Sit
     }
     if let Err(why) = part.demand() {
         let key = key_of(&why, code);
-        let path = format!("site.{key}");
-        let span = span_of(&raw.value, key).unwrap_or_else(|| raw.span.clone());
+        let path = key.map_or_else(|| "site.code".to_owned(), SiteKey::path);
+        let span = key.and_then(|key| key.span_in(&raw.value));
+        let span = span.unwrap_or_else(|| raw.span.clone());
         let why = said(&why);
         reader.fault(Fault::new(
             span,
@@ -237,31 +198,24 @@ fn hazard(reader: &mut Reader, raw: &At<HazardRaw>) -> Option<HazardPart> {
     }
 }
 
-/// The key that a complaint is about.
-fn key_of(why: &AssessError, code: CodeRaw) -> &'static str {
+/// The key that a complaint is about; `None` where it is about the code itself.
+fn key_of(why: &AssessError, code: CodeRaw) -> Option<SiteKey> {
     match why {
-        AssessError::SiteSpecific => "soil",
-        AssessError::ReturnPeriod { .. } => "return_period_years",
-        AssessError::SpectrumTable { .. } => "periods_s",
-        AssessError::Numeric(NumericError::Range { quantity, .. }) => match *quantity {
-            "damping_ratio" => "damping_ratio",
-            "vertical_ratio" => "vertical_ratio",
-            "importance_factor" => "importance_factor",
-            "ground_acceleration_g" => "ground_acceleration",
-            "effective_acceleration_g" if code == CodeRaw::Kds17 => "zone_factor",
-            _ => "code",
-        },
-        _ => "code",
+        AssessError::SiteSpecific => Some(SiteKey::Soil),
+        AssessError::ReturnPeriod { .. } => Some(SiteKey::ReturnPeriodYears),
+        AssessError::SpectrumTable { .. } => Some(SiteKey::PeriodsS),
+        AssessError::Numeric(NumericError::Range { quantity, .. }) => SiteKey::of_quantity(quantity, code),
+        _ => None,
     }
 }
 
 /// A key that a code needs.
-fn needs(reader: &mut Reader, raw: &At<SiteRaw>, key: &str, help: WrongSite) {
-    let path = format!("site.{key}");
-    if span_of(&raw.value, key).is_none() && !reader.is_reported(&path) {
+fn needs(reader: &mut Reader, raw: &At<SiteRaw>, key: SiteKey, help: WrongSite) {
+    let path = key.path();
+    if key.span_in(&raw.value).is_none() && !reader.is_reported(&path) {
         let code = raw.value.code.as_ref().map_or("", |code| code_word(code.value));
         let message = WrongSite::SiteHasNoBut {
-            key: key.to_string(),
+            key: key.word().to_owned(),
             code: code.to_string(),
         };
         reader.fault(Fault::new(raw.span.clone(), &path, message).help(help));
@@ -292,11 +246,11 @@ fn korea(reader: &mut Reader, raw: &At<SiteRaw>, code: CodeRaw) -> Option<Site> 
         ),
         (None, Some(_)) => factor.map(|m_s2| m_s2 / STANDARD_GRAVITY_M_S2),
         (None, None) => {
-            needs(reader, raw, "zone", WrongSite::WriteZoneIG);
+            needs(reader, raw, SiteKey::Zone, WrongSite::WriteZoneIG);
             None
         }
     };
-    needs(reader, raw, "soil", WrongSite::WriteSoilS1Rock);
+    needs(reader, raw, SiteKey::Soil, WrongSite::WriteSoilS1Rock);
     let soil = given.soil.as_ref().map(|soil| match soil.value {
         SoilRaw::S1 => KoreanSite::S1,
         SoilRaw::S2 => KoreanSite::S2,
@@ -312,7 +266,7 @@ fn korea(reader: &mut Reader, raw: &At<SiteRaw>, code: CodeRaw) -> Option<Site> 
         });
     }
     let help = WrongSite::WriteReturnPeriodYears;
-    needs(reader, raw, "return_period_years", help);
+    needs(reader, raw, SiteKey::ReturnPeriodYears, help);
     let years = given.return_period_years.as_ref()?;
     Some(Site::Kds17 {
         zone_factor_g: zone_factor_g?,
@@ -323,12 +277,17 @@ fn korea(reader: &mut Reader, raw: &At<SiteRaw>, code: CodeRaw) -> Option<Site> 
 
 fn eurocode(reader: &mut Reader, raw: &At<SiteRaw>) -> Option<Site> {
     let given = &raw.value;
-    needs(reader, raw, "spectrum_type", WrongSite::WriteSpectrumTypeSurface);
-    needs(reader, raw, "ground", WrongSite::WriteGroundRockTo);
     needs(
         reader,
         raw,
-        "ground_acceleration",
+        SiteKey::SpectrumType,
+        WrongSite::WriteSpectrumTypeSurface,
+    );
+    needs(reader, raw, SiteKey::Ground, WrongSite::WriteGroundRockTo);
+    needs(
+        reader,
+        raw,
+        SiteKey::GroundAcceleration,
         WrongSite::WriteGroundAccelerationG,
     );
     let ground_m_s2 = reader.plain(
@@ -361,7 +320,7 @@ fn eurocode(reader: &mut Reader, raw: &At<SiteRaw>) -> Option<Site> {
 
 fn table(reader: &mut Reader, raw: &At<SiteRaw>) -> Option<Site> {
     let given = &raw.value;
-    needs(reader, raw, "unit", WrongSite::WriteUnitGOr);
+    needs(reader, raw, SiteKey::Unit, WrongSite::WriteUnitGOr);
     let factor = given
         .unit
         .as_ref()
@@ -393,11 +352,11 @@ fn table(reader: &mut Reader, raw: &At<SiteRaw>) -> Option<Site> {
             None
         }
         _ => {
-            needs(reader, raw, "periods_s", WrongSite::WritePeriodsSAnd);
+            needs(reader, raw, SiteKey::PeriodsS, WrongSite::WritePeriodsSAnd);
             needs(
                 reader,
                 raw,
-                "accelerations",
+                SiteKey::Accelerations,
                 WrongSite::WriteAccelerationsOnePeriod,
             );
             None

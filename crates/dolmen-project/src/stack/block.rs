@@ -54,13 +54,12 @@ pub(super) fn block(
         Measure::Angle,
         Bound::Any,
     );
-    let lean = |key: &str| {
-        let lean = block.tilt.as_ref()?;
-        let raw = if key == "x" { &lean.value.x } else { &lean.value.y };
-        Some((raw.as_ref()?, format!("{path}.tilt.{key}")))
-    };
-    let tilt = ["x", "y"].map(|key| {
-        lean(key).and_then(|(raw, path)| reader.quantity(Some(raw), &path, Measure::Tilt, Bound::Any))
+    let lean = block.tilt.as_ref().map(|lean| &lean.value);
+    let along_x = lean.and_then(|lean| lean.x.as_ref());
+    let along_y = lean.and_then(|lean| lean.y.as_ref());
+    let tilt = [("x", along_x), ("y", along_y)].map(|(key, raw)| {
+        let path = format!("{path}.tilt.{key}");
+        reader.quantity(raw, &path, Measure::Tilt, Bound::Any)
     });
     let joint = bed(reader, block.joint.as_ref(), &format!("{path}.joint"));
     Some(BlockPart {

@@ -3,7 +3,7 @@
 use super::file::{BlockRaw, CoordinatesRaw, ShapeRaw};
 use super::part::{MeshPart, PointsFrame, ShapePart, TopPart};
 use crate::error::Fault;
-use crate::file_number::At;
+use crate::file_number::{At, QuantityRaw};
 use crate::measure::{Bound, Measure};
 use crate::needed::lengths;
 use crate::quantity::Quantity;
@@ -19,19 +19,68 @@ use std::ops::Range;
 /// Most sides of a prism: as the science allows; more are a drum.
 const SIDES_MOST: usize = 64;
 
-/// Keys of a block that give it its shape, and the shapes that have them.
-const KEYS_OF_SHAPE: [(&str, &[ShapeRaw]); 7] = [
-    ("width", &[ShapeRaw::Box, ShapeRaw::Frustum, ShapeRaw::Prism]),
-    (
-        "height",
-        &[ShapeRaw::Box, ShapeRaw::Frustum, ShapeRaw::Prism, ShapeRaw::Drum],
-    ),
-    ("depth", &[ShapeRaw::Box, ShapeRaw::Frustum]),
-    ("top_width", &[ShapeRaw::Frustum, ShapeRaw::Prism]),
-    ("top_depth", &[ShapeRaw::Frustum]),
-    ("diameter", &[ShapeRaw::Drum]),
-    ("top_diameter", &[ShapeRaw::Drum]),
-];
+/// A length of a block that gives it its shape.
+#[derive(Clone, Copy)]
+enum ShapeKey {
+    Width,
+    Depth,
+    Height,
+    TopWidth,
+    TopDepth,
+    Diameter,
+    TopDiameter,
+}
+
+impl ShapeKey {
+    /// All, in the order of the messages.
+    const ALL: [ShapeKey; 7] = [
+        ShapeKey::Width,
+        ShapeKey::Height,
+        ShapeKey::Depth,
+        ShapeKey::TopWidth,
+        ShapeKey::TopDepth,
+        ShapeKey::Diameter,
+        ShapeKey::TopDiameter,
+    ];
+
+    /// The key as written.
+    fn word(self) -> &'static str {
+        match self {
+            ShapeKey::Width => "width",
+            ShapeKey::Depth => "depth",
+            ShapeKey::Height => "height",
+            ShapeKey::TopWidth => "top_width",
+            ShapeKey::TopDepth => "top_depth",
+            ShapeKey::Diameter => "diameter",
+            ShapeKey::TopDiameter => "top_diameter",
+        }
+    }
+
+    /// The shapes that have it.
+    fn shapes(self) -> &'static [ShapeRaw] {
+        match self {
+            ShapeKey::Width => &[ShapeRaw::Box, ShapeRaw::Frustum, ShapeRaw::Prism],
+            ShapeKey::Height => &[ShapeRaw::Box, ShapeRaw::Frustum, ShapeRaw::Prism, ShapeRaw::Drum],
+            ShapeKey::Depth => &[ShapeRaw::Box, ShapeRaw::Frustum],
+            ShapeKey::TopWidth => &[ShapeRaw::Frustum, ShapeRaw::Prism],
+            ShapeKey::TopDepth => &[ShapeRaw::Frustum],
+            ShapeKey::Diameter | ShapeKey::TopDiameter => &[ShapeRaw::Drum],
+        }
+    }
+
+    /// What is written for it.
+    fn of(self, block: &BlockRaw) -> Option<&At<QuantityRaw>> {
+        match self {
+            ShapeKey::Width => block.width.as_ref(),
+            ShapeKey::Depth => block.depth.as_ref(),
+            ShapeKey::Height => block.height.as_ref(),
+            ShapeKey::TopWidth => block.top_width.as_ref(),
+            ShapeKey::TopDepth => block.top_depth.as_ref(),
+            ShapeKey::Diameter => block.diameter.as_ref(),
+            ShapeKey::TopDiameter => block.top_diameter.as_ref(),
+        }
+    }
+}
 
 fn shape_word(shape: ShapeRaw) -> &'static str {
     match shape {
@@ -48,20 +97,97 @@ fn shape_word(shape: ShapeRaw) -> &'static str {
 pub(super) fn shape(reader: &mut Reader, raw: &At<BlockRaw>, path: &str, name: &str) -> Option<ShapePart> {
     let block = &raw.value;
     let shape = block.shape.as_ref().map_or(ShapeRaw::Box, |shape| shape.value);
-    let written = |key: &str| match key {
-        "width" => &block.width,
-        "depth" => &block.depth,
-        "height" => &block.height,
-        "top_width" => &block.top_width,
-        "top_depth" => &block.top_depth,
-        "diameter" => &block.diameter,
-        _ => &block.top_diameter,
+    refuse_foreign(reader, block, path, shape);
+    match shape {
+        ShapeRaw::Points => return points(reader, raw, path),
+        ShapeRaw::Mesh => return mesh(reader, raw, path, name),
+        ShapeRaw::Box | ShapeRaw::Frustum | ShapeRaw::Prism | ShapeRaw::Drum => {}
+    }
+    let needs = |reader: &mut Reader, key: ShapeKey| {
+        let key_path = format!("{path}.{}", key.word());
+        if key.of(block).is_none() && !reader.is_reported(&key_path) {
+            let message = WrongStack::HasNoButNeeds {
+                path: path.to_string(),
+                key: key.word().to_owned(),
+                shape: shape_word(shape).into(),
+            };
+            let fault = Fault::new(raw.span.clone(), &key_path, message);
+            reader.fault(fault.help(WrongStack::Write {
+                key: key.word().to_owned(),
+            }));
+        }
+        reader.quantity(key.of(block), &key_path, Measure::Length, Bound::Positive)
     };
-    for (key, shapes) in KEYS_OF_SHAPE {
-        if let Some(quantity) = written(key)
+    let may = |reader: &mut Reader, key: ShapeKey| {
+        let key_path = format!("{path}.{}", key.word());
+        let before = reader.faults.len();
+        let read = reader.quantity(key.of(block), &key_path, Measure::Length, Bound::Positive);
+        (reader.faults.len() == before).then_some(read)
+    };
+    let height = needs(reader, ShapeKey::Height);
+    match shape {
+        ShapeRaw::Box => {
+            let (width, depth) = (needs(reader, ShapeKey::Width), may(reader, ShapeKey::Depth));
+            Some(ShapePart::Box {
+                width: width?,
+                depth: depth?,
+                height: height?,
+            })
+        }
+        ShapeRaw::Frustum => {
+            let (width, depth) = (needs(reader, ShapeKey::Width), may(reader, ShapeKey::Depth));
+            let (top_width, top_depth) = (needs(reader, ShapeKey::TopWidth), may(reader, ShapeKey::TopDepth));
+            Some(ShapePart::Frustum {
+                width: width?,
+                depth: depth?,
+                top: Box::new(TopPart {
+                    width: top_width?,
+                    depth: top_depth?,
+                }),
+                height: height?,
+            })
+        }
+        ShapeRaw::Prism => {
+            let sides_path = format!("{path}.sides");
+            if block.sides.is_none() {
+                let message = WrongStack::HasNoSidesBut {
+                    path: path.to_string(),
+                };
+                let fault = Fault::new(raw.span.clone(), &sides_path, message);
+                reader.fault(fault.help(WrongStack::WriteSides));
+            }
+            let sides = reader.count(block.sides.as_ref(), &sides_path, 3, SIDES_MOST);
+            let (width, top_width) = (needs(reader, ShapeKey::Width), may(reader, ShapeKey::TopWidth));
+            Some(ShapePart::Prism {
+                sides: sides.and_then(|sides| u32::try_from(sides).ok())?,
+                width: width?,
+                top_width: top_width?,
+                height: height?,
+            })
+        }
+        ShapeRaw::Drum => {
+            let (diameter, top_diameter) = (
+                needs(reader, ShapeKey::Diameter),
+                may(reader, ShapeKey::TopDiameter),
+            );
+            Some(ShapePart::Drum {
+                diameter: diameter?,
+                top_diameter: top_diameter?,
+                height: height?,
+            })
+        }
+        ShapeRaw::Points | ShapeRaw::Mesh => None, // read above
+    }
+}
+
+/// Refuses keys that have no meaning in a shape.
+fn refuse_foreign(reader: &mut Reader, block: &BlockRaw, path: &str, shape: ShapeRaw) {
+    for key in ShapeKey::ALL {
+        let shapes = key.shapes();
+        if let Some(quantity) = key.of(block)
             && !shapes.contains(&shape)
         {
-            let key_path = format!("{path}.{key}");
+            let key_path = format!("{path}.{}", key.word());
             let message = WrongStack::HasNoMeaningIn {
                 key_path: key_path.to_string(),
                 shape: shape_word(shape).into(),
@@ -89,81 +215,6 @@ pub(super) fn shape(reader: &mut Reader, raw: &At<BlockRaw>, path: &str, name: &
                 others: either(&others),
             }));
         }
-    }
-    match shape {
-        ShapeRaw::Points => return points(reader, raw, path),
-        ShapeRaw::Mesh => return mesh(reader, raw, path, name),
-        ShapeRaw::Box | ShapeRaw::Frustum | ShapeRaw::Prism | ShapeRaw::Drum => {}
-    }
-    let needs = |reader: &mut Reader, key: &str| {
-        let key_path = format!("{path}.{key}");
-        if written(key).is_none() && !reader.is_reported(&key_path) {
-            let message = WrongStack::HasNoButNeeds {
-                path: path.to_string(),
-                key: key.to_string(),
-                shape: shape_word(shape).into(),
-            };
-            let fault = Fault::new(raw.span.clone(), &key_path, message);
-            reader.fault(fault.help(WrongStack::Write { key: key.to_string() }));
-        }
-        reader.quantity(written(key).as_ref(), &key_path, Measure::Length, Bound::Positive)
-    };
-    let may = |reader: &mut Reader, key: &str| {
-        let key_path = format!("{path}.{key}");
-        let before = reader.faults.len();
-        let read = reader.quantity(written(key).as_ref(), &key_path, Measure::Length, Bound::Positive);
-        (reader.faults.len() == before).then_some(read)
-    };
-    let height = needs(reader, "height");
-    match shape {
-        ShapeRaw::Box => {
-            let (width, depth) = (needs(reader, "width"), may(reader, "depth"));
-            Some(ShapePart::Box {
-                width: width?,
-                depth: depth?,
-                height: height?,
-            })
-        }
-        ShapeRaw::Frustum => {
-            let (width, depth) = (needs(reader, "width"), may(reader, "depth"));
-            let (top_width, top_depth) = (needs(reader, "top_width"), may(reader, "top_depth"));
-            Some(ShapePart::Frustum {
-                width: width?,
-                depth: depth?,
-                top: Box::new(TopPart {
-                    width: top_width?,
-                    depth: top_depth?,
-                }),
-                height: height?,
-            })
-        }
-        ShapeRaw::Prism => {
-            let sides_path = format!("{path}.sides");
-            if block.sides.is_none() {
-                let message = WrongStack::HasNoSidesBut {
-                    path: path.to_string(),
-                };
-                let fault = Fault::new(raw.span.clone(), &sides_path, message);
-                reader.fault(fault.help(WrongStack::WriteSides));
-            }
-            let sides = reader.count(block.sides.as_ref(), &sides_path, 3, SIDES_MOST);
-            let (width, top_width) = (needs(reader, "width"), may(reader, "top_width"));
-            Some(ShapePart::Prism {
-                sides: sides.and_then(|sides| u32::try_from(sides).ok())?,
-                width: width?,
-                top_width: top_width?,
-                height: height?,
-            })
-        }
-        ShapeRaw::Drum => {
-            let (diameter, top_diameter) = (needs(reader, "diameter"), may(reader, "top_diameter"));
-            Some(ShapePart::Drum {
-                diameter: diameter?,
-                top_diameter: top_diameter?,
-                height: height?,
-            })
-        }
-        ShapeRaw::Points | ShapeRaw::Mesh => None, // read above
     }
 }
 

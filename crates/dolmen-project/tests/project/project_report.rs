@@ -1,7 +1,7 @@
 //! What an engineer gives for a report, and what inspections found: what is read, and the faults of what cannot be.
 
 use super::project::{CHAIN, chain_with, example, read, refused};
-use dolmen_project::{DamageKind, GradeScale, MaterialMethod, Severity, canonical_text};
+use dolmen_project::{DamageKind, GradeScale, MaterialMethod, PeriodicGrade, Severity, canonical_text};
 
 fn chain_and(text: &str) -> String {
     format!("{CHAIN}\n{text}")
@@ -23,7 +23,7 @@ fn holds_the_example_is_read_whole() {
     let grade = report.grade.as_ref().unwrap();
     assert_eq!(
         (grade.value.english(), &grade.scale),
-        ("C", &GradeScale::Periodic)
+        ("C", &GradeScale::Periodic(PeriodicGrade::C))
     );
     let found = &project.surveys[1].inspections;
     assert_eq!(found.len(), 4);

@@ -2,7 +2,7 @@
 
 use super::csv::refuse_counts;
 use super::lost_samples::keep_longest;
-use super::series::{Found, Series};
+use super::series::{FileSeries, Series};
 use super::{ChannelsLayout, Column, FileUnit, FoundChannel, Layout, Reading, RecordError, RecordOptions};
 use crate::limits::refuse_channels;
 use crate::unit::Unit;
@@ -13,7 +13,7 @@ use std::collections::BTreeSet;
 const RATE_TOLERANCE: f64 = 1e-4;
 
 /// One record of the requested channels of a file, in SI.
-pub(super) fn assembled(found: Found, options: &RecordOptions) -> Result<Reading, RecordError> {
+pub(super) fn assembled(found: FileSeries, options: &RecordOptions) -> Result<Reading, RecordError> {
     refuse_channels(found.format.name(), found.series.len())?;
     if options.picks.is_empty() {
         for one in &found.series {
@@ -26,7 +26,7 @@ pub(super) fn assembled(found: Found, options: &RecordOptions) -> Result<Reading
         channels: found.series.iter().map(found_channel).collect(),
         notes: found.notes.clone(),
     };
-    let Wanted {
+    let RequestedChannels {
         pieces,
         unit,
         clocked,
@@ -86,7 +86,7 @@ pub(super) fn factors(options: &RecordOptions, channels: usize) -> Vec<f64> {
 }
 
 /// The requested channels, with the names of the project.
-struct Wanted {
+struct RequestedChannels {
     pieces: Vec<Piece>,
     /// Their unit in the file, or their several units.
     unit: String,
@@ -96,7 +96,7 @@ struct Wanted {
     cut: Vec<Processing>,
 }
 
-fn wanted(mut found: Found, options: &RecordOptions) -> Result<Wanted, RecordError> {
+fn wanted(mut found: FileSeries, options: &RecordOptions) -> Result<RequestedChannels, RecordError> {
     let format = found.format.name();
     let chosen = chosen(&found, options)?;
     let mut units = BTreeSet::new();
@@ -138,7 +138,7 @@ fn wanted(mut found: Found, options: &RecordOptions) -> Result<Wanted, RecordErr
             begins_s: Some(origin_s + one.offset_s),
         });
     }
-    Ok(Wanted {
+    Ok(RequestedChannels {
         pieces,
         unit: named(&units),
         clocked: all_begin,
@@ -156,7 +156,7 @@ fn named(units: &BTreeSet<&'static str>) -> String {
 }
 
 /// The channels to read, in order.
-fn chosen(found: &Found, options: &RecordOptions) -> Result<Vec<usize>, RecordError> {
+fn chosen(found: &FileSeries, options: &RecordOptions) -> Result<Vec<usize>, RecordError> {
     let names: Vec<&str> = found.series.iter().map(|s| s.name.as_str()).collect();
     if options.picks.is_empty() {
         return Ok((0..names.len()).collect());

@@ -7,7 +7,7 @@ use super::column_units::{NamedColumn, refuse_other_units};
 use super::csv_start::{Start, TimeName, WordOfTime, time_name, unit_of_named_time};
 use super::dates::{Dates, held_against};
 use super::dialect::{holds_cells, line_at, unquoted};
-use super::lost_samples::{Kept, Spans, fill};
+use super::lost_samples::{Spans, UsableRows, fill};
 use super::time_unit::{Time, UnitSaid, unit_s};
 use super::{
     Column, CsvLayout, Delimiter, Layout, RateSource, Reading, RecordError, RecordOptions, TimeColumn,
@@ -290,7 +290,7 @@ impl Plan {
 struct Table {
     /// Channel after channel.
     samples: Vec<f64>,
-    kept: Option<Kept>,
+    kept: Option<UsableRows>,
 }
 
 impl Table {

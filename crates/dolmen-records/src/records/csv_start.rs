@@ -93,29 +93,13 @@ impl Start {
             _ => None,
         };
         let passed_over = passed_over - usize::from(of_units.is_some());
-        let mut names_unread = false;
-        let columns = (1..=count).map(|n| match has_header {
-            true if !unquoted(names[n - 1]).is_empty() => match std::str::from_utf8(unquoted(names[n - 1])) {
-                // zeros fill names of fixed width
-                Ok(name) => match of_units
-                    .as_ref()
-                    .map(|above| String::from_utf8_lossy(unquoted(above[n - 1])))
-                {
-                    Some(above) => shown(&format!(
-                        "{} ({})",
-                        above.trim(),
-                        name.trim_matches(['(', ')', '[', ']'])
-                    )),
-                    None => shown(name.trim_matches(char::is_control)),
-                },
-                Err(_) => {
-                    names_unread = true;
-                    format!("ch{n}")
-                }
-            },
-            _ => format!("ch{n}"),
-        });
-        let columns: Vec<String> = columns.collect();
+        let ColumnNames {
+            columns,
+            names_unread,
+        } = match has_header {
+            true => ColumnNames::of(&names[..count], of_units.as_deref()),
+            false => ColumnNames::numbered(count),
+        };
         Ok(Start {
             delimiter,
             decimal,
@@ -131,6 +115,46 @@ impl Start {
             samples_at: samples.at,
             samples_line: samples.number,
         })
+    }
+}
+
+/// Names of the columns.
+struct ColumnNames {
+    columns: Vec<String>,
+    /// Whether some are neither UTF-8 nor CP949.
+    names_unread: bool,
+}
+
+impl ColumnNames {
+    fn numbered(count: usize) -> Self {
+        ColumnNames {
+            columns: (1..=count).map(|n| format!("ch{n}")).collect(),
+            names_unread: false,
+        }
+    }
+
+    /// The names as written; `above` are those that stand above a line of units.
+    fn of(names: &[&[u8]], above: Option<&[&[u8]]>) -> Self {
+        let mut named = Self::numbered(names.len());
+        for (at, (column, name)) in named.columns.iter_mut().zip(names).enumerate() {
+            let name = match std::str::from_utf8(unquoted(name)) {
+                Ok("") => continue,
+                Ok(name) => name,
+                Err(_) => {
+                    named.names_unread = true;
+                    continue;
+                }
+            };
+            *column = match above.map(|above| String::from_utf8_lossy(unquoted(above[at]))) {
+                Some(above) => {
+                    let unit = name.trim_matches(['(', ')', '[', ']']);
+                    shown(&format!("{} ({unit})", above.trim()))
+                }
+                // zeros fill names of fixed width
+                None => shown(name.trim_matches(char::is_control)),
+            };
+        }
+        named
     }
 }
 

@@ -14,7 +14,7 @@
 //! Source: Güralp (2021) *GCF reference*, SWA-RFC-GCFR issue F.
 
 use super::cursor::{Cursor, Number};
-use super::series::{Found, Series};
+use super::series::{FileSeries, Series};
 use super::{FileUnit, RecordError, RecordFormat};
 use crate::breaks::Break;
 use crate::limits::refuse_channels;
@@ -140,7 +140,7 @@ fn letters(mut code: u32) -> String {
     String::from_utf8_lossy(&text).into_owned()
 }
 
-pub(super) fn read(bytes: &[u8]) -> Result<Found, RecordError> {
+pub(super) fn read(bytes: &[u8]) -> Result<FileSeries, RecordError> {
     let mut cursor = Cursor::new(bytes, FORMAT).ordered(true);
     let mut streams = Streams::default();
     let mut texts = 0;
@@ -159,7 +159,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Found, RecordError> {
         return Err(cursor.damaged(Damage::NoBlockHolds));
     }
     let note = (texts > 0).then(|| format!("{texts} blocks of text of the recorder were passed over"));
-    Ok(Found {
+    Ok(FileSeries {
         format: RecordFormat::Gcf,
         series: streams.series,
         notes: note.into_iter().collect(),

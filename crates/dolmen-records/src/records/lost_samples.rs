@@ -42,7 +42,7 @@ pub(super) struct Spans {
 
 /// The rows of a text in use, and the results of their stamps.
 #[derive(Debug)]
-pub(super) struct Kept {
+pub(super) struct UsableRows {
     pub(super) rows: Range<usize>,
     pub(super) stamps: Stamps,
     /// Lost samples to fill, by their indices among all rows.
@@ -124,7 +124,7 @@ impl Spans {
     }
 
     /// The longest span, in which short gaps are to be filled; refuses if it is a small part.
-    pub(super) fn longest(mut self) -> Result<Kept, RecordError> {
+    pub(super) fn longest(mut self) -> Result<UsableRows, RecordError> {
         let now = std::mem::replace(&mut self.now, Stamps::new(self.unit_s, self.given_hz));
         self.done.push((self.now_from..self.rows, now));
         let first_s = self.done.first().map_or(0.0, |(_, stamps)| stamps.first_s());
@@ -186,7 +186,7 @@ impl Spans {
                 share: lost as f64 / (rows.len() + lost) as f64,
             });
         }
-        Ok(Kept {
+        Ok(UsableRows {
             rows,
             stamps,
             filled,
@@ -197,7 +197,7 @@ impl Spans {
 
 impl Spans {
     /// All rows, with as many samples between two spans as were lost there.
-    fn bridged(mut self, stamps: Stamps, first_s: f64) -> Result<Kept, RecordError> {
+    fn bridged(mut self, stamps: Stamps, first_s: f64) -> Result<UsableRows, RecordError> {
         let step_s = stamps.step_s();
         let missing = |gap: &LostSpan| ((gap.lost_s / step_s).round() as usize).max(1);
         let mut filled = Vec::new();
@@ -215,7 +215,7 @@ impl Spans {
         for gap in &mut self.gaps {
             gap.at_s -= first_s;
         }
-        Ok(Kept {
+        Ok(UsableRows {
             rows: 0..self.rows,
             stamps,
             steps: bridges(self.gaps, step_s, self.rows),

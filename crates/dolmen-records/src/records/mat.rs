@@ -5,7 +5,7 @@
 
 use super::hdf5;
 use super::mat_elements::{Matrix, matrices};
-use super::series::{Found, Series, rate_of_step};
+use super::series::{FileSeries, Series, rate_of_step};
 use super::{RecordError, RecordFormat};
 use crate::limits::refuse_channels;
 use crate::quoted::listed;
@@ -38,7 +38,7 @@ fn plain(name: &str) -> String {
     name.to_lowercase().replace('_', "")
 }
 
-pub(super) fn read(bytes: &[u8]) -> Result<Found, RecordError> {
+pub(super) fn read(bytes: &[u8]) -> Result<FileSeries, RecordError> {
     let (all, mut passed) = match bytes.starts_with(b"MATLAB 7.3") {
         true => hdf5::matrices(bytes)?,
         false => matrices(bytes)?,
@@ -88,7 +88,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Found, RecordError> {
     }
     series.iter_mut().for_each(|one| one.sampling_rate_hz = rate_hz);
     let note = (!passed.is_empty()).then(|| format!("passed over: {}", listed(&passed).english));
-    Ok(Found {
+    Ok(FileSeries {
         format: RecordFormat::Mat,
         series,
         notes: note.into_iter().collect(),

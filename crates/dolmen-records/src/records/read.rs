@@ -1,7 +1,7 @@
 //! Reads any record file; detects the format from its first bytes.
 
 use super::assembled::{assembled, factors};
-use super::series::Found;
+use super::series::FileSeries;
 use super::{
     Reading, RecordError, RecordFormat, RecordOptions, gcf, mat, read_csv, read_npy, saf, seismic, tdms, uff,
     wav,
@@ -67,7 +67,7 @@ pub fn read_record(bytes: &[u8], options: &RecordOptions) -> Result<Reading, Rec
 }
 
 /// The channels of a file that describes them; `None` for columns of numbers.
-fn channels(bytes: &[u8], options: &RecordOptions) -> Option<Result<Found, RecordError>> {
+fn channels(bytes: &[u8], options: &RecordOptions) -> Option<Result<FileSeries, RecordError>> {
     if wav::is_wav(bytes) {
         Some(wav::read(bytes, options))
     } else if tdms::is_tdms(bytes) {

@@ -18,7 +18,7 @@
 //! of the project.
 
 use super::dialect::line_at;
-use super::series::{Found, Series};
+use super::series::{FileSeries, Series};
 use super::unit::unit_of_label;
 use super::{FileUnit, RecordError, RecordFormat};
 use crate::number::parse_number;
@@ -46,7 +46,7 @@ struct Header {
     unit: Option<String>,
 }
 
-pub(super) fn read(bytes: &[u8]) -> Result<Found, RecordError> {
+pub(super) fn read(bytes: &[u8]) -> Result<FileSeries, RecordError> {
     let (header, mut at, mut number) = header(bytes)?;
     if header.names.is_empty() {
         return Err(RecordError::HeaderLacks {
@@ -105,7 +105,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Found, RecordError> {
         ..Series::new(name.clone(), samples)
     });
     let note = (!header.station.is_empty()).then(|| format!("station {}", shown(&header.station)));
-    Ok(Found {
+    Ok(FileSeries {
         format: RecordFormat::Saf,
         series: series.collect(),
         notes: note.into_iter().collect(),

@@ -1,12 +1,12 @@
 //! Files of seismic stations, which ground motions come in too: miniSEED, SAC, K-NET, ESM, COSMOS, CSMIP.
 
-use super::series::{Found, Series, rate_of_step};
+use super::series::{FileSeries, Series, rate_of_step};
 use super::{FileUnit, RecordError, RecordFormat};
 use crate::seismic::{MotionFormat, Raw, raw_channels};
 use crate::unit::Unit;
 
 /// The channels of such a file; `None` if it is none.
-pub(super) fn read(bytes: &[u8]) -> Option<Result<Found, RecordError>> {
+pub(super) fn read(bytes: &[u8]) -> Option<Result<FileSeries, RecordError>> {
     let read = raw_channels(bytes)?;
     Some(
         read.map_err(|fault| RecordError::Seismic(Box::new(fault)))
@@ -14,7 +14,7 @@ pub(super) fn read(bytes: &[u8]) -> Option<Result<Found, RecordError>> {
     )
 }
 
-fn found(channels: Vec<Raw>) -> Found {
+fn found(channels: Vec<Raw>) -> FileSeries {
     let format = match channels.first().map(|channel| channel.format) {
         Some(MotionFormat::MiniSeed) | None => RecordFormat::MiniSeed,
         Some(MotionFormat::Sac | MotionFormat::SacText) => RecordFormat::Sac,
@@ -32,7 +32,7 @@ fn found(channels: Vec<Raw>) -> Found {
         .into_iter()
         .map(|channel| series(channel, format))
         .collect();
-    Found {
+    FileSeries {
         format,
         series,
         notes,

@@ -71,7 +71,7 @@ impl Series {
 
 /// All channels of a file.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Found {
+pub(super) struct FileSeries {
     pub(super) format: RecordFormat,
     pub(super) series: Vec<Series>,
     /// Further contents of the file, as sentences.

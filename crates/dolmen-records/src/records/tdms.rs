@@ -11,7 +11,7 @@
 //! Source: National Instruments (2023) *TDMS File Format Internal Structure*.
 
 use super::cursor::{Cursor, Number};
-use super::series::{Found, Series, rate_of_step};
+use super::series::{FileSeries, Series, rate_of_step};
 use super::unit::unit_of_label;
 use super::{FileUnit, RecordError, RecordFormat};
 use crate::limits::{PARTS_MOST, refuse_channels, refuse_parts};
@@ -152,7 +152,7 @@ impl File {
     }
 }
 
-pub(super) fn read(bytes: &[u8]) -> Result<Found, RecordError> {
+pub(super) fn read(bytes: &[u8]) -> Result<FileSeries, RecordError> {
     if bytes.starts_with(b"TDSh") {
         return Err(unread(Unread::OnlyIndex, Unread::NameTdms));
     }
@@ -343,7 +343,7 @@ fn parts(path: &str) -> Vec<String> {
     inner.split("'/'").map(|part| part.replace("''", "'")).collect()
 }
 
-fn series(file: File, cursor: &Cursor) -> Result<Found, RecordError> {
+fn series(file: File, cursor: &Cursor) -> Result<FileSeries, RecordError> {
     let mut objects = file.objects;
     objects.retain(|object| !object.samples.is_empty());
     refuse_channels(FORMAT, objects.len())?;
@@ -397,7 +397,7 @@ fn series(file: File, cursor: &Cursor) -> Result<Found, RecordError> {
     if found.is_empty() {
         return Err(cursor.damaged(Damage::NoChannelHolds));
     }
-    Ok(Found {
+    Ok(FileSeries {
         format: RecordFormat::Tdms,
         series: found,
         notes: Vec::new(),

@@ -14,7 +14,7 @@
 //! Source: University of Cincinnati, Structural Dynamics Research Laboratory, *Universal File Formats for Modal Analysis Testing*.
 
 use super::cursor::{Cursor, Number};
-use super::series::{Found, Series, rate_of_step};
+use super::series::{FileSeries, Series, rate_of_step};
 use super::uff_text::{FORMAT, Lines, cell, decimal, whole};
 use super::unit::unit_of_label;
 use super::{FileUnit, RecordError, RecordFormat};
@@ -50,7 +50,7 @@ pub(super) fn is_uff(bytes: &[u8]) -> bool {
 
 /// Contents of the file other than functions.
 #[derive(Default)]
-struct Beside {
+struct OtherDatasets {
     nodes: BTreeMap<i64, [f64; 3]>,
     /// Lengths of the file a metre.
     length: Option<f64>,
@@ -68,9 +68,9 @@ struct Function {
     quantity: i64,
 }
 
-pub(super) fn read(bytes: &[u8]) -> Result<Found, RecordError> {
+pub(super) fn read(bytes: &[u8]) -> Result<FileSeries, RecordError> {
     let mut lines = Lines::new(bytes);
-    let mut beside = Beside::default();
+    let mut beside = OtherDatasets::default();
     let mut functions = Vec::new();
     while let Some(line) = lines.next()? {
         if line.trim().is_empty() {
@@ -112,7 +112,7 @@ fn end(lines: &mut Lines) -> Result<(), RecordError> {
     }
 }
 
-fn finished(functions: Vec<Function>, beside: Beside) -> Result<Found, RecordError> {
+fn finished(functions: Vec<Function>, beside: OtherDatasets) -> Result<FileSeries, RecordError> {
     let mut notes: Vec<String> = beside
         .title
         .iter()
@@ -167,7 +167,7 @@ fn finished(functions: Vec<Function>, beside: Beside) -> Result<Found, RecordErr
         }
         series
     };
-    Ok(Found {
+    Ok(FileSeries {
         format: RecordFormat::Uff,
         series: functions.into_iter().map(placed).collect(),
         notes,
@@ -385,7 +385,7 @@ fn printed(lines: &mut Lines, count: usize, width: usize) -> Result<Vec<f64>, Re
 }
 
 /// Dataset 15: one line a node.
-fn nodes(lines: &mut Lines, beside: &mut Beside) -> Result<(), RecordError> {
+fn nodes(lines: &mut Lines, beside: &mut OtherDatasets) -> Result<(), RecordError> {
     while let Some(line) = lines.peek()?.filter(|line| line.trim() != "-1") {
         lines.next()?;
         let wanted = || Expected::Node;
@@ -400,7 +400,7 @@ fn nodes(lines: &mut Lines, beside: &mut Beside) -> Result<(), RecordError> {
 }
 
 /// Dataset 2411: two lines a node.
-fn long_nodes(lines: &mut Lines, beside: &mut Beside) -> Result<(), RecordError> {
+fn long_nodes(lines: &mut Lines, beside: &mut OtherDatasets) -> Result<(), RecordError> {
     while let Some(line) = lines.peek()?.filter(|line| line.trim() != "-1") {
         lines.next()?;
         let label = whole(&cell(&line, 0, 10)).ok_or_else(|| lines.is_not(&line, Expected::NodeLabel))?;
@@ -413,7 +413,7 @@ fn long_nodes(lines: &mut Lines, beside: &mut Beside) -> Result<(), RecordError>
 }
 
 /// Dataset 164: lengths of the file a metre.
-fn units(lines: &mut Lines, beside: &mut Beside) -> Result<(), RecordError> {
+fn units(lines: &mut Lines, beside: &mut OtherDatasets) -> Result<(), RecordError> {
     lines.want(Expected::UnitsCode)?;
     let line = lines.want(Expected::UnitFactors)?;
     let factor = decimal(&cell(&line, 0, 25)).or_else(|| line.split_whitespace().next().and_then(decimal));

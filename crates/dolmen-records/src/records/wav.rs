@@ -10,7 +10,7 @@
 //! WAVEFORMATEXTENSIBLE.
 
 use super::cursor::{Cursor, Number};
-use super::series::{Found, Series};
+use super::series::{FileSeries, Series};
 use super::{FileUnit, RecordError, RecordFormat, RecordOptions};
 use crate::limits::refuse_channels;
 use crate::wrong::{Damage, Unread};
@@ -35,7 +35,7 @@ struct Frames {
     unit: f64,
 }
 
-pub(super) fn read(bytes: &[u8], options: &RecordOptions) -> Result<Found, RecordError> {
+pub(super) fn read(bytes: &[u8], options: &RecordOptions) -> Result<FileSeries, RecordError> {
     let unread = |what: Unread, instead: Unread| RecordError::NotReadHere {
         format: FORMAT,
         what: what.into(),
@@ -99,7 +99,7 @@ pub(super) fn read(bytes: &[u8], options: &RecordOptions) -> Result<Found, Recor
         unit: FileUnit::Other("full scale".to_owned()),
         ..Series::new(format!("ch{}", j + 1), samples)
     });
-    Ok(Found {
+    Ok(FileSeries {
         format: RecordFormat::Wav,
         series: series.collect(),
         notes: Vec::new(),

@@ -33,7 +33,7 @@ pub struct Response {
 
 /// A response in the making.
 #[derive(Default)]
-struct Given {
+struct ResponseParts {
     line: usize,
     station: String,
     network: String,
@@ -68,18 +68,18 @@ struct Given {
 /// ```
 pub fn responses(text: &str) -> Result<Vec<Response>, SeismicError> {
     let mut all = Vec::new();
-    let mut open: Option<Given> = None;
+    let mut open: Option<ResponseParts> = None;
     for (at, line) in text.lines().enumerate() {
         let number = at + 1;
         let Some((field, value)) = field(line) else {
             continue;
         };
         if field == "B050F03" {
-            all.extend(open.take().map(Given::finished).transpose()?);
-            open = Some(Given {
+            all.extend(open.take().map(ResponseParts::finished).transpose()?);
+            open = Some(ResponseParts {
                 line: number,
                 station: value.to_owned(),
-                ..Given::default()
+                ..ResponseParts::default()
             });
             continue;
         }
@@ -87,7 +87,7 @@ pub fn responses(text: &str) -> Result<Vec<Response>, SeismicError> {
             given.put(field, value, line, number)?;
         }
     }
-    all.extend(open.map(Given::finished).transpose()?);
+    all.extend(open.map(ResponseParts::finished).transpose()?);
     match all.is_empty() {
         true => Err(SeismicError::EndsEarly {
             line: 1,
@@ -105,7 +105,7 @@ fn field(line: &str) -> Option<(&str, &str)> {
     (field.len() == 7 && field.starts_with('B')).then_some((field, value.trim()))
 }
 
-impl Given {
+impl ResponseParts {
     fn put(&mut self, field: &str, value: &str, line: &str, number: usize) -> Result<(), SeismicError> {
         let refused = |wanted: OfStation| SeismicError::Line {
             line: number,

@@ -6,7 +6,7 @@ use crate::document::{Finding, Tone};
 use crate::load_factor::load_factor_finding;
 use crate::text::GROWN;
 use dolmen::stability::Verdict;
-use dolmen::structure::building::StoreyFall;
+use dolmen::structure::building::{StoreyFall, StoreyMotion};
 use dolmen_words::{Quantity, Sentence, Unit, messages};
 use dolmen_work::building::{BuildingAnswer, BuildingSpectral, StandingBuilding};
 use dolmen_work::state::{Check, VariantAnswer};
@@ -109,9 +109,9 @@ fn first_storey(answer: &BuildingAnswer, verdict: Verdict) -> Option<Finding> {
     let first = StoreyFall::first(&answer.falls)?;
     let floor = floor_words(&answer.floors[first.storey - 1]);
     let factor = Quantity::beside_one(first.load_factor, 3);
-    let said = match first.motion() == "twists" {
-        true => Found::FallsTwisting { floor, factor },
-        false => Found::FallsSwaying { floor, factor },
+    let said = match first.motion() {
+        StoreyMotion::Twists => Found::FallsTwisting { floor, factor },
+        StoreyMotion::Sways => Found::FallsSwaying { floor, factor },
     };
     Some(Finding::new(Tone::of(verdict), said))
 }

@@ -77,7 +77,7 @@ messages! {
 }
 
 /// A floor's displacement, drifts, and the points of the file.
-struct Moved<'a> {
+struct SpectralDisplacements<'a> {
     displacement_m: &'a [[f64; 2]],
     edge_drift_m: &'a [Option<[f64; 2]>],
     points_m: &'a [(String, [f64; 2])],
@@ -131,7 +131,7 @@ fn without_dampers(document: &mut Document<'_>, answer: &BuildingAnswer, spectra
         }
         .into(),
     ]));
-    let moved = Moved {
+    let moved = SpectralDisplacements {
         displacement_m: &spectral.displacement_m,
         edge_drift_m: &spectral.edge_drift_m,
         points_m: &spectral.points_m,
@@ -149,7 +149,7 @@ fn with_dampers(
     let [x, y] = damped.base_shear_n.map(|n| beside(n, largest_n, kilonewtons()));
     let torque = beside(damped.base_torque_n_m, largest_n, scaled("kN·m", 1e-3));
     document.paragraph(Spectrum::WithDampers { x, y, torque });
-    let moved = Moved {
+    let moved = SpectralDisplacements {
         displacement_m: &damped.displacement_m,
         edge_drift_m: &damped.edge_drift_m,
         points_m: &damped.points_m,
@@ -196,7 +196,7 @@ fn shear_table(spectral: &BuildingSpectral, largest_n: f64) -> Table {
 }
 
 /// Floors with the storeys below them, then points.
-fn moved_tables(document: &mut Document<'_>, answer: &BuildingAnswer, moved: Moved<'_>) {
+fn moved_tables(document: &mut Document<'_>, answer: &BuildingAnswer, moved: SpectralDisplacements<'_>) {
     let (caption, points) = moved.captions;
     let storeys = answer.elastic.storeys();
     let largest_m = moved

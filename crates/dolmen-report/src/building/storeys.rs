@@ -2,6 +2,7 @@
 
 use super::words::{fixed, name, significant};
 use crate::document::{Block, Cell, Column, Document, Table};
+use dolmen::structure::building::StoreyMotion;
 use dolmen_words::{Quantity, Sentence, Unit, messages};
 use dolmen_work::building::BuildingAnswer;
 
@@ -43,9 +44,9 @@ pub(super) fn section(document: &mut Document<'_>, answer: &BuildingAnswer) {
         let (at, k) = &matrices[i];
         let centre = building.floors()[i].centre_m;
         let fall = &answer.falls[i];
-        let motion = match fall.motion() == "twists" {
-            true => Storeys::Twist,
-            false => Storeys::Sway,
+        let motion = match fall.motion() {
+            StoreyMotion::Twists => Storeys::Twist,
+            StoreyMotion::Sways => Storeys::Sway,
         };
         let metres = |value: f64| Cell::number(fixed(value, Unit::si("m"), 3));
         let stiffness = |value: f64, unit: &Unit| Cell::number(significant(value, unit.clone(), 5));

@@ -1,7 +1,7 @@
 //! Runs of a paragraph: words, fields, and figures.
 
 use crate::paper::xml::Xml;
-use crate::paper::{Ink, lowered};
+use crate::paper::{Ink, Stretch, stretches_of};
 
 /// How a run stands out; `lowered` stands below the line.
 fn look(ink: Ink, xml: &mut Xml, lowered: bool) {
@@ -24,8 +24,8 @@ fn look(ink: Ink, xml: &mut Xml, lowered: bool) {
 
 /// Words of a paragraph.
 pub(super) fn words(xml: &mut Xml, text: &str, ink: Ink) {
-    for (stretch, low) in lowered(text) {
-        run(xml, &stretch, ink, low);
+    for Stretch { words, is_lowered } in stretches_of(text) {
+        run(xml, &words, ink, is_lowered);
     }
 }
 

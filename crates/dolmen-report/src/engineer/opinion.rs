@@ -2,7 +2,7 @@
 
 use super::words::said;
 use crate::document::{Block, Cell, Document};
-use dolmen_project::{Grade, GradeScale, Names, ReportPart};
+use dolmen_project::{Grade, GradeScale, Names, PeriodicGrade, ReportPart};
 use dolmen_words::{Sentence, messages};
 
 messages! {
@@ -63,19 +63,18 @@ fn points(document: &mut Document<'_>, head: Opinion, points: &[Names]) {
 
 /// "C observe (periodic inspection, A to F)".
 fn grade_words(grade: &Grade) -> Sentence {
-    let value = grade.value.english();
-    let word = match value {
-        "A" => Opinion::A,
-        "B" => Opinion::B,
-        "C" => Opinion::C,
-        "D" => Opinion::D,
-        "E" => Opinion::E,
-        _ => Opinion::F,
-    };
     match &grade.scale {
-        GradeScale::Periodic => Opinion::Periodic {
-            grade: value.to_owned(),
-            word: word.into(),
+        GradeScale::Periodic(letter) => Opinion::Periodic {
+            grade: grade.value.english().to_owned(),
+            word: match letter {
+                PeriodicGrade::A => Opinion::A,
+                PeriodicGrade::B => Opinion::B,
+                PeriodicGrade::C => Opinion::C,
+                PeriodicGrade::D => Opinion::D,
+                PeriodicGrade::E => Opinion::E,
+                PeriodicGrade::F => Opinion::F,
+            }
+            .into(),
         },
         GradeScale::Other(scale) => Opinion::OtherScale {
             grade: said(&grade.value),
@@ -93,14 +92,22 @@ mod tests {
     #[test]
     fn published_the_six_words_of_the_periodic_inspection() {
         let words = ["양호", "경미보수", "주의관찰", "정밀진단", "보수", "즉시조치"];
-        for (letter, word) in ["A", "B", "C", "D", "E", "F"].into_iter().zip(words) {
+        let grades = [
+            ("A", PeriodicGrade::A),
+            ("B", PeriodicGrade::B),
+            ("C", PeriodicGrade::C),
+            ("D", PeriodicGrade::D),
+            ("E", PeriodicGrade::E),
+            ("F", PeriodicGrade::F),
+        ];
+        for ((letter, own), word) in grades.into_iter().zip(words) {
             let names = |text: &str| Names {
                 en: Some(text.to_owned()),
                 ko: None,
             };
             let grade = Grade {
                 value: names(letter),
-                scale: GradeScale::Periodic,
+                scale: GradeScale::Periodic(own),
                 reason: names("why"),
             };
             assert_eq!(

@@ -38,14 +38,23 @@ impl View {
         ]
     }
 
-    /// A point drawn at the edge of the picture if it lies beyond; whether it does.
-    fn kept(&self, at: [f64; 2]) -> ([f64; 2], bool) {
+    /// A point drawn at the edge of the picture if it lies beyond.
+    fn clamped(&self, at: [f64; 2]) -> Clamped {
         let px = self.px(at);
         let most = self.size_px;
         let inside = |axis: usize| (14.0..=most[axis] - 14.0).contains(&px[axis]);
-        let kept = [0, 1].map(|axis| px[axis].clamp(14.0, most[axis] - 14.0));
-        (kept, !(inside(0) && inside(1)))
+        Clamped {
+            px: [0, 1].map(|axis| px[axis].clamp(14.0, most[axis] - 14.0)),
+            is_beyond: !(inside(0) && inside(1)),
+        }
     }
+}
+
+/// A point within the picture.
+struct Clamped {
+    px: [f64; 2],
+    /// Whether what it stands for lies beyond.
+    is_beyond: bool,
 }
 
 /// The top floor in plan with the walls below it, its centre of mass and of rigidity, the centres of the lowest modes, and dampers.
@@ -112,8 +121,7 @@ pub fn building_plan(standing: &StandingBuilding, language: Language) -> String 
         format!("{mass} {}", place(floor.centre_m)),
     );
     if let Some(rigidity) = storey.stiffness.centre_of_rigidity_m() {
-        let (at, _) = view.kept(rigidity);
-        scene.marker(at, Shape::Cross, 6.0, PURPLE);
+        scene.marker(view.clamped(rigidity).px, Shape::Cross, 6.0, PURPLE);
         let rigid = say(Signs::CentreOfRigidity, language);
         words.line(
             &mut scene,
@@ -147,8 +155,8 @@ fn mode_centres(
             continue;
         };
         let at = [centre.x_m, centre.y_m];
-        let (px, beyond) = view.kept(at);
-        if beyond {
+        let Clamped { px, is_beyond } = view.clamped(at);
+        if is_beyond {
             let from = toward(px, mass, 34.0);
             scene.arrow(from, px, 9.0, Line::new(colour, 1.8));
             scene.text(toward(px, mass, 44.0), &number(j + 1, colour));

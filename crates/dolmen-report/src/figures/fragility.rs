@@ -1,10 +1,9 @@
 //! Fragility curves with their bands, and what was seen.
 
-use super::Figure;
 use super::axis::Axis;
 use super::ink::{BLUE, GREEN, Line, ORANGE, Shape, VERMILLION};
 use super::plot::{Key, Plot};
-use super::study_size::SIZE_PX;
+use super::study_drawing::{SIZE_PX, StudyDrawing, StudyFigure};
 use super::words::{Axes, Studied, Titles, say};
 use dolmen::assess::Observation;
 use dolmen_words::Language;
@@ -19,14 +18,14 @@ const COLOURS: [&str; 4] = [GREEN, BLUE, ORANGE, VERMILLION];
 const SHAPES: [Shape; 4] = [Shape::Circle, Shape::Diamond, Shape::Square, Shape::Triangle];
 
 /// One figure a combination of inputs, of the first ones of many.
-pub(super) fn fragility_figures(answer: &StudyAnswer, language: Language) -> Vec<Figure> {
+pub(super) fn fragility_figures(answer: &StudyAnswer, language: Language) -> Vec<StudyDrawing> {
     let drawn = answer
         .fragilities()
         .iter()
         .filter(|one| one.states.iter().any(|s| s.by_acceleration.is_ok()));
-    let each = drawn.take(DRAWN_MOST).map(|one| Figure {
-        name: format!("fragility-{}", one.combination + 1),
-        svg: curves(answer, one, language),
+    let each = drawn.take(DRAWN_MOST).map(|one| {
+        let name = format!("fragility-{}", one.combination + 1);
+        StudyDrawing::new(StudyFigure::Fragility, name, curves(answer, one, language))
     });
     each.collect()
 }

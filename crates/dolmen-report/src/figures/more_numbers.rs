@@ -1,6 +1,8 @@
 //! The numbers of figures of dampers, wind, columns, directions and years.
 
 use super::gusts::GustPlot;
+use super::study_drawing::StudyFigure;
+use super::tune::TuneFigure;
 use super::words::{Axes, Columns};
 use crate::document::Series;
 use dolmen::damper::MapCell;
@@ -75,11 +77,11 @@ fn robustness_series(answer: &TuneAnswer) -> Vec<Series> {
 }
 
 /// The numbers of a figure of one damper.
-pub(crate) fn tune_series(answer: &TuneAnswer, figure: &str) -> Vec<Series> {
+pub(crate) fn tune_series(answer: &TuneAnswer, figure: TuneFigure) -> Vec<Series> {
     match figure {
-        "position" => position_series(answer),
-        "plan" => plan_series(answer),
-        _ => robustness_series(answer),
+        TuneFigure::Position => position_series(answer),
+        TuneFigure::Plan => plan_series(answer),
+        TuneFigure::Robustness => robustness_series(answer),
     }
 }
 
@@ -175,16 +177,16 @@ pub(crate) fn years_series(answer: &WatchAnswer) -> Vec<Series> {
 }
 
 /// The columns of a study as those of its figures; their names are keys and have no language.
-pub(crate) fn study_series(answer: &dolmen_work::study::StudyAnswer, figure: &str) -> Vec<Series> {
+pub(crate) fn study_series(answer: &dolmen_work::study::StudyAnswer, figure: StudyFigure) -> Vec<Series> {
     use dolmen_work::study::{
         ColumnValues, capacity_columns, fragility_columns, harmonic_columns, release_columns, run_columns,
     };
-    let columns = match figure.split('-').next().unwrap_or_default() {
-        "capacity" => capacity_columns(answer),
-        "fragility" => fragility_columns(answer),
-        "harmonic" => harmonic_columns(&answer.maps, answer.kind),
-        "release" => release_columns(&answer.maps),
-        _ => run_columns(answer),
+    let columns = match figure {
+        StudyFigure::Capacity => capacity_columns(answer),
+        StudyFigure::Fragility => fragility_columns(answer),
+        StudyFigure::Harmonic => harmonic_columns(&answer.maps, answer.kind),
+        StudyFigure::Release => release_columns(&answer.maps),
+        StudyFigure::Survived | StudyFigure::Growth => run_columns(answer),
     };
     let series = columns.into_iter().map(|column| {
         let name = Sentence::of_symbol(&column.name);

@@ -2,7 +2,7 @@
 
 use super::ink::{Anchor, BLUE, GREY, Label, Line, ORANGE, TEXT, VERMILLION};
 use super::scene::Scene;
-use super::stack_view::{Camera, Moved, Placed, bounds, painted, placed};
+use super::stack_view::{Camera, DrawnDisplacement, Placed, bounds, painted, placed};
 use super::words::{Signs, Titles, say};
 use dolmen::blocks::{JointHistory, Outcome, StackHistory};
 use dolmen::structure::stack::{Body, Joint, Stack};
@@ -301,7 +301,7 @@ pub fn stack_after(simulation: &StackSimulation, language: Language) -> String {
     let (stack, history) = (&simulation.stack, &simulation.history);
     let camera = Camera::new();
     let samples = simulation.samples();
-    let moved = |times: f64| Moved {
+    let moved = |times: f64| DrawnDisplacement {
         rest: simulation.poses(0),
         now: simulation.poses(samples.saturating_sub(1)),
         times,

@@ -70,14 +70,14 @@ pub(super) struct Placed {
 
 /// A displacement to be drawn: how far a block went from one pose to another, so many times.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Moved<'a> {
+pub(super) struct DrawnDisplacement<'a> {
     pub(super) rest: &'a [Pose],
     pub(super) now: &'a [Pose],
     pub(super) times: f64,
 }
 
 /// The blocks of a stack as drawn, or moved.
-pub(super) fn placed(stack: &Stack, moved: Option<Moved<'_>>) -> Vec<Placed> {
+pub(super) fn placed(stack: &Stack, moved: Option<DrawnDisplacement<'_>>) -> Vec<Placed> {
     let each = stack.blocks().iter().enumerate();
     each.map(|(number, block)| {
         let centre = block.solid.centroid_m();

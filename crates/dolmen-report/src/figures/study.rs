@@ -5,8 +5,8 @@ use super::axis::Axis;
 use super::fragility::fragility_figures;
 use super::ink::{BLUE, GREY, Line, ORANGE, SKY, Shape, VERMILLION};
 use super::plot::{Key, Plot};
+use super::study_drawing::{SIZE_PX, StudyDrawing, StudyFigure};
 use super::study_growth::growth_figures;
-use super::study_size::SIZE_PX;
 use super::words::{Axes, Studied, Titles, say};
 use dolmen::assess::{Reached, Trial};
 use dolmen_words::Language;
@@ -17,10 +17,17 @@ use std::collections::BTreeMap;
 const LEVEL_PX: f64 = 110.0;
 /// Part of the way to the next level that dots of one level spread over.
 const SPREAD: f64 = 0.24;
+
 /// The figures of a study.
 pub fn study_figures(answer: &StudyAnswer, language: Language) -> Vec<Figure> {
+    let drawings = study_drawings(answer, language).into_iter();
+    drawings.map(|drawing| drawing.figure).collect()
+}
+
+/// The same with what each shows.
+pub(crate) fn study_drawings(answer: &StudyAnswer, language: Language) -> Vec<StudyDrawing> {
     let mut figures = Vec::new();
-    let mut add = |name: String, svg: String| figures.push(Figure { name, svg });
+    let mut add = |shows, name: String, svg: String| figures.push(StudyDrawing::new(shows, name, svg));
     if answer.study.scan.is_some() {
         let mut by_input: BTreeMap<Option<usize>, Vec<LevelRow>> = BTreeMap::new();
         for row in answer.levels() {
@@ -41,10 +48,12 @@ pub fn study_figures(answer: &StudyAnswer, language: Language) -> Vec<Figure> {
                 None => ("all".to_owned(), say(Studied::NothingIsVaried, language)),
             };
             add(
+                StudyFigure::Capacity,
                 format!("capacity-{name}"),
                 capacity(answer, rows, &label, language),
             );
             add(
+                StudyFigure::Survived,
                 format!("survived-{name}"),
                 survived(answer, *input, rows, &label, language),
             );

@@ -1,10 +1,9 @@
 //! Figures of a study: what its runs reach as the shaking grows (incremental dynamic analysis), maps of slipping, releases.
 
-use super::Figure;
 use super::axis::Axis;
 use super::ink::{Anchor, BLUE, GREY, Label, Line, SERIES, SKY, Shape, VERMILLION};
 use super::plot::{Key, Plot};
-use super::study_size::SIZE_PX;
+use super::study_drawing::{SIZE_PX, StudyDrawing, StudyFigure};
 use super::words::{Axes, Growth, Studied, Titles, say};
 use dolmen_words::Language;
 use dolmen_work::study::{ResponseMaps, Run, RunOutcome, StudyAnswer, StudyKind, input_words};
@@ -19,20 +18,22 @@ const SHARES: [(f64, &str, f64); 5] = [
 ];
 
 /// Figures of growing shaking, of maps and of releases.
-pub(super) fn growth_figures(answer: &StudyAnswer, language: Language) -> Vec<Figure> {
+pub(super) fn growth_figures(answer: &StudyAnswer, language: Language) -> Vec<StudyDrawing> {
     let mut figures = Vec::new();
-    let mut add = |name: String, svg: String| figures.push(Figure { name, svg });
+    let mut add = |shows, name: String, svg: String| figures.push(StudyDrawing::new(shows, name, svg));
     if answer.study.scan.is_some() {
         let told = grown(answer.kind).into_iter();
         for one in told.filter(|one| is_reached(answer, one.measure)) {
-            add(format!("growth-{}", one.measure), growth(answer, one, language));
+            let name = format!("growth-{}", one.measure);
+            add(StudyFigure::Growth, name, growth(answer, one, language));
         }
     }
     for map in &answer.maps {
         if !map.harmonic.is_empty() {
             for part in 0..map.parts.len() {
                 let svg = harmonic(answer, map, part, language);
-                add(format!("harmonic-{}-{}", map.case + 1, part + 1), svg);
+                let name = format!("harmonic-{}-{}", map.case + 1, part + 1);
+                add(StudyFigure::Harmonic, name, svg);
             }
         }
     }
@@ -40,6 +41,7 @@ pub(super) fn growth_figures(answer: &StudyAnswer, language: Language) -> Vec<Fi
     if !released.is_empty() {
         let frequency = (Axes::ApparentFrequency, 1.0);
         add(
+            StudyFigure::Release,
             "release-frequency".to_owned(),
             release(
                 &released,
@@ -50,6 +52,7 @@ pub(super) fn growth_figures(answer: &StudyAnswer, language: Language) -> Vec<Fi
         );
         let damping = (Axes::EquivalentDamping, 100.0);
         add(
+            StudyFigure::Release,
             "release-damping".to_owned(),
             release(
                 &released,
@@ -73,7 +76,7 @@ fn is_reached(answer: &StudyAnswer, measure: &str) -> bool {
 }
 
 /// A number of the runs that is drawn as the shaking grows.
-struct Grown {
+struct GrowthMeasure {
     /// Its name among the measures of a run.
     measure: &'static str,
     axis: Growth,
@@ -82,7 +85,7 @@ struct Grown {
 }
 
 /// The numbers of a run that are drawn as the shaking grows.
-fn grown(kind: StudyKind) -> Vec<Grown> {
+fn grown(kind: StudyKind) -> Vec<GrowthMeasure> {
     let all = match kind {
         StudyKind::Stack => vec![
             ("peak_rocking_ratio", Growth::RockingRatio, 1.0),
@@ -104,7 +107,7 @@ fn grown(kind: StudyKind) -> Vec<Grown> {
         ],
     };
     let each = all.into_iter();
-    each.map(|(measure, axis, factor)| Grown {
+    each.map(|(measure, axis, factor)| GrowthMeasure {
         measure,
         axis,
         factor,
@@ -207,8 +210,8 @@ fn harmonic(answer: &StudyAnswer, map: &ResponseMaps, part: usize, language: Lan
 }
 
 /// One number of the runs that did not end in a fall against the peak of the ground, a line a scan; falls stand on the upper edge.
-fn growth(answer: &StudyAnswer, grown: Grown, language: Language) -> String {
-    let Grown {
+fn growth(answer: &StudyAnswer, grown: GrowthMeasure, language: Language) -> String {
+    let GrowthMeasure {
         measure,
         axis,
         factor,

@@ -5,7 +5,7 @@ use super::ink::{GREY, Line, SERIES};
 use super::plot::{Key, Plot};
 use super::words::{Axes, Titles, say};
 use crate::document::Series;
-use dolmen::blocks::StackHistory;
+use dolmen::blocks::{ContactLaw, StackHistory};
 use dolmen_words::Language;
 use dolmen_work::stack::{SupportsRun, SupportsSimulation};
 
@@ -16,9 +16,15 @@ const DRAWN: f64 = 1.6;
 /// About so many points a line.
 const POINTS: usize = 700;
 
-/// Lines of the figure: of each run its law, and [movement of the supports, displacement of the stone], mm.
-fn lines(of: &SupportsSimulation) -> Vec<(&'static str, Vec<[f64; 2]>)> {
-    let line = |run: &SupportsRun| {
+/// A line of the figure.
+struct LawLine<'a> {
+    law: &'a ContactLaw,
+    /// [movement of the supports, displacement of the stone], mm.
+    points: Vec<[f64; 2]>,
+}
+
+fn lines(of: &SupportsSimulation) -> Vec<LawLine<'_>> {
+    fn line<'a>(of: &SupportsSimulation, run: &'a SupportsRun) -> LawLine<'a> {
         let history = &run.moved.history;
         let ground = &run.moved.slow.ground;
         let stone = farthest(run);
@@ -28,9 +34,12 @@ fn lines(of: &SupportsSimulation) -> Vec<(&'static str, Vec<[f64; 2]>)> {
             let factor = ground.factor_at(history.time_s[sample]);
             [1e3 * of.length_m(factor), 1e3 * moved_m(history, sample, stone)]
         });
-        (run.law.name(), points.collect())
-    };
-    of.runs.iter().map(line).collect()
+        LawLine {
+            law: &run.law,
+            points: points.collect(),
+        }
+    }
+    of.runs.iter().map(|run| line(of, run)).collect()
 }
 
 /// The stone that had moved farthest when stones began to move by themselves, or at the end.
@@ -59,14 +68,14 @@ fn moved_m(history: &StackHistory, sample: usize, block: usize) -> f64 {
 /// The numbers of the figure.
 pub(crate) fn supports_series(of: &SupportsSimulation) -> Vec<Series> {
     let each = lines(of).into_iter();
-    let columns = each.flat_map(|(name, points)| {
+    let columns = each.flat_map(|LawLine { law, points }| {
         let column = |axis: Axes, place: usize| {
             let values: Vec<f64> = points.iter().map(|at| at[place]).collect();
             Series::numbers(axis, "", values)
         };
-        let moved = match name {
-            "rigid" => Axes::StoneRigid,
-            _ => Axes::StoneSprings,
+        let moved = match law {
+            ContactLaw::Rigid(_) => Axes::StoneRigid,
+            ContactLaw::Springs(_) => Axes::StoneSprings,
         };
         [column(Axes::SupportMovement, 0), column(moved, 1)]
     });
@@ -89,13 +98,13 @@ pub(crate) fn supports_in_time(of: &SupportsSimulation, language: Language) -> S
         plot.upright(1e3 * of.length_m(of.followed.last.factor), falls);
         plot.key(Key::Line(falls), say(Axes::LimitAnalysis, language));
     }
-    for (number, (name, points)) in lines(of).into_iter().enumerate() {
+    for (number, LawLine { law, points }) in lines(of).into_iter().enumerate() {
         let line = Line::new(SERIES[number % SERIES.len()], 1.4);
         let within: Vec<[f64; 2]> = points.into_iter().take_while(|at| at[1] <= most_mm).collect();
         plot.line(within, line);
-        let law = match name {
-            "rigid" => Axes::LawRigid,
-            _ => Axes::LawSprings,
+        let law = match law {
+            ContactLaw::Rigid(_) => Axes::LawRigid,
+            ContactLaw::Springs(_) => Axes::LawSprings,
         };
         plot.key(Key::Line(Line { width: 2.2, ..line }), say(law, language));
     }

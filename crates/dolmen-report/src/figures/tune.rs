@@ -19,29 +19,55 @@ const SHADES: [&str; 8] = [
     "#f7fbff", "#deebf7", "#c6dbef", "#9ecae1", "#6baed6", "#4292c6", "#2171b5", "#084594",
 ];
 
-/// How a figure is drawn.
-type Draw = fn(&TuneAnswer, Language) -> String;
-
 /// The figures of one damper.
 pub fn tune_figures(answer: &TuneAnswer, language: Language) -> Vec<Figure> {
-    let each = tune_drawings(answer).into_iter().map(|(name, draw)| Figure {
-        name: name.to_owned(),
-        svg: draw(answer, language),
+    let each = TuneFigure::of(answer).into_iter().map(|figure| Figure {
+        name: figure.name().to_owned(),
+        svg: figure.draw(answer, language),
     });
     each.collect()
 }
 
-/// Names of the figures of one damper, and how each is drawn.
-pub(crate) fn tune_drawings(answer: &TuneAnswer) -> Vec<(&'static str, Draw)> {
-    let mut drawings: Vec<(&str, Draw)> = Vec::new();
-    if answer.comparison.line_given.len() > 1 {
-        drawings.push(("position", position));
+/// A figure of one damper.
+#[derive(Clone, Copy)]
+pub(crate) enum TuneFigure {
+    /// Motion against the place of the damper.
+    Position,
+    /// The floor in plan.
+    Plan,
+    /// What being out of tune costs.
+    Robustness,
+}
+
+impl TuneFigure {
+    /// Those of a damper.
+    pub(crate) fn of(answer: &TuneAnswer) -> Vec<Self> {
+        let mut figures = Vec::new();
+        if answer.comparison.line_given.len() > 1 {
+            figures.push(TuneFigure::Position);
+        }
+        if !answer.comparison.map.cells.is_empty() {
+            figures.push(TuneFigure::Plan);
+        }
+        figures.push(TuneFigure::Robustness);
+        figures
     }
-    if !answer.comparison.map.cells.is_empty() {
-        drawings.push(("plan", plan));
+
+    fn name(self) -> &'static str {
+        match self {
+            TuneFigure::Position => "position",
+            TuneFigure::Plan => "plan",
+            TuneFigure::Robustness => "robustness",
+        }
     }
-    drawings.push(("robustness", robustness));
-    drawings
+
+    pub(crate) fn draw(self, answer: &TuneAnswer, language: Language) -> String {
+        match self {
+            TuneFigure::Position => position(answer, language),
+            TuneFigure::Plan => plan(answer, language),
+            TuneFigure::Robustness => robustness(answer, language),
+        }
+    }
 }
 
 /// How far along the line a place lies, m: x or y where the line runs along an axis.

@@ -2,7 +2,7 @@
 
 use super::looks::{Letters, Lie, Looks, Style};
 use crate::paper::xml::Xml;
-use crate::paper::{Caption, Ink, Run, lowered};
+use crate::paper::{Caption, Ink, Run, Stretch, stretches_of};
 
 /// Hundredths of a point in a twentieth of one.
 pub(super) const HUNDREDTHS_OF_TWIP: usize = 5;
@@ -92,11 +92,11 @@ pub(super) fn stretches(xml: &mut Xml, looks: &mut Looks, runs: &[Run], letters:
                 });
             }),
             Run::Words(text, ink) => {
-                for (words, low) in lowered(text) {
+                for Stretch { words, is_lowered } in stretches_of(text) {
                     let letters = Letters {
                         bold: letters.bold || ink.bold,
                         colour: ink.colour.unwrap_or(letters.colour),
-                        low,
+                        low: is_lowered,
                         ..letters
                     };
                     written(xml, looks, letters, |xml| xml.words("hp:t", &[], &words));

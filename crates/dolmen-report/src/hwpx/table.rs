@@ -17,6 +17,12 @@ const ROOM_BESIDE: &str = "400";
 /// Room for a caption of three lines below a picture, and above it.
 const CAPTION: usize = 6500;
 
+/// A row of a table.
+struct Row<'a> {
+    cells: Vec<(&'a str, Ink)>,
+    is_head: bool,
+}
+
 /// A table.
 pub(super) fn table(xml: &mut Xml, lines: &mut Lines<'_>, grid: &Grid) {
     let half_points = text_size(grid.is_words.len());
@@ -32,19 +38,25 @@ pub(super) fn table(xml: &mut Xml, lines: &mut Lines<'_>, grid: &Grid) {
         true => Ink::bold(BAD),
         false => Ink::PLAIN,
     };
-    let mut rows: Vec<(Vec<(&str, Ink)>, bool)> = Vec::new();
+    let mut rows: Vec<Row<'_>> = Vec::new();
     if !head.is_empty() {
-        rows.push((head, true));
+        rows.push(Row {
+            cells: head,
+            is_head: true,
+        });
     }
     for row in &grid.rows {
         let cells = row.iter().map(|shown| (shown.text.as_str(), of(shown)));
-        rows.push((cells.collect(), false));
+        rows.push(Row {
+            cells: cells.collect(),
+            is_head: false,
+        });
     }
     let last = rows.len().saturating_sub(1);
     // programs that lay the page out anew take these as the least
     let line = usize::try_from(letters.size * Style::TableText.lie().line / 100).unwrap_or(0);
-    let height = |(cells, _): &(Vec<(&str, Ink)>, bool)| {
-        let each = cells.iter().zip(&twips);
+    let height = |row: &Row<'_>| {
+        let each = row.cells.iter().zip(&twips);
         let lines = each
             .map(|((text, _), width)| line_count(text, half_points, *width))
             .max();
@@ -57,7 +69,7 @@ pub(super) fn table(xml: &mut Xml, lines: &mut Lines<'_>, grid: &Grid) {
         "NONE"
     };
     framed(xml, lines, (&heights, &widths, breaks), |xml, lines, at| {
-        let (cells, is_head) = &rows[at];
+        let Row { cells, is_head } = &rows[at];
         let ground = match *is_head || at == last {
             true => Ground::RowEnd,
             false => Ground::Row,

@@ -26,7 +26,7 @@ pub(super) fn building(answer: &BuildingAnswer) -> Value {
             "height_m": storey.height_m,
             "centre_of_rigidity_m": centre,
             "stiffness_about_it": centre.map(|centre| storey.stiffness.matrix_about(centre)),
-            "weight_above_n": fall.weight_n, "load_factor": fall.load_factor, "falls_by": fall.motion(),
+            "weight_above_n": fall.weight_n, "load_factor": fall.load_factor, "falls_by": fall.motion().name(),
             "falling_drift": fall.drift,
         })
     });

@@ -1,7 +1,7 @@
 //! Fragility and risk of a study, as JSON.
 
 use dolmen::assess::{AssessError, FragilityFit};
-use dolmen_work::study::{StateFragility, StudyAnswer};
+use dolmen_work::study::{CrossingSide, StateFragility, StudyAnswer};
 use serde_json::{Map, Value, json};
 
 /// Confidence of intervals.
@@ -38,11 +38,14 @@ pub(super) fn fragilities_json(answer: &StudyAnswer) -> Result<Vec<Value>, Asses
                 "rate_share_above_hazard": state.risk.map(|risk| risk.share_above_points),
             }))
         });
-        let crossings = one.crossings().into_iter().map(|(mild, severe, at, is_below)| {
+        let crossings = one.crossings().into_iter().map(|of| {
             json!({
-                "states": [answer.kind.states()[mild], answer.kind.states()[severe]],
-                "peak_acceleration_m_s2": at.intensity, "probability": at.probability,
-                "worse_state_likelier": if is_below { "below" } else { "above" },
+                "states": [answer.kind.states()[of.milder], answer.kind.states()[of.worse]],
+                "peak_acceleration_m_s2": of.at.intensity, "probability": of.at.probability,
+                "worse_state_likelier": match of.likelier_is_worse {
+                    CrossingSide::Below => "below",
+                    CrossingSide::Above => "above",
+                },
             })
         });
         Ok(json!({

@@ -5,7 +5,7 @@ use super::faults::fault_words;
 use super::refused::refused_words;
 use super::steady::{in_spells_words, on_mode_words, steady_words, tone_words, wander_words};
 use super::values::{all_hertz, fixed, hertz, percent, plain};
-use dolmen::modal::Note;
+use dolmen::modal::{Note, ShapeQuantity};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, Values, messages};
 
 /// So many lines of footsteps an answer lists; one walk leaves twenty.
@@ -275,7 +275,7 @@ pub(super) fn note_words(note: &Note) -> Sentence {
             at: all_hertz(frequency_hz),
         },
         Note::OneQuantity { quantity } => Notes::OneQuantity {
-            quantity: quantity_word(quantity),
+            quantity: quantity_word(*quantity),
         },
         Note::QuarterTurn {
             channels,
@@ -357,11 +357,11 @@ fn angle_words([angle, frequency_hz]: &[f64; 2]) -> Sentence {
     .into()
 }
 
-fn quantity_word(quantity: &str) -> Sentence {
+fn quantity_word(quantity: ShapeQuantity) -> Sentence {
     match quantity {
-        "acceleration" => Notes::Acceleration,
-        "velocity" => Notes::Velocity,
-        _ => Notes::Displacement,
+        ShapeQuantity::Acceleration => Notes::Acceleration,
+        ShapeQuantity::Velocity => Notes::Velocity,
+        ShapeQuantity::Displacement => Notes::Displacement,
     }
     .into()
 }

@@ -170,9 +170,9 @@ fn first_cells((at, mode): (usize, &Mode)) -> Vec<Cell> {
 }
 
 /// A column: its head, its unit, and what stands in it of each mode.
-type Own = (Tables, Unit, fn(&Mode) -> Cell);
+type ModeColumn = (Tables, Unit, fn(&Mode) -> Cell);
 
-fn own_columns(method: Method) -> Vec<Own> {
+fn own_columns(method: Method) -> Vec<ModeColumn> {
     let floor: fn(&Mode) -> Cell = match method {
         // the floor is that of ambient vibration
         Method::Era | Method::Okid => |_| Cell::Number(None),
@@ -191,7 +191,7 @@ fn own_columns(method: Method) -> Vec<Own> {
             )
         },
     };
-    let last: Own = match of_peaks(method) {
+    let last: ModeColumn = match of_peaks(method) {
         true => (Tables::WindowBias, Unit::percent(), |mode| {
             Cell::Number(mode.window_bias.map(|bias| percent(bias, 1)))
         }),

@@ -53,19 +53,30 @@ impl Ink {
     }
 }
 
-/// Words in stretches as they stand on the line; of a symbol's second part, which stands lower, `true`.
-pub(crate) fn lowered(text: &str) -> Vec<(String, bool)> {
+/// A stretch of words.
+pub(crate) struct Stretch {
+    pub(crate) words: String,
+    /// Whether it stands lower, as the second part of a symbol does.
+    pub(crate) is_lowered: bool,
+}
+
+/// Words in stretches as they stand on the line.
+pub(crate) fn stretches_of(text: &str) -> Vec<Stretch> {
     let mut stretches = Vec::new();
+    let mut add = |words: String, is_lowered| {
+        if !words.is_empty() {
+            stretches.push(Stretch { words, is_lowered });
+        }
+    };
     let mut rest = text;
     while let Some((at, symbol)) = first_symbol(rest) {
         let (before, behind) = rest.split_at(at);
         let (letter, index) = symbol.split_once('_').unwrap_or((symbol, ""));
-        stretches.push((format!("{before}{letter}"), false));
-        stretches.push((index.to_owned(), true));
+        add(format!("{before}{letter}"), false);
+        add(index.to_owned(), true);
         rest = behind.strip_prefix(symbol).unwrap_or_default();
     }
-    stretches.push((rest.to_owned(), false));
-    stretches.retain(|(words, _)| !words.is_empty());
+    add(rest.to_owned(), false);
     stretches
 }
 
@@ -82,13 +93,13 @@ mod tests {
 
     #[test]
     fn exact_the_second_part_of_a_symbol_stands_lower() {
-        let stretches = lowered("M > k_cr; k_min.");
-        let joined: String = stretches.iter().map(|(words, _)| words.as_str()).collect();
+        let stretches = stretches_of("M > k_cr; k_min.");
+        let joined: String = stretches.iter().map(|of| of.words.as_str()).collect();
         assert_eq!(joined, "M > kcr; kmin.");
         let low: Vec<&str> = stretches
             .iter()
-            .filter(|(_, low)| *low)
-            .map(|(words, _)| words.as_str())
+            .filter(|of| of.is_lowered)
+            .map(|of| of.words.as_str())
             .collect();
         assert_eq!(low, ["cr", "min"]);
     }

@@ -1,7 +1,7 @@
 //! The figures of a study.
 
 use crate::document::{Document, Figure};
-use crate::figures::{study_figures, study_series};
+use crate::figures::{StudyDrawing, StudyFigure, study_drawings, study_series};
 use dolmen_words::{Language, Sentence, messages};
 use dolmen_work::study::StudyAnswer;
 use std::cell::OnceCell;
@@ -45,31 +45,32 @@ messages! {
 
 /// The first figures; each language is drawn once for all of them.
 pub(super) fn section<'a>(document: &mut Document<'a>, answer: &'a StudyAnswer) {
-    let english = study_figures(answer, Language::English);
-    let names: Vec<String> = english.iter().map(|figure| figure.name.clone()).collect();
+    let english = study_drawings(answer, Language::English);
+    let shown: Vec<StudyFigure> = english.iter().map(|drawing| drawing.shows).collect();
     let drawn = Rc::new([OnceCell::from(svgs(english)), OnceCell::new()]);
-    for (at, name) in names.into_iter().enumerate().take(FIGURES_MOST) {
+    for (at, shows) in shown.into_iter().enumerate().take(FIGURES_MOST) {
         let drawn = Rc::clone(&drawn);
-        let figure = Figure::drawn(caption(&name), move |language| {
-            let all = drawn[language.pick(0, 1)].get_or_init(|| svgs(study_figures(answer, language)));
+        let figure = Figure::drawn(caption(shows), move |language| {
+            let all = drawn[language.pick(0, 1)].get_or_init(|| svgs(study_drawings(answer, language)));
             all.get(at).cloned().unwrap_or_default()
         });
-        document.charted(figure.with_series(move || study_series(answer, &name)));
+        document.charted(figure.with_series(move || study_series(answer, shows)));
     }
 }
 
-fn svgs(figures: Vec<crate::figures::Figure>) -> Vec<String> {
-    figures.into_iter().map(|figure| figure.svg).collect()
+fn svgs(drawings: Vec<StudyDrawing>) -> Vec<String> {
+    let drawings = drawings.into_iter();
+    drawings.map(|drawing| drawing.figure.svg).collect()
 }
 
-fn caption(name: &str) -> Vec<Sentence> {
-    let both = match name.split('-').next().unwrap_or_default() {
-        "capacity" => [Drawn::Capacity, Drawn::CapacityDots],
-        "survived" => [Drawn::Survived, Drawn::SurvivedDots],
-        "fragility" => [Drawn::Fragility, Drawn::FragilityBands],
-        "growth" => [Drawn::Growth, Drawn::GrowthOf],
-        "harmonic" => [Drawn::Harmonic, Drawn::HarmonicShare],
-        _ => [Drawn::Release, Drawn::ReleaseDots],
+fn caption(shows: StudyFigure) -> Vec<Sentence> {
+    let both = match shows {
+        StudyFigure::Capacity => [Drawn::Capacity, Drawn::CapacityDots],
+        StudyFigure::Survived => [Drawn::Survived, Drawn::SurvivedDots],
+        StudyFigure::Fragility => [Drawn::Fragility, Drawn::FragilityBands],
+        StudyFigure::Growth => [Drawn::Growth, Drawn::GrowthOf],
+        StudyFigure::Harmonic => [Drawn::Harmonic, Drawn::HarmonicShare],
+        StudyFigure::Release => [Drawn::Release, Drawn::ReleaseDots],
     };
     both.map(Sentence::from).to_vec()
 }

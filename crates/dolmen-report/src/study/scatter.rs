@@ -3,7 +3,7 @@
 use super::words::{CONFIDENCE, fixed, g, of_case, state};
 use crate::document::{Block, Document};
 use dolmen_words::{Quantity, Sentence, messages};
-use dolmen_work::study::{CombinationFragility, StateFragility, StudyAnswer};
+use dolmen_work::study::{CombinationFragility, CrossingSide, StateFragility, StudyAnswer};
 
 messages! {
     /// Scatter and crossings.
@@ -77,19 +77,19 @@ fn split(answer: &StudyAnswer, one: &CombinationFragility, own: &StateFragility)
 pub(super) fn crossings(answer: &StudyAnswer, shown: &[CombinationFragility]) -> Vec<Scatter> {
     let mut found = Vec::new();
     for one in shown {
-        for (mild, severe, crossing, is_below) in one.crossings() {
-            let mild = of_case(answer, state(answer, mild), one.job);
-            let severe = state(answer, severe);
-            let at = g(answer, crossing.intensity);
-            let probability = fixed(crossing.probability, 2);
-            found.push(match is_below {
-                true => Scatter::CrossBelow {
+        for of in one.crossings() {
+            let mild = of_case(answer, state(answer, of.milder), one.job);
+            let severe = state(answer, of.worse);
+            let at = g(answer, of.at.intensity);
+            let probability = fixed(of.at.probability, 2);
+            found.push(match of.likelier_is_worse {
+                CrossingSide::Below => Scatter::CrossBelow {
                     mild,
                     severe,
                     at,
                     probability,
                 },
-                false => Scatter::CrossAbove {
+                CrossingSide::Above => Scatter::CrossAbove {
                     mild,
                     severe,
                     at,

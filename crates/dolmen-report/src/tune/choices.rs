@@ -3,7 +3,7 @@
 use super::words::{choice_words, goal_words, load_words, of_none, part};
 use crate::building::{direction_words, fixed, name};
 use crate::document::{Block, Cell, Column, Document, Figure, Table};
-use crate::figures::{tune_drawings, tune_series};
+use crate::figures::{TuneFigure, tune_series};
 use dolmen::damper::{Choice, Compared, Goal};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::building::TuneAnswer;
@@ -172,13 +172,13 @@ fn mode(answer: &TuneAnswer) -> [Choices; 2] {
 /// What each choice does, and figures.
 pub(super) fn section<'a>(document: &mut Document<'a>, answer: &'a TuneAnswer) {
     document.put(Block::Table(table(answer)));
-    for (figure, draw) in tune_drawings(answer) {
+    for figure in TuneFigure::of(answer) {
         let caption = match figure {
-            "position" => vec![Choices::Position.into(), Choices::PositionMeaning.into()],
-            "plan" => vec![Choices::Plan.into(), Choices::PlanMeaning.into()],
-            _ => vec![Choices::Robustness.into(), Choices::RobustnessMeaning.into()],
+            TuneFigure::Position => vec![Choices::Position.into(), Choices::PositionMeaning.into()],
+            TuneFigure::Plan => vec![Choices::Plan.into(), Choices::PlanMeaning.into()],
+            TuneFigure::Robustness => vec![Choices::Robustness.into(), Choices::RobustnessMeaning.into()],
         };
-        let drawn = Figure::drawn(caption, move |language| draw(answer, language));
+        let drawn = Figure::drawn(caption, move |language| figure.draw(answer, language));
         document.charted(drawn.with_series(move || tune_series(answer, figure)));
     }
 }

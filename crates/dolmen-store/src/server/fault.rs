@@ -9,13 +9,13 @@ use std::error::Error as _;
 
 /// Whether the error came from connecting or from later work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum While {
+pub(crate) enum SessionStage {
     Connecting,
     Working,
 }
 
 /// The fault for the user; `server` is the address without its password.
-pub(crate) fn server_fault(server: &str, fault: &Error, when: While) -> StoreError {
+pub(crate) fn server_fault(server: &str, fault: &Error, when: SessionStage) -> StoreError {
     let server = server.to_owned();
     let why = || {
         shown(
@@ -26,15 +26,15 @@ pub(crate) fn server_fault(server: &str, fault: &Error, when: While) -> StoreErr
     };
     match (fault.as_db_error(), when) {
         (Some(said), _) => said_by_server(server, said),
-        (None, While::Connecting) if is_password_missing(fault) => {
+        (None, SessionStage::Connecting) if is_password_missing(fault) => {
             StoreFault::ServerPassword { shown: server }
         }
-        (None, While::Connecting) => StoreFault::ServerDown {
+        (None, SessionStage::Connecting) => StoreFault::ServerDown {
             shown: server,
             why: why(),
         },
-        (None, While::Working) if is_lost(fault) => StoreFault::ServerGone { shown: server },
-        (None, While::Working) => StoreFault::Failed { why: why() },
+        (None, SessionStage::Working) if is_lost(fault) => StoreFault::ServerGone { shown: server },
+        (None, SessionStage::Working) => StoreFault::Failed { why: why() },
     }
     .into()
 }

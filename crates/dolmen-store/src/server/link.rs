@@ -3,7 +3,7 @@
 use super::address::{Address, Host};
 use super::columns::{own_row, parameters};
 use super::dialect::SCHEMA;
-use super::fault::{While, is_starting, server_fault};
+use super::fault::{SessionStage, is_starting, server_fault};
 use crate::database::{Access, Value};
 use crate::error::StoreError;
 use dolmen_work::kept::StoreFault;
@@ -94,10 +94,10 @@ impl Link {
             match config.connect(NoTls) {
                 Ok(client) => break client,
                 Err(fault) if is_starting(&fault) && Instant::now() < until => std::thread::sleep(AGAIN),
-                Err(fault) => return Err(server_fault(&self.shown(), &fault, While::Connecting)),
+                Err(fault) => return Err(server_fault(&self.shown(), &fault, SessionStage::Connecting)),
             }
         };
-        let fault_of = |fault| server_fault(&self.shown(), &fault, While::Working);
+        let fault_of = |fault| server_fault(&self.shown(), &fault, SessionStage::Working);
         let row = client
             .query_one("select current_setting('server_encoding')", &[])
             .map_err(fault_of)?;
@@ -147,7 +147,7 @@ impl Link {
 
     /// The fault for an error; drops a connection that is lost.
     fn lost(&mut self, fault: &postgres::Error) -> StoreError {
-        let seen = server_fault(&self.shown(), fault, While::Working);
+        let seen = server_fault(&self.shown(), fault, SessionStage::Working);
         if matches!(seen, StoreError::Fault(StoreFault::ServerGone { .. })) {
             self.client = None;
         }
@@ -229,7 +229,7 @@ impl Link {
         let values = values.iter().map(|value| value.as_ref() as &(dyn ToSql + Sync));
         let shown = self.shown();
         let given: Result<(), StoreError> = (|| {
-            let fault_of = |fault| server_fault(&shown, &fault, While::Working);
+            let fault_of = |fault| server_fault(&shown, &fault, SessionStage::Working);
             let mut rows = self.held()?.query_raw(&statement, values).map_err(fault_of)?;
             while let Some(row) = rows.next().map_err(fault_of)? {
                 each(&row)?;

@@ -85,7 +85,7 @@ fn with_dampers(
 ) -> Result<DampedSpectral, WorkError> {
     let both = |row: &[f64]| analysis.largest(row, DirectionalCombination::Srss);
     let [shear_x, shear_y, torque] = building.base_rows();
-    let Moved {
+    let LargestOfRow {
         displacement_m,
         edge_drift_m,
         centre_drift_m,
@@ -104,7 +104,7 @@ fn with_dampers(
 }
 
 /// The largest value of a row for floors, storeys and points.
-struct Moved {
+struct LargestOfRow {
     displacement_m: Vec<[f64; 2]>,
     edge_drift_m: Vec<Option<[f64; 2]>>,
     centre_drift_m: Vec<[f64; 2]>,
@@ -154,7 +154,7 @@ fn by_spectrum(
             analysis.largest(&shear_y, modal, DirectionalCombination::Srss),
         ]
     });
-    let Moved {
+    let LargestOfRow {
         displacement_m,
         edge_drift_m,
         centre_drift_m,
@@ -180,7 +180,7 @@ fn moved(
     building: &Building,
     both: &dyn Fn(&[f64]) -> f64,
     pick: Pick<'_>,
-) -> Result<Moved, WorkError> {
+) -> Result<LargestOfRow, WorkError> {
     let (mut displacement_m, mut edge_drift_m, mut centre_drift_m) = (Vec::new(), Vec::new(), Vec::new());
     for i in 0..building.floors().len() {
         let centre = |axis: usize| {
@@ -206,7 +206,7 @@ fn moved(
             [along(PlanDirection::X)?, along(PlanDirection::Y)?],
         ));
     }
-    Ok(Moved {
+    Ok(LargestOfRow {
         displacement_m,
         edge_drift_m,
         centre_drift_m,

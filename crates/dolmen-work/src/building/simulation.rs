@@ -44,16 +44,6 @@ pub struct Against {
     pub ratio: f64,
 }
 
-impl Against {
-    /// Whether it is the drift of one storey.
-    pub fn is_drift(&self) -> bool {
-        self.what[0].starts_with(DRIFT)
-    }
-}
-
-/// Name of the drift of a storey.
-const DRIFT: &str = "the drift along";
-
 /// A damper whose stroke exceeds its room.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BeyondRoom {
@@ -205,7 +195,7 @@ impl BuildingSimulation {
                     false => name.clone(),
                 };
                 let words = [
-                    format!("{DRIFT} {} below floor {name}", axes[axis]),
+                    format!("the drift along {} below floor {name}", axes[axis]),
                     format!("{floor} 바닥 아래 {} 방향 층간변위", axes[axis]),
                 ];
                 (

@@ -100,7 +100,7 @@ fn answers_of(
         .filter(|damper| options.damper.as_ref().is_none_or(|name| *name == damper.name));
     let mut answers = Vec::new();
     for damper in wished {
-        let of = Of {
+        let of = TunedDamper {
             project,
             part,
             building,
@@ -119,7 +119,7 @@ fn answers_of(
 }
 
 /// The data of one damper.
-struct Of<'a> {
+struct TunedDamper<'a> {
     project: &'a Project,
     part: &'a BuildingPart,
     building: &'a VibratingBuilding,
@@ -129,7 +129,7 @@ struct Of<'a> {
     options: &'a TuneOptions,
 }
 
-impl Of<'_> {
+impl TunedDamper<'_> {
     fn answer(&self, damper: &BuiltDamper, given: PlacedDamper) -> Result<TuneAnswer, WorkError> {
         let (building, options) = (self.building.building(), self.options);
         let site = site(building, damper.floor)?;

@@ -53,7 +53,7 @@ pub(crate) fn of_all(
         let direction = PlanDirection::Degrees(*direction);
         acting.extend(tuned::random_loads((project, part), load, direction)?);
     }
-    let all = All {
+    let all = TogetherProblem {
         building,
         dampers: &dampers,
         problem: DamperProblem {
@@ -122,7 +122,7 @@ fn sites(building: &Building, dampers: &[BuiltDamper]) -> Vec<DamperSite> {
     each.collect()
 }
 
-struct All<'a> {
+struct TogetherProblem<'a> {
     building: &'a Building,
     dampers: &'a [BuiltDamper],
     problem: DamperProblem,
@@ -130,7 +130,7 @@ struct All<'a> {
     options: &'a TuneOptions,
 }
 
-impl All<'_> {
+impl TogetherProblem<'_> {
     fn rows(&self) -> Result<Vec<TogetherRow>, WorkError> {
         let mut rows = vec![
             self.judged(TogetherChoice::Without, &[])?,

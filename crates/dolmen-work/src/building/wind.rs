@@ -50,7 +50,7 @@ fn in_wind(
     pick: Pick<'_>,
 ) -> Result<BuildingWind, WorkError> {
     let acceleration_limit = given.in_time.acceleration_limit.as_ref();
-    let blown = Blown::new((&standing.building, &standing.dampers), part, given, pick)?;
+    let blown = BuildingInWind::new((&standing.building, &standing.dampers), part, given, pick)?;
     let along = |axis: usize| blown.along(axis);
     Ok(BuildingWind {
         spectrum: blown.spectrum,
@@ -117,7 +117,7 @@ pub(crate) fn columns(building: &Building, axis: usize, eccentricity: f64) -> Ve
 }
 
 /// A building and the wind on it.
-pub(crate) struct Blown<'a> {
+pub(crate) struct BuildingInWind<'a> {
     building: &'a Building,
     pub(crate) structure: LinearSystem,
     pub(crate) dampers: Vec<AttachedDamper>,
@@ -127,7 +127,7 @@ pub(crate) struct Blown<'a> {
     eccentricity: f64,
 }
 
-impl<'a> Blown<'a> {
+impl<'a> BuildingInWind<'a> {
     pub(crate) fn new(
         (building, dampers): (&'a Building, &[BuiltDamper]),
         part: &BuildingPart,
@@ -135,7 +135,7 @@ impl<'a> Blown<'a> {
         pick: Pick<'_>,
     ) -> Result<Self, WorkError> {
         let wind = given.build(pick);
-        Ok(Blown {
+        Ok(BuildingInWind {
             building,
             structure: LinearSystem::new(
                 building.mass_matrix(),

@@ -1,10 +1,10 @@
 //! `dolmen simulate --wind`: a building in histories of the wind of its file, without its dampers and with them.
 
-use super::wind::{Blown, wind_drift_limit};
+use super::wind::{BuildingInWind, wind_drift_limit};
 use super::wind_answer::WIND_DURATION_S;
 use super::wind_history_answer::{HistoriesAlong, MotionInTime, WindSimulation};
 use super::wind_rows::WindRows;
-use super::wind_seen::{Seen, Wanted};
+use super::wind_seen::{RequestedRows, WindOutputs};
 use crate::error::WorkError;
 use crate::version::Version;
 use dolmen::damper::{AttachedDamper, DamperError, gust_history, gust_motion, gust_times};
@@ -49,7 +49,7 @@ pub(crate) fn simulate_wind(
     let pick = &mut Quantity::nominal;
     let dampers = part.dampers(&alone, pick)?;
     let building = alone.building();
-    let blown = Blown::new((building, &dampers), part, given, pick)?;
+    let blown = BuildingInWind::new((building, &dampers), part, given, pick)?;
     let (step_most_s, mode_hz) = step_most(alone.modes().modes.iter().map(|mode| mode.frequency_hz));
     if let Some(step_s) = options.step_s.filter(|step_s| *step_s > step_most_s) {
         return Err(WorkError::WindStepTooLong {
@@ -99,7 +99,7 @@ fn step_most(frequencies_hz: impl Iterator<Item = f64>) -> (f64, f64) {
 }
 
 fn histories_along(
-    blown: &Blown<'_>,
+    blown: &BuildingInWind<'_>,
     building: &Building,
     axis: usize,
     (times, seeds): (&GustTimes, &[u64]),
@@ -116,8 +116,8 @@ fn histories_along(
         let columns = blown.columns(axis);
         let duration_s = (times.looked_at - 1) as f64 * times.time_step_s;
         let all = gust_motion(&blown.structure, dampers, &face, &columns, duration_s)?;
-        let wanted = Wanted::of(WindRows::of(building, axis, &all)?);
-        let mut seen = Seen::new(&wanted.rows, &all);
+        let wanted = RequestedRows::of(WindRows::of(building, axis, &all)?);
+        let mut seen = WindOutputs::new(&wanted.rows, &all);
         for gusts in &gusts {
             let history = gust_history(&blown.structure, dampers, &columns, &wanted.rows, gusts)?;
             seen.see(history);

@@ -6,7 +6,7 @@ use dolmen::damper::{GustHistory, GustMotion, GustPeak, GustRow};
 use std::ops::Range;
 
 /// The rows of a history by quantity; of several rows the worst counts.
-pub(super) struct Wanted {
+pub(super) struct RequestedRows {
     pub(super) rows: Vec<GustRow>,
     pub(super) top_displacement: Range<usize>,
     pub(super) drifts: Vec<Range<usize>>,
@@ -16,7 +16,7 @@ pub(super) struct Wanted {
     pub(super) base_torque: Range<usize>,
 }
 
-impl Wanted {
+impl RequestedRows {
     pub(super) fn of(mut of: WindRows) -> Self {
         let mut rows = Vec::new();
         let mut put = |own: Vec<GustRow>| {
@@ -32,7 +32,7 @@ impl Wanted {
             acceleration.push(top.acceleration);
             corner = top.corner;
         }
-        Wanted {
+        RequestedRows {
             drifts,
             top_displacement: put(displacement),
             top_acceleration: put(acceleration),
@@ -81,18 +81,18 @@ impl RowSeen {
 }
 
 /// All rows and strokes.
-pub(super) struct Seen {
+pub(super) struct WindOutputs {
     rows: Vec<RowSeen>,
     /// For each stroke, each case.
     strokes: Vec<Vec<RowSeen>>,
 }
 
-impl Seen {
+impl WindOutputs {
     /// State before the first history; `all` is the motion by the mean square in each case.
     pub(super) fn new(rows: &[GustRow], all: &[GustMotion]) -> Self {
         let strokes = all.first().map_or(0, |of| of.strokes.len());
         let stroke = |k: usize| all.iter().map(|of| RowSeen::new(of.strokes[k])).collect();
-        Seen {
+        WindOutputs {
             rows: rows
                 .iter()
                 .map(|row| RowSeen::new(all[row.case].of(row)))

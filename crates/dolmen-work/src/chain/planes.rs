@@ -24,7 +24,7 @@ fn holds(part: &ChainPart, pick: Pick<'_>) -> Vec<JointHold> {
 }
 
 /// A static load in numbers; forces and moments along and across.
-pub(super) struct Acting {
+pub(super) struct LoadComponents {
     link: usize,
     above_joint_m: f64,
     force_n: [f64; 2],
@@ -32,7 +32,7 @@ pub(super) struct Acting {
     moment_n_m: [f64; 2],
 }
 
-fn acting(load: &LoadPart, chain: &Chain, pick: Pick<'_>) -> Acting {
+fn acting(load: &LoadPart, chain: &Chain, pick: Pick<'_>) -> LoadComponents {
     let force_n = [&load.force, &load.force_across].map(|force| force.as_ref().map_or(0.0, &mut *pick));
     // the moment acts in the direction of the force
     let size = force_n[0].hypot(force_n[1]);
@@ -41,7 +41,7 @@ fn acting(load: &LoadPart, chain: &Chain, pick: Pick<'_>) -> Acting {
         false => [1.0, 0.0],
     };
     let moment_n_m = load.moment.as_ref().map_or(0.0, &mut *pick);
-    Acting {
+    LoadComponents {
         link: load.part,
         above_joint_m: load.above_joint_m(chain, pick),
         force_n,
@@ -56,7 +56,7 @@ pub(super) struct Model {
     pub(super) planes: Vec<Plane>,
     /// Properties of the joints, with the widths of the beds along.
     pub(super) holds: Vec<JointHold>,
-    pub(super) loads: Vec<Acting>,
+    pub(super) loads: Vec<LoadComponents>,
 }
 
 /// The chain in one direction.
@@ -123,7 +123,7 @@ impl Model {
 
 impl Plane {
     /// Lowest frequency with the weights of the loads, Hz; `None` where the chain falls or no stiffness is known.
-    pub(super) fn heavy_frequency_hz(&self, loads: &[Acting]) -> Result<Option<f64>, WorkError> {
+    pub(super) fn heavy_frequency_hz(&self, loads: &[LoadComponents]) -> Result<Option<f64>, WorkError> {
         let Some(stiffness) = &self.stiffness else {
             return Ok(None);
         };
@@ -185,7 +185,7 @@ fn hold_towards(hold: JointHold, axis: ChainAxis) -> JointHold {
 /// The chain with a factor on its own weight, and another on the weights of static loads.
 pub(super) fn weighted(
     chain: &Chain,
-    loads: &[Acting],
+    loads: &[LoadComponents],
     [weight, loaded]: [f64; 2],
 ) -> Result<Chain, WorkError> {
     let gravity_m_s2 = chain.gravity_m_s2() * weight;

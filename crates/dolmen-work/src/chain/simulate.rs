@@ -32,7 +32,7 @@ pub(crate) struct ChainOptions {
 }
 
 /// A direction of a chain and the component of the motion that acts in it; `None` on a still ground.
-type Acting = (ChainAxis, Option<Component>);
+type ShakenDirection = (ChainAxis, Option<Component>);
 
 /// The runs: one, or for a chain of two directions one in each, also under two components.
 ///
@@ -86,7 +86,7 @@ pub(crate) fn simulate(
 
 /// The load in each direction. The directions are independent where joints are linear or open at the edges of rectangular beds: the resultant
 /// lies within the bed if it does along and across.
-fn acting(part: &ChainPart, motion: Option<&MotionAnswer>) -> Result<Vec<Acting>, WorkError> {
+fn acting(part: &ChainPart, motion: Option<&MotionAnswer>) -> Result<Vec<ShakenDirection>, WorkError> {
     let each =
         |component: Option<Component>| part.axes().iter().map(move |axis| (*axis, component)).collect();
     let Some(motion) = motion else {
@@ -124,7 +124,7 @@ fn simulate_one(
     version: &Version<'_>,
     part: &ChainPart,
     motion: Option<MotionAnswer>,
-    (options, (axis, component)): (&ChainOptions, &Acting),
+    (options, (axis, component)): (&ChainOptions, &ShakenDirection),
     progress: &dyn Progress,
 ) -> Result<ChainSimulation, WorkError> {
     let loads = &version.project.loads;

@@ -33,50 +33,13 @@ pub(crate) fn simulate(
     options: &FrameOptions<'_>,
     progress: &dyn Progress,
 ) -> Result<Vec<FrameSimulation>, WorkError> {
-    let known: Vec<&str> = part
-        .directions
-        .iter()
-        .filter(|direction| direction.stiffness.is_some())
-        .map(|direction| direction.name.as_str())
-        .collect();
-    let all: Vec<&str> = part
-        .directions
-        .iter()
-        .map(|direction| direction.name.as_str())
-        .collect();
-    let chosen: Vec<&str> = match options.direction {
-        Some(name) if known.contains(&name) => vec![name],
-        Some(name) if all.contains(&name) => {
-            return Err(WorkError::DirectionUnknown {
-                direction: name.to_owned(),
-            });
-        }
-        Some(name) => {
-            return Err(WorkError::NoSuchDirection {
-                direction: name.to_owned(),
-                known: all.join(", "),
-            });
-        }
-        None if known.is_empty() => {
-            return Err(WorkError::NoDirectionKnown {
-                directions: all.join(", "),
-            });
-        }
-        None => known,
-    };
-    let without_stiffness: Vec<String> = match options.direction {
-        Some(_) => Vec::new(),
-        None => all
-            .iter()
-            .filter(|name| !chosen.contains(name))
-            .map(|name| (*name).to_owned())
-            .collect(),
-    };
+    let ChosenDirections {
+        chosen,
+        without_stiffness,
+    } = ChosenDirections::of(part, options.direction)?;
     let run_s = options
         .duration_s
         .unwrap_or(motion.motion.duration_s() + SWING_REST_S);
-    let mut runs = Vec::new();
-    let mut together = None;
     let output_step_s = motion
         .measured
         .as_ref()
@@ -84,57 +47,38 @@ pub(crate) fn simulate(
     // under ground motion from a survey, one direction can be run alone
     let alone = motion.measured.is_some() && options.direction.is_some();
     let in_plan = has_both(&motion.motion) && !alone;
-    if in_plan {
-        if let Some(name) = options.direction {
+    let how = (run_s, output_step_s);
+    let InMotion {
+        directions,
+        together,
+        histories,
+    } = match (in_plan, options.direction) {
+        (true, Some(name)) => {
             return Err(WorkError::DirectionOfBoth {
                 direction: name.to_owned(),
             });
         }
-        let directions = both_directions(part)?;
-        let components = [Component::X, Component::Y];
-        for (direction, component) in directions.into_iter().zip(components) {
-            runs.extend(plane(
-                part,
-                (direction, component),
-                motion,
-                (run_s, output_step_s),
-            )?);
+        (true, None) => in_both_directions(part, motion, how, progress)?,
+        (false, _) => {
+            let mut directions = Vec::new();
+            for direction in chosen {
+                let component = component_of(motion, direction)?;
+                directions.extend(plane(part, (direction, component), motion, how)?);
+            }
+            InMotion {
+                directions,
+                together: None,
+                histories: None,
+            }
         }
-        let tilt = part.lean.as_ref().map_or(0.0, |lean| lean.together);
-        if let [((x, _), first), ((y, _), second)] = runs.as_mut_slice() {
-            lean_together([(first, part.tilt(x)), (second, part.tilt(y))], tilt);
-        }
-        if let [(_, x), (_, y)] = runs.as_slice() {
-            let moved = simulating(progress, run_s, |reached| {
-                simulate_frame_in_plan(
-                    [&x.frame, &y.frame],
-                    [&x.load, &y.load],
-                    [&x.run, &y.run],
-                    reached,
-                )
-            })?;
-            let of = FrameTogether::of(directions, [x, y], &moved);
-            together = Some((of, moved.histories));
-        }
-    } else {
-        for direction in chosen {
-            let component = component_of(motion, direction)?;
-            runs.extend(plane(
-                part,
-                (direction, component),
-                motion,
-                (run_s, output_step_s),
-            )?);
-        }
-    }
+    };
     let left_out = LeftOutOfRuns::of(version.project);
-    let (together, moved) = together.map_or((None, None), |(of, moved)| (Some(of), Some(moved)));
-    let mut moved: Vec<Option<FrameHistory>> = match moved {
-        Some(moved) => moved.into_iter().map(Some).collect(),
-        None => runs.iter().map(|_| None).collect(),
+    let mut moved: Vec<Option<FrameHistory>> = match histories {
+        Some(histories) => histories.into_iter().map(Some).collect(),
+        None => directions.iter().map(|_| None).collect(),
     };
     let mut found = Vec::new();
-    for (((direction, component), plane), moved) in runs.into_iter().zip(&mut moved) {
+    for (((direction, component), plane), moved) in directions.into_iter().zip(&mut moved) {
         let Plane { frame, load, run } = plane;
         let history = match moved.take() {
             Some(history) => history,
@@ -174,6 +118,91 @@ pub(crate) fn simulate(
     Ok(found)
 }
 
+/// The directions of a run.
+struct ChosenDirections<'a> {
+    chosen: Vec<&'a str>,
+    /// Those that are left out because their stiffness is unknown, where no direction was requested.
+    without_stiffness: Vec<String>,
+}
+
+impl<'a> ChosenDirections<'a> {
+    fn of(part: &'a FramePart, requested: Option<&'a str>) -> Result<Self, WorkError> {
+        let all: Vec<&str> = part.directions.iter().map(|own| own.name.as_str()).collect();
+        let known = part.directions.iter().filter(|own| own.stiffness.is_some());
+        let known: Vec<&str> = known.map(|own| own.name.as_str()).collect();
+        match requested {
+            Some(name) if known.contains(&name) => Ok(ChosenDirections {
+                chosen: vec![name],
+                without_stiffness: Vec::new(),
+            }),
+            Some(name) if all.contains(&name) => Err(WorkError::DirectionUnknown {
+                direction: name.to_owned(),
+            }),
+            Some(name) => Err(WorkError::NoSuchDirection {
+                direction: name.to_owned(),
+                known: all.join(", "),
+            }),
+            None if known.is_empty() => Err(WorkError::NoDirectionKnown {
+                directions: all.join(", "),
+            }),
+            None => {
+                let others = all.into_iter().filter(|name| !known.contains(name));
+                Ok(ChosenDirections {
+                    without_stiffness: others.map(str::to_owned).collect(),
+                    chosen: known,
+                })
+            }
+        }
+    }
+}
+
+/// The directions that a motion acts in.
+struct InMotion {
+    directions: Vec<ShakenDirection>,
+    /// Both directions at once, where both components act.
+    together: Option<FrameTogether>,
+    /// Their histories, where they were run together.
+    histories: Option<[FrameHistory; 2]>,
+}
+
+/// Runs both directions together.
+fn in_both_directions(
+    part: &FramePart,
+    motion: &MotionAnswer,
+    (run_s, output_step_s): (f64, f64),
+    progress: &dyn Progress,
+) -> Result<InMotion, WorkError> {
+    let mut runs = Vec::new();
+    let directions = both_directions(part)?;
+    let components = [Component::X, Component::Y];
+    for (direction, component) in directions.into_iter().zip(components) {
+        let how = (run_s, output_step_s);
+        runs.extend(plane(part, (direction, component), motion, how)?);
+    }
+    let tilt = part.lean.as_ref().map_or(0.0, |lean| lean.together);
+    if let [((x, _), first), ((y, _), second)] = runs.as_mut_slice() {
+        lean_together([(first, part.tilt(x)), (second, part.tilt(y))], tilt);
+    }
+    let (mut together, mut histories) = (None, None);
+    if let [(_, x), (_, y)] = runs.as_slice() {
+        let moved = simulating(progress, run_s, |reached| {
+            simulate_frame_in_plan(
+                [&x.frame, &y.frame],
+                [&x.load, &y.load],
+                [&x.run, &y.run],
+                reached,
+            )
+        })?;
+        together = Some(FrameTogether::of(directions, [x, y], &moved));
+        histories = Some(moved.histories);
+    }
+    Ok(InMotion {
+        directions: runs,
+        together,
+        histories,
+    })
+}
+
 /// The component that acts in a direction; from a survey's ground motion that of the same name.
 fn component_of(motion: &MotionAnswer, direction: &str) -> Result<Component, WorkError> {
     let named = [Component::X, Component::Y]
@@ -186,7 +215,7 @@ fn component_of(motion: &MotionAnswer, direction: &str) -> Result<Component, Wor
 }
 
 /// A direction, the component along it, and its frame.
-type Acting = ((String, Component), Plane);
+type ShakenDirection = ((String, Component), Plane);
 
 /// The frame and load of a direction; `None` if its stiffness is unknown.
 fn plane(
@@ -194,7 +223,7 @@ fn plane(
     (direction, component): (&str, Component),
     motion: &MotionAnswer,
     how: (f64, f64),
-) -> Result<Option<Acting>, WorkError> {
+) -> Result<Option<ShakenDirection>, WorkError> {
     let plane = Plane::of(
         part,
         direction,

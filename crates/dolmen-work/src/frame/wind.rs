@@ -6,7 +6,7 @@ use dolmen::structure::wind::{WindBody, WindError, WindPressure};
 use dolmen_project::{FramePart, Pick, WindArea, WindGiven};
 
 /// What meets the wind, in numbers: its area, that times its force coefficient, and where an area more has its middle.
-struct Met {
+struct StoreyWindArea {
     storey: usize,
     area_m2: f64,
     effective_m2: f64,
@@ -25,7 +25,7 @@ pub(super) fn wind_met(
     let of = |area: &WindArea, pick: Pick<'_>| {
         let area_m2 = pick(&area.area);
         let own = area.force_coefficient.as_ref().map_or(coefficient, &mut *pick);
-        Met {
+        StoreyWindArea {
             storey: area.part,
             area_m2,
             effective_m2: own * area_m2,
@@ -33,7 +33,7 @@ pub(super) fn wind_met(
         }
     };
     let areas = wind.areas.iter().filter(|area| area.is_met(direction));
-    let all: Vec<Met> = areas.map(|area| of(area, pick)).collect();
+    let all: Vec<StoreyWindArea> = areas.map(|area| of(area, pick)).collect();
     let levels_m = frame.level_heights_m();
     let top_m = levels_m.iter().fold(0.0_f64, |most, level| most.max(*level));
     let height_m = all.iter().filter_map(|of| of.height_m).fold(top_m, f64::max);
@@ -82,7 +82,7 @@ pub(super) fn wind_met(
 }
 
 /// Force, and moment about the ground, of one area: spread over its storey, or at the height of its middle.
-fn on_storey(met: &Met, [bottom_m, top_m]: [f64; 2], pressure: &WindPressure) -> WindOnLink {
+fn on_storey(met: &StoreyWindArea, [bottom_m, top_m]: [f64; 2], pressure: &WindPressure) -> WindOnLink {
     let (force_n, moment_n_m) = match met.height_m {
         None => {
             let strip = pressure.strip(bottom_m, top_m);

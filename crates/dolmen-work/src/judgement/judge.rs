@@ -4,7 +4,7 @@ use super::colour::Colour;
 use super::earthquake::{EarthquakeFinding, of_row};
 use super::evidence::{Evidence, RecordFrequency};
 use super::exit::{Verb, exit_status};
-use super::runs::{of_simulation, of_stack};
+use super::runs::{RunFindings, of_simulation, of_stack};
 use super::tilt_limit::is_tilt_beyond;
 use super::version::{AfterMotion, VersionJudgement, leaning, version};
 use super::weight::Weight;
@@ -62,7 +62,10 @@ impl Judgement {
     }
 
     fn add_run(&mut self, run: &Simulation, of: &SimulateAnswer) {
-        let (mut found, is_done) = of_simulation(run);
+        let RunFindings {
+            findings: mut found,
+            is_done,
+        } = of_simulation(run);
         let is_as_it_is = run.variant().is_none();
         // the results of a check of the same structure count as well
         let checked = self.versions.iter().find(|version| version.variant.is_none());

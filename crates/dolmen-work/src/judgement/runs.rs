@@ -23,22 +23,37 @@ enum Ending {
     Whole,
 }
 
-/// A simulation of any kind, and its end.
-pub(super) fn of_simulation(run: &Simulation) -> (Vec<EarthquakeFinding>, bool) {
+/// What a simulation says about the earthquake.
+pub(super) struct RunFindings {
+    pub(super) findings: Vec<EarthquakeFinding>,
+    /// Whether it went to its end.
+    pub(super) is_done: bool,
+}
+
+impl RunFindings {
+    fn new(findings: Vec<EarthquakeFinding>, is_done: bool) -> Self {
+        RunFindings { findings, is_done }
+    }
+}
+
+/// A simulation of any kind.
+pub(super) fn of_simulation(run: &Simulation) -> RunFindings {
     match run {
         Simulation::Stack(runs) => of_stack_runs(runs),
         // moving supports are not an earthquake
-        Simulation::Supports(run) => (Vec::new(), run.is_whole()),
-        Simulation::Frame(run) => (of_frame(run), run.falls() || run.is_whole()),
-        Simulation::Chain(run) => (of_chain(run), run.falls() || run.is_whole()),
-        Simulation::Building(run) => (of_building(run), run.ended_before_the_motion_s().is_none()),
+        Simulation::Supports(run) => RunFindings::new(Vec::new(), run.is_whole()),
+        Simulation::Frame(run) => RunFindings::new(of_frame(run), run.falls() || run.is_whole()),
+        Simulation::Chain(run) => RunFindings::new(of_chain(run), run.falls() || run.is_whole()),
+        Simulation::Building(run) => {
+            RunFindings::new(of_building(run), run.ended_before_the_motion_s().is_none())
+        }
         // no earthquake
-        Simulation::Wind(_) => (Vec::new(), true),
+        Simulation::Wind(_) => RunFindings::new(Vec::new(), true),
     }
 }
 
 /// The runs of a stack by each law of contact, and their repeats with small differences: the worst one decides.
-pub(super) fn of_stack_runs(runs: &StackRuns) -> (Vec<EarthquakeFinding>, bool) {
+pub(super) fn of_stack_runs(runs: &StackRuns) -> RunFindings {
     let is_stopped = runs.repeats.as_ref().is_some_and(|repeats| repeats.is_stopped);
     let is_done = !is_stopped && runs.each().all(|run| run.falls() || run.is_whole());
     let mut found = of_stack(&runs.deciding);
@@ -55,7 +70,7 @@ pub(super) fn of_stack_runs(runs: &StackRuns) -> (Vec<EarthquakeFinding>, bool) 
         let of_before = found.into_iter();
         found = of_before.map(EarthquakeFinding::before_supports_moved).collect();
     }
-    (found, is_done)
+    RunFindings::new(found, is_done)
 }
 
 /// The worst damage of runs with small differences.

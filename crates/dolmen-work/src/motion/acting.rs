@@ -34,14 +34,6 @@ impl MotionAnswer {
         (end_s < self.motion.duration_s() * (1.0 - 1e-9)).then_some(end_s)
     }
 
-    /// Introduction to the results of a run that ended before the motion.
-    pub fn cut_words(&self, end_s: f64) -> String {
-        format!(
-            "ENDED BEFORE THE MOTION: {end_s:.2} of its {:.2} s were run; no verdict. Until then: ",
-            self.motion.duration_s()
-        )
-    }
-
     /// Components with a drifting base line, and the displacement at their end, m.
     pub fn drifting_m(&self) -> Vec<(Component, f64)> {
         let given = Component::ALL

@@ -29,8 +29,8 @@ const CARRIED: [(&str, &str, &[u8]); 1] = [(
 const ACTS_MOST_G: f64 = 10.0;
 
 /// The settings of the project file, replaced by those of the request where it has them.
-struct Wanted {
-    from: From,
+struct MotionSettings {
+    from: MotionOrigin,
     unit: Option<String>,
     sample_step_s: Option<f64>,
     keep_first_s: Option<f64>,
@@ -53,17 +53,20 @@ struct Wanted {
     part: Option<String>,
 }
 
-enum From {
+enum MotionOrigin {
     Carried(String),
     Survey(String),
     Files(Vec<WantedFile>),
 }
 
 /// The project of a motion, and the files that it names.
-type Of<'a> = (&'a Project, &'a dyn Files);
+type ProjectFiles<'a> = (&'a Project, &'a dyn Files);
 
 /// The requested motion, ready to act: from the project file, built-in, or from files. The request overrides the project file.
-pub(crate) fn prepared(request: &MotionRequest, project: Of<'_>) -> Result<MotionAnswer, WorkError> {
+pub(crate) fn prepared(
+    request: &MotionRequest,
+    project: ProjectFiles<'_>,
+) -> Result<MotionAnswer, WorkError> {
     ready(request, Some(project))
 }
 
@@ -85,17 +88,17 @@ pub(crate) fn changed_alone(
     changed(motion, &wanted(&told, None)?)
 }
 
-fn ready(request: &MotionRequest, project: Option<Of<'_>>) -> Result<MotionAnswer, WorkError> {
+fn ready(request: &MotionRequest, project: Option<ProjectFiles<'_>>) -> Result<MotionAnswer, WorkError> {
     let wanted = wanted(request, project)?;
     let mut answer = match &wanted.from {
-        From::Carried(name) => match request.of_files() {
+        MotionOrigin::Carried(name) => match request.of_files() {
             Some(flag) => {
                 let name = name.clone();
                 return Err(MotionRequestError::OfFilesNotCarried { flag, name }.into());
             }
             None => carried(name)?,
         },
-        From::Survey(name) => match (request.of_files(), project) {
+        MotionOrigin::Survey(name) => match (request.of_files(), project) {
             (Some(flag), _) => {
                 let name = format!("{SURVEY}{name}");
                 return Err(MotionRequestError::OfFilesNotSurvey { flag, name }.into());
@@ -106,7 +109,7 @@ fn ready(request: &MotionRequest, project: Option<Of<'_>>) -> Result<MotionAnswe
                 return Err(MotionRequestError::SurveyWithoutProject { name }.into());
             }
         },
-        From::Files(named) => from_files(named, &wanted, project)?,
+        MotionOrigin::Files(named) => from_files(named, &wanted, project)?,
     };
     answer.motion = changed(answer.motion, &wanted)?;
     if let Some(own) = wanted
@@ -122,7 +125,7 @@ fn ready(request: &MotionRequest, project: Option<Of<'_>>) -> Result<MotionAnswe
     Ok(answer)
 }
 
-fn wanted(options: &MotionRequest, project: Option<Of<'_>>) -> Result<Wanted, WorkError> {
+fn wanted(options: &MotionRequest, project: Option<ProjectFiles<'_>>) -> Result<MotionSettings, WorkError> {
     let own = project.map_or(&[][..], |(project, _)| &project.motions[..]);
     let part = match &options.name {
         Some(name) => own.iter().find(|part| part.name == *name),
@@ -130,7 +133,7 @@ fn wanted(options: &MotionRequest, project: Option<Of<'_>>) -> Result<Wanted, Wo
     };
     let from = match (&options.name, part) {
         (_, Some(part)) => match &part.from {
-            MotionSource::BuiltIn(name) => From::Carried(name.clone()),
+            MotionSource::BuiltIn(name) => MotionOrigin::Carried(name.clone()),
             MotionSource::Files(files) => {
                 let each = files.iter().map(|(component, name)| WantedFile {
                     component: *component,
@@ -138,11 +141,13 @@ fn wanted(options: &MotionRequest, project: Option<Of<'_>>) -> Result<Wanted, Wo
                     channel: column_of(&part.columns, *component),
                     bytes: None,
                 });
-                From::Files(typed_columns(each.collect(), &options.columns)?)
+                MotionOrigin::Files(typed_columns(each.collect(), &options.columns)?)
             }
         },
-        (Some(name), None) if name.starts_with(SURVEY) => From::Survey(name[SURVEY.len()..].to_owned()),
-        (Some(name), None) if is_carried(name) => From::Carried(name.clone()),
+        (Some(name), None) if name.starts_with(SURVEY) => {
+            MotionOrigin::Survey(name[SURVEY.len()..].to_owned())
+        }
+        (Some(name), None) if is_carried(name) => MotionOrigin::Carried(name.clone()),
         (Some(name), None) => {
             return Err(MotionRequestError::NoSuchMotion {
                 name: name.clone(),
@@ -153,11 +158,11 @@ fn wanted(options: &MotionRequest, project: Option<Of<'_>>) -> Result<Wanted, Wo
         (None, _) if options.files.is_empty() => {
             return Err(MotionRequestError::NoMotion { known: names(own) }.into());
         }
-        (None, _) => From::Files(typed_columns(given_files(&options.files)?, &options.columns)?),
+        (None, _) => MotionOrigin::Files(typed_columns(given_files(&options.files)?, &options.columns)?),
     };
     let typed_size = typed_size(options)?;
     let of = |read: fn(&MotionPart) -> Option<f64>| part.and_then(read);
-    Ok(Wanted {
+    Ok(MotionSettings {
         from,
         unit: options.unit.clone().or_else(|| part?.unit.clone()),
         sample_step_s: options.sample_step_s.or_else(|| of(|part| part.sample_step_s)),
@@ -302,7 +307,7 @@ fn typed_responses(files: &[GivenFile]) -> Result<Vec<Response>, WorkError> {
 /// Those that the project file names.
 fn responses_of_files(
     names: &[String],
-    project: Option<Of<'_>>,
+    project: Option<ProjectFiles<'_>>,
     place: impl Fn(&str) -> String,
 ) -> Result<Vec<Response>, WorkError> {
     let Some((_, files)) = project else {
@@ -319,8 +324,8 @@ fn responses_of_files(
 
 fn from_files(
     named: &[WantedFile],
-    wanted: &Wanted,
-    project: Option<Of<'_>>,
+    wanted: &MotionSettings,
+    project: Option<ProjectFiles<'_>>,
 ) -> Result<MotionAnswer, WorkError> {
     let place = |file: &str| match &wanted.part {
         Some(part) => format!("{part}.files: {file}"),
@@ -393,7 +398,7 @@ fn from_files(
 
 /// Cuts, corrects the base line, filters, tapers, scales and rotates, in this order; for structures that move in one plane it rotates first and
 /// scales the acting component.
-fn changed(mut motion: GroundMotion, wanted: &Wanted) -> Result<GroundMotion, WorkError> {
+fn changed(mut motion: GroundMotion, wanted: &MotionSettings) -> Result<GroundMotion, WorkError> {
     let place = |flag: &'static str, key: &str| match &wanted.part {
         Some(part) => format!("{flag}, {part}.{key}"),
         None => flag.to_owned(),

@@ -131,7 +131,7 @@ impl SuiteAnswer {
 }
 
 /// A record that can be chosen.
-struct Found {
+struct CandidateRecord {
     file: String,
     reading: ComponentReading,
     origin: Origin,
@@ -155,54 +155,10 @@ pub fn suite(options: &SuiteOptions, names: &[String], files: &dyn Files) -> Res
     for period_s in &periods_s {
         target_m_s2.push(demand.acceleration_m_s2(*period_s, options.damping_ratio)?);
     }
-    let told = motion_options(&options.request)?;
-    let mut not_taken: Vec<(String, NotTaken)> = Vec::new();
-    let mut found: Vec<Found> = Vec::new();
-    for name in names {
-        let read = files
-            .read(name, MOTION_BYTES_MOST)
-            .map_err(WorkError::from)
-            .and_then(|bytes| Ok(read_channels(&bytes, &told)?));
-        let channels = match read {
-            Ok(channels) => channels,
-            Err(why) => {
-                let why = told_both(&why);
-                not_taken.push((name.clone(), NotTaken::Refused { why }));
-                continue;
-            }
-        };
-        let are_several = channels.len() > 1;
-        for reading in channels {
-            let place = match are_several {
-                true => format!("{name}, {}", reading.name),
-                false => name.clone(),
-            };
-            if matches!(reading.orientation, Some(Orientation::Up | Orientation::Down)) {
-                not_taken.push((place, NotTaken::Vertical));
-                continue;
-            }
-            let samples = |of: &ComponentReading| (of.acceleration_m_s2.clone(), of.time_step_s);
-            let (own, step_s) = samples(&reading);
-            let same = |one: &&Found| {
-                is_same_shaking(
-                    (&one.reading.acceleration_m_s2, one.reading.time_step_s),
-                    (&own, step_s),
-                )
-            };
-            if let Some(first) = found.iter().find(same) {
-                let file = first.file.clone();
-                not_taken.push((place, NotTaken::CopyOf { file }));
-                continue;
-            }
-            match of_channel(options, name, reading, &periods_s) {
-                Ok(one) => found.push(one),
-                Err(why) => {
-                    let why = told_both(&why);
-                    not_taken.push((place, NotTaken::Refused { why }));
-                }
-            }
-        }
-    }
+    let ReadFiles {
+        records: found,
+        not_taken,
+    } = ReadFiles::of(options, names, files, &periods_s)?;
     refuse_none(names.len(), &found, &not_taken)?;
     let candidates: Vec<SuiteCandidate> = found.iter().map(|one| candidate(one, &target_m_s2)).collect();
     let chosen = motion_suite(&candidates, &options.rule)?;
@@ -250,7 +206,79 @@ pub fn suite(options: &SuiteOptions, names: &[String], files: &dyn Files) -> Res
     })
 }
 
-fn refuse_none(files: usize, found: &[Found], not_taken: &[(String, NotTaken)]) -> Result<(), WorkError> {
+/// The records of the files, and the channels that cannot be chosen.
+struct ReadFiles {
+    records: Vec<CandidateRecord>,
+    not_taken: Vec<(String, NotTaken)>,
+}
+
+impl ReadFiles {
+    fn of(
+        options: &SuiteOptions,
+        names: &[String],
+        files: &dyn Files,
+        periods_s: &[f64],
+    ) -> Result<Self, WorkError> {
+        let told = motion_options(&options.request)?;
+        let mut not_taken = Vec::new();
+        let mut found: Vec<CandidateRecord> = Vec::new();
+        for name in names {
+            let read = files
+                .read(name, MOTION_BYTES_MOST)
+                .map_err(WorkError::from)
+                .and_then(|bytes| Ok(read_channels(&bytes, &told)?));
+            let channels = match read {
+                Ok(channels) => channels,
+                Err(why) => {
+                    let why = told_both(&why);
+                    not_taken.push((name.clone(), NotTaken::Refused { why }));
+                    continue;
+                }
+            };
+            let are_several = channels.len() > 1;
+            for reading in channels {
+                let place = match are_several {
+                    true => format!("{name}, {}", reading.name),
+                    false => name.clone(),
+                };
+                if matches!(reading.orientation, Some(Orientation::Up | Orientation::Down)) {
+                    not_taken.push((place, NotTaken::Vertical));
+                    continue;
+                }
+                let samples = |of: &ComponentReading| (of.acceleration_m_s2.clone(), of.time_step_s);
+                let (own, step_s) = samples(&reading);
+                let same = |one: &&CandidateRecord| {
+                    is_same_shaking(
+                        (&one.reading.acceleration_m_s2, one.reading.time_step_s),
+                        (&own, step_s),
+                    )
+                };
+                if let Some(first) = found.iter().find(same) {
+                    let file = first.file.clone();
+                    not_taken.push((place, NotTaken::CopyOf { file }));
+                    continue;
+                }
+                match of_channel(options, name, reading, periods_s) {
+                    Ok(one) => found.push(one),
+                    Err(why) => {
+                        let why = told_both(&why);
+                        not_taken.push((place, NotTaken::Refused { why }));
+                    }
+                }
+            }
+        }
+        Ok(ReadFiles {
+            records: found,
+            not_taken,
+        })
+    }
+}
+
+fn refuse_none(
+    files: usize,
+    found: &[CandidateRecord],
+    not_taken: &[(String, NotTaken)],
+) -> Result<(), WorkError> {
     if !found.is_empty() {
         return Ok(());
     }
@@ -271,11 +299,11 @@ fn of_channel(
     file: &str,
     reading: ComponentReading,
     periods_s: &[f64],
-) -> Result<Found, WorkError> {
+) -> Result<CandidateRecord, WorkError> {
     let series = vec![(Component::X, reading.acceleration_m_s2.clone())];
     let alone = GroundMotion::new(file, reading.time_step_s, series)?;
     let motion = changed_alone(alone, &options.request)?;
-    Ok(Found {
+    Ok(CandidateRecord {
         file: file.to_owned(),
         origin: origin(&reading),
         accelerations_m_s2: accelerations(&motion, periods_s, options.damping_ratio)?,
@@ -297,7 +325,7 @@ fn accelerations(
 }
 
 /// Directions of one record, in one file or in several of one earthquake and station, count as one.
-fn candidate(one: &Found, target_m_s2: &[f64]) -> SuiteCandidate {
+fn candidate(one: &CandidateRecord, target_m_s2: &[f64]) -> SuiteCandidate {
     let Origin { event, station } = one.origin.clone();
     SuiteCandidate {
         ratios: one
@@ -317,7 +345,7 @@ fn candidate(one: &Found, target_m_s2: &[f64]) -> SuiteCandidate {
 
 fn member(
     options: &SuiteOptions,
-    (one, name, factor): (&Found, String, f64),
+    (one, name, factor): (&CandidateRecord, String, f64),
     periods_s: &[f64],
     target_m_s2: &[f64],
 ) -> Result<SuiteMember, WorkError> {

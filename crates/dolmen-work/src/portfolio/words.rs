@@ -2,7 +2,7 @@
 
 use super::answer::{Basis, PortfolioEntry};
 use crate::study::YEARS;
-use dolmen::assess::{Factor, Known, KnownCapacity, Unlike};
+use dolmen::assess::{Factor, Known, KnownCapacity, Unlike, UnlikeQuantity};
 use dolmen_words::Language;
 use dolmen_words::number::significant;
 
@@ -101,7 +101,7 @@ pub fn unlike_words(unlike: &Unlike, language: Language) -> String {
             quantity,
             given,
             trained,
-        } => format!("{} {given}(학습값 {trained})", quantity_korean(quantity)),
+        } => format!("{} {given}(학습값 {trained})", quantity_korean(*quantity)),
         Unlike::Bonds => "접합면이 부착됨(학습 조건: 부착 없음)".to_owned(),
         Unlike::Ties => "촉 또는 은장이 있음(학습 조건: 없음)".to_owned(),
         Unlike::SideSupports => "측면 지지가 있음(학습 조건: 없음)".to_owned(),
@@ -117,14 +117,13 @@ pub fn unlike_words(unlike: &Unlike, language: Language) -> String {
 }
 
 /// Korean name of an [`Unlike::Quantity`].
-fn quantity_korean(quantity: &str) -> &str {
+fn quantity_korean(quantity: UnlikeQuantity) -> &'static str {
     match quantity {
-        "friction" => "마찰계수",
-        "kinetic friction" => "동마찰계수",
-        "normal stiffness in Pa/m" => "접합면 수직강성 (Pa/m)",
-        "shear stiffness in Pa/m" => "접합면 전단강성 (Pa/m)",
-        "damping ratio of a joint" => "접합면 감쇠비",
-        "density in kg/m³" => "밀도 (kg/m³)",
-        other => other,
+        UnlikeQuantity::Friction => "마찰계수",
+        UnlikeQuantity::KineticFriction => "동마찰계수",
+        UnlikeQuantity::NormalStiffness => "접합면 수직강성 (Pa/m)",
+        UnlikeQuantity::ShearStiffness => "접합면 전단강성 (Pa/m)",
+        UnlikeQuantity::DampingRatio => "접합면 감쇠비",
+        UnlikeQuantity::Density => "밀도 (kg/m³)",
     }
 }

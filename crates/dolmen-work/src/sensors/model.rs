@@ -37,7 +37,7 @@ pub(super) fn model(project: &Project, wanted: usize, axes: usize) -> Result<Mod
     })
 }
 
-type Planned = (Vec<PlannedMode>, Vec<CandidatePlace>, SensorsOf);
+type PlacementData = (Vec<PlannedMode>, Vec<CandidatePlace>, SensorsOf);
 
 fn planned(frequency_hz: Option<f64>, direction: Option<String>, along: Option<[f64; 3]>) -> PlannedMode {
     PlannedMode {
@@ -54,7 +54,7 @@ fn part_name(name: Option<&String>, index: usize) -> String {
 }
 
 /// The tops of the links, in the direction of motion; loads on the chain move with it.
-fn chain(part: &ChainPart, loads: &LoadsPart, wanted: usize) -> Result<Planned, WorkError> {
+fn chain(part: &ChainPart, loads: &LoadsPart, wanted: usize) -> Result<PlacementData, WorkError> {
     let chain = part.build_loaded(ChainAxis::Along, loads, &mut Quantity::nominal)?;
     let given = part.stiffness_n_m_rad(&mut Quantity::nominal);
     let of = if given.is_some() {
@@ -90,15 +90,24 @@ fn chain(part: &ChainPart, loads: &LoadsPart, wanted: usize) -> Result<Planned, 
     Ok((modes, candidates, of))
 }
 
+/// A mode of a frame in one of its directions.
+struct DirectionMode {
+    /// Number of the direction, from 0.
+    direction: usize,
+    /// Number of the mode in it, from 0.
+    order: usize,
+    mode: NaturalMode,
+    is_frequency_known: bool,
+}
+
 /// The levels, along each direction.
-fn frame(part: &FramePart, wanted: usize) -> Result<Planned, WorkError> {
+fn frame(part: &FramePart, wanted: usize) -> Result<PlacementData, WorkError> {
     let frame = part.build(&mut Quantity::nominal)?;
     let mut of = SensorsOf::Given;
-    // number of the direction, order of the mode in it, the mode, whether its frequency is known
-    let mut all: Vec<(usize, usize, NaturalMode, bool)> = Vec::new();
+    let mut all: Vec<DirectionMode> = Vec::new();
     for (number, direction) in part.directions.iter().enumerate() {
         let given = part.stiffness_n_m(&direction.name, &mut Quantity::nominal);
-        let is_known = given.is_some();
+        let is_frequency_known = given.is_some();
         let stiffness = given.unwrap_or_else(|| {
             of = SensorsOf::EqualStoreys;
             let least = frame.geometric_n_m().into_iter().fold(0.0, f64::max);
@@ -107,22 +116,27 @@ fn frame(part: &FramePart, wanted: usize) -> Result<Planned, WorkError> {
         let modes = standing(frame.natural_modes(&stiffness)?)?
             .into_iter()
             .enumerate();
-        all.extend(modes.map(|(order, mode)| (number, order, mode, is_known)));
+        all.extend(modes.map(|(order, mode)| DirectionMode {
+            direction: number,
+            order,
+            mode,
+            is_frequency_known,
+        }));
     }
     match of {
-        SensorsOf::Given => all.sort_by(|a, b| a.2.frequency_hz.total_cmp(&b.2.frequency_hz)),
+        SensorsOf::Given => all.sort_by(|a, b| a.mode.frequency_hz.total_cmp(&b.mode.frequency_hz)),
         // the first mode of every direction before the second of any
-        SensorsOf::EqualJoints | SensorsOf::EqualStoreys => {
-            all.sort_by_key(|(number, order, _, _)| (*order, *number))
-        }
+        SensorsOf::EqualJoints | SensorsOf::EqualStoreys => all.sort_by_key(|of| (of.order, of.direction)),
     }
     all.truncate(wanted);
     let mut height = 0.0;
     let candidates = part.storeys.iter().enumerate().map(|(at, storey)| {
         height += storey.height.value;
         let along = |number: usize| {
-            all.iter()
-                .map(move |(of, _, mode, _)| if *of == number { mode.displacement[at] } else { 0.0 })
+            all.iter().map(move |of| match of.direction == number {
+                true => of.mode.displacement[at],
+                false => 0.0,
+            })
         };
         let channel = |(number, name): (usize, String)| (Axis::Named(name), along(number).collect());
         let names = part.directions.iter().map(|direction| direction.name.clone());
@@ -134,9 +148,10 @@ fn frame(part: &FramePart, wanted: usize) -> Result<Planned, WorkError> {
         }
     });
     let candidates: Vec<CandidatePlace> = candidates.collect();
-    let modes = all.iter().map(|(number, _, mode, is_known)| {
-        let direction = part.directions[*number].name.clone();
-        planned(is_known.then_some(mode.frequency_hz), Some(direction), None)
+    let modes = all.iter().map(|of| {
+        let direction = part.directions[of.direction].name.clone();
+        let known = of.is_frequency_known.then_some(of.mode.frequency_hz);
+        planned(known, Some(direction), None)
     });
     Ok((modes.collect(), candidates, of))
 }
@@ -146,7 +161,7 @@ fn frame(part: &FramePart, wanted: usize) -> Result<Planned, WorkError> {
 const EQUAL_STOREYS: f64 = 20.0;
 
 /// The free sides of the stones.
-fn stack(part: &StackPart, wanted: usize) -> Result<Planned, WorkError> {
+fn stack(part: &StackPart, wanted: usize) -> Result<PlacementData, WorkError> {
     let stack = part.build(&mut Quantity::nominal)?;
     let mut all = lowest_stack_modes(&stack, ContactRule::Four, wanted)?;
     all.truncate(wanted);
@@ -178,7 +193,7 @@ fn stack(part: &StackPart, wanted: usize) -> Result<Planned, WorkError> {
 }
 
 /// The corners of the floors, or, for floors without an outline, their middles and two places a radius of gyration beside them.
-fn building(part: &BuildingPart, wanted: usize) -> Result<Planned, WorkError> {
+fn building(part: &BuildingPart, wanted: usize) -> Result<PlacementData, WorkError> {
     let Some(vibrating) = part.as_written() else {
         return Err(SensorsError::Falls.into());
     };

@@ -6,7 +6,8 @@ fn example(name: &str) -> Opened {
         "twisting_floor" => include_str!("../../../../examples/twisting_floor/project.toml"),
         "wall" => include_str!("../../../../examples/wall/project.toml"),
         "three_storey_pagoda" => include_str!("../../../../examples/three_storey_pagoda/project.toml"),
-        _ => include_str!("../../../../examples/naju_flagpole/project.toml"),
+        "naju_flagpole" => include_str!("../../../../examples/naju_flagpole/project.toml"),
+        other => panic!("no example {other}"),
     };
     of(text)
 }

@@ -51,7 +51,7 @@ pub(crate) struct StackOptions {
 }
 
 /// Result for a stack under a motion.
-pub(crate) enum Shaken {
+pub(crate) enum StackOutcome {
     /// It was simulated.
     Simulated(Box<StackRuns>),
     /// It does not stand without any shaking.
@@ -65,7 +65,7 @@ pub(crate) fn simulate(
     motion: MotionAnswer,
     options: &StackOptions,
     progress: &dyn Progress,
-) -> Result<Shaken, WorkError> {
+) -> Result<StackOutcome, WorkError> {
     let drawn = part.build(&mut Quantity::nominal)?;
     let gaps = drawn.widest_gap();
     let joints = drawn.joints().len();
@@ -76,10 +76,10 @@ pub(crate) fn simulate(
     });
     let limits = stack_limits(&stack, &StackLimits::default())?;
     if !limits.standing.stands() {
-        return Ok(Shaken::DoesNotStand(limits.standing));
+        return Ok(StackOutcome::DoesNotStand(limits.standing));
     }
     if let Some(crushes) = crushes_together(&stack, &limits)? {
-        return Ok(Shaken::DoesNotStand(crushes));
+        return Ok(StackOutcome::DoesNotStand(crushes));
     }
     let shaken = Shakable {
         version,
@@ -115,7 +115,7 @@ pub(crate) fn simulate(
     if times > 1 && !progress.is_cancelled() {
         runs.repeats = Some(repeats(&runs.deciding, times, progress)?);
     }
-    Ok(Shaken::Simulated(Box::new(runs)))
+    Ok(StackOutcome::Simulated(Box::new(runs)))
 }
 
 /// Why stones that share their load do not stand although they would without crushing edges: runs do not include crushing.

@@ -15,7 +15,7 @@ use dolmen_project::StudyPart;
 use dolmen_words::message::Both;
 
 /// Effect of the earlier motion on a case.
-pub(super) enum Before {
+pub(super) enum EarlierShaking {
     /// There is none for this case.
     Unshaken(StateBefore),
     /// The structure is at rest after it.
@@ -31,12 +31,14 @@ pub(super) enum Before {
     },
 }
 
-impl Before {
+impl EarlierShaking {
     /// The state, where known.
     pub(super) fn state(&self) -> &StateBefore {
         match self {
-            Before::Left(left) => &left.state,
-            Before::Unshaken(state) | Before::Fell(state) | Before::Refused { state, .. } => state,
+            EarlierShaking::Left(left) => &left.state,
+            EarlierShaking::Unshaken(state)
+            | EarlierShaking::Fell(state)
+            | EarlierShaking::Refused { state, .. } => state,
         }
     }
 
@@ -47,7 +49,7 @@ impl Before {
             why: why.english.clone(),
             ..Run::empty(case)
         };
-        Before::Refused {
+        EarlierShaking::Refused {
             why,
             state: StateBefore::of(case, f64::NAN, &run),
         }
@@ -55,7 +57,7 @@ impl Before {
 
     /// A case without an earlier motion.
     pub(super) fn unshaken(case: usize) -> Self {
-        Before::Unshaken(StateBefore::of(case, 0.0, &Run::empty(case)))
+        EarlierShaking::Unshaken(StateBefore::of(case, 0.0, &Run::empty(case)))
     }
 }
 
@@ -85,13 +87,26 @@ fn along_x(motion: &GroundMotion) -> Result<GroundMotion, WorkError> {
     Ok(GroundMotion::new(motion.name(), motion.time_step_s(), series)?)
 }
 
+/// The first motion as it acts on a case.
+pub(super) struct FirstMotion {
+    pub(super) acting: GroundMotion,
+    pub(super) peak_m_s2: f64,
+    /// Whether only one component acts.
+    pub(super) in_plane: bool,
+}
+
 /// Runs a case under the first motion alone, extended until it is at rest.
 pub(super) fn shaken_before(
     study: &StudyPart,
     model: &Model,
-    (first, peak_m_s2): (GroundMotion, f64),
-    (case, in_plane): (usize, bool),
-) -> Before {
+    case: usize,
+    first: FirstMotion,
+) -> EarlierShaking {
+    let FirstMotion {
+        acting: first,
+        peak_m_s2,
+        in_plane,
+    } = first;
     let whole_s = first.duration_s();
     let mut rest_s = None;
     loop {
@@ -100,11 +115,11 @@ pub(super) fn shaken_before(
             ..study.clone()
         };
         let Some((run, rest)) = alone(&longer, model, &first, case) else {
-            return Before::refused(case, CaseRefused::NoVerdictBefore.into());
+            return EarlierShaking::refused(case, CaseRefused::NoVerdictBefore.into());
         };
         let mut state = StateBefore::of(case, peak_m_s2, &run);
         if run.outcome == RunOutcome::Fell {
-            return Before::Fell(state);
+            return EarlierShaking::Fell(state);
         }
         let is_whole = matches!(
             run.outcome,
@@ -120,7 +135,7 @@ pub(super) fn shaken_before(
         let still_s = end_s - whole_s;
         (state.still_s, state.speed_m_s) = (still_s, speed_m_s);
         if speed_m_s <= SPEED_AT_REST_M_S {
-            return Before::Left(Box::new(RestState {
+            return EarlierShaking::Left(Box::new(RestState {
                 first,
                 in_plane,
                 state,
@@ -138,9 +153,9 @@ pub(super) fn shaken_before(
     }
 }
 
-fn refused(mut state: StateBefore, why: Both) -> Before {
+fn refused(mut state: StateBefore, why: Both) -> EarlierShaking {
     state.why = why.english.clone();
-    Before::Refused { why, state }
+    EarlierShaking::Refused { why, state }
 }
 
 /// The run under the first motion alone, and its end.

@@ -144,10 +144,31 @@ pub struct CombinationFragility {
     pub states: Vec<StateFragility>,
 }
 
+/// A side of a crossing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CrossingSide {
+    /// At lower intensities.
+    Below,
+    /// At higher intensities.
+    Above,
+}
+
+/// Two states whose curves cross.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StatesCrossing {
+    /// The milder state, from 0.
+    pub milder: usize,
+    /// The worse state, from 0.
+    pub worse: usize,
+    /// Where they cross.
+    pub at: Crossing,
+    /// Where the worse state is the likelier one.
+    pub likelier_is_worse: CrossingSide,
+}
+
 impl CombinationFragility {
-    /// Pairs of states whose curves cross where it matters: on one side the worse state is likelier than the milder one. The last value tells
-    /// whether that is below the crossing.
-    pub fn crossings(&self) -> Vec<(usize, usize, Crossing, bool)> {
+    /// Pairs of states whose curves cross where it matters: on one side the worse state is likelier than the milder one.
+    pub fn crossings(&self) -> Vec<StatesCrossing> {
         let mut found = Vec::new();
         for (i, mild) in self.states.iter().enumerate() {
             for severe in &self.states[i + 1..] {
@@ -156,12 +177,20 @@ impl CombinationFragility {
                 };
                 let at = crossing(&a.curve, &b.curve)
                     .filter(|at| (CROSSING_LEAST..=1.0 - CROSSING_LEAST).contains(&at.probability));
-                let is_below = b.curve.beta() > a.curve.beta(); // the flatter curve is the higher one there
+                let likelier_is_worse = match b.curve.beta() > a.curve.beta() {
+                    true => CrossingSide::Below, // the flatter curve is the higher one there
+                    false => CrossingSide::Above,
+                };
                 let of_all = |at: Crossing| Crossing {
                     probability: severe.with_those_alone(at.probability),
                     ..at
                 };
-                found.extend(at.map(|at| (mild.state, severe.state, of_all(at), is_below)));
+                found.extend(at.map(|at| StatesCrossing {
+                    milder: mild.state,
+                    worse: severe.state,
+                    at: of_all(at),
+                    likelier_is_worse,
+                }));
             }
         }
         found

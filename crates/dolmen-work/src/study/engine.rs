@@ -1,7 +1,7 @@
 //! Execution of a study: scans in chunks, each run on any free thread, each written to the journal as it ends. The results depend only on the
 //! inputs.
 
-use super::before::Before;
+use super::before::EarlierShaking;
 use super::error::StudyError;
 use super::inputs::{Drawn, drawn};
 use super::journal::Journal;
@@ -32,7 +32,7 @@ const ALL_STATES: u8 = 4;
 struct Job<'p> {
     job: usize,
     model: Result<Model, NoModel>,
-    before: Option<&'p Before>,
+    before: Option<&'p EarlierShaking>,
     motion: Option<PreparedMotion>,
     turn_rad: f64,
     grid: Vec<f64>,
@@ -100,7 +100,8 @@ pub fn run(
                 scan.runs.push(run);
             }
             // a structure that has fallen stands at no size of a second motion
-            if let (Ok(_), true, Some(Before::Fell(state))) = (&scan.model, scan.runs.is_empty(), scan.before)
+            if let (Ok(_), true, Some(EarlierShaking::Fell(state))) =
+                (&scan.model, scan.runs.is_empty(), scan.before)
             {
                 let run = state.fallen(scan.job);
                 journal.append(&run)?;
@@ -190,7 +191,7 @@ fn prepare<'p>(plan: &'p Plan<'_>, job: usize, runs: Vec<Run>) -> Result<Job<'p>
     scan.motion = Some(motion);
     scan.model = model_of(plan.study, &project, &sample);
     scan.before = plan.before(case);
-    if let (Ok(_), Some(Before::Refused { why, .. })) = (&scan.model, scan.before) {
+    if let (Ok(_), Some(EarlierShaking::Refused { why, .. })) = (&scan.model, scan.before) {
         scan.model = Err(NoModel::Refused(why.clone()));
     }
     Ok(scan)
@@ -206,7 +207,8 @@ fn trial(run: &Run) -> ScaleTrial {
 /// Scans (indices) and scales to run next: missing points of the grids, and once these are complete, the middle of each bracket.
 fn wanted(plan: &Plan<'_>, scans: &[Job<'_>]) -> Result<Vec<(usize, f64)>, WorkError> {
     let mut wanted = Vec::new();
-    let is_shaken = |scan: &Job<'_>| scan.model.is_ok() && !matches!(scan.before, Some(Before::Fell(_)));
+    let is_shaken =
+        |scan: &Job<'_>| scan.model.is_ok() && !matches!(scan.before, Some(EarlierShaking::Fell(_)));
     for (index, scan) in scans.iter().enumerate().filter(|(_, scan)| is_shaken(scan)) {
         let is_done = |scale: f64| scan.runs.iter().any(|run| run.scale == scale);
         let open: Vec<f64> = scan
@@ -259,8 +261,9 @@ fn run_batch(
             ..Run::empty(scan.job)
         };
         let acting = match scan.before {
-            Some(Before::Left(left)) => left.then(&acting)?,
-            Some(Before::Unshaken(_) | Before::Refused { .. } | Before::Fell(_)) | None => acting,
+            Some(EarlierShaking::Left(left)) => left.then(&acting)?,
+            Some(EarlierShaking::Unshaken(_) | EarlierShaking::Refused { .. } | EarlierShaking::Fell(_))
+            | None => acting,
         };
         match &scan.model {
             Ok(Model::Stack(model)) => of_stacks.push((index, run, model, acting)),

@@ -6,7 +6,7 @@ use super::combination_fragility::CombinationFragility;
 use super::fragility::combination_columns;
 use super::joint_fragility::{JointFragility, JointState};
 use super::run::{Run, RunOutcome};
-use super::scans::{Seen, first_seen};
+use super::scans::{RunInformation, first_seen};
 use dolmen::assess::{FragilityFit, Observation, fit_fragility_of_motions};
 use std::collections::BTreeMap;
 
@@ -55,7 +55,7 @@ impl StudyAnswer {
 
     fn joint_state(&self, joint: usize, state: u8, scans: &[&[Run]]) -> JointState {
         let seen = |run: &Run| match run.joint_states.get(joint) {
-            Some(own) if *own >= state => Seen::Reached,
+            Some(own) if *own >= state => RunInformation::Reached,
             // the state of a joint after a stone fell elsewhere is unknown
             Some(_)
                 if matches!(
@@ -63,19 +63,21 @@ impl StudyAnswer {
                     RunOutcome::Stood | RunOutcome::Uplifted | RunOutcome::Slid
                 ) =>
             {
-                Seen::NotReached
+                RunInformation::NotReached
             }
-            _ => Seen::Unknown,
+            _ => RunInformation::Unknown,
         };
         let mut cut_short = 0;
         let (mut observations, mut motions, mut ends) = (Vec::new(), Vec::new(), [Vec::new(), Vec::new()]);
         for scan in scans {
-            let told: Vec<(f64, Seen)> = scan
+            let told: Vec<(f64, RunInformation)> = scan
                 .iter()
                 .map(|run| (run.peak_ground_acceleration_m_s2, seen(run)))
                 .collect();
-            let first = told.iter().position(|(_, seen)| *seen != Seen::NotReached);
-            cut_short += usize::from(first.is_some_and(|first| told[first].1 == Seen::Unknown));
+            let first = told
+                .iter()
+                .position(|(_, seen)| *seen != RunInformation::NotReached);
+            cut_short += usize::from(first.is_some_and(|first| told[first].1 == RunInformation::Unknown));
             let found = first_seen(told.into_iter());
             let (low, high) = match found {
                 Some(Observation::Between(low, high)) => (low, high),

@@ -42,7 +42,9 @@ pub use crate::fingerprint::fingerprint;
 pub use allowed_drift::AllowedDrift;
 pub use answer::{CaseInputs, InputColumn, StudyAnswer, TrendAnswer, TrendVerdict};
 pub use column::{Column, ColumnValues};
-pub use combination_fragility::{CombinationFragility, MeasureFit, StateFragility, YEARS};
+pub use combination_fragility::{
+    CombinationFragility, CrossingSide, MeasureFit, StateFragility, StatesCrossing, YEARS,
+};
 pub use designs::{StudyDesigns, study_designs, trained};
 pub use earthquake_of::EarthquakeOf;
 pub use engine::{missing, run};

@@ -1,7 +1,7 @@
 //! The plan of a study: its cases with their inputs, its motions, and the fingerprint of everything that determines the results.
 
 use super::answer::{CaseInputs, InputColumn, StudyAnswer};
-use super::before::Before;
+use super::before::EarlierShaking;
 use super::earthquake_of::EarthquakeOf;
 use super::error::StudyError;
 use super::fitted::Fitted;
@@ -47,7 +47,7 @@ pub struct Plan<'o> {
     /// The motion before the runs, as in the file.
     pub(super) first: Option<PreparedMotion>,
     /// The state of each case after it, computed on first use; empty without one.
-    pub(super) before: Vec<OnceLock<Before>>,
+    pub(super) before: Vec<OnceLock<EarlierShaking>>,
     pub(super) inputs: Vec<InputColumn>,
     pub(super) cases: Vec<CaseInputs>,
     /// For each combination, the fingerprint of everything that its model is built from.

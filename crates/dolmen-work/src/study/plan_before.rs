@@ -1,6 +1,6 @@
 //! The motion before the runs of a plan: run once for each case, on first use.
 
-use super::before::{Before, shaken_before, why_refused};
+use super::before::{EarlierShaking, FirstMotion, shaken_before, why_refused};
 use super::error::StudyError;
 use super::inputs::{Drawn, drawn};
 use super::kind::StudyKind;
@@ -41,27 +41,28 @@ impl Plan<'_> {
     }
 
     /// The state of a case after the earlier motion; `None` for a study without one.
-    pub(super) fn before(&self, case: usize) -> Option<&Before> {
+    pub(super) fn before(&self, case: usize) -> Option<&EarlierShaking> {
         let after = self.study.after.as_ref()?;
         let known = self.before.get(case)?;
         Some(known.get_or_init(|| match self.shaken(after, case) {
             Ok(before) => before,
-            Err(why) => Before::refused(case, why),
+            Err(why) => EarlierShaking::refused(case, why),
         }))
     }
 
-    fn shaken(&self, after: &AfterPart, case: usize) -> Result<Before, Both> {
+    fn shaken(&self, after: &AfterPart, case: usize) -> Result<EarlierShaking, Both> {
         let (combination, sample) = (case / self.samples(), case % self.samples());
         let project = self.project(combination)?;
         let told = |why: WorkError| why_refused(&why);
-        let (motion, in_plane) = self.motion_before(after, &project).map_err(told)?;
+        let motion = self.motion_before(after, &project).map_err(told)?;
+        let in_plane = self.acts_in_plane(&project);
         let scale = match self.study.size_before(combination) {
             None => 1.0,
             Some(MotionSize::Scale(scale)) => scale,
             Some(MotionSize::Peak(peak_m_s2)) => peak_m_s2 / motion.peak_m_s2,
         };
         if scale == 0.0 {
-            return Ok(Before::unshaken(case));
+            return Ok(EarlierShaking::unshaken(case));
         }
         let drawn = match self.study.samples {
             Some(_) => drawn(&project, self.study.seed, sample as u64).map_err(told)?,
@@ -69,27 +70,29 @@ impl Plan<'_> {
         };
         let model = model_of(self.study, &project, &drawn).map_err(NoModel::why)?;
         let acting = motion.acting(scale, 0.0).map_err(told)?;
-        let peak_m_s2 = scale * motion.peak_m_s2;
-        Ok(shaken_before(
-            self.study,
-            &model,
-            (acting, peak_m_s2),
-            (case, in_plane),
-        ))
+        let first = FirstMotion {
+            acting,
+            peak_m_s2: scale * motion.peak_m_s2,
+            in_plane,
+        };
+        Ok(shaken_before(self.study, &model, case, first))
     }
 
-    /// The motion of a case, and whether one component of it acts in a plane.
-    fn motion_before(
-        &self,
-        after: &AfterPart,
-        project: &Project,
-    ) -> Result<(PreparedMotion, bool), WorkError> {
+    /// The motion of a case.
+    fn motion_before(&self, after: &AfterPart, project: &Project) -> Result<PreparedMotion, WorkError> {
         let motion = prepared(project, self.files, self.study, &after.motion)?;
-        Ok(match self.kind {
-            StudyKind::Chain | StudyKind::Frame if self.meets_both(project) => (motion, false),
-            StudyKind::Frame | StudyKind::Chain => (motion.in_plane(0.0)?, true),
-            StudyKind::Stack | StudyKind::Building => (motion, false),
-        })
+        match self.acts_in_plane(project) {
+            true => motion.in_plane(0.0),
+            false => Ok(motion),
+        }
+    }
+
+    /// Whether one component of the motion acts, in a plane.
+    fn acts_in_plane(&self, project: &Project) -> bool {
+        match self.kind {
+            StudyKind::Chain | StudyKind::Frame => !self.meets_both(project),
+            StudyKind::Stack | StudyKind::Building => false,
+        }
     }
 
     /// The state of every case before its runs, reusing earlier results; empty for a study without an earlier motion.

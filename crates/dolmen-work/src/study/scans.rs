@@ -246,7 +246,7 @@ impl LevelRow {
 
 /// Information of one run on a state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Seen {
+pub(super) enum RunInformation {
     Reached,
     NotReached,
     /// The run is unusable, or ended too early.
@@ -254,19 +254,19 @@ pub(super) enum Seen {
 }
 
 /// Information of runs at rising sizes on the first time of a state; `None` without any.
-pub(super) fn first_seen(runs: impl Iterator<Item = (f64, Seen)>) -> Option<Observation> {
+pub(super) fn first_seen(runs: impl Iterator<Item = (f64, RunInformation)>) -> Option<Observation> {
     let (mut below, mut is_open) = (None, false);
     for (size, seen) in runs {
         match seen {
-            Seen::Reached => {
+            RunInformation::Reached => {
                 return Some(match below {
                     Some(below) => Observation::Between(below, size),
                     None => Observation::Below(size),
                 });
             }
-            Seen::NotReached if !is_open => below = Some(size),
-            Seen::NotReached => {}
-            Seen::Unknown => is_open = true, // the state may have been reached first here
+            RunInformation::NotReached if !is_open => below = Some(size),
+            RunInformation::NotReached => {}
+            RunInformation::Unknown => is_open = true, // the state may have been reached first here
         }
     }
     below.map(Observation::Above)
@@ -311,9 +311,9 @@ pub(super) fn capacity_of(job: usize, runs: &[Run], is_whole: bool) -> CapacityO
     let seen = |state: u8| {
         let each = usable.iter().map(|run| {
             let seen = match run.outcome.trial() {
-                _ if run.damage_state >= state => Seen::Reached,
-                Trial::Unknown => Seen::Unknown,
-                Trial::Fell | Trial::Survived => Seen::NotReached,
+                _ if run.damage_state >= state => RunInformation::Reached,
+                Trial::Unknown => RunInformation::Unknown,
+                Trial::Fell | Trial::Survived => RunInformation::NotReached,
             };
             (run.peak_ground_acceleration_m_s2, seen)
         });
@@ -373,8 +373,8 @@ mod tests {
     /// Above a run without information, nothing proves that a size is below the state.
     #[test]
     fn exact_what_runs_say_of_when_a_state_begins() {
-        use Seen::{NotReached as No, Reached as Yes, Unknown as Open};
-        let of = |all: &[Seen]| first_seen((1..).map(f64::from).zip(all.iter().copied()));
+        use RunInformation::{NotReached as No, Reached as Yes, Unknown as Open};
+        let of = |all: &[RunInformation]| first_seen((1..).map(f64::from).zip(all.iter().copied()));
         assert_eq!(of(&[No, No, Yes, No]), Some(Observation::Between(2.0, 3.0)));
         assert_eq!(of(&[No, Open, No, Yes]), Some(Observation::Between(1.0, 4.0)));
         assert_eq!(of(&[Open, No, Yes]), Some(Observation::Below(3.0)));

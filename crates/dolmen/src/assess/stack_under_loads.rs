@@ -158,7 +158,7 @@ fn with_associated_friction(
     };
     let still = Pushed::default();
     let Some(wind) = combination.blows.filter(|_| combination.wind > 0.0) else {
-        let (_, ray) = case.least(&still, Known::Nothing)?;
+        let (_, ray) = case.least(&still, RestState::Nothing)?;
         return case.whole(still, ray);
     };
     let blown_to = |number: u32| {
@@ -169,13 +169,13 @@ fn with_associated_friction(
     };
     // what acts without wind is the same in every direction, and so is whether it stands
     let mut worst = blown_to(0);
-    let (mut least, mut worst_ray) = case.least(&worst, Known::Nothing)?;
+    let (mut least, mut worst_ray) = case.least(&worst, RestState::Nothing)?;
     for number in 1..DIRECTIONS {
         if least == 0.0 {
             break;
         }
         let pushed = blown_to(number);
-        let (factor, ray) = case.least(&pushed, Known::Stands)?;
+        let (factor, ray) = case.least(&pushed, RestState::Stands)?;
         if is_less(factor, least) {
             (worst, least, worst_ray) = (pushed, factor, ray);
         }
@@ -189,7 +189,7 @@ fn is_less(one: f64, other: f64) -> bool {
 
 /// What is known of a stack before its loads grow.
 #[derive(Clone, Copy, PartialEq)]
-enum Known {
+enum RestState {
     Nothing,
     Stands,
 }
@@ -222,7 +222,7 @@ struct Case<'a> {
 
 impl Case<'_> {
     /// The least factor of all rays, and which it is.
-    fn least(&self, pushed: &Pushed, known: Known) -> Result<(f64, usize), AssessError> {
+    fn least(&self, pushed: &Pushed, known: RestState) -> Result<(f64, usize), AssessError> {
         let mut least = (f64::INFINITY, 0);
         for (index, (_, steady, growing)) in self.rays(&pushed.loads).iter().enumerate() {
             let steady = SteadyLoads {
@@ -230,8 +230,8 @@ impl Case<'_> {
                 loads: steady,
             };
             let factor = match known {
-                Known::Nothing => load_factor(self.stack, &steady, growing)?.factor,
-                Known::Stands => growth(self.stack, &steady, growing)?,
+                RestState::Nothing => load_factor(self.stack, &steady, growing)?.factor,
+                RestState::Stands => growth(self.stack, &steady, growing)?,
             };
             if is_less(factor, least.0) {
                 least = (factor, index);

@@ -26,7 +26,7 @@ const FACE_FAVOUR: f64 = 0.002;
 
 /// How closely contacts are watched.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Watchfulness {
+pub(super) struct ContactTolerances {
     /// Shift of a face on its bed after which the patch is clipped again, in parts of the smaller body's radius.
     pub(super) clip_again: f64,
     /// Gap at which two bodies get a patch, in parts of the smaller body's radius: nearer than they can come unseen.
@@ -35,10 +35,10 @@ pub(super) struct Watchfulness {
     pub(super) far: f64,
 }
 
-impl Default for Watchfulness {
+impl Default for ContactTolerances {
     /// That of the springs. Chosen here.
     fn default() -> Self {
-        Watchfulness {
+        ContactTolerances {
             clip_again: CLIP_AGAIN,
             near: 2e-3,
             far: 2e-2,
@@ -72,7 +72,7 @@ pub(super) struct Assembly {
     props: Vec<Prop>,
     dead_loads: Vec<DeadLoad>,
     rule: ContactRule,
-    watchfulness: Watchfulness,
+    watchfulness: ContactTolerances,
     /// Least slack of all pairs at the last look, m.
     slack: f64,
     /// Active pairs that have shifted or turned too far.
@@ -159,7 +159,7 @@ impl Assembly {
             pairs,
             active: Vec::new(),
             rule,
-            watchfulness: Watchfulness::default(),
+            watchfulness: ContactTolerances::default(),
             slack: 0.0,
             stale: Vec::new(),
             looked: Vec::new(),
@@ -298,7 +298,7 @@ impl Assembly {
     }
 
     /// Watches contacts more or less closely than the springs do.
-    pub(super) fn watch(&mut self, watchfulness: Watchfulness) {
+    pub(super) fn watch(&mut self, watchfulness: ContactTolerances) {
         self.watchfulness = watchfulness;
     }
 

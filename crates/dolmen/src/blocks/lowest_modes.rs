@@ -23,7 +23,7 @@ const RESIDUAL_MOST: f64 = 1e-9;
 const ROUNDS: usize = 200;
 
 /// One of the lowest modes.
-pub(super) struct Lowest {
+pub(super) struct LowMode {
     /// ω², (rad/s)².
     pub(super) square: f64,
     /// φ with φᵀ M φ = 1.
@@ -34,7 +34,7 @@ pub(super) struct Lowest {
 ///
 /// # Source
 /// Bathe & Wilson (1972), subspace iteration. Differs from the source: with the masses' roots, so that the vectors stay orthonormal.
-pub(super) fn lowest(assembly: &Assembly, count: usize) -> Result<Option<Vec<Lowest>>, LinalgError> {
+pub(super) fn lowest(assembly: &Assembly, count: usize) -> Result<Option<Vec<LowMode>>, LinalgError> {
     let Some(inverse) = Inverse::of(assembly) else {
         return Ok(None);
     };
@@ -58,7 +58,7 @@ pub(super) fn lowest(assembly: &Assembly, count: usize) -> Result<Option<Vec<Low
             left.sqrt() <= RESIDUAL_MOST * value
         };
         if (0..count).all(is_done) {
-            let modes = (0..count).map(|mode| Lowest {
+            let modes = (0..count).map(|mode| LowMode {
                 square: 1.0 / eigen.values[order[mode]] - SHIFT,
                 shape: massless(assembly, at.column(mode)),
             });

@@ -161,7 +161,7 @@ fn cross_matrix(v: DVec3) -> DMat3 {
 }
 
 /// What two bodies have between them: a contact, a dowel or a clamp.
-struct Between {
+struct Connection {
     /// Indices of the bodies, 0 the ground, each with the way from its centroid to the point.
     ends: [(usize, DVec3); 2],
     bond: Bond,
@@ -239,7 +239,7 @@ pub(super) fn springs_between(assembly: &Assembly, closed: Closed) -> Vec<Spring
     alone.collect()
 }
 
-fn across_patch(assembly: &Assembly, patch: &Patch, part: Part, closed: Closed) -> Between {
+fn across_patch(assembly: &Assembly, patch: &Patch, part: Part, closed: Closed) -> Connection {
     let bodies = &assembly.bodies;
     let motion = patch.motion(bodies);
     let (normal, shear) = match part {
@@ -268,19 +268,19 @@ fn across_patch(assembly: &Assembly, patch: &Patch, part: Part, closed: Closed) 
         }
     }
     let end = |body: usize| (body, motion.origin - bodies[body].position);
-    Between {
+    Connection {
         ends: [end(patch.plane_body), end(patch.point_body)],
         bond: bond.turned(&motion.to_ground),
     }
 }
 
-fn across_link(assembly: &Assembly, link: &Link) -> Between {
+fn across_link(assembly: &Assembly, link: &Link) -> Connection {
     let bodies = &assembly.bodies;
     let axis = bodies[link.lower].rotation * link.axis;
     let outer = DMat3::from_cols(axis * axis.x, axis * axis.y, axis * axis.z);
     let across = DMat3::IDENTITY - outer;
     let end = |body: usize| (body, bodies[body].now(link.drawn) - bodies[body].position);
-    Between {
+    Connection {
         ends: [end(link.lower), end(link.upper)],
         bond: Bond::at_point(outer * link.axial_stiffness + across * link.shear_stiffness),
     }

@@ -9,7 +9,7 @@ use super::history::{Energy, JointHistory, Outcome, Pose, StackHistory};
 use super::patch::LANES;
 use super::stillness::{EDGE, Stillness, Swings};
 use super::support::{plumb_decides, plumb_margin};
-use super::watch::{Seen, Watch, length};
+use super::watch::{RelativePose, Watch, length};
 use crate::structure::stack::Stack;
 use glam::DVec3;
 
@@ -23,7 +23,7 @@ const BRINK: f64 = 0.5;
 pub(super) struct Observer {
     watches: Vec<Watch>,
     /// Of each, what was seen last.
-    seen: Vec<Seen>,
+    seen: Vec<RelativePose>,
     falls: Falls,
     /// Of each block, how far inside what carries it its plumb line lies at rest, m; `None` where that does not tell how far it is from tipping.
     margins: Vec<Option<f64>>,
@@ -61,7 +61,7 @@ impl Observer {
         let watches: Vec<Watch> = joints.map(|joint| Watch::of(joint, assembly)).collect();
         let decides = plumb_decides(assembly);
         Observer {
-            seen: vec![Seen::default(); watches.len()],
+            seen: vec![RelativePose::default(); watches.len()],
             watches,
             falls: Falls::of(stack, assembly),
             sample_every,
@@ -140,7 +140,7 @@ impl Observer {
     }
 
     /// Takes how a joint lies from who has seen it.
-    pub(super) fn set_seen(&mut self, joint: usize, seen: Seen) {
+    pub(super) fn set_seen(&mut self, joint: usize, seen: RelativePose) {
         self.seen[joint] = seen;
     }
 

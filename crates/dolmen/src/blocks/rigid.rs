@@ -4,7 +4,7 @@
 //! ([`super::rigid_solve`]) → places of t + h, or of the first impact before it → velocities after the impact → the rest of the step.
 
 use super::after_fall::AfterFall;
-use super::assembly::{Assembly, Watchfulness};
+use super::assembly::{Assembly, ContactTolerances};
 use super::contact_points::ContactRule;
 use super::error::{BlocksError, check_times};
 use super::history::StackHistory;
@@ -19,7 +19,7 @@ use crate::structure::stack::{Body, Joint, Stack};
 use glam::DVec3;
 
 /// Closer than the springs do, for the steps are longer. Chosen here: stones that near each other at less than some 2 m/s meet seen.
-const WATCHFULNESS: Watchfulness = Watchfulness {
+const WATCHFULNESS: ContactTolerances = ContactTolerances {
     clip_again: 5e-5,
     near: 2e-2,
     far: 5e-2,

@@ -1,6 +1,6 @@
 //! How a normal force spreads over the points of a face: as on an even bed that cannot pull.
 
-use super::rigid_point::{Part, Point, Six};
+use super::rigid_point::{ForceTorque, Part, Point};
 
 /// Newton steps for the pressure of a bed.
 const BED_STEPS: usize = 30;
@@ -17,7 +17,7 @@ pub(super) fn on_bed(bed: &[f64; 3], point: &Point) -> f64 {
 /// ```text
 /// Σ a max(c · e, 0) e = (N, M_x, M_y),   e = (1, y, −x),   by Newton steps over the points that press
 /// ```
-pub(super) fn fit_bed(points: &[Point], wrench: &Six, bed: &mut [f64; 3], near: f64) -> bool {
+pub(super) fn fit_bed(points: &[Point], wrench: &ForceTorque, bed: &mut [f64; 3], near: f64) -> bool {
     let wanted = [wrench[2], wrench[3], wrench[4]];
     if wanted[0] <= 0.0 {
         return false;

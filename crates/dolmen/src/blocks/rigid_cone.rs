@@ -14,7 +14,7 @@
 
 use super::block_skyline::SIX;
 use super::rigid_faces::{Face, Stiffness, add_wrench, velocity};
-use super::rigid_point::{Part, Six};
+use super::rigid_point::{ForceTorque, Part};
 use super::rigid_solve::{
     Candidate, LEFT_MOST_M_S, Momentum, OFF_MOST_M_S, Pressing, Solved, Solver, ahead, held_of, hold_impulses,
 };
@@ -34,7 +34,7 @@ impl Solver {
         &mut self,
         of: Momentum<'_>,
         faces: &mut [Face],
-        v: &mut Vec<Six>,
+        v: &mut Vec<ForceTorque>,
         solved: &mut Solved,
     ) {
         let mut best = Candidate {
@@ -84,7 +84,7 @@ impl Solver {
         &mut self,
         of: Momentum<'_>,
         faces: &mut [Face],
-        v: &mut [Six],
+        v: &mut [ForceTorque],
         steps: &mut usize,
     ) -> f64 {
         let mut change = vec![[0.0; SIX]; v.len()];
@@ -134,7 +134,7 @@ impl Solver {
     }
 
     /// Sum over the bodies of what is left times a change of their velocities.
-    fn along(&self, right: &[Six], change: &[Six]) -> f64 {
+    fn along(&self, right: &[ForceTorque], change: &[ForceTorque]) -> f64 {
         let rows = self.rows.iter().zip(change).skip(1);
         rows.map(|(row, change)| right[*row].iter().zip(change).map(|(r, c)| r * c).sum::<f64>())
             .sum()
@@ -143,7 +143,7 @@ impl Solver {
 
 impl Face {
     /// Holds μ |u_t| at a twist.
-    fn set_lifts(&mut self, twist: &Six) {
+    fn set_lifts(&mut self, twist: &ForceTorque) {
         for point in &mut self.points {
             let u = velocity(twist, point.x, point.y);
             point.lift = point.friction * (u[0] + point.offset[0]).hypot(u[1] + point.offset[1]);
@@ -155,7 +155,11 @@ impl Face {
     /// ```text
     /// p = the point of K nearest to λ − ϱ (u + s + lift n), where velocities count by 1/ϱ
     /// ```
-    pub(super) fn press_on_cones(&mut self, twist: &Six, stiffness: Option<&mut Stiffness>) -> Six {
+    pub(super) fn press_on_cones(
+        &mut self,
+        twist: &ForceTorque,
+        stiffness: Option<&mut Stiffness>,
+    ) -> ForceTorque {
         let wanted = stiffness.is_some();
         let (mut sum, mut k) = ([0.0; 6], [[0.0; 6]; 6]);
         for point in self.points.iter_mut().filter(|point| point.part == Part::Near) {

@@ -13,7 +13,7 @@
 use super::bodies::RigidBody;
 use super::patch::{LANES, Motion, Patch, Restitution};
 use super::rigid_bed::{fit_bed, on_bed};
-use super::rigid_point::{Part, Point, Six};
+use super::rigid_point::{ForceTorque, Part, Point};
 use glam::{DMat3, DVec3};
 
 /// Mass against which velocities count, in parts of the bodies': ϱ = ρ × the mass of both together and of all above, shared by area. It steers
@@ -64,7 +64,7 @@ pub(super) struct Face {
     pub(super) arms: [DVec3; 2],
     pub(super) points: Vec<Point>,
     /// Twist with which the offsets were found.
-    pub(super) ahead: Six,
+    pub(super) ahead: ForceTorque,
     pub(super) restitution: Restitution,
     /// Whether the impulses held are those of the step before.
     pub(super) warm: bool,
@@ -81,7 +81,7 @@ pub(super) type Stiffness = [[f64; 6]; 6];
 
 /// G ξ.
 #[inline]
-pub(super) fn velocity(twist: &Six, x: f64, y: f64) -> [f64; 3] {
+pub(super) fn velocity(twist: &ForceTorque, x: f64, y: f64) -> [f64; 3] {
     [
         twist[0] - twist[5] * y,
         twist[1] + twist[5] * x,
@@ -91,7 +91,7 @@ pub(super) fn velocity(twist: &Six, x: f64, y: f64) -> [f64; 3] {
 
 /// Gᵀ p, summed.
 #[inline]
-pub(super) fn add_wrench(sum: &mut Six, x: f64, y: f64, p: &[f64; 3]) {
+pub(super) fn add_wrench(sum: &mut ForceTorque, x: f64, y: f64, p: &[f64; 3]) {
     sum[0] += p[0];
     sum[1] += p[1];
     sum[2] += p[2];
@@ -113,7 +113,7 @@ impl Face {
     ) -> Face {
         let (p, s) = (&bodies[patch.plane_body], &bodies[patch.point_body]);
         let twist = patch.twist(bodies, motion);
-        let twist: Six = [
+        let twist: ForceTorque = [
             twist.velocity.x,
             twist.velocity.y,
             twist.velocity.z,
@@ -181,8 +181,8 @@ impl Face {
 
     /// Twist of S against P at velocities of the bodies (ground: zeros), linear and angular.
     #[inline]
-    pub(super) fn twist(&self, p: Option<&Six>, s: Option<&Six>) -> Six {
-        let at = |velocity: Option<&Six>, arm: DVec3| {
+    pub(super) fn twist(&self, p: Option<&ForceTorque>, s: Option<&ForceTorque>) -> ForceTorque {
+        let at = |velocity: Option<&ForceTorque>, arm: DVec3| {
             velocity.map_or((DVec3::ZERO, DVec3::ZERO), |v| {
                 let spin = DVec3::new(v[3], v[4], v[5]);
                 (DVec3::new(v[0], v[1], v[2]) + spin.cross(arm), spin)
@@ -195,7 +195,7 @@ impl Face {
     }
 
     /// Twist of S against P at the velocities of all bodies.
-    pub(super) fn twist_of(&self, velocity: &[Six]) -> Six {
+    pub(super) fn twist_of(&self, velocity: &[ForceTorque]) -> ForceTorque {
         let at = |body: usize| (body > 0).then(|| &velocity[body]);
         self.twist(at(self.plane_body), at(self.point_body))
     }
@@ -212,10 +212,10 @@ impl Face {
     /// was one, so that the sum is not that of the law.
     pub(super) fn contact_force(
         &mut self,
-        twist: &Six,
+        twist: &ForceTorque,
         presume: bool,
         stiffness: Option<&mut Stiffness>,
-    ) -> Six {
+    ) -> ForceTorque {
         let presume = presume && self.warm;
         self.swung = presume;
         let softness = self.softness;
@@ -354,7 +354,7 @@ impl Face {
     }
 
     /// What the impulses are on S, summed.
-    pub(super) fn wrench(&self) -> Six {
+    pub(super) fn wrench(&self) -> ForceTorque {
         let mut sum = [0.0; 6];
         for point in &self.points {
             add_wrench(&mut sum, point.x, point.y, &point.impulse);
@@ -399,7 +399,7 @@ impl Face {
     }
 
     /// Spreads an impulse on S over the near points: pressure as on a bed, friction with it.
-    pub(super) fn hold(&mut self, wrench: &Six, bed: &mut [f64; 3]) {
+    pub(super) fn hold(&mut self, wrench: &ForceTorque, bed: &mut [f64; 3]) {
         let near = |point: &&mut Point| point.part == Part::Near;
         if !fit_bed(&self.points, wrench, bed, HELD_NEAR) {
             return;

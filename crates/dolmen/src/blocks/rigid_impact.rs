@@ -2,7 +2,7 @@
 
 use super::patch::LANES;
 use super::rigid_faces::{Face, velocity};
-use super::rigid_point::{Part, Point, Six};
+use super::rigid_point::{ForceTorque, Part, Point};
 use super::rigid_run::{FOUND_M, Ground, IMPACT_FROM, Run, Unsolved, halves, six};
 use super::rigid_solve::Inertia;
 use glam::DVec3;
@@ -194,7 +194,7 @@ impl Run {
     }
 
     /// Kinetic energy at velocities of the bodies, J.
-    fn kinetic(&self, velocity: &[Six]) -> f64 {
+    fn kinetic(&self, velocity: &[ForceTorque]) -> f64 {
         let stones = self.inertia.iter().take(self.assembly.stones().end);
         let each = stones.zip(velocity).map(|(of, velocity)| {
             let (v, w) = halves(velocity);
@@ -207,7 +207,7 @@ impl Run {
 impl Face {
     /// Adds the rebound of an impact: the mean normal velocity of the points that touch is at least −e times that before, and the
     /// impulse that makes it so acts evenly on them, that is at their middle. `None` where nothing nears fast enough to be an impact.
-    fn rebound(&mut self, before: &Six, slow: f64, restitution: f64) -> Option<([f64; 2], f64)> {
+    fn rebound(&mut self, before: &ForceTorque, slow: f64, restitution: f64) -> Option<([f64; 2], f64)> {
         let (mut area, mut at) = (0.0, [0.0; 2]);
         let (mut fastest, mut friction) = (0.0_f64, f64::INFINITY);
         for point in self.points.iter().filter(|point| point.part == Part::Near) {

@@ -68,4 +68,4 @@ impl Point {
 }
 
 /// What one contact does to S about its origin, in the plane's frame: force (or impulse), then torque.
-pub(super) type Six = [f64; 6];
+pub(super) type ForceTorque = [f64; 6];

@@ -4,7 +4,7 @@
 use super::assembly::Assembly;
 use super::rigid_bed::{fit_bed, on_bed};
 use super::rigid_faces::Face;
-use super::rigid_point::{Part, Six};
+use super::rigid_point::{ForceTorque, Part};
 use glam::{DMat3, DVec3};
 
 /// Force that may be left over, in parts of it: rounding. Chosen here.
@@ -14,7 +14,7 @@ const FRICTION_PART: f64 = 1.0 - 1e-9;
 
 /// A joint and what it carries.
 #[derive(Clone, Debug)]
-struct Carries {
+struct JointReaction {
     face: Face,
     /// Mass that it carries, kg, and from its origin to the centroid of that, m, in the ground's axes.
     mass: f64,
@@ -28,7 +28,7 @@ struct Carries {
 /// A stack at rest on the ground, each stone on one joint.
 #[derive(Clone, Debug)]
 pub(super) struct AtRest {
-    joints: Vec<Carries>,
+    joints: Vec<JointReaction>,
     held: bool,
 }
 
@@ -77,7 +77,7 @@ impl AtRest {
             above[below].1 += moment;
             let face = faces[index];
             let origin = face.arms[1] + assembly.bodies[face.point_body].position;
-            joints.push(Carries {
+            joints.push(JointReaction {
                 face: face.clone(),
                 mass,
                 arm: moment / mass - origin,
@@ -97,7 +97,7 @@ impl AtRest {
     }
 
     /// What each joint would carry, if it could, so that nothing moves: pair, body of the plane, force on S about the plane's frame.
-    pub(super) fn carried(&self, pull: DVec3) -> impl Iterator<Item = (usize, usize, Six)> {
+    pub(super) fn carried(&self, pull: DVec3) -> impl Iterator<Item = (usize, usize, ForceTorque)> {
         self.joints
             .iter()
             .map(move |joint| (joint.face.pair, joint.face.plane_body, joint.wrench(pull)))
@@ -109,9 +109,9 @@ impl AtRest {
     }
 }
 
-impl Carries {
+impl JointReaction {
     /// Force on S about the plane's frame.
-    fn wrench(&self, pull: DVec3) -> Six {
+    fn wrench(&self, pull: DVec3) -> ForceTorque {
         let force = pull * (self.mass * self.sign);
         let torque = self.from_ground * self.arm.cross(force);
         let force = self.from_ground * force;

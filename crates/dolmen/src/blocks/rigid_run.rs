@@ -13,7 +13,7 @@ use super::history::RigidEvidence;
 use super::moving_ground::OwnGround;
 use super::patch::{LANES, Motion};
 use super::rigid_faces::{Face, MassAbove, velocity};
-use super::rigid_point::{Part, Point, Six};
+use super::rigid_point::{ForceTorque, Part, Point};
 use super::rigid_rest::AtRest;
 use super::rigid_solve::{Inertia, LOOSE_FROM_M_S, Momentum, Solver};
 use glam::DVec3;
@@ -45,7 +45,7 @@ const HOLDS_FROM_M: f64 = 1e-9;
 
 /// What a step put in, what contacts did, what friction took, J.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Counted {
+pub(super) struct StepEnergy {
     pub(super) input: f64,
     pub(super) contact: f64,
     pub(super) friction: f64,
@@ -54,7 +54,7 @@ pub(super) struct Counted {
 /// What a pair remembers: the force on S about the frame of its plane, and the bed under it.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Memory {
-    force: Six,
+    force: ForceTorque,
     bed: [f64; 3],
     plane_body: usize,
     /// Points that slipped.
@@ -64,7 +64,7 @@ pub(super) struct Memory {
 
 /// What open points do in the rest of a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Meets {
+enum OpenPoints {
     Nothing,
     Slowly,
     Hard,
@@ -88,8 +88,8 @@ pub(super) struct Run {
     pub(super) memory: Vec<Memory>,
     pub(super) inertia: Vec<Inertia>,
     /// Solution under way, and the momentum without contacts.
-    pub(super) velocity: Vec<Six>,
-    pub(super) momentum: Vec<Six>,
+    pub(super) velocity: Vec<ForceTorque>,
+    pub(super) momentum: Vec<ForceTorque>,
     /// What dowels, clamps, side supports and static loads do in a kick.
     held: Forces,
     pub(super) at_rest: Option<AtRest>,
@@ -104,7 +104,7 @@ pub(super) struct Run {
     pub(super) shaking: DVec3,
     pub(super) acceleration: Vec<DVec3>,
     pub(super) forces: Forces,
-    pub(super) counted: Counted,
+    pub(super) counted: StepEnergy,
     /// Ground that moves.
     pub(super) ground: OwnGround,
 }
@@ -132,7 +132,7 @@ impl Run {
             shaking: DVec3::ZERO,
             acceleration: vec![DVec3::ZERO; bodies],
             forces: Forces::default(),
-            counted: Counted::default(),
+            counted: StepEnergy::default(),
             ground: OwnGround::default(),
             assembly,
         }
@@ -176,7 +176,7 @@ impl Run {
         let (mut from_s, mut impacts) = (0.0, 0);
         loop {
             let drift_s = self.drift_s;
-            if impacts < IMPACTS_MOST && self.meets(drift_s) == Meets::Hard {
+            if impacts < IMPACTS_MOST && self.meets(drift_s) == OpenPoints::Hard {
                 let part_s = self.first_meeting(drift_s);
                 self.strikes = true;
                 self.strike(time_s + from_s, part_s, ground)?;
@@ -396,17 +396,17 @@ impl Run {
     }
 
     /// What open points do in a drift of `left_s` at the solved velocities.
-    fn meets(&self, left_s: f64) -> Meets {
+    fn meets(&self, left_s: f64) -> OpenPoints {
         let slow = IMPACT_FROM * self.assembly.gravity * self.h;
-        let mut meets = Meets::Nothing;
+        let mut meets = OpenPoints::Nothing;
         for face in &self.faces {
             let twist = self.twist(face);
             for point in face.points.iter().filter(|point| point.part == Part::Away) {
                 if let Some(speed) = closing(&face.ahead, &twist, point, left_s) {
                     if speed > slow {
-                        return Meets::Hard;
+                        return OpenPoints::Hard;
                     }
-                    meets = Meets::Slowly;
+                    meets = OpenPoints::Slowly;
                 }
             }
         }
@@ -431,7 +431,7 @@ impl Run {
         any
     }
 
-    fn twist(&self, face: &Face) -> Six {
+    fn twist(&self, face: &Face) -> ForceTorque {
         face.twist_of(&self.velocity)
     }
 
@@ -447,7 +447,7 @@ impl Run {
 
     /// Gives the solved velocities to the bodies, and counts what was done.
     pub(super) fn commit(&mut self) {
-        let small = |v: &Six| v.iter().all(|value| value.abs() < AT_REST_M_S);
+        let small = |v: &ForceTorque| v.iter().all(|value| value.abs() < AT_REST_M_S);
         let rests = self.velocity.iter().all(small);
         let stones = self.assembly.stones();
         for index in stones.end..self.assembly.bodies.len() {
@@ -531,17 +531,17 @@ impl Run {
 }
 
 /// Closing velocity of an open point that would meet in a drift of `left_s`, m/s.
-fn closing(ahead: &Six, twist: &Six, point: &Point, left_s: f64) -> Option<f64> {
+fn closing(ahead: &ForceTorque, twist: &ForceTorque, point: &Point, left_s: f64) -> Option<f64> {
     let now = velocity(twist, point.x, point.y)[2];
     let gap = point.gap_ahead + left_s * (now - velocity(ahead, point.x, point.y)[2]);
     (gap < -FOUND_M).then_some(-now)
 }
 
-pub(super) fn six(linear: DVec3, turning: DVec3) -> Six {
+pub(super) fn six(linear: DVec3, turning: DVec3) -> ForceTorque {
     [linear.x, linear.y, linear.z, turning.x, turning.y, turning.z]
 }
 
-pub(super) fn halves(six: &Six) -> (DVec3, DVec3) {
+pub(super) fn halves(six: &ForceTorque) -> (DVec3, DVec3) {
     (
         DVec3::new(six[0], six[1], six[2]),
         DVec3::new(six[3], six[4], six[5]),

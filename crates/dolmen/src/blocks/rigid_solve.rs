@@ -11,7 +11,7 @@
 
 use super::block_skyline::{Block, BlockSkyline, SIX};
 use super::rigid_faces::{Face, Stiffness};
-use super::rigid_point::Six;
+use super::rigid_point::ForceTorque;
 use glam::{DMat3, DVec3};
 
 /// Momentum left over, over the mass, at which a Newton step is the last, m/s. Chosen here: far below any way that is seen.
@@ -47,7 +47,7 @@ pub(super) struct Inertia {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Momentum<'a> {
     pub(super) inertia: &'a [Inertia],
-    pub(super) free: &'a [Six],
+    pub(super) free: &'a [ForceTorque],
 }
 
 /// What a solution took.
@@ -83,7 +83,7 @@ pub(super) struct MomentumResidual {
 #[derive(Clone, Debug)]
 pub(super) struct Candidate {
     pub(super) residual_m_s: f64,
-    pub(super) velocity: Vec<Six>,
+    pub(super) velocity: Vec<ForceTorque>,
     pub(super) held: Vec<Vec<[f64; 3]>>,
 }
 
@@ -105,7 +105,7 @@ pub(super) struct Solver {
     pub(super) matrix: BlockSkyline,
     /// Row of each body; of the ground none.
     pub(super) rows: Vec<usize>,
-    pub(super) right: Vec<Six>,
+    pub(super) right: Vec<ForceTorque>,
 }
 
 impl Solver {
@@ -136,7 +136,7 @@ impl Solver {
         &mut self,
         of: Momentum<'_>,
         faces: &mut [Face],
-        v: &mut Vec<Six>,
+        v: &mut Vec<ForceTorque>,
         worst_m_s: f64,
     ) -> Solved {
         let mut solved = Solved::default();
@@ -163,7 +163,7 @@ impl Solver {
         &mut self,
         of: Momentum<'_>,
         faces: &mut [Face],
-        v: &mut Vec<Six>,
+        v: &mut Vec<ForceTorque>,
         start: Candidate,
         solved: &mut Solved,
     ) {
@@ -224,7 +224,7 @@ impl Solver {
     }
 
     /// Solves by Newton steps on the law itself.
-    fn directly(&mut self, of: Momentum<'_>, faces: &mut [Face], v: &mut [Six], solved: &mut Solved) {
+    fn directly(&mut self, of: Momentum<'_>, faces: &mut [Face], v: &mut [ForceTorque], solved: &mut Solved) {
         let mut off = f64::INFINITY;
         for round in 0..DIRECT_ROUNDS {
             solved.rounds += 1;
@@ -251,7 +251,7 @@ impl Solver {
         &mut self,
         of: Momentum<'_>,
         faces: &mut [Face],
-        v: &mut [Six],
+        v: &mut [ForceTorque],
         options: NewtonOptions,
         steps: &mut usize,
     ) -> f64 {
@@ -303,7 +303,7 @@ impl Solver {
         &mut self,
         of: Momentum<'_>,
         faces: &mut [Face],
-        v: &[Six],
+        v: &[ForceTorque],
         pressing: Pressing,
         with_matrix: bool,
     ) -> MomentumResidual {
@@ -325,7 +325,7 @@ impl Solver {
     }
 
     /// Makes the right side what is left of the momentum without contacts, and the matrix that of the masses.
-    fn momentum_left(&mut self, of: Momentum<'_>, v: &[Six], with_matrix: bool) {
+    fn momentum_left(&mut self, of: Momentum<'_>, v: &[ForceTorque], with_matrix: bool) {
         if with_matrix {
             self.matrix.clear();
         }
@@ -357,7 +357,7 @@ impl Solver {
     }
 
     /// Adds what a contact does to its two bodies to the right side.
-    fn push(&mut self, face: &Face, wrench: &Six) {
+    fn push(&mut self, face: &Face, wrench: &ForceTorque) {
         let force = face.to_ground * DVec3::new(wrench[0], wrench[1], wrench[2]);
         let torque = face.to_ground * DVec3::new(wrench[3], wrench[4], wrench[5]);
         let sides = [
@@ -436,7 +436,7 @@ impl Solver {
 
 impl Candidate {
     /// Takes it up again.
-    pub(super) fn take(&self, faces: &mut [Face], v: &mut Vec<Six>) {
+    pub(super) fn take(&self, faces: &mut [Face], v: &mut Vec<ForceTorque>) {
         v.clone_from(&self.velocity);
         for (face, held) in faces.iter_mut().zip(&self.held) {
             for (point, held) in face.points.iter_mut().zip(held) {
@@ -447,7 +447,7 @@ impl Candidate {
 }
 
 /// v + part × change.
-pub(super) fn ahead(trial: &mut [Six], v: &[Six], change: &[Six], part: f64) {
+pub(super) fn ahead(trial: &mut [ForceTorque], v: &[ForceTorque], change: &[ForceTorque], part: f64) {
     for (trial, (v, change)) in trial.iter_mut().zip(v.iter().zip(change)).skip(1) {
         *trial = std::array::from_fn(|i| v[i] + part * change[i]);
     }

@@ -9,7 +9,7 @@ use super::sliding_bed::Twist;
 use super::sliding_chain::{Chain, Place, Shaking};
 use super::sliding_history::{SlidingHistory, SlidingOutcome};
 use super::sliding_record::Recorder;
-use super::sliding_solve::{Slide, Stage, Trouble};
+use super::sliding_solve::{NoAcceleration, Slide, Stage};
 use super::sliding_state::{State, add};
 use crate::signal::GroundMotion;
 use crate::structure::stack::Stack;
@@ -234,7 +234,7 @@ impl Run<'_> {
                     if let Ok(step) = self.try_step(h) {
                         break step;
                     }
-                    return self.end(Trouble::NoConvergence);
+                    return self.end(NoAcceleration::NoConvergence);
                 }
             };
             let grown = 0.9 * (self.tolerance / step.error.max(1e-300)).powf(0.25);
@@ -267,17 +267,17 @@ impl Run<'_> {
         })
     }
 
-    fn end(&self, trouble: Trouble) -> Result<SlidingOutcome, BlocksError> {
+    fn end(&self, trouble: NoAcceleration) -> Result<SlidingOutcome, BlocksError> {
         match trouble {
             // no pressure either, where nothing presses any more
-            Trouble::Rocks(_) if self.shaking(self.time_s).weight < WEIGHTLESS * self.gravity => {
+            NoAcceleration::Rocks(_) if self.shaking(self.time_s).weight < WEIGHTLESS * self.gravity => {
                 Ok(SlidingOutcome::LeftTheGround { at_s: self.time_s })
             }
-            Trouble::Rocks(joint) => Ok(SlidingOutcome::Rocks {
+            NoAcceleration::Rocks(joint) => Ok(SlidingOutcome::Rocks {
                 joint: self.chain.stones[joint].joint,
                 at_s: self.time_s,
             }),
-            Trouble::NoConvergence => Err(BlocksError::NoSliding { at_s: self.time_s }),
+            NoAcceleration::NoConvergence => Err(BlocksError::NoSliding { at_s: self.time_s }),
         }
     }
 
@@ -353,7 +353,7 @@ impl Run<'_> {
     }
 
     /// Which of the joints at rest are let go and how all of them then move; how near the others are to it.
-    fn release(&mut self) -> Result<f64, Trouble> {
+    fn release(&mut self) -> Result<f64, NoAcceleration> {
         let n = self.slides.len();
         let at_rest: Vec<bool> = self
             .state
@@ -438,7 +438,7 @@ impl Run<'_> {
     }
 
     /// How near the stuck joints are to being let go.
-    fn gauge(&self, solved: &super::sliding_solve::Solved, shaking: Shaking) -> Result<f64, Trouble> {
+    fn gauge(&self, solved: &super::sliding_solve::Solved, shaking: Shaking) -> Result<f64, NoAcceleration> {
         let mut most: f64 = 0.0;
         for (i, slide) in self.slides.iter().enumerate() {
             if *slide == Slide::Stuck {
@@ -450,7 +450,7 @@ impl Run<'_> {
     }
 
     /// One step of the Runge–Kutta method.
-    fn try_step(&self, h: f64) -> Result<Step, Trouble> {
+    fn try_step(&self, h: f64) -> Result<Step, NoAcceleration> {
         let n = self.slides.len();
         let mut rates: Vec<(Vec<Place>, Vec<Twist>, [f64; 2])> = Vec::with_capacity(5);
         let mut guess = self.k.clone();
@@ -484,7 +484,7 @@ impl Run<'_> {
             guess.clone_from(&solved.k);
             last = Some((hat, solved, shaking));
         }
-        let (state, solved, shaking) = last.ok_or(Trouble::NoConvergence)?;
+        let (state, solved, shaking) = last.ok_or(NoAcceleration::NoConvergence)?;
         let error = (0..n)
             .map(|i| {
                 let sum = ERROR.iter().zip(&rates).map(|(weight, (_, k, _))| *weight * k[i]);

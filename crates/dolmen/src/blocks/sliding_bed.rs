@@ -34,7 +34,7 @@ pub(super) fn turned(a: DVec2) -> DVec2 {
 
 /// A point that carries pressure.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Pressed {
+pub(super) struct PressedPoint {
     /// From the reference point of the joint, m.
     pub(super) arm: DVec2,
     pub(super) area: f64,
@@ -45,7 +45,7 @@ pub(super) struct Pressed {
 /// Pressure on a bed and how it moves with its resultant.
 #[derive(Clone, Debug)]
 pub(super) struct Pressure {
-    pub(super) points: Vec<Pressed>,
+    pub(super) points: Vec<PressedPoint>,
     total: f64,
     /// The resultant, from the reference point.
     pub(super) resultant: DVec2,
@@ -95,7 +95,7 @@ impl Pressure {
             }
             if !changed {
                 let pressed = points.iter().zip(&carries).filter(|(_, carries)| **carries);
-                let pressed = pressed.map(|(&(arm, area), _)| Pressed {
+                let pressed = pressed.map(|(&(arm, area), _)| PressedPoint {
                     arm,
                     area,
                     force: area * plane.dot(shape(arm)),
@@ -196,7 +196,7 @@ impl Pressure {
         let smooth = GAUGE_SMOOTH * along.length();
         let value = |u: DVec3| -> f64 {
             let u = u * scale;
-            let of = |p: &Pressed| {
+            let of = |p: &PressedPoint| {
                 let velocity = u.truncate() + u.z * turned(p.arm);
                 let cell = CELL * p.area * u.z * u.z;
                 p.force * (velocity.length_squared() + cell + smooth * smooth).sqrt()

@@ -55,7 +55,7 @@ pub(super) struct Solved {
 
 /// Why there are none.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Trouble {
+pub(super) enum NoAcceleration {
     /// The pressure leaves the bed: the block above this joint begins to rock.
     Rocks(usize),
     /// The iteration does not end.
@@ -64,7 +64,7 @@ pub(super) enum Trouble {
 
 impl Chain {
     /// Accelerations that fulfil friction at a stage, from a first guess.
-    pub(super) fn accelerations(&self, stage: &Stage<'_>, guess: &[Twist]) -> Result<Solved, Trouble> {
+    pub(super) fn accelerations(&self, stage: &Stage<'_>, guess: &[Twist]) -> Result<Solved, NoAcceleration> {
         let free: Vec<usize> = (0..guess.len())
             .filter(|&i| stage.slides[i] != Slide::Stuck)
             .collect();
@@ -77,7 +77,7 @@ impl Chain {
             }
             let step = self
                 .newton(stage, &solved, &rows, &free)
-                .ok_or(Trouble::NoConvergence)?;
+                .ok_or(NoAcceleration::NoConvergence)?;
             let mut part = 1.0;
             loop {
                 let mut k = solved.k.clone();
@@ -100,7 +100,7 @@ impl Chain {
                     return if left <= ROUNDED {
                         Ok(solved)
                     } else {
-                        Err(Trouble::NoConvergence)
+                        Err(NoAcceleration::NoConvergence)
                     };
                 }
             }
@@ -108,12 +108,12 @@ impl Chain {
         if left <= ROUNDED {
             Ok(solved)
         } else {
-            Err(Trouble::NoConvergence)
+            Err(NoAcceleration::NoConvergence)
         }
     }
 
     /// Everything that goes with given accelerations.
-    fn at(&self, stage: &Stage<'_>, k: Vec<Twist>) -> Result<Solved, Trouble> {
+    fn at(&self, stage: &Stage<'_>, k: Vec<Twist>) -> Result<Solved, NoAcceleration> {
         let gh = stage.gh;
         let twists: Vec<Twist> = stage.twists.iter().zip(&k).map(|(w, k)| *w + gh * *k).collect();
         let mut places = Vec::with_capacity(k.len());
@@ -152,9 +152,9 @@ impl Chain {
         motion: &Motion,
         load: &Load,
         shaking: Shaking,
-    ) -> Result<Pressure, Trouble> {
+    ) -> Result<Pressure, NoAcceleration> {
         let total = self.stones[joint].carried * shaking.weight;
-        Pressure::of(&motion.beds[joint], total, load.resultant[joint]).ok_or(Trouble::Rocks(joint))
+        Pressure::of(&motion.beds[joint], total, load.resultant[joint]).ok_or(NoAcceleration::Rocks(joint))
     }
 
     /// Friction of the joints that slide, and what it lacks of what they have to carry.

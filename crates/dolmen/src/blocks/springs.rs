@@ -141,7 +141,13 @@ pub fn simulate_springs(
     options: &Springs,
     progress: &mut dyn FnMut(f64) -> bool,
 ) -> Result<StackHistory, BlocksError> {
-    run_settled(&Settled::of(stack, options)?, stack, motion, options, progress)
+    run_settled(
+        &SettledStack::of(stack, options)?,
+        stack,
+        motion,
+        options,
+        progress,
+    )
 }
 
 /// The same of a stack whose supports move.
@@ -151,14 +157,14 @@ pub(super) fn simulate_springs_on(
     options: &Springs,
     progress: &mut dyn FnMut(f64) -> bool,
 ) -> Result<StackHistory, BlocksError> {
-    let mut settled = Settled::of(stack, options)?;
+    let mut settled = SettledStack::of(stack, options)?;
     settled.ground = OwnGround::under(&mut settled.assembly, stack, ground);
     settled.moves_for_s = ground.duration_s();
     run_settled(&settled, stack, None, options, progress)
 }
 
 fn run_settled(
-    settled: &Settled,
+    settled: &SettledStack,
     stack: &Stack,
     motion: Option<&GroundMotion>,
     options: &Springs,
@@ -178,7 +184,7 @@ fn run_settled(
 
 /// A stack at rest under its own weight, with the step to take.
 #[derive(Clone, Debug)]
-pub(super) struct Settled {
+pub(super) struct SettledStack {
     pub(super) assembly: Assembly,
     /// The step to begin with, s.
     h: f64,
@@ -189,7 +195,7 @@ pub(super) struct Settled {
     moves_for_s: f64,
 }
 
-impl Settled {
+impl SettledStack {
     /// # Errors
     /// As [`simulate_springs`], but for its starts.
     pub(super) fn of(stack: &Stack, options: &Springs) -> Result<Self, BlocksError> {
@@ -215,7 +221,7 @@ impl Settled {
         let h = options.time_step_s.unwrap_or(
             options.output_step_s / whole_at_least(options.output_step_s / (part * longest)) as f64,
         );
-        Ok(Settled {
+        Ok(SettledStack {
             assembly,
             h,
             longest,
@@ -233,7 +239,7 @@ pub(super) struct Attempt {
 }
 
 impl Attempt {
-    pub(super) fn first(settled: &Settled) -> Self {
+    pub(super) fn first(settled: &SettledStack) -> Self {
         Attempt {
             h: settled.h,
             halvings: 0,
@@ -279,7 +285,7 @@ impl<'a> Run<'a> {
     /// [`BlocksError`] for a start of a block that is not there.
     pub(super) fn new(
         stack: &Stack,
-        settled: &Settled,
+        settled: &SettledStack,
         motion: Option<&'a GroundMotion>,
         options: &Springs,
         h: f64,

@@ -26,7 +26,7 @@ pub(super) struct Watch {
 
 /// How the upper body lies on the lower: largest gap at a corner, shift, turn.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Seen {
+pub(super) struct RelativePose {
     pub(super) opening: f64,
     pub(super) slip: [f64; 2],
     pub(super) yaw: f64,
@@ -79,7 +79,7 @@ impl Watch {
         high - low
     }
 
-    pub(super) fn see(&self, bodies: &[RigidBody]) -> Seen {
+    pub(super) fn see(&self, bodies: &[RigidBody]) -> RelativePose {
         let (lower, upper) = (&bodies[self.lower], &bodies[self.upper]);
         let now = upper.now(self.origin) - lower.now(self.origin);
         // the shift of the upper side's origin, and its axes, in the axes of the lower; a corner at (a, b) has shifted by
@@ -103,7 +103,7 @@ impl Watch {
             opening = f64::max(opening, middle.z + (x.z * a + y.z * b));
         }
         let yaw = angle(x.y - y.x, x.x + y.y);
-        Seen {
+        RelativePose {
             opening: (opening - self.settled_opening).max(0.0),
             slip: [middle.x - self.settled[0], middle.y - self.settled[1]],
             yaw: yaw - self.settled[2],

@@ -8,6 +8,7 @@ use crate::blocks::{
 use crate::dynamics::{Rocking, RockingBlock, TimeFunction, rock_block};
 use crate::signal::{Component, GroundMotion, SignalError};
 use crate::structure::stack::{Block, JointMaterial, Placement, Solid, Stack};
+use std::fmt;
 
 const SOURCE: &str = "Second methods";
 const GRAVITY_M_S2: f64 = 9.81;
@@ -102,6 +103,22 @@ fn sliding(blocks: usize) -> Result<Vec<Case>, ValidationError> {
     Ok(cases)
 }
 
+/// A law of contact.
+#[derive(Clone, Copy)]
+enum Law {
+    Rigid,
+    Springs,
+}
+
+impl fmt::Display for Law {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Law::Rigid => "rigid law",
+            Law::Springs => "springs",
+        })
+    }
+}
+
 /// The block of Housner's cases, let go and shaken.
 fn rocking() -> Result<Vec<Case>, ValidationError> {
     let block = RockingBlock::rectangle(0.4, 2.0, GRAVITY_M_S2)?;
@@ -133,9 +150,9 @@ fn rocking() -> Result<Vec<Case>, ValidationError> {
         ..Start::of(0)
     };
     let mut cases = Vec::new();
-    for law in ["rigid law", "springs"] {
+    for law in [Law::Rigid, Law::Springs] {
         let run = |motion: Option<&GroundMotion>, starts: Vec<Start>| match law {
-            "springs" => {
+            Law::Springs => {
                 let options = Springs {
                     contact_rule: ContactRule::Corners,
                     duration_s: motion.is_none().then_some(4.0),
@@ -145,7 +162,7 @@ fn rocking() -> Result<Vec<Case>, ValidationError> {
                 };
                 simulate_springs(&stack, motion, &options, &mut |_| true)
             }
-            _ => {
+            Law::Rigid => {
                 let options = Rigid {
                     duration_s: motion.is_none().then_some(4.0),
                     output_step_s: 1e-3,

@@ -148,7 +148,7 @@ pub fn gust_history(
     let cases = columns
         .iter()
         .map(|of| Case::new(structure, of, gusts, &in_modes));
-    let wanted = Wanted {
+    let wanted = RequestedRows {
         cases: cases.collect::<Result<_, DamperError>>()?,
         rows: rows.iter().map(|row| in_modes(&row.row)).collect(),
         asked: rows,
@@ -209,7 +209,7 @@ impl Case {
 }
 
 /// The requested rows of the structure.
-struct Wanted<'a> {
+struct RequestedRows<'a> {
     cases: Vec<Case>,
     /// The row in modal coordinates.
     rows: Vec<Vec<f64>>,
@@ -219,7 +219,7 @@ struct Wanted<'a> {
     dampers: &'a [AttachedDamper],
 }
 
-impl Wanted<'_> {
+impl RequestedRows<'_> {
     fn in_time(&self, gusts: &GustForces) -> Result<GustHistory, DamperError> {
         let times = gusts.times;
         let lines = (0..times.lines()).into_par_iter().map(|line| {

@@ -161,7 +161,7 @@ pub fn gust_motion(
     }
     let synthesis = ModalSynthesis::new(structure, n)?.with_fixed(dampers)?;
     let in_modes = |of: &Vec<Vec<f64>>| of.iter().map(|column| synthesis.in_modes(column)).collect();
-    let mut blown = Blown {
+    let mut blown = GustResponse {
         loads: columns.iter().map(in_modes).collect(),
         places: dampers
             .iter()
@@ -196,7 +196,7 @@ pub fn gust_motion(
 }
 
 /// All matrices in the coordinates of the structure's modes, followed by the strokes of the dampers.
-struct Blown<'a> {
+struct GustResponse<'a> {
     synthesis: ModalSynthesis,
     modes: SystemModes,
     dampers: &'a [AttachedDamper],
@@ -209,7 +209,7 @@ struct Blown<'a> {
     active: Vec<usize>,
 }
 
-impl Blown<'_> {
+impl GustResponse<'_> {
     /// Motion of the active modes, then of the dampers, under a unit of force on each strip: real and imaginary parts, strips × motions each.
     fn transfer(&self, case: usize, hz: f64) -> Result<[Matrix; 2], DamperError> {
         let strips = self.loads[case].len();

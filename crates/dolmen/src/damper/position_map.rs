@@ -143,7 +143,7 @@ pub fn position_map(
     }
     let site = &plan.problem().sites[damper.site];
     let (columns, rows) = (options.x_m.len(), options.y_m.len());
-    let looked = Looked {
+    let looked = SearchData {
         plan,
         given: *damper,
         options,
@@ -196,7 +196,7 @@ pub(super) fn along_line(
     places_m: &[[f64; 2]],
     options: &PositionMapOptions,
 ) -> Vec<MapCell> {
-    let looked = Looked {
+    let looked = SearchData {
         plan,
         given: *damper,
         options,
@@ -213,7 +213,7 @@ pub(super) fn along_line(
 }
 
 /// Data shared by all places.
-struct Looked<'a> {
+struct SearchData<'a> {
     plan: &'a Plan,
     given: PlacedDamper,
     options: &'a PositionMapOptions,
@@ -221,21 +221,21 @@ struct Looked<'a> {
 }
 
 /// End of a search, as start of the next: ln f, ln ζ and the curvature there.
-struct Before {
+struct WarmStart {
     x: Vec<f64>,
     curvature: Option<Vec<Vec<f64>>>,
 }
 
-impl Before {
+impl WarmStart {
     fn of(damper: &PlacedDamper) -> Self {
-        Before {
+        WarmStart {
             x: vec![damper.frequency_hz.ln(), damper.damping_ratio.ln()],
             curvature: None,
         }
     }
 }
 
-impl Looked<'_> {
+impl SearchData<'_> {
     /// Frequencies of the grid, Hz: those of the plan, and around the given one where no mode is excited.
     fn range_hz(&self) -> [f64; 2] {
         match self.plan.tuning_range_hz() {
@@ -312,7 +312,7 @@ impl Looked<'_> {
         lowest.truncate(VALLEYS_MOST);
         let down = lowest.into_iter().filter_map(|k| {
             let start = at(k / dampings, k % dampings);
-            self.tuned(single, place_m, &mut Some(Before::of(&start)))
+            self.tuned(single, place_m, &mut Some(WarmStart::of(&start)))
         });
         down.collect()
     }
@@ -327,11 +327,11 @@ impl Looked<'_> {
         single: &SingleDamper,
         place_m: [f64; 2],
         starts: &[PlacedDamper],
-        before: &mut Option<Before>,
+        before: &mut Option<WarmStart>,
     ) -> Option<MapCell> {
-        let mut all: Vec<(f64, Before)> = starts
+        let mut all: Vec<(f64, WarmStart)> = starts
             .iter()
-            .map(Before::of)
+            .map(WarmStart::of)
             .chain(before.take())
             .map(|start| {
                 let damper = PlacedDamper {
@@ -364,7 +364,7 @@ impl Looked<'_> {
         &self,
         single: &SingleDamper,
         place_m: [f64; 2],
-        before: &mut Option<Before>,
+        before: &mut Option<WarmStart>,
     ) -> Option<MapCell> {
         let mut damper = PlacedDamper {
             place_m,
@@ -389,7 +389,7 @@ impl Looked<'_> {
                     step_least: STEP_LEAST,
                     ..Minimax::steps(ITERATIONS_MOST)
                 };
-                if let Some(Before { x, curvature }) = before.take() {
+                if let Some(WarmStart { x, curvature }) = before.take() {
                     (start, options.curvature) = (x, curvature);
                 }
                 let least = (1.02 * self.plan.damping_least()).ln();
@@ -401,7 +401,7 @@ impl Looked<'_> {
                 let mut search = SingleDamperSearch::new(single, &self.weights, self.mean(), limits);
                 let found = minimax(start, &options, &mut search)?;
                 [damper.frequency_hz, damper.damping_ratio] = search.within(&found.x);
-                *before = Some(Before {
+                *before = Some(WarmStart {
                     x: vec![damper.frequency_hz.ln(), damper.damping_ratio.ln()],
                     curvature: Some(found.curvature),
                 });
@@ -463,7 +463,7 @@ impl Looked<'_> {
                 let Some(best) = best.filter(|best| best.cost < own.cost * (1.0 - BETTER)) else {
                     continue;
                 };
-                let mut before = Some(Before::of(&best.damper));
+                let mut before = Some(WarmStart::of(&best.damper));
                 let found = self.tuned(&single, own.damper.place_m, &mut before);
                 if let Some(found) = found.filter(|found| found.cost < own.cost) {
                     cells[at] = Some(found);

@@ -109,7 +109,7 @@ impl SingleDamper {
 
     /// The damper's force at each frequency.
     #[inline(always)]
-    fn worked(&self, spring: f64, dashpot: f64) -> Vec<Worked> {
+    fn worked(&self, spring: f64, dashpot: f64) -> Vec<DamperForces> {
         let m = self.mass_kg;
         let swings = self.length_ratio * self.length_ratio;
         let rides = 1.0 - swings;
@@ -117,7 +117,7 @@ impl SingleDamper {
         let each = nodes.map(
             #[inline(always)]
             |((omega, own_re), own_im)| {
-                let mut worked = Worked::default();
+                let mut worked = DamperForces::default();
                 for k in 0..LANES {
                     let w = omega[k];
                     let w2 = w * w;
@@ -178,7 +178,7 @@ impl SingleDamper {
 
 /// Force of the damper, its derivative with respect to N, and the damping in its link, at some frequencies.
 #[derive(Clone, Copy, Default)]
-struct Worked {
+struct DamperForces {
     force: [Lane; 2],
     change: [Lane; 2],
     damped: Lane,

@@ -132,11 +132,6 @@ impl TuningRule {
         }
     }
 
-    /// The rule of this name.
-    pub fn from_name(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|rule| rule.name() == name)
-    }
-
     /// Author and year.
     pub fn source(self) -> &'static str {
         match self {
@@ -286,13 +281,5 @@ mod tests {
             let [f, zeta] = crate::known::liquid_column::least_variance_under_force(mu, alpha);
             assert!((found.frequency_ratio - f).abs() < 1e-14 && (found.damping_ratio - zeta).abs() < 1e-14);
         }
-    }
-
-    #[test]
-    fn holds_names_are_read_back() {
-        for rule in TuningRule::ALL {
-            assert_eq!(TuningRule::from_name(rule.name()), Some(rule));
-        }
-        assert_eq!(TuningRule::from_name("best"), None);
     }
 }

@@ -24,7 +24,7 @@ const ROUNDING: f64 = 1e-12;
 const REST_RAD_S: f64 = 1e-13;
 
 /// A joint that violates the law: at which power of time, by how much, and the state that it should take.
-struct Off {
+struct LawViolation {
     power: usize,
     excess: f64,
     joint: usize,
@@ -145,7 +145,7 @@ impl Run<'_> {
     }
 
     /// The joints at rest that violate the law, in order. Also notes at which power the series of each joint begins.
-    fn off_the_law(&mut self, resting: &[usize], h: f64) -> Vec<Off> {
+    fn off_the_law(&mut self, resting: &[usize], h: f64) -> Vec<LawViolation> {
         let mut rounding_n_m = [0.0; DEGREE - 1];
         let mut largest: f64 = 0.0;
         for (k, rounding) in rounding_n_m.iter_mut().enumerate() {
@@ -185,7 +185,7 @@ impl Run<'_> {
             let may_pass = |power: usize| !(stuck && power > 0 && holds > turns);
             if let Some(power) = power.filter(|power| margin(*power) < 0.0 && may_pass(*power)) {
                 let excess = -margin(power) / holds;
-                off.push(Off {
+                off.push(LawViolation {
                     power,
                     excess,
                     joint,

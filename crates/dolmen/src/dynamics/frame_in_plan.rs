@@ -20,7 +20,7 @@ use super::frame_history::{FrameHistory, FrameOutcome};
 use super::frame_model::Model;
 use super::frame_motion::{load_step_most_s, simulate_frame};
 use super::frame_plan_record::run;
-use super::frame_plan_steps::{Both, Steps};
+use super::frame_plan_steps::{BothDirections, Steps};
 use super::frame_run::FrameRun;
 
 /// Number of steps in one radian of the stiffest storey. Chosen here: elastic oscillations are then accurate to 4e-5.
@@ -132,7 +132,7 @@ pub fn simulate_frame_in_plan(
 
 /// Halves the step until the peaks agree.
 fn halved(
-    both: Both<'_>,
+    both: BothDirections<'_>,
     duration_s: f64,
     progress: &mut dyn FnMut(f64) -> bool,
 ) -> Result<FrameInPlan, DynamicsError> {
@@ -168,7 +168,7 @@ fn halved(
     })
 }
 
-fn longest_step_s((frames, loads, _): Both<'_>) -> Result<f64, DynamicsError> {
+fn longest_step_s((frames, loads, _): BothDirections<'_>) -> Result<f64, DynamicsError> {
     let mut longest_s = STEP_MOST_S;
     for (frame, load) in frames.into_iter().zip(loads) {
         let radian_s = Model::of(frame)?.step_most_s().min(load_step_most_s(load));

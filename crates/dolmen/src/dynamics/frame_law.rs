@@ -120,7 +120,7 @@ impl Motion<'_> {
             self.series.next(&self.model, 0);
             self.measure_rounding(0);
             let mut open = Vec::new();
-            let mut worst = Worst::default();
+            let mut worst = LawViolation::default();
             for i in 0..n {
                 let StoreyFriction::Coulomb {
                     static_force_n,
@@ -176,7 +176,7 @@ impl Motion<'_> {
             self.series.next(&self.model, k);
             self.measure_rounding(k);
             let rounding = self.rounding_n;
-            let mut worst = Worst::default();
+            let mut worst = LawViolation::default();
             let mut left = Vec::new();
             for &(i, sign) in open.iter() {
                 match self.state.slider[i] {
@@ -231,9 +231,9 @@ fn tries_most(sliders: usize) -> usize {
 
 /// The slider that violates the law most, and its required state.
 #[derive(Default)]
-struct Worst(Option<(f64, usize, Slider)>);
+struct LawViolation(Option<(f64, usize, Slider)>);
 
-impl Worst {
+impl LawViolation {
     fn consider(&mut self, excess: f64, storey: usize, to: Slider) {
         if self.0.is_none_or(|(most, ..)| excess > most) {
             self.0 = Some((excess, storey, to));

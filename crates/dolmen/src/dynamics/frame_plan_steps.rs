@@ -39,7 +39,7 @@ pub(super) struct Steps {
 }
 
 /// Frames, loads and options of both directions.
-pub(super) type Both<'a> = ([&'a FrictionFrame; 2], [&'a FrameLoad; 2], [&'a FrameRun; 2]);
+pub(super) type BothDirections<'a> = ([&'a FrictionFrame; 2], [&'a FrameLoad; 2], [&'a FrameRun; 2]);
 
 /// Storeys' forces at the end of a step.
 struct Slipped {
@@ -168,7 +168,7 @@ impl Direction {
 }
 
 impl Steps {
-    pub(super) fn new((frames, loads, runs): Both<'_>, step_s: f64) -> Result<Self, DynamicsError> {
+    pub(super) fn new((frames, loads, runs): BothDirections<'_>, step_s: f64) -> Result<Self, DynamicsError> {
         let storeys = frames[0].frame().storeys();
         Ok(Steps {
             directions: [

@@ -46,8 +46,14 @@ pub(super) struct Window {
     finished: bool,
 }
 
-/// A part at one point: its largest deformation, the share of its motion, and whether it is steady.
-type Part = (f64, f64, bool);
+/// A part at one point.
+pub(super) struct PartAtPoint {
+    /// Its largest deformation.
+    most: f64,
+    /// Share of the time in which it moves, –.
+    share: f64,
+    is_steady: bool,
+}
 
 /// A harmonic ground motion, and the window of its run: at least the required number of cycles of the ground and of the slowest mode, in whole
 /// cycles of the ground, then the measured cycles.
@@ -96,12 +102,21 @@ impl Window {
 
     /// Measures a part: its deformation and rate at the samples, its largest deformation of the whole run, and the intervals of its motion,
     /// which may overlap.
-    pub(super) fn part(&self, (values, rates): (&[f64], &[f64]), most: f64, moving_s: &[[f64; 2]]) -> Part {
+    pub(super) fn part(
+        &self,
+        (values, rates): (&[f64], &[f64]),
+        most: f64,
+        moving_s: &[[f64; 2]],
+    ) -> PartAtPoint {
         let share = self.share(moving_s);
         let cycle = SAMPLES_A_CYCLE as usize;
         let last = self.first + CYCLES_READ as usize * cycle;
         if !self.finished || values.len() <= last {
-            return (most, share, self.finished);
+            return PartAtPoint {
+                most,
+                share,
+                is_steady: self.finished,
+            };
         }
         let peak_of = |from: usize| {
             (from..from + cycle).fold(0.0_f64, |most, j| {
@@ -113,7 +128,11 @@ impl Window {
         let (least, most) = cycles.fold((f64::INFINITY, 0.0_f64), |(least, most), peak| {
             (least.min(peak), most.max(peak))
         });
-        (most, share, most - least <= STEADY_MOST * most)
+        PartAtPoint {
+            most,
+            share,
+            is_steady: most - least <= STEADY_MOST * most,
+        }
     }
 
     /// Share of the window covered by the intervals.
@@ -132,13 +151,13 @@ impl Window {
     }
 
     /// The point, of its parts.
-    pub(super) fn point(&self, parts: Vec<Part>) -> HarmonicPoint {
+    pub(super) fn point(&self, parts: Vec<PartAtPoint>) -> HarmonicPoint {
         HarmonicPoint {
             frequency_hz: self.frequency_hz,
             ground_acceleration_m_s2: self.amplitude_m_s2,
-            deformation: parts.iter().map(|part| part.0).collect(),
-            moving_share: parts.iter().map(|part| part.1).collect(),
-            steady: self.finished && parts.iter().all(|part| part.2),
+            deformation: parts.iter().map(|part| part.most).collect(),
+            moving_share: parts.iter().map(|part| part.share).collect(),
+            steady: self.finished && parts.iter().all(|part| part.is_steady),
             fell: !self.finished,
         }
     }

@@ -258,6 +258,14 @@ pub fn rms_by_spectral_matrix(
     integrate(system, &mut breaks, last, options, density)
 }
 
+/// A range of the integral, with its breaks.
+enum Range<'a> {
+    /// Over ω.
+    Frequency(&'a [f64]),
+    /// Over 1/ω.
+    Inverse(&'a [f64]),
+}
+
 /// 2 ∫ from 0 to ∞ (or `last`), and its root; above every peak 1/ω is the variable.
 fn integrate(
     system: &LinearSystem,
@@ -284,16 +292,17 @@ fn integrate(
     };
     let mut sums: Vec<f64> = Vec::new();
     let tail = [0.0, 1.0 / top];
-    let ranges: &[(&[f64], bool)] = match last {
-        Some(_) => &[(breaks, false)],
-        None => &[(breaks, false), (&tail, true)],
+    let ranges: &[Range] = match last {
+        Some(_) => &[Range::Frequency(breaks)],
+        None => &[Range::Frequency(breaks), Range::Inverse(&tail)],
     };
-    for (range, inverse) in ranges {
-        let mut at = |x: f64| match inverse {
-            false => value(x, 1.0),
-            true => value(1.0 / x, 1.0 / (x * x)),
+    for range in ranges {
+        let mut at = |x: f64| match range {
+            Range::Frequency(_) => value(x, 1.0),
+            Range::Inverse(_) => value(1.0 / x, 1.0 / (x * x)),
         };
-        let nodes = adaptive_nodes(range, options.relative_tolerance, options.intervals_most, &mut at);
+        let (Range::Frequency(ends) | Range::Inverse(ends)) = range;
+        let nodes = adaptive_nodes(ends, options.relative_tolerance, options.intervals_most, &mut at);
         let Some(nodes) = nodes else {
             return Err(fault.unwrap_or(DynamicsError::Integral {
                 intervals: options.intervals_most,

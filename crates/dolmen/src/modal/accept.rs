@@ -44,7 +44,11 @@ pub(super) fn candidates(
                 .is_none_or(|of| near(frequency_hz, of.mode.frequency_hz));
             (frequency_hz - asked_hz).abs() <= within_hz && of_peak
         };
-        let group = group_at(diagram, (asked_hz, visible.is_some()), &is_here);
+        let asked = match visible {
+            Some(_) => Asked::VisiblePeak(asked_hz),
+            None => Asked::NoPeak(asked_hz),
+        };
+        let group = group_at(diagram, asked, &is_here);
         let is_set_aside = |mode: &Mode| set_aside.iter().any(|of| of.mode == *mode);
         let told = visible
             .as_ref()
@@ -77,22 +81,35 @@ pub(super) fn candidates(
     Ok(found)
 }
 
+/// A frequency that was asked for, Hz.
+#[derive(Clone, Copy)]
+enum Asked {
+    /// There is a peak near it.
+    VisiblePeak(f64),
+    /// There is none.
+    NoPeak(f64),
+}
+
+impl Asked {
+    fn frequency_hz(self) -> f64 {
+        match self {
+            Asked::VisiblePeak(hz) | Asked::NoPeak(hz) => hz,
+        }
+    }
+}
+
 /// The refused group of poles there: at a visible peak the one of most orders, else the nearest.
-fn group_at<'a>(
-    diagram: &Diagram<'a>,
-    (asked_hz, is_seen): (f64, bool),
-    is_here: &dyn Fn(f64) -> bool,
-) -> Option<&'a Cluster> {
-    let apart = |group: &Cluster| (group.medoid.frequency_hz - asked_hz).abs();
+fn group_at<'a>(diagram: &Diagram<'a>, asked: Asked, is_here: &dyn Fn(f64) -> bool) -> Option<&'a Cluster> {
+    let apart = |group: &Cluster| (group.medoid.frequency_hz - asked.frequency_hz()).abs();
     let groups = diagram.clusters.iter().filter(|group| {
         group.fate != Fate::Mode && group.orders.len() >= ORDERS_LEAST && is_here(group.medoid.frequency_hz)
     });
-    match is_seen {
-        true => groups.max_by(|a, b| {
+    match asked {
+        Asked::VisiblePeak(_) => groups.max_by(|a, b| {
             let orders = a.orders.len().cmp(&b.orders.len());
             orders.then(apart(b).total_cmp(&apart(a)))
         }),
-        false => groups.min_by(|a, b| apart(a).total_cmp(&apart(b))),
+        Asked::NoPeak(_) => groups.min_by(|a, b| apart(a).total_cmp(&apart(b))),
     }
 }
 

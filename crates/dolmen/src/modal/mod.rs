@@ -38,7 +38,7 @@ pub use identify::identify;
 pub use indicators::{assurance, phase_collinearity, phase_deviation};
 pub use modal_analysis::ModalAnalysis;
 pub use modes::{Method, Mode, Modes};
-pub use noted::{LateClock, Tone, ToneOnMode};
+pub use noted::{LateClock, ShapeQuantity, Tone, ToneOnMode};
 pub use notes::Note;
 pub use options::{Harmonics, Identify};
 pub use quality::{InSpells, Kurtosis, Wander, band_kurtosis};
@@ -59,7 +59,7 @@ pub use strong::{
 };
 pub use subspace::{
     Cluster, Clustering, Criteria, Fate, JudgedPole, Pole, PoleDeviation, Propagation, Ssi, Stability,
-    Stabilization, Subspace, clusters, ssi_cov, ssi_data, stabilize,
+    Stabilization, Subspace, clusters, ssi_cov, ssi_data,
 };
 pub use synthetic::{MadeMode, MadeRecord, ReferenceCase};
 pub use unkind::{UnkindMode, UnkindPlan, UnkindRecord, UnkindTone};

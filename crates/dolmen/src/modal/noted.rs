@@ -90,3 +90,42 @@ impl std::fmt::Display for LateClock {
         }
     }
 }
+
+/// What the components of a mode shape are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ShapeQuantity {
+    /// Displacements.
+    Displacement,
+    /// Velocities.
+    Velocity,
+    /// Accelerations.
+    Acceleration,
+}
+
+impl ShapeQuantity {
+    /// All, by how often displacement is differentiated.
+    pub(crate) const ALL: [ShapeQuantity; 3] = [
+        ShapeQuantity::Displacement,
+        ShapeQuantity::Velocity,
+        ShapeQuantity::Acceleration,
+    ];
+
+    /// How often displacement is differentiated.
+    pub(crate) fn order(self) -> i32 {
+        match self {
+            ShapeQuantity::Displacement => 0,
+            ShapeQuantity::Velocity => 1,
+            ShapeQuantity::Acceleration => 2,
+        }
+    }
+}
+
+impl std::fmt::Display for ShapeQuantity {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            ShapeQuantity::Displacement => "displacement",
+            ShapeQuantity::Velocity => "velocity",
+            ShapeQuantity::Acceleration => "acceleration",
+        })
+    }
+}

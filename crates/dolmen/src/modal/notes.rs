@@ -1,6 +1,6 @@
 //! What must be known beside the modes, as sentences.
 
-use super::noted::{LateClock, Tone, ToneOnMode};
+use super::noted::{LateClock, ShapeQuantity, Tone, ToneOnMode};
 use super::subspace::HANKEL_ROWS_MOST;
 use super::{InSpells, Kurtosis, RefusedPeak, Wander};
 use crate::signal::ChannelFault;
@@ -132,8 +132,8 @@ pub enum Note {
     },
     /// Channels measure different quantities: shapes are those of one.
     OneQuantity {
-        /// "acceleration", "velocity" or "displacement".
-        quantity: &'static str,
+        /// Which.
+        quantity: ShapeQuantity,
     },
     /// Channels a quarter turn off the others at every frequency: they measure another quantity, and are in no shape.
     QuarterTurn {

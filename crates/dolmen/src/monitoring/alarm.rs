@@ -145,7 +145,7 @@ pub(super) fn judge(
     let mut average: f64 = 0.0;
     // scores since the average was last 0
     let mut one_sided: Vec<(usize, f64)> = Vec::new();
-    let mut recent: Vec<(usize, bool)> = Vec::new();
+    let mut recent: Vec<(usize, f64)> = Vec::new();
     for i in 0..n {
         let temperature_c = series.temperatures_c[i];
         let active: Vec<usize> = levels.iter().copied().filter(|level| *level <= i).collect();
@@ -191,11 +191,11 @@ pub(super) fn judge(
                 one_sided.clear();
             }
             one_sided.push((i, score));
-            recent.push((i, is_outside));
+            recent.push((i, score));
             let from = recent.len().saturating_sub(AMONG);
             let outside: Vec<usize> = recent[from..]
                 .iter()
-                .filter(|(_, is)| *is)
+                .filter(|(_, score)| score.abs() > OUTSIDE)
                 .map(|(i, _)| *i)
                 .collect();
             if average.abs() > h {

@@ -36,7 +36,7 @@ pub(super) struct Seeking {
 
 /// A change that was found.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Found {
+pub(super) struct DetectedChange {
     pub(super) change: Candidate,
     /// The first and the last survey that may have been the first to show it.
     pub(super) earliest: usize,
@@ -48,7 +48,7 @@ pub(super) struct Found {
 /// What a search found.
 #[derive(Clone, Debug)]
 pub(super) struct Changes {
-    pub(super) found: Vec<Found>,
+    pub(super) found: Vec<DetectedChange>,
     /// A step that the last one or two surveys alone show: no lasting change yet.
     pub(super) late: Option<Candidate>,
     /// Disturbance with all changes in the regression.
@@ -171,7 +171,7 @@ pub(super) fn changes(series: &Series, weather: &[Vec<f64>], how: &Seeking) -> O
             (*change, family(*p, how.modes)),
         )
     });
-    let mut found: Vec<Found> = dated.collect();
+    let mut found: Vec<DetectedChange> = dated.collect();
     found.sort_by_key(|found| found.change.from);
     let limit = limit_of(alone, n, effective_correlation(series, disturbance));
     let steps = scan(series, &columns, &fit).all;
@@ -219,7 +219,7 @@ fn dated(
     columns: &[Vec<f64>],
     of: Disturbance,
     (change, p_value): (Candidate, f64),
-) -> Option<Found> {
+) -> Option<DetectedChange> {
     let fit = Fit::new(series, columns, of)?;
     let all = scan(series, columns, &fit).all;
     let same = all.iter().filter(|other| other.form == change.form);
@@ -232,7 +232,7 @@ fn dated(
     let (earliest, latest) = as_likely.fold((change.from, change.from), |(low, high), other| {
         (low.min(other.from), high.max(other.from))
     });
-    Some(Found {
+    Some(DetectedChange {
         change: *strongest,
         earliest,
         latest,

@@ -554,7 +554,7 @@ mod tests {
     use std::f64::consts::TAU;
 
     /// What is made: years of days, their slope a year, noise of the day before it, white noise beside, an annual wave.
-    struct Made {
+    struct SyntheticLog {
         years: f64,
         per_year: f64,
         correlation: f64,
@@ -563,7 +563,7 @@ mod tests {
         per_c: f64,
     }
 
-    const USUAL: Made = Made {
+    const USUAL: SyntheticLog = SyntheticLog {
         years: 4.0,
         per_year: 0.0,
         correlation: 0.7,
@@ -572,7 +572,7 @@ mod tests {
         per_c: 0.0,
     };
 
-    impl Made {
+    impl SyntheticLog {
         fn series(&self, seed: u64) -> LoggedSeries {
             let mut random = Random::new(77, seed);
             let count = (self.years * YEAR_DAYS) as usize;
@@ -629,14 +629,14 @@ mod tests {
     fn holds_intervals_and_false_trends_of_daily_readings_that_go_together() {
         let [held, called] = USUAL.shares(200);
         assert!(held >= 0.90 && called <= 0.07, "{held} {called}");
-        let sloping = Made {
+        let sloping = SyntheticLog {
             per_year: 0.5,
             ..USUAL
         };
         let [held, called] = sloping.shares(200);
         assert!(held >= 0.90 && called >= 0.95, "{held} {called}");
         // slow disturbance under white noise: neighbouring days say less of it than months do
-        let slow = Made {
+        let slow = SyntheticLog {
             correlation: 0.95,
             noise: 1.5,
             ..USUAL
@@ -647,7 +647,7 @@ mod tests {
 
     #[test]
     fn holds_temperature_is_taken_out() {
-        let made = Made {
+        let made = SyntheticLog {
             per_c: 0.4,
             per_year: 0.3,
             ..USUAL
@@ -670,7 +670,7 @@ mod tests {
 
     #[test]
     fn holds_a_limit_is_reached_when_the_slope_takes_it_there() {
-        let made = Made {
+        let made = SyntheticLog {
             per_year: 1.0,
             ..USUAL
         };
@@ -757,7 +757,7 @@ mod tests {
 
     #[test]
     fn refuses_a_slope_where_none_can_be_told() {
-        let short = Made { years: 1.5, ..USUAL };
+        let short = SyntheticLog { years: 1.5, ..USUAL };
         let trend = logged_trend(&short.series(1), &LoggedOptions::default()).unwrap();
         assert!(matches!(trend.slope, Err(NoSlope::TooShort { years }) if (years - 1.5).abs() < 0.01));
         assert!(trend.now.is_finite());
@@ -777,7 +777,7 @@ mod tests {
 
     #[test]
     fn holds_a_rise_that_begins_in_mid_record_is_a_trend_of_its_recent_slope() {
-        let still = Made {
+        let still = SyntheticLog {
             disturbance: 0.3,
             ..USUAL
         };

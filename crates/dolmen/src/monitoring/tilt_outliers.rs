@@ -33,7 +33,9 @@ pub(super) fn tilt_outliers(days: &[f64], ratios: &[f64]) -> Vec<TiltOutlier> {
     if n < READINGS_LEAST {
         return Vec::new();
     }
-    let beside: Vec<Beside> = (0..n - 1).map(|i| Beside::of(i, days, ratios)).collect();
+    let beside: Vec<NeighbourDistance> = (0..n - 1)
+        .map(|i| NeighbourDistance::of(i, days, ratios))
+        .collect();
     let inner = beside.iter().take(n - BESIDE).skip(BESIDE);
     let spread = OF_MEDIAN * middle(inner.map(|of| of.middle().abs()).collect());
     // readings of coarse steps are often all alike, and one step away is none too far
@@ -63,18 +65,18 @@ pub(super) fn tilt_outliers(days: &[f64], ratios: &[f64]) -> Vec<TiltOutlier> {
 }
 
 /// How far a reading lies from those around it.
-struct Beside {
+struct NeighbourDistance {
     at: usize,
     near: Vec<usize>,
     off: Vec<f64>,
 }
 
-impl Beside {
+impl NeighbourDistance {
     fn of(at: usize, days: &[f64], ratios: &[f64]) -> Self {
         let from = at.saturating_sub(BESIDE).min(days.len() - 1 - 2 * BESIDE);
         let near: Vec<usize> = (from..=from + 2 * BESIDE).filter(|j| *j != at).collect();
         let off = near.iter().map(|j| ratios[at] - ratios[*j]).collect();
-        Beside { at, near, off }
+        NeighbourDistance { at, near, off }
     }
 
     /// The same, the median of the slopes of all pairs of the others removed: one slip among these does not turn it (Theil 1950, Sen 1968).
@@ -84,7 +86,7 @@ impl Beside {
         let slopes = pairs.map(|(a, b)| (ratios[b] - ratios[a]) / (days[b] - days[a]));
         let slope = middle_mean(slopes.collect());
         let both = self.near.iter().zip(&self.off);
-        Beside {
+        NeighbourDistance {
             at: self.at,
             near: self.near.clone(),
             off: both
@@ -110,7 +112,7 @@ impl Beside {
         sides.into_iter().flatten().any(|side| {
             let near: Vec<usize> = side.collect();
             let off = near.iter().map(|j| ratios[self.at] - ratios[*j]).collect();
-            let own = Beside {
+            let own = NeighbourDistance {
                 at: self.at,
                 near,
                 off,

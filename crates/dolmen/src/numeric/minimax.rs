@@ -46,7 +46,7 @@ impl Minimax {
 
 /// Where the search ended.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Least {
+pub(crate) struct MinimaxPoint {
     pub(crate) x: Vec<f64>,
     pub(crate) worst: f64,
     pub(crate) iterations: usize,
@@ -71,7 +71,7 @@ const POWELL: f64 = 0.2;
 ///
 /// # Source
 /// Han, S.-P. (1981) J. Optim. Theory Appl. 35:199-210 for the model and its step; Powell (1978) for B; the correction is that of Fletcher (1982).
-pub(crate) fn minimax(start: Vec<f64>, options: &Minimax, problem: &mut impl Worst) -> Option<Least> {
+pub(crate) fn minimax(start: Vec<f64>, options: &Minimax, problem: &mut impl Worst) -> Option<MinimaxPoint> {
     let n = start.len();
     let mut x = start;
     let mut worst = problem.worst(&x)?;
@@ -117,7 +117,7 @@ pub(crate) fn minimax(start: Vec<f64>, options: &Minimax, problem: &mut impl Wor
         }
         (x, worst, pieces) = (next, value, after);
     }
-    Some(Least {
+    Some(MinimaxPoint {
         x,
         worst,
         iterations,

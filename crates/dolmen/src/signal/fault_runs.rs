@@ -69,7 +69,7 @@ fn is_coarse(x: &[f64]) -> bool {
 }
 
 /// Change of a channel's strength against the others.
-pub(super) struct Faded {
+pub(super) struct StrengthChange {
     pub(super) factor: f64,
     pub(super) from: usize,
     pub(super) to: usize,
@@ -108,7 +108,7 @@ impl BlockStrengths {
 }
 
 /// Steps of the channel over the median of the others', block by block.
-pub(super) fn faded(x: &BlockStrengths, others: &[&BlockStrengths]) -> Option<Faded> {
+pub(super) fn faded(x: &BlockStrengths, others: &[&BlockStrengths]) -> Option<StrengthChange> {
     if others.len() < FADED_OTHERS {
         return None;
     }
@@ -127,7 +127,7 @@ pub(super) fn faded(x: &BlockStrengths, others: &[&BlockStrengths]) -> Option<Fa
             (least, at) = (own, k);
         }
     }
-    (most >= FADED_FROM * least).then(|| Faded {
+    (most >= FADED_FROM * least).then(|| StrengthChange {
         factor: most / least,
         from: at * block,
         to: (at + 1) * block,
@@ -227,7 +227,7 @@ mod tests {
         assert_eq!(stuck(&coarse, 100.0), None);
     }
 
-    fn faded_beside(x: &[f64], others: [&[f64]; 2]) -> Option<Faded> {
+    fn faded_beside(x: &[f64], others: [&[f64]; 2]) -> Option<StrengthChange> {
         let [own, a, b] = [x, others[0], others[1]].map(|x| BlockStrengths::of(x).unwrap());
         faded(&own, &[&a, &b])
     }

@@ -379,14 +379,14 @@ impl Strength {
 }
 
 /// Samples at one extreme.
-struct Held {
+struct ClippedRun {
     value: f64,
     samples: usize,
     first: usize,
 }
 
 /// The samples at the largest value (`sign` 1) or the smallest (`sign` -1), if the channel appears to be clipped there.
-fn held_at_extreme(x: &[f64], sign: f64) -> Option<Held> {
+fn held_at_extreme(x: &[f64], sign: f64) -> Option<ClippedRun> {
     let extreme = largest_of(x, sign);
     let count = |value: f64| x.iter().filter(|v| sign * **v == value).count();
     let samples = count(extreme);
@@ -403,7 +403,7 @@ fn held_at_extreme(x: &[f64], sign: f64) -> Option<Held> {
         .map(<[f64]>::len)
         .sum();
     let first = x.iter().position(|v| sign * v == extreme)?;
-    (in_runs >= HELD_LEAST).then_some(Held {
+    (in_runs >= HELD_LEAST).then_some(ClippedRun {
         value: x[first],
         samples,
         first,

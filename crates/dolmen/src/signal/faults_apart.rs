@@ -37,16 +37,16 @@ pub fn inspect_apart(record: &Record, lost_s: &[[f64; 2]], shaken_s: &[[f64; 2]]
 }
 
 /// A record without given spans of time.
-struct Rest<'a> {
+struct RemainingRecord<'a> {
     record: Cow<'a, Record>,
     /// The remaining spans, s.
     spans_s: Vec<[f64; 2]>,
 }
 
 /// `None` if nothing remains.
-fn without<'a>(record: &'a Record, apart_s: &[[f64; 2]]) -> Option<Rest<'a>> {
+fn without<'a>(record: &'a Record, apart_s: &[[f64; 2]]) -> Option<RemainingRecord<'a>> {
     if apart_s.is_empty() {
-        return Some(Rest {
+        return Some(RemainingRecord {
             spans_s: vec![[0.0, record.duration_s()]],
             record: Cow::Borrowed(record),
         });
@@ -73,13 +73,13 @@ fn without<'a>(record: &'a Record, apart_s: &[[f64; 2]]) -> Option<Rest<'a>> {
         each.flatten().copied().collect()
     });
     let record = Record::new(record.channels().to_vec(), samples.collect(), rate_hz).ok()?;
-    Some(Rest {
+    Some(RemainingRecord {
         record: Cow::Owned(record),
         spans_s,
     })
 }
 
-impl Rest<'_> {
+impl RemainingRecord<'_> {
     /// Converts its faults to the times of the original record.
     fn faults(&self) -> Vec<ChannelFault> {
         let mut faults = inspect(&self.record);

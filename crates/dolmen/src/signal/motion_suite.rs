@@ -100,7 +100,7 @@ pub fn motion_suite(candidates: &[SuiteCandidate], rule: &SuiteRule) -> Result<M
     let pool = Pool::new(candidates, rule)?;
     let mut beginnings: Vec<usize> = (0..candidates.len()).collect();
     beginnings.sort_by(|a, b| pool.alone(*a).total_cmp(&pool.alone(*b)));
-    let mut best: Option<(Worth, Vec<usize>)> = None;
+    let mut best: Option<(SuiteMisfit, Vec<usize>)> = None;
     let mut longest = 0;
     for &first in beginnings.iter().take(BEGINNINGS_MOST) {
         let grown = pool.grown(first);
@@ -137,13 +137,13 @@ pub fn motion_suite(candidates: &[SuiteCandidate], rule: &SuiteRule) -> Result<M
 
 /// Value of a suite: first how far its factors lie beyond their limits, then its misfit.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Worth {
+struct SuiteMisfit {
     beyond: f64,
     misfit: f64,
 }
 
-impl Worth {
-    fn is_better_than(&self, other: &Worth) -> bool {
+impl SuiteMisfit {
+    fn is_better_than(&self, other: &SuiteMisfit) -> bool {
         match self.beyond == other.beyond {
             true => self.misfit < other.misfit - GAIN_LEAST,
             false => self.beyond < other.beyond,
@@ -236,7 +236,7 @@ impl<'a> Pool<'a> {
         (means, common)
     }
 
-    fn worth(&self, members: &[usize]) -> Worth {
+    fn worth(&self, members: &[usize]) -> SuiteMisfit {
         let (means, common) = self.mean_and_common(members);
         let [least, most] = self.rule.factors;
         let beyond = members.iter().map(|member| {
@@ -245,7 +245,7 @@ impl<'a> Pool<'a> {
             let over = (factor / most).max(least / factor);
             if over > 1.0 + 1e-9 { over.ln() } else { 0.0 }
         });
-        Worth {
+        SuiteMisfit {
             beyond: beyond.sum(),
             misfit: mean(means.iter().map(|m| (common * m - 1.0).powi(2))).sqrt(),
         }
@@ -256,8 +256,8 @@ impl<'a> Pool<'a> {
         &self,
         members: &mut Vec<usize>,
         not: Option<usize>,
-        before: Option<Worth>,
-    ) -> Option<(Worth, usize)> {
+        before: Option<SuiteMisfit>,
+    ) -> Option<(SuiteMisfit, usize)> {
         let (mut best, mut best_worth) = (None, before);
         for at in 0..self.candidates.len() {
             if Some(at) == not || !self.joins(members, at) {
@@ -287,10 +287,10 @@ impl<'a> Pool<'a> {
     }
 
     /// The suite after all exchanges of one record for another that improve it, the best exchange first.
-    fn exchanged(&self, mut members: Vec<usize>) -> (Worth, Vec<usize>) {
+    fn exchanged(&self, mut members: Vec<usize>) -> (SuiteMisfit, Vec<usize>) {
         let mut worth = self.worth(&members);
         for _ in 0..PASSES_MOST {
-            let mut best: Option<(Worth, usize, usize)> = None;
+            let mut best: Option<(SuiteMisfit, usize, usize)> = None;
             for place in 0..members.len() {
                 let leaving = members.swap_remove(place);
                 let before = best.map_or(worth, |(before, ..)| before);

@@ -227,7 +227,7 @@ struct Matching {
 }
 
 /// The wavelets of a round and the matrix of their responses.
-struct Round {
+struct MatchingRound {
     wavelets: Vec<Wavelet>,
     c: Matrix,
     misfit: Vec<f64>,
@@ -300,7 +300,7 @@ impl Matching {
     }
 
     /// Wavelets at the peaks of every second period, and their effect on every peak.
-    fn prepared(&self, peaks: &[SignedPeak]) -> Round {
+    fn prepared(&self, peaks: &[SignedPeak]) -> MatchingRound {
         let chosen = (0..peaks.len()).step_by(2);
         let wavelets: Vec<Wavelet> = chosen
             .map(|j| self.wavelet(self.periods_s[j], peaks[j].at_s))
@@ -321,7 +321,7 @@ impl Matching {
             }
         }
         let misfit = self.ratios(peaks).into_iter().map(|ratio| 1.0 - ratio).collect();
-        Round { wavelets, c, misfit }
+        MatchingRound { wavelets, c, misfit }
     }
 
     /// Number of samples in the ramps of wavelets at both ends.
@@ -372,7 +372,7 @@ impl Matching {
     }
 
     /// The motion with the wavelets of a round added.
-    fn added(&self, samples: &[f64], round: &Round, weight: f64) -> Result<Vec<f64>, SignalError> {
+    fn added(&self, samples: &[f64], round: &MatchingRound, weight: f64) -> Result<Vec<f64>, SignalError> {
         let (rows, columns) = (round.c.rows(), round.c.columns());
         let size = |j: usize| round.c.column(j).iter().map(|c| c * c).sum::<f64>().sqrt();
         let largest = (0..columns).map(size).fold(0.0, f64::max);

@@ -149,7 +149,7 @@ pub fn chain_under_loads(
         .map(|link| chain.gravity_m_s2() * link.mass_kg)
         .collect();
     let axial = sums_from_the_top(&weight);
-    let mut answer = Answer {
+    let mut answer = LoadRotations {
         rotations: None,
         falls: false,
         tilts: chain.necessary_n_m_rad(),
@@ -206,14 +206,14 @@ pub fn chain_under_loads(
 }
 
 /// Rotations under the loads and under a tilt.
-struct Answer {
+struct LoadRotations {
     rotations: Option<Vec<f64>>,
     falls: bool,
     /// Moment of each joint per rad of a common tilt: M_i, Σ_{j≥i} G_j, until the stiffness is known.
     tilts: Vec<f64>,
 }
 
-impl Answer {
+impl LoadRotations {
     fn solve(&mut self, chain: &Chain, k: &[f64], moments: &[f64]) -> Result<(), StabilityError> {
         let n = k.len();
         // a built-in tilt t leaves the springs stress-free in the tilted shape: K θ = K_springs t, and the joint carries k (α − α_0)

@@ -11,7 +11,7 @@ use dolmen::numeric::Random;
 use dolmen::structure::Building;
 use dolmen::structure::building::{
     BuildingDamping, BuildingError, DampingAnchor, Element, Floor, Outline, PDelta, PlanDirection, Storey,
-    StoreyStiffness, storey_falls,
+    StoreyMotion, StoreyStiffness, storey_falls,
 };
 use dolmen_linalg::Matrix;
 
@@ -291,11 +291,11 @@ fn exact_one_storey_falls_by_sway_or_by_twist() {
         (falls[0], building)
     };
     let (sways, stands) = of(8e3);
-    assert!((sways.load_factor - 1.6).abs() < 1e-13 && sways.motion() == "twists");
+    assert!((sways.load_factor - 1.6).abs() < 1e-13 && sways.motion() == StoreyMotion::Twists);
     let omega = stands.unwrap().modes().unwrap().modes[0].omega_rad_s;
     assert!((omega * omega - (8e3 - 5e3) / (500.0 * 4.0)).abs() < 1e-12); // (k_θ − W ρ²/h)/(m ρ²)
     let (sways, _) = of(8e4);
-    assert!((sways.load_factor - 4.8).abs() < 1e-13 && sways.motion() == "sways");
+    assert!((sways.load_factor - 4.8).abs() < 1e-13 && sways.motion() == StoreyMotion::Sways);
     let (twists, falls) = of(4e3);
     assert!((twists.load_factor - 0.8).abs() < 1e-13);
     assert_eq!(

@@ -39,7 +39,7 @@ pub struct ModalRatio {
 }
 
 /// A mode under the spectrum.
-struct Shaken<'a> {
+struct ModeUnderSpectrum<'a> {
     shape: &'a [[f64; 6]],
     /// Γ along x and y.
     participation: [f64; 2],
@@ -54,7 +54,7 @@ struct Shaken<'a> {
 /// The modes of a stack under a spectrum.
 pub(super) struct ModalDemand<'a> {
     stack: &'a Stack,
-    modes: Vec<Shaken<'a>>,
+    modes: Vec<ModeUnderSpectrum<'a>>,
     /// ρ of each pair of modes, row by row.
     correlations: Vec<f64>,
     ground: f64,
@@ -76,7 +76,7 @@ impl<'a> ModalDemand<'a> {
         let (mut shaken, mut frequencies) = (Vec::new(), Vec::new());
         for mode in modes.iter().filter(counts).take(MODES_MOST) {
             let spectral = acceleration(site, 1.0 / mode.frequency_hz, ground)?;
-            shaken.push(Shaken {
+            shaken.push(ModeUnderSpectrum {
                 shape: &mode.shape,
                 participation: participation(stack, &mode.shape),
                 spectral,

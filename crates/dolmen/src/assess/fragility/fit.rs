@@ -53,7 +53,7 @@ const BETA_ERROR_MOST: f64 = 3.0;
 /// ```
 pub fn fit_fragility(observations: &[Observation]) -> Result<FragilityFit, AssessError> {
     let motions = motions_of(observations);
-    let top = Top::of(observations, motions)?;
+    let top = LikelihoodMaximum::of(observations, motions)?;
     top.fit(observations, motions, top.likelihood.covariance())
 }
 
@@ -83,7 +83,7 @@ pub fn fit_fragility_of_motions(
     } else {
         0
     };
-    let top = Top::of(observations, different)?;
+    let top = LikelihoodMaximum::of(observations, different)?;
     let own = top.likelihood.covariance();
     let independent = top.fit(observations, different, own)?;
     if by_motion.len() == observations.len() {
@@ -116,14 +116,14 @@ pub fn fit_fragility_of_motions(
 
 /// Where the likelihood is largest.
 #[derive(Clone, Copy, Debug)]
-struct Top {
+struct LikelihoodMaximum {
     /// Middle of the logarithms of intensities.
     middle: f64,
     at: [f64; 2],
     likelihood: Likelihood,
 }
 
-impl Top {
+impl LikelihoodMaximum {
     fn of(observations: &[Observation], motions: usize) -> Result<Self, AssessError> {
         for (i, observation) in observations.iter().enumerate() {
             observation.check(i + 1)?;
@@ -165,7 +165,7 @@ impl Top {
         if left.is_nan() || left > STEP_MOST {
             return Err(AssessError::NoFragility(middle_capacity(observations)));
         }
-        Ok(Top {
+        Ok(LikelihoodMaximum {
             middle,
             at,
             likelihood: here,

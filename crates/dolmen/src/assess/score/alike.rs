@@ -11,8 +11,8 @@ const ALIKE: f64 = 0.05;
 pub enum Unlike {
     /// A quantity of a joint or a stone.
     Quantity {
-        /// Which, with its unit.
-        quantity: &'static str,
+        /// Which.
+        quantity: UnlikeQuantity,
         /// Of the stack.
         given: f64,
         /// Of the designs.
@@ -40,6 +40,36 @@ pub enum Unlike {
         /// Of its model, Hz.
         computed_hz: f64,
     },
+}
+
+/// A quantity of a joint or a stone that is not a factor of the score.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum UnlikeQuantity {
+    /// Static friction coefficient, –.
+    Friction,
+    /// Kinetic friction coefficient, –.
+    KineticFriction,
+    /// Normal stiffness of a joint, Pa/m.
+    NormalStiffness,
+    /// Shear stiffness of a joint, Pa/m.
+    ShearStiffness,
+    /// Damping ratio of a joint, –.
+    DampingRatio,
+    /// Density, kg/m³.
+    Density,
+}
+
+impl fmt::Display for UnlikeQuantity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            UnlikeQuantity::Friction => "friction",
+            UnlikeQuantity::KineticFriction => "kinetic friction",
+            UnlikeQuantity::NormalStiffness => "normal stiffness in Pa/m",
+            UnlikeQuantity::ShearStiffness => "shear stiffness in Pa/m",
+            UnlikeQuantity::DampingRatio => "damping ratio of a joint",
+            UnlikeQuantity::Density => "density in kg/m³",
+        })
+    }
 }
 
 impl fmt::Display for Unlike {
@@ -86,26 +116,38 @@ pub fn unlike_trained(stack: &Stack) -> Vec<Unlike> {
     for joint in stack.joints() {
         let own = &joint.material;
         for (quantity, given, trained) in [
-            ("friction", own.friction_static, usual.friction_static),
-            ("kinetic friction", own.friction_kinetic, usual.friction_kinetic),
             (
-                "normal stiffness in Pa/m",
+                UnlikeQuantity::Friction,
+                own.friction_static,
+                usual.friction_static,
+            ),
+            (
+                UnlikeQuantity::KineticFriction,
+                own.friction_kinetic,
+                usual.friction_kinetic,
+            ),
+            (
+                UnlikeQuantity::NormalStiffness,
                 own.normal_stiffness_pa_m,
                 usual.normal_stiffness_pa_m,
             ),
             (
-                "shear stiffness in Pa/m",
+                UnlikeQuantity::ShearStiffness,
                 own.shear_stiffness_pa_m,
                 usual.shear_stiffness_pa_m,
             ),
-            ("damping ratio of a joint", own.damping_ratio, usual.damping_ratio),
+            (
+                UnlikeQuantity::DampingRatio,
+                own.damping_ratio,
+                usual.damping_ratio,
+            ),
         ] {
             see(quantity, given, trained);
         }
     }
     let density = PagodaFactors::default().density_kg_m3;
     for block in stack.blocks() {
-        see("density in kg/m³", block.density_kg_m3, density);
+        see(UnlikeQuantity::Density, block.density_kg_m3, density);
     }
     let has_bonds = |joint: &Joint| joint.material.cohesion_pa > 0.0 || joint.material.tension_pa > 0.0;
     for (is_so, found) in [
@@ -166,7 +208,7 @@ mod tests {
             of(bonded, 2600.0),
             [
                 Unlike::Quantity {
-                    quantity: "normal stiffness in Pa/m",
+                    quantity: UnlikeQuantity::NormalStiffness,
                     given: 2e9,
                     trained: 1e9
                 },

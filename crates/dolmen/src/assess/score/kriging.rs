@@ -117,7 +117,7 @@ fn kernel(a: &[f64; 6], b: &[f64; 6], lengths: &[f64; 6]) -> f64 {
 }
 
 /// What one choice of lengths and noise misses left-out points by.
-struct Tried {
+struct CrossValidation {
     lengths: [f64; 6],
     noise: f64,
     missed: f64,
@@ -137,7 +137,7 @@ impl Kriging {
         }
         let frame = Frame::of(x);
         let z: Vec<[f64; 6]> = x.iter().map(|x| frame.place(x)).collect();
-        let mut best: Option<Tried> = None;
+        let mut best: Option<CrossValidation> = None;
         for length in LENGTHS {
             let tried = tried(&z, y, [length; 6])?;
             if best.as_ref().is_none_or(|best| tried.missed < best.missed) {
@@ -283,12 +283,12 @@ fn decomposed(z: &[[f64; 6]], lengths: &[f64; 6]) -> Result<SymmetricEigen, Asse
 }
 
 /// The noise that predicts left-out points best with these lengths: every noise from one decomposition.
-fn tried(z: &[[f64; 6]], y: &[f64], lengths: [f64; 6]) -> Result<Tried, AssessError> {
+fn tried(z: &[[f64; 6]], y: &[f64], lengths: [f64; 6]) -> Result<CrossValidation, AssessError> {
     let n = z.len();
     let eigen = decomposed(z, &lengths)?;
     let turned = |v: &[f64]| -> Vec<f64> { (0..n).map(|j| dot(eigen.vectors.column(j), v)).collect() };
     let (ones, values) = (turned(&vec![1.0; n]), turned(y));
-    let mut best = Tried {
+    let mut best = CrossValidation {
         lengths,
         noise: NOISES[0],
         missed: f64::INFINITY,

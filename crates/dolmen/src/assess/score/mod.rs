@@ -10,7 +10,7 @@ mod shapley;
 mod shares;
 mod surface;
 
-pub use alike::{Unlike, unlike_trained};
+pub use alike::{Unlike, UnlikeQuantity, unlike_trained};
 pub use effects::{EffectVerdict, FactorEffect};
 pub use factors::{Factor, SixFactors};
 pub use held_out::{HeldOut, Ranking, held_out};

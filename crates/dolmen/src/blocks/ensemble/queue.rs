@@ -2,7 +2,7 @@
 
 use super::super::error::BlocksError;
 use super::super::history::StackHistory;
-use super::super::springs::{Attempt, Run, Settled, Springs, simulate_springs};
+use super::super::springs::{Attempt, Run, SettledStack, Springs, simulate_springs};
 use crate::signal::GroundMotion;
 use crate::structure::stack::Stack;
 use std::collections::VecDeque;
@@ -23,7 +23,7 @@ pub(super) struct Queue<'a, 'w> {
     pub(super) waiting: VecDeque<(usize, StackRun<'a>)>,
     /// Runs that start again with a shorter step.
     pub(super) again: Vec<LaneRun<'a>>,
-    pub(super) settled: Option<(StackRun<'a>, Settled)>,
+    pub(super) settled: Option<(StackRun<'a>, SettledStack)>,
     pub(super) progress: &'w mut dyn FnMut(usize, f64) -> bool,
     pub(super) each: &'w mut dyn FnMut(usize, Result<StackHistory, BlocksError>),
 }
@@ -32,7 +32,7 @@ pub(super) struct Queue<'a, 'w> {
 pub(super) struct LaneRun<'a> {
     pub(super) index: usize,
     given: StackRun<'a>,
-    settled: Settled,
+    settled: SettledStack,
     attempt: Attempt,
     pub(super) run: Run<'a>,
 }
@@ -90,12 +90,12 @@ impl<'a> Queue<'a, '_> {
             motion,
             options,
         } = given;
-        let same = |(of, _): &&(StackRun<'_>, Settled)| {
+        let same = |(of, _): &&(StackRun<'_>, SettledStack)| {
             std::ptr::eq(of.stack, stack) && std::ptr::eq(of.options, options)
         };
         let settled = match self.settled.as_ref().filter(same) {
             Some((_, settled)) => settled.clone(),
-            None => Settled::of(stack, options)?,
+            None => SettledStack::of(stack, options)?,
         };
         let attempt = Attempt::first(&settled);
         let run = Run::new(stack, &settled, motion, options, attempt.h)?;

@@ -1,7 +1,7 @@
 //! How joints lie, for several runs at once: as [`Watch::see`].
 
 use super::super::bodies::RigidBody;
-use super::super::watch::{Seen, Watch, angle};
+use super::super::watch::{RelativePose, Watch, angle};
 use super::bodies::BodyLanes;
 use super::lanes::{Columns, Real, Vector};
 use glam::{DMat3, DVec3};
@@ -104,9 +104,9 @@ impl<S: Simd> WatchLanes<S> {
     }
 
     /// How the joint of one run was seen.
-    pub(super) fn seen(&self, lane: usize) -> Seen {
+    pub(super) fn seen(&self, lane: usize) -> RelativePose {
         let [x, y] = self.slip;
-        Seen {
+        RelativePose {
             opening: self.opening.get(lane),
             slip: [x.get(lane), y.get(lane)],
             yaw: angle(self.across.get(lane), self.along.get(lane)) - self.settled[2].get(lane),

@@ -19,7 +19,7 @@ const EXCLUDED_SD: f64 = 2.0;
 const BOUND_WITHIN: f64 = 1e-7;
 
 /// The least factor that a joint can have.
-pub(super) struct Least {
+pub(super) struct LeastFactor {
     pub(super) factor: f64,
     /// Which of the data excludes softer ones.
     pub(super) datum: usize,
@@ -28,8 +28,8 @@ pub(super) struct Least {
 impl FactorModel {
     /// The least factor of the springs `j` whatever the others are; `None` if no mode excludes any. Each mode is taken as of the highest order that it
     /// has among those of its family with the factors `known`.
-    pub(super) fn least(&self, j: usize, common: f64, known: &[Vec<f64>]) -> Option<Least> {
-        let mut least: Option<Least> = None;
+    pub(super) fn least(&self, j: usize, common: f64, known: &[Vec<f64>]) -> Option<LeastFactor> {
+        let mut least: Option<LeastFactor> = None;
         for (at, datum) in self.data.iter().enumerate() {
             let others = vec![common.ln() + RIGID.ln(); self.unknowns];
             let ends = [common.ln() + OPEN.ln(), common.ln() + RIGID.ln()];
@@ -47,7 +47,7 @@ impl FactorModel {
                 continue;
             };
             if least.as_ref().is_none_or(|known| x.exp() > known.factor) {
-                least = Some(Least {
+                least = Some(LeastFactor {
                     factor: x.exp(),
                     datum: at,
                 });

@@ -23,7 +23,7 @@ pub(super) struct ShapeData {
 
 /// Which mode of a family a measured one is.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Which {
+pub(super) enum ModeOfFamily {
     /// That of this order, 0 the lowest: of motions of one kind.
     Order(usize),
     /// That of this number among those mostly of the measured motion, 0 the lowest: where sway along x, along y and twist couple, modes of one kind
@@ -35,7 +35,7 @@ pub(super) enum Which {
 pub(super) struct Datum {
     pub(super) motion: StackMotion,
     pub(super) family: usize,
-    pub(super) which: Which,
+    pub(super) which: ModeOfFamily,
     pub(super) frequency_hz: f64,
     /// Standard deviation of ln f.
     pub(super) relative_sd: f64,
@@ -73,8 +73,8 @@ impl FactorModel {
     /// Order of a measured mode among those of its family.
     pub(super) fn order(&self, datum: &Datum, modes: &SymmetricEigen) -> Option<usize> {
         match datum.which {
-            Which::Order(order) => Some(order),
-            Which::OfMotion(number) => {
+            ModeOfFamily::Order(order) => Some(order),
+            ModeOfFamily::OfMotion(number) => {
                 let orders = self.families[datum.family].orders_of(modes, datum.motion);
                 orders.get(number).copied()
             }
@@ -84,8 +84,8 @@ impl FactorModel {
     /// Order of a measured mode among those of its family with these factors.
     pub(super) fn order_at(&self, datum: &Datum, factors: &[f64]) -> Option<usize> {
         match datum.which {
-            Which::Order(order) => Some(order),
-            Which::OfMotion(_) => {
+            ModeOfFamily::Order(order) => Some(order),
+            ModeOfFamily::OfMotion(_) => {
                 let modes = self.families[datum.family].modes(factors).ok()?;
                 self.order(datum, &modes)
             }

@@ -2,7 +2,7 @@
 
 use super::families::Family;
 use super::measured::{Assumed, MeasuredStackMode};
-use super::model::{Datum, ShapeData, Which, product};
+use super::model::{Datum, ModeOfFamily, ShapeData, product};
 use super::motions::{displacement_row, moves};
 use super::result::{PairedBy, UnusedMode, WhyUnused};
 use super::stack_motion::StackMotion;
@@ -104,7 +104,7 @@ pub(super) fn pair(
 }
 
 /// By its order in the family, unless that holds modes of other motions too and this one is clearly of its own.
-fn which(family: &Family, at: &Computed, motion: StackMotion) -> Result<Which, LinalgError> {
+fn which(family: &Family, at: &Computed, motion: StackMotion) -> Result<ModeOfFamily, LinalgError> {
     let modes = family.modes(&vec![1.0; family.groups.len()])?;
     let others = [StackMotion::X, StackMotion::Y, StackMotion::Torsion];
     let has_others = others
@@ -116,8 +116,8 @@ fn which(family: &Family, at: &Computed, motion: StackMotion) -> Result<Which, L
         .iter()
         .position(|order| *order == at.order);
     Ok(match number {
-        Some(number) if has_others && is_clear => Which::OfMotion(number),
-        _ => Which::Order(at.order),
+        Some(number) if has_others && is_clear => ModeOfFamily::OfMotion(number),
+        _ => ModeOfFamily::Order(at.order),
     })
 }
 

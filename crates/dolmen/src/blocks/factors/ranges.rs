@@ -14,7 +14,7 @@
 //! choices may explain the same modes.
 
 use super::bounds::crossing;
-use super::model::{Datum, FactorModel, Which};
+use super::model::{Datum, FactorModel, ModeOfFamily};
 use super::result::FactorRange;
 use super::sight::TWO_SIDED_95;
 use crate::numeric::{BoundedFit, BoundedStop, Random, bounded_least_squares, chi_squared_quantile};
@@ -295,7 +295,7 @@ impl Search<'_> {
     }
 
     fn is_one_frequency(&self) -> bool {
-        let is_of_order = |datum: &Datum| matches!(datum.which, Which::Order(_));
+        let is_of_order = |datum: &Datum| matches!(datum.which, ModeOfFamily::Order(_));
         matches!(self.model.data.as_slice(), [datum] if datum.shape.is_none() && is_of_order(datum))
     }
 
@@ -310,7 +310,7 @@ impl Search<'_> {
         let mut bound = edge;
         for datum in &self.model.data {
             // only the frequency of an order rises with every factor
-            let Which::Order(order) = datum.which else {
+            let ModeOfFamily::Order(order) = datum.which else {
                 continue;
             };
             let off = side.sign * self.allowed.sqrt() * datum.relative_sd;

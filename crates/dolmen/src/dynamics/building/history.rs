@@ -10,7 +10,7 @@ use super::building_peaks::{BuildingPeaks, Peak};
 use super::complex_modes::{Steps, complex_modes};
 use super::exponential::ExponentialSteps;
 use super::peak_tracking::PeakTracker;
-use super::peaks::{Kept, Watcher};
+use super::peaks::{RequestedHistories, Watcher};
 use super::stepping::{Ground, Stepping, walk};
 use super::vibrating::VibratingBuilding;
 use crate::dynamics::DynamicsError;
@@ -184,7 +184,7 @@ pub(crate) fn shaken<'a>(
     motion: &'a GroundMotion,
     run: &'a BuildingRun,
     slowest_hz: f64,
-) -> Result<(impl Fn(usize) -> Ground + 'a, Over<'a>), DynamicsError> {
+) -> Result<(impl Fn(usize) -> Ground + 'a, SystemRun<'a>), DynamicsError> {
     if let Some(row) = run
         .watched
         .iter()
@@ -251,7 +251,7 @@ pub(crate) fn shaken<'a>(
         }
         ground
     };
-    let over = Over {
+    let over = SystemRun {
         building,
         steps,
         h,
@@ -262,7 +262,7 @@ pub(crate) fn shaken<'a>(
 }
 
 /// The system of a run, and its outputs.
-pub(crate) struct Over<'a> {
+pub(crate) struct SystemRun<'a> {
     pub(crate) building: &'a VibratingBuilding,
     steps: usize,
     /// Time of a step, s.
@@ -271,7 +271,7 @@ pub(crate) struct Over<'a> {
     histories: Histories,
 }
 
-impl Over<'_> {
+impl SystemRun<'_> {
     /// The whole run: steps, peaks at the steps, and peaks between them.
     pub(crate) fn history(
         &self,
@@ -283,7 +283,7 @@ impl Over<'_> {
         let watcher = Watcher::new(self.building, stepping, self.watched);
         let mut tracker = PeakTracker::new(watcher.floor_extents(), watcher.others());
         let mut kept = match self.histories {
-            Histories::Kept => Some(Kept::new(own, points, self.steps)),
+            Histories::Kept => Some(RequestedHistories::new(own, points, self.steps)),
             Histories::PeaksAlone => None,
         };
         let mut see = |block: &Matrix, first: usize, now: usize| {
@@ -293,12 +293,12 @@ impl Over<'_> {
         let (largest, longest) = tracker.found();
         let looked = (&largest[..], &longest[..]);
         let found = watcher.peaks(looked, (self.steps + 1, self.h), &states, stepping, ground);
-        let Kept {
+        let RequestedHistories {
             coordinates,
             base,
             moved,
             felt,
-        } = kept.unwrap_or_else(|| Kept::none(own, points));
+        } = kept.unwrap_or_else(|| RequestedHistories::none(own, points));
         let mut history = BuildingHistory {
             time_step_s: self.h,
             steps: self.steps,

@@ -12,7 +12,7 @@ use pulp::Arch;
 pub(super) const TRACKED: usize = 10;
 
 /// Largest values at steps: each with its sign, and the step.
-pub(super) type Largest = Vec<(f64, usize)>;
+pub(super) type SignedPeaks = Vec<(f64, usize)>;
 
 /// Smallest and largest y and x of a floor from its centre of mass.
 pub(super) struct FloorExtent {
@@ -89,13 +89,13 @@ fn storey_values([u, v, theta]: [f64; 3], below: [f64; 3], extent: &FloorExtent)
 
 /// The longest drift of a corner at a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Longest {
+pub(super) struct LongestDrift {
     /// Along x and y.
     pub(super) drift: [f64; 2],
     pub(super) step: usize,
 }
 
-impl Longest {
+impl LongestDrift {
     pub(super) fn squared(&self) -> f64 {
         self.drift.iter().map(|along| along * along).sum()
     }
@@ -104,9 +104,9 @@ impl Longest {
 /// The largest of each value so far.
 pub(super) struct PeakTracker<'a> {
     floor_extents: &'a [FloorExtent],
-    largest: Largest,
+    largest: SignedPeaks,
     /// Of each corner of each floor.
-    longest: Vec<Vec<Longest>>,
+    longest: Vec<Vec<LongestDrift>>,
     drifts: Box<Drifts>,
 }
 
@@ -139,7 +139,7 @@ impl Drifts {
     #[inline(always)]
     fn look_at_corner(
         &self,
-        longest: &mut Longest,
+        longest: &mut LongestDrift,
         [from_x, from_y]: [f64; 2],
         (first, now): (usize, usize),
     ) {
@@ -154,7 +154,7 @@ impl Drifts {
             }
         }
         if let Some((t, drift)) = at {
-            *longest = Longest {
+            *longest = LongestDrift {
                 drift,
                 step: first + t,
             };
@@ -170,7 +170,7 @@ impl<'a> PeakTracker<'a> {
             largest: vec![(0.0, 0); TRACKED * floor_extents.len() + count],
             longest: floor_extents
                 .iter()
-                .map(|extent| vec![Longest::default(); extent.corners.len()])
+                .map(|extent| vec![LongestDrift::default(); extent.corners.len()])
                 .collect(),
             drifts: Box::new(Drifts([[0.0; BLOCK]; TRACKED - 3])),
         }
@@ -216,7 +216,7 @@ impl<'a> PeakTracker<'a> {
     }
 
     /// Largest values, and the longest drift of each corner of each storey.
-    pub(super) fn found(self) -> (Largest, Vec<Vec<Longest>>) {
+    pub(super) fn found(self) -> (SignedPeaks, Vec<Vec<LongestDrift>>) {
         (self.largest, self.longest)
     }
 }

@@ -2,7 +2,7 @@
 
 use super::between_steps::BetweenSteps;
 use super::building_peaks::{BuildingPeaks, FloorPeak, Peak, ResultantDrift, StoreyPeak};
-use super::peak_tracking::{FloorExtent, Longest, PeakTracker, TRACKED, factors, floor_extents};
+use super::peak_tracking::{FloorExtent, LongestDrift, PeakTracker, TRACKED, factors, floor_extents};
 use super::stepping::{Ground, Stepping};
 use super::vibrating::VibratingBuilding;
 use dolmen_linalg::Matrix;
@@ -27,7 +27,7 @@ pub(super) struct Watcher {
 }
 
 /// Requested histories, from rest on.
-pub(super) struct Kept {
+pub(super) struct RequestedHistories {
     /// u, v, θ of each floor, then strokes: a column for each step.
     pub(super) coordinates: Matrix,
     /// Base shear and torque: a column for each step.
@@ -38,14 +38,14 @@ pub(super) struct Kept {
     pub(super) felt: Vec<Vec<f64>>,
 }
 
-impl Kept {
+impl RequestedHistories {
     pub(super) fn new(coordinates: usize, points: usize, steps: usize) -> Self {
         let at_rest = || {
             let mut values = Vec::with_capacity(steps + 1);
             values.push(0.0);
             values
         };
-        Kept {
+        RequestedHistories {
             coordinates: Matrix::zeros(coordinates, steps + 1),
             base: Matrix::zeros(3, steps + 1),
             moved: (0..points).map(|_| at_rest()).collect(),
@@ -55,7 +55,7 @@ impl Kept {
 
     /// Nothing.
     pub(super) fn none(coordinates: usize, points: usize) -> Self {
-        Kept {
+        RequestedHistories {
             coordinates: Matrix::zeros(coordinates, 0),
             base: Matrix::zeros(3, 0),
             moved: vec![Vec::new(); points],
@@ -65,7 +65,7 @@ impl Kept {
 }
 
 /// Largest values of the building, and of each point: displacement and absolute acceleration.
-pub(super) struct Found {
+pub(super) struct LargestValues {
     pub(super) building: BuildingPeaks,
     pub(super) watched: Vec<[Peak; 2]>,
 }
@@ -131,7 +131,7 @@ impl Watcher {
         block: &Matrix,
         (first, now): (usize, usize),
         tracker: &mut PeakTracker<'_>,
-        kept: Option<&mut Kept>,
+        kept: Option<&mut RequestedHistories>,
     ) {
         let (masses, points) = (self.masses(), self.watched.len());
         tracker.storeys(block, (first, now));
@@ -178,12 +178,12 @@ impl Watcher {
     /// The peak beside each of the largest values at steps, and beside each longest drift.
     pub(super) fn peaks(
         &self,
-        (all, longest): (&[(f64, usize)], &[Vec<Longest>]),
+        (all, longest): (&[(f64, usize)], &[Vec<LongestDrift>]),
         (steps, h): (usize, f64),
         states: &[Vec<f64>],
         stepping: &impl Stepping,
         ground: &dyn Fn(usize) -> Ground,
-    ) -> Found {
+    ) -> LargestValues {
         let (n, masses, points) = (self.floors, self.masses(), self.watched.len());
         let moved = all
             .iter()
@@ -208,7 +208,7 @@ impl Watcher {
         let (felt, rates) = rest.split_at(points);
         let larger = |a: Peak, b: Peak| if b.value.abs() > a.value.abs() { b } else { a };
         let storeys = storeys.chunks_exact(TRACKED);
-        Found {
+        LargestValues {
             watched: moved.iter().zip(felt).map(|(a, b)| [*a, *b]).collect(),
             building: BuildingPeaks {
                 floors: storeys
@@ -243,7 +243,7 @@ impl Watcher {
     fn resultant(
         &self,
         storey: usize,
-        corners: &[Longest],
+        corners: &[LongestDrift],
         between: &BetweenSteps<'_, impl Stepping>,
     ) -> ResultantDrift {
         let of = |value: usize| {
@@ -255,7 +255,7 @@ impl Watcher {
         let turned = |drift: &[f64], arm: f64| -> Vec<f64> {
             drift.iter().zip(&twist).map(|(d, t)| d + arm * t).collect()
         };
-        let most = corners.iter().map(Longest::squared).fold(0.0, f64::max);
+        let most = corners.iter().map(LongestDrift::squared).fold(0.0, f64::max);
         let each = corners.iter().zip(&self.floor_extents[storey].corners);
         let near = each.filter(|(found, _)| found.squared() >= NEAR_LONGEST * most);
         let tops = near.map(|(found, from_centre)| {

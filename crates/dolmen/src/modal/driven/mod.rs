@@ -1,9 +1,9 @@
 //! Modes from a measured input: what the structure adds to the motion of its ground.
 
-mod answers;
 mod driven_modes;
 mod identify_driven;
 mod made;
+mod markov_parameters;
 mod observer;
 mod realization;
 mod responses;

@@ -8,7 +8,7 @@
 //! | O↑, O↓ | `upper`, `shifted` | U without its last, first block row | l (r - 1) × n |
 //! | χ, φ | `left`, `right` | left and right eigenvectors of A, χᵀφ = 1 | n |
 
-use super::answers::Answers;
+use super::markov_parameters::MarkovParameters;
 use super::observer::Observer;
 use crate::modal::indicators::{normalized, phase_collinearity, phase_deviation};
 use crate::modal::subspace::{
@@ -35,7 +35,7 @@ pub(super) struct Realization {
     shifted: Matrix,
     block_rows: usize,
     /// Change of the weighted answers by each block of time.
-    changes: Vec<Answers>,
+    changes: Vec<MarkovParameters>,
     /// State matrices decomposed so far, by order.
     orders: Vec<Option<Order>>,
 }
@@ -61,20 +61,20 @@ pub(super) fn realize(observer: &Observer, how: &Realize<'_>) -> Result<Option<R
     const GROWTH_MOST: f64 = 10.0; // over the largest of the first samples
     let (l, r) = (observer.outputs, how.block_rows);
     let steps = 2 * r;
-    let answers = observer.answers(steps);
-    let early = (0..r).map(|k| answers.largest(k)).fold(0.0, f64::max);
-    let late = (r..steps).map(|k| answers.largest(k)).fold(0.0, f64::max);
+    let markov = observer.markov_parameters(steps);
+    let early = (0..r).map(|k| markov.largest(k)).fold(0.0, f64::max);
+    let late = (r..steps).map(|k| markov.largest(k)).fold(0.0, f64::max);
     if !late.is_finite() || late > GROWTH_MOST * early {
         return Ok(None);
     }
     let weights = weights(observer)?;
     let changes = observer.changes.iter();
-    let changes = changes.map(|moved| observer.change(&answers, steps, moved).weighted(&weights));
+    let changes = changes.map(|moved| observer.change(&markov, steps, moved).weighted(&weights));
     let changes = changes.collect();
-    let answers = answers.weighted(&weights);
-    let q = answers.columns;
+    let markov = markov.weighted(&weights);
+    let q = markov.columns;
     let hankel = Matrix::from_fn(l * r, q * r, |i, j| {
-        answers.at(i / l + j / q + 1)[(i % l) * q + j % q]
+        markov.at(i / l + j / q + 1)[(i % l) * q + j % q]
     });
     let svd = svd(&hankel)?;
     let n = how.order_most.min(svd.s.len()) / 2 * 2;
@@ -151,7 +151,7 @@ impl Realization {
                 }
             }
         }
-        let of_block = |change: &Answers| {
+        let of_block = |change: &MarkovParameters| {
             let mut d_lambda = Complex64::ZERO;
             for (k, weights) in weights.chunks_exact(l * q).enumerate() {
                 let (next, this) = (change.at(k + 2), change.at(k + 1));

@@ -39,6 +39,15 @@ struct Refine<'a> {
     time_blocks: usize,
 }
 
+/// What a fit starts from.
+#[derive(Clone, Copy, PartialEq)]
+enum Source {
+    /// A mode.
+    Mode,
+    /// A peak of the spectrum that no mode explains.
+    Peak,
+}
+
 /// Fits all modes, and peaks of the spectrum that none of them explains, with the width of each, Hz: those that fit are modes too.
 fn refine(record: &Record, mut modes: Vec<Mode>, peaks: &[(&Mode, f64)], how: &Refine<'_>) -> Refined {
     let mut candidates: Vec<Mode> = peaks
@@ -46,10 +55,14 @@ fn refine(record: &Record, mut modes: Vec<Mode>, peaks: &[(&Mode, f64)], how: &R
         .map(|(peak, width_hz)| candidate(peak, *width_hz))
         .collect();
     loop {
-        let mut all: Vec<(Mode, bool)> = modes.iter().map(|m| (m.clone(), false)).collect();
-        all.extend(candidates.iter().map(|m| (m.clone(), true)));
+        let of_modes = modes.iter().zip(std::iter::repeat(Source::Mode));
+        let of_peaks = candidates.iter().zip(std::iter::repeat(Source::Peak));
+        let mut all: Vec<(&Mode, Source)> = of_modes.chain(of_peaks).collect();
         all.sort_by(|a, b| a.0.frequency_hz.total_cmp(&b.0.frequency_hz));
-        let (with, of_peak): (Vec<Mode>, Vec<bool>) = all.into_iter().unzip();
+        let (with, sources): (Vec<Mode>, Vec<Source>) = all
+            .into_iter()
+            .map(|(mode, source)| (mode.clone(), source))
+            .unzip();
         let answers = fit_all(record, &with, how);
         let damped = |o: &Oscillator| {
             let least = how.criteria.damping_least_at(o.frequency_hz, record.duration_s());
@@ -57,7 +70,7 @@ fn refine(record: &Record, mut modes: Vec<Mode>, peaks: &[(&Mode, f64)], how: &R
         };
         let fits = |answer: &Option<Fitted>| answer.as_ref().is_some_and(|to| damped(&to.oscillator));
         let none: Vec<f64> = (0..with.len())
-            .filter(|&i| of_peak[i] && !fits(&answers[i]))
+            .filter(|&i| sources[i] == Source::Peak && !fits(&answers[i]))
             .map(|i| with[i].frequency_hz)
             .collect();
         if !none.is_empty() {
@@ -66,12 +79,12 @@ fn refine(record: &Record, mut modes: Vec<Mode>, peaks: &[(&Mode, f64)], how: &R
         }
         let (mut from_peaks_hz, mut left_hz) = (Vec::new(), Vec::new());
         modes.clear();
-        for ((mut mode, answer), of_peak) in with.into_iter().zip(answers).zip(of_peak) {
+        for ((mut mode, answer), source) in with.into_iter().zip(answers).zip(sources) {
             match answer {
                 Some(answer) => answer.put(&mut mode),
                 None => left_hz.push(mode.frequency_hz),
             }
-            if of_peak {
+            if source == Source::Peak {
                 from_peaks_hz.push(mode.frequency_hz);
             }
             modes.push(mode);

@@ -115,14 +115,14 @@ fn best_known(modes: &[Mode]) -> Vec<Mode> {
 }
 
 /// C_jq of one mode: for each part the phase of every channel against the reference, and its coherence.
-struct Turns {
+struct PhaseTurns {
     omega: f64,
     /// Parts of channels.
     cross: Vec<Vec<Complex64>>,
 }
 
 fn of_channels(record: &Record, modes: &[Mode], reference: usize) -> Vec<Option<Drift>> {
-    let turns: Vec<Turns> = modes
+    let turns: Vec<PhaseTurns> = modes
         .iter()
         .filter_map(|mode| turns(record, mode.frequency_hz, reference))
         .collect();
@@ -146,7 +146,7 @@ fn of_channels(record: &Record, modes: &[Mode], reference: usize) -> Vec<Option<
 }
 
 /// Coherence of each channel with the reference in each part, with its phase; `None` where parts are too short.
-fn turns(record: &Record, frequency_hz: f64, reference: usize) -> Option<Turns> {
+fn turns(record: &Record, frequency_hz: f64, reference: usize) -> Option<PhaseTurns> {
     let rate_hz = record.sampling_rate_hz();
     let length = (CYCLES * rate_hz / frequency_hz).round() as usize;
     let part = record.length() / PARTS;
@@ -180,7 +180,7 @@ fn turns(record: &Record, frequency_hz: f64, reference: usize) -> Option<Turns> 
         let over = |c: usize| (power[c] * power[reference]).sqrt().max(f64::MIN_POSITIVE);
         (0..l).map(|c| cross[c] / over(c)).collect()
     });
-    Some(Turns {
+    Some(PhaseTurns {
         omega,
         cross: cross.collect(),
     })

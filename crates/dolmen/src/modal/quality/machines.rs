@@ -36,7 +36,7 @@ pub(crate) fn split_tones(
     let prominence_db = std::mem::take(&mut peaks.spectrum.prominence_db);
     let modes = std::mem::take(&mut peaks.modes.modes);
     let mut lines = FineLines::new(record);
-    let (mut taken, mut spells): (Vec<Taken>, Vec<InSpells>) = (Vec::new(), Vec::new());
+    let (mut taken, mut spells): (Vec<RemovedPeak>, Vec<InSpells>) = (Vec::new(), Vec::new());
     let mut set_aside: Vec<Candidate> = Vec::new();
     for ((mode, width_hz), prominence_db) in modes.into_iter().zip(width_hz).zip(prominence_db) {
         let damping_ratio_least = options
@@ -70,7 +70,7 @@ pub(crate) fn split_tones(
                 width_hz,
                 kurtosis,
             };
-            taken.push(Taken {
+            taken.push(RemovedPeak {
                 prominence_db,
                 tone,
                 is_machine: is_steady || is_sine,
@@ -95,10 +95,11 @@ pub(crate) fn split_tones(
     let line_hz = peaks.spectrum.frequency_hz.get(1).copied().unwrap_or(0.0);
     let taken = strongest(taken, SKIRT_LINES * line_hz);
     let tones_hz = taken.iter().map(|of| of.tone.frequency_hz).collect();
-    let (machines, narrow): (Vec<Taken>, Vec<Taken>) = taken.into_iter().partition(|of| of.is_machine);
-    let widest = |most: f64, of: &Taken| most.max(of.damping_ratio_least);
+    let (machines, narrow): (Vec<RemovedPeak>, Vec<RemovedPeak>) =
+        taken.into_iter().partition(|of| of.is_machine);
+    let widest = |most: f64, of: &RemovedPeak| most.max(of.damping_ratio_least);
     let damping_ratio_least = narrow.iter().fold(0.0, widest);
-    let tones = |of: Vec<Taken>| -> Vec<Tone> { of.into_iter().map(|of| of.tone).collect() };
+    let tones = |of: Vec<RemovedPeak>| -> Vec<Tone> { of.into_iter().map(|of| of.tone).collect() };
     note_spells(spells, notes);
     if !machines.is_empty() {
         notes.push(Note::Tones {
@@ -118,7 +119,7 @@ pub(crate) fn split_tones(
 }
 
 /// A peak that was taken out.
-struct Taken {
+struct RemovedPeak {
     prominence_db: f64,
     tone: Tone,
     is_machine: bool,
@@ -156,11 +157,11 @@ pub(crate) fn note_tones_on_modes(record: &Record, (modes, peaks): (&Modes, &Mod
 const SKIRT_LINES: f64 = 20.0;
 
 /// The tones, by frequency, without those that lie within `skirt_hz` of a stronger one.
-fn strongest(mut tones: Vec<Taken>, skirt_hz: f64) -> Vec<Taken> {
+fn strongest(mut tones: Vec<RemovedPeak>, skirt_hz: f64) -> Vec<RemovedPeak> {
     tones.sort_by(|a, b| b.prominence_db.total_cmp(&a.prominence_db));
-    let mut kept: Vec<Taken> = Vec::new();
+    let mut kept: Vec<RemovedPeak> = Vec::new();
     for of in tones {
-        let beside = |k: &Taken| (k.tone.frequency_hz - of.tone.frequency_hz).abs() <= skirt_hz;
+        let beside = |k: &RemovedPeak| (k.tone.frequency_hz - of.tone.frequency_hz).abs() <= skirt_hz;
         if !kept.iter().any(beside) {
             kept.push(of);
         }

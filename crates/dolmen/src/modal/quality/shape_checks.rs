@@ -6,7 +6,7 @@
 //! | φ_c | `z` | component of a channel, the largest of its mode 1 | – |
 
 use crate::modal::indicators::{normalized, phase_collinearity, phase_deviation};
-use crate::modal::{Mode, Modes, Note, Pole};
+use crate::modal::{Mode, Modes, Note, Pole, ShapeQuantity};
 use crate::signal::{Channel, Quantity};
 use dolmen_linalg::Complex64;
 use std::f64::consts::TAU;
@@ -23,15 +23,16 @@ const PHASE_TWICE: f64 = 30.0 * TAU / 360.0;
 /// What the channels of a record measure, where it differs.
 pub(crate) struct Quantities {
     /// How often each differentiates displacement, and what most do; `None` where one is not known or all measure the same.
-    orders: Option<(Vec<i32>, i32)>,
+    orders: Option<(Vec<i32>, ShapeQuantity)>,
 }
 
 impl Quantities {
     pub(crate) fn of(channels: &[Channel]) -> Quantities {
         let orders: Option<Vec<i32>> = channels.iter().map(|c| order(c.quantity)).collect();
         let with_target = |orders: Vec<i32>| {
-            let count = |wanted: i32| orders.iter().filter(|own| **own == wanted).count();
-            let target = (0..=2).rev().max_by_key(|wanted| (count(*wanted), *wanted))?;
+            let count = |wanted: ShapeQuantity| orders.iter().filter(|own| **own == wanted.order()).count();
+            let all = ShapeQuantity::ALL.into_iter();
+            let target = all.max_by_key(|wanted| (count(*wanted), wanted.order()))?;
             (count(target) < orders.len()).then_some((orders, target))
         };
         Quantities {
@@ -45,7 +46,7 @@ impl Quantities {
             return;
         };
         for pole in poles {
-            let factors = factors(pole.frequency_hz, pole.damping_ratio, (orders, *target));
+            let factors = factors(pole.frequency_hz, pole.damping_ratio, (orders, target.order()));
             let one: Vec<Complex64> = pole.shape.iter().zip(&factors).map(|(z, f)| z * f).collect();
             pole.phase_collinearity = phase_collinearity(&one);
             pole.phase_deviation = phase_deviation(&one);
@@ -63,19 +64,17 @@ pub(crate) fn to_one_quantity(modes: &mut Modes, notes: &mut Vec<Note>) {
         return;
     };
     for mode in &mut modes.modes {
-        convert(mode, &orders, target);
+        convert(mode, &orders, target.order());
     }
-    notes.push(Note::OneQuantity {
-        quantity: ["displacement", "velocity", "acceleration"][target as usize],
-    });
+    notes.push(Note::OneQuantity { quantity: target });
 }
 
 /// How often displacement is differentiated; `None` where it is not known.
 fn order(quantity: Quantity) -> Option<i32> {
     match quantity {
-        Quantity::Displacement => Some(0),
-        Quantity::Velocity => Some(1),
-        Quantity::Acceleration => Some(2),
+        Quantity::Displacement => Some(ShapeQuantity::Displacement.order()),
+        Quantity::Velocity => Some(ShapeQuantity::Velocity.order()),
+        Quantity::Acceleration => Some(ShapeQuantity::Acceleration.order()),
         Quantity::Unknown => None,
     }
 }
@@ -208,7 +207,7 @@ mod tests {
         let analysis = found(&decay(&[2]));
         assert!(
             analysis.notes.contains(&Note::OneQuantity {
-                quantity: "acceleration"
+                quantity: ShapeQuantity::Acceleration
             }),
             "{:?}",
             analysis.notes

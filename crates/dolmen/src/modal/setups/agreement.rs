@@ -25,7 +25,7 @@ impl Agreement {
 }
 
 /// A number of one setup and its deviation, if that is known.
-pub(super) type Known = (f64, Option<f64>);
+pub(super) type Estimate = (f64, Option<f64>);
 
 /// A number of several setups.
 pub(super) struct Mean {
@@ -37,7 +37,7 @@ pub(super) struct Mean {
 }
 
 /// By inverse variance where all deviations are known, else the plain mean with the deviation of its parts.
-pub(super) fn mean(all: &[Known]) -> Result<Mean, ModalError> {
+pub(super) fn mean(all: &[Estimate]) -> Result<Mean, ModalError> {
     let n = all.len() as f64;
     let known: Option<Vec<f64>> = all.iter().map(|(_, sd)| sd.filter(|sd| *sd > 0.0)).collect();
     let plain = all.iter().map(|(x, _)| x).sum::<f64>() / n;

@@ -94,12 +94,12 @@ impl Setup {
 }
 
 /// [H_1^ref … H_S^ref], not formed.
-struct Beside<'a> {
+struct ReferenceHankels<'a> {
     setups: &'a [Setup],
     rows: usize,
 }
 
-impl Beside<'_> {
+impl ReferenceHankels<'_> {
     fn formed(&self) -> Result<Matrix, LinalgError> {
         let of_each: Vec<Matrix> = (self.setups.iter())
             .map(|s| Ok(s.parted(&s.whole.times(Matrix::identity(self.rows))?)[0].clone()))
@@ -110,7 +110,7 @@ impl Beside<'_> {
     }
 }
 
-impl Operator for Beside<'_> {
+impl Operator for ReferenceHankels<'_> {
     fn shape(&self) -> [usize; 2] {
         [self.rows, self.setups.len() * self.rows]
     }
@@ -161,7 +161,7 @@ impl Excitation {
 struct Stacked<'a> {
     setups: &'a [Setup],
     basis: Matrix,
-    /// Of the singular value decomposition of [`Beside`].
+    /// Of the singular value decomposition of [`ReferenceHankels`].
     beside_x: Matrix,
     /// Z_sᵀ.
     transposed: Vec<Matrix>,
@@ -180,7 +180,7 @@ pub(super) fn stacked(
     duration_s: f64,
 ) -> Result<Subspace, ModalError> {
     let (rows, n) = (ssi.references.len() * ssi.block_rows, ssi.order_most);
-    let beside = Beside { setups, rows };
+    let beside = ReferenceHankels { setups, rows };
     let shared = of_operator(&beside, n, || beside.formed())?;
     let rank = shared.s.iter().filter(|s| **s > RANK_LEAST * shared.s[0]).count();
     if n > rank {

@@ -2,7 +2,7 @@
 //!
 //! φ_s, r and α_s: see merged_mode.rs; f_s, σ_s: frequency (or damping ratio) in setup s and its deviation.
 
-use super::merged_mode::{Growing, MergedMode};
+use super::merged_mode::{MergedMode, MergingMode};
 use super::pairing::{ObservedMode, Pairing, pair_modes};
 use super::reference_gains::{ReferenceFault, reference_faults};
 use super::sensor_places::SensorPlaces;
@@ -84,7 +84,7 @@ pub fn merge_setups(setups: &[Modes], options: &MergeSetups) -> Result<MergedSet
         return Err(ModalError::Setups { given: 1 });
     }
     let mut places = SensorPlaces::of(&first.channels);
-    let mut growing: Vec<Growing> = first.modes.iter().map(Growing::of).collect();
+    let mut growing: Vec<MergingMode> = first.modes.iter().map(MergingMode::of).collect();
     let mut partial = Vec::new();
     for (index, setup) in others.iter().enumerate() {
         let number = index + 1;

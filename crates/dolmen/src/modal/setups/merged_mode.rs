@@ -6,7 +6,7 @@
 //! | r | `a` | what the setups before show there | references × 1 |
 //! | α_s | `scale` | what setup s must be multiplied by | - |
 
-use super::agreement::{Agreement, Known, Mean, mean};
+use super::agreement::{Agreement, Estimate, Mean, mean};
 use super::pairing::{ObservedMode, ObservedPoint};
 use super::sensor_places::{ChannelPlace, SensorPlaces};
 use crate::modal::indicators::{assurance, normalized, phase_collinearity};
@@ -37,7 +37,7 @@ pub struct MergedMode {
 
 /// A mode as the setups so far show it.
 #[derive(Clone)]
-pub(super) struct Growing {
+pub(super) struct MergingMode {
     pub(super) members: Vec<Mode>,
     scale: Vec<Complex64>,
     reference_assurance: Vec<Option<f64>>,
@@ -48,9 +48,9 @@ pub(super) struct Growing {
     count: Vec<f64>,
 }
 
-impl Growing {
+impl MergingMode {
     pub(super) fn of(mode: &Mode) -> Self {
-        Growing {
+        MergingMode {
             members: vec![mode.clone()],
             scale: vec![Complex64::ONE],
             reference_assurance: vec![None],
@@ -159,7 +159,7 @@ impl Growing {
         let most = raw.iter().map(|x| x.norm()).fold(0.0, f64::max);
         let sds = self.variance.iter().zip(&self.count).map(|(v, n)| v.sqrt() / n);
         let shape_sd: Vec<f64> = sds.map(|sd| if most > 0.0 { sd / most } else { sd }).collect();
-        let of = |value: fn(&Mode) -> Option<Known>| -> Option<Vec<Known>> {
+        let of = |value: fn(&Mode) -> Option<Estimate>| -> Option<Vec<Estimate>> {
             self.members.iter().map(value).collect()
         };
         let frequencies = of(|m| Some((m.frequency_hz, m.frequency_sd_hz))).unwrap_or_default();

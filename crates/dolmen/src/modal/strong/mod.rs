@@ -1,5 +1,6 @@
 //! Records that hold earthquakes: told from ambient vibration, and what the structure did before, in, between and after them.
 
+mod detection;
 mod features;
 mod levels;
 mod losses;
@@ -9,10 +10,10 @@ mod parts;
 mod peaks;
 mod shaking;
 mod strong_motion;
-mod told;
 mod track;
 mod wind;
 
+pub use detection::{earthquake_in, earthquakes_in};
 pub use losses::{AtLeast, Losses};
 pub use made::MadeEarthquake;
 pub use part::Part;
@@ -20,5 +21,4 @@ pub use parts::{DrivenPart, During, LastingChange, is_of_one_state};
 pub use peaks::StrongChannel;
 pub use shaking::{Shaking, ShakingKind};
 pub use strong_motion::{StrongEvent, StrongMotion, strong_motion};
-pub use told::{earthquake_in, earthquakes_in};
 pub use track::{TrackPoint, Tracked};

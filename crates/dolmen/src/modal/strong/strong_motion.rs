@@ -1,11 +1,11 @@
 //! From a record that holds earthquakes to what the structure did.
 
+use super::detection::{SURE_M_S2, earthquakes_in};
 use super::losses::Losses;
 use super::part::Part;
 use super::parts::{During, LastingChange, changes, during, quiet};
 use super::peaks::{Strength, StrongChannel};
 use super::shaking::{Shaking, ShakingKind};
-use super::told::{SURE_M_S2, earthquakes_in};
 use super::wind::is_pushed;
 use crate::modal::options::Identify;
 use crate::modal::{Method, Modes};

@@ -20,7 +20,7 @@ pub use ssi::{Pole, Subspace, ssi_cov, ssi_data};
 pub(super) use ssi::{RANK_LEAST, check_ssi, poles_of, state, subspace};
 pub use ssi_options::Ssi;
 pub(super) use stabilization::{AllOrders, HALF_WIDTH_LEAST, judge_poles};
-pub use stabilization::{Criteria, JudgedPole, Stability, Stabilization, stabilize};
+pub use stabilization::{Criteria, JudgedPole, Stability, Stabilization};
 pub(super) use uncertainty::{
     Deviations, Order, correction, forward_substitute, frequency_and_damping, nearest,
 };

@@ -2,9 +2,9 @@
 
 use super::uncertainty::Deviations;
 use crate::modal::indicators::assurance;
-use crate::modal::{ModalError, Pole, Propagation, Subspace};
+use crate::modal::{ModalError, Pole, Subspace};
 
-/// Criteria of [`stabilize`].
+/// Criteria for poles.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Criteria {
     /// Lowest frequency, Hz; default 0.
@@ -127,22 +127,6 @@ pub struct Stabilization {
     pub criteria: Criteria,
 }
 
-/// Judges each pole: hard criteria by itself, soft ones against the possible poles of the order below.
-///
-/// # Errors
-/// [`ModalError::Linalg`].
-///
-/// # Source
-/// Floor of the deviation: Au (2014) Mech. Syst. Signal Process. 48:15-33. Differs from the practice of judging poles by
-/// the diagram alone: the deviation tells a mode from a pole that fits noise where both come back at every order.
-pub fn stabilize(subspace: &Subspace, criteria: &Criteria) -> Result<Stabilization, ModalError> {
-    judge_poles(
-        &AllOrders::of(subspace),
-        &mut Propagation::new(subspace),
-        criteria,
-    )
-}
-
 /// The poles of every order of an analysis, and from which record.
 pub(crate) struct AllOrders<'a> {
     pub(crate) poles: &'a [Pole],
@@ -163,7 +147,14 @@ impl<'a> AllOrders<'a> {
     }
 }
 
-/// As [`stabilize`], of any poles.
+/// Judges each pole: hard criteria by itself, soft ones against the possible poles of the order below.
+///
+/// # Errors
+/// [`ModalError::Linalg`].
+///
+/// # Source
+/// Floor of the deviation: Au (2014) Mech. Syst. Signal Process. 48:15-33. Differs from the practice of judging poles by
+/// the diagram alone: the deviation tells a mode from a pole that fits noise where both come back at every order.
 pub(crate) fn judge_poles(
     all: &AllOrders<'_>,
     deviations: &mut dyn Deviations,

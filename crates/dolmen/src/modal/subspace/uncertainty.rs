@@ -76,11 +76,11 @@ pub struct Propagation<'a> {
     subspace: &'a Subspace,
     blocks: Vec<Block>,
     /// State matrices decomposed so far, by order.
-    orders: Vec<Option<Known>>,
+    orders: Vec<Option<OrderSensitivity>>,
 }
 
 /// One order, and how far each block of time moves its eigenvalues.
-struct Known {
+struct OrderSensitivity {
     order: Order,
     /// dλ of the eigenvalues of the upper half plane, 0 of the others: eigenvalues in rows, blocks in columns.
     moves: ComplexMatrix,
@@ -125,7 +125,7 @@ impl<'a> Propagation<'a> {
     /// # Errors
     /// [`ModalError::Linalg`].
     pub fn deviation(&mut self, pole: &Pole) -> Result<PoleDeviation, ModalError> {
-        let (Known { order, .. }, blocks, subspace) = self.order(pole)?;
+        let (OrderSensitivity { order, .. }, blocks, subspace) = self.order(pole)?;
         let index = nearest(&order.values, pole.eigenvalue);
         let shape = leading_times(&subspace.u, pole.shape.len(), order.right.column(index));
         let (mut z2, mut s2) = (0.0, vec![0.0; pole.shape.len()]);
@@ -157,7 +157,7 @@ impl<'a> Propagation<'a> {
         })
     }
 
-    fn order(&mut self, pole: &Pole) -> Result<(&Known, &[Block], &'a Subspace), ModalError> {
+    fn order(&mut self, pole: &Pole) -> Result<(&OrderSensitivity, &[Block], &'a Subspace), ModalError> {
         let slot = &mut self.orders[pole.order];
         let known = match slot {
             Some(known) => known,
@@ -165,7 +165,7 @@ impl<'a> Propagation<'a> {
                 let a = state(&self.subspace.upper.r, &self.subspace.shifted, pole.order);
                 let order = Order::of(&a)?;
                 let moves = order.moves(self.subspace, &self.blocks);
-                slot.insert(Known { order, moves })
+                slot.insert(OrderSensitivity { order, moves })
             }
         };
         Ok((known, &self.blocks, self.subspace))

@@ -73,7 +73,7 @@ pub fn blown_blocks(
         let centroid = stack.blocks()[block].solid.centroid_m();
         let left = across(direction);
         let own_across = left[0] * centroid[0] + left[1] * centroid[1];
-        let mut taken = Taken::default();
+        let mut taken = ForceAndMoments::default();
         let instead = surfaces.instead.get(block).copied().flatten();
         let (area_m2, hidden) = match instead {
             Some(area) => {
@@ -116,13 +116,13 @@ pub fn blown_blocks(
 
 /// A force and its moments.
 #[derive(Default)]
-struct Taken {
+struct ForceAndMoments {
     force: f64,
     up: f64,
     across: f64,
 }
 
-impl Taken {
+impl ForceAndMoments {
     fn add(&mut self, force: f64, moment: f64, across: f64) {
         self.force += force;
         self.up += moment;
@@ -131,7 +131,7 @@ impl Taken {
 
     /// The visible part of a block, by height; under a uniform pressure the centroid is that of the outline.
     fn strips(&mut self, seen: &Silhouette, surfaces: &WindSurfaces, pressure: &WindPressure) {
-        let (mut own, mut middle) = (Taken::default(), [0.0; 2]);
+        let (mut own, mut middle) = (ForceAndMoments::default(), [0.0; 2]);
         for strip in &seen.strips {
             let (bottom, top) = (
                 strip.bottom_m - surfaces.ground_m,

@@ -59,7 +59,7 @@ pub fn cuts(stack: &Stack) -> Cuts {
         undecided: Vec::new(),
         statically_determinate: is_statically_determinate(stack),
     };
-    let carriers = Carriers::of(stack);
+    let carriers = SupportRelation::of(stack);
     let mut parts: Vec<Vec<usize>> = Vec::new();
     for &joint in &carrying {
         let level = carrying
@@ -123,17 +123,17 @@ fn same_plane(a: &Joint, b: &Joint) -> bool {
 }
 
 /// The relation of blocks that lie on each other.
-pub(super) struct Carriers {
+pub(super) struct SupportRelation {
     /// The blocks on each.
     on: Vec<Vec<usize>>,
     /// The blocks under each.
     under: Vec<Vec<usize>>,
 }
 
-impl Carriers {
+impl SupportRelation {
     pub(super) fn of(stack: &Stack) -> Self {
         let none = vec![Vec::new(); stack.blocks().len()];
-        let mut carriers = Carriers {
+        let mut carriers = SupportRelation {
             on: none.clone(),
             under: none,
         };

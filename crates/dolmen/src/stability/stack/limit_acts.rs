@@ -1,16 +1,16 @@
 //! Possible forces of joints and ties in a limit analysis.
 
-use super::cuts::{Carriers, carries, is_statically_determinate};
+use super::cuts::{SupportRelation, carries, is_statically_determinate};
 use super::limit_options::Holding;
-use super::limit_pieces::{Act, Law};
-use super::limit_toes::{Pressed, toes};
+use super::limit_pieces::{Law, PossibleForce};
+use super::limit_toes::{JointForce, toes};
 use super::loads::{Load, together};
 use crate::structure::stack::{Joint, Stack};
 use glam::DVec3;
 
 /// Data of a stack for an analysis.
 #[derive(Clone, Copy)]
-pub(super) struct Before<'a> {
+pub(super) struct LimitProblem<'a> {
     pub(super) stack: &'a Stack,
     /// Loads on each block without shaking.
     pub(super) loads: &'a [Load],
@@ -23,7 +23,7 @@ pub(super) struct Before<'a> {
 }
 
 /// Possible forces of every corner of every joint, and of every tie; for joints of finite strength, of every block of full stress.
-pub(super) fn acts(before: &Before<'_>, holding: Holding) -> Vec<Act> {
+pub(super) fn acts(before: &LimitProblem<'_>, holding: Holding) -> Vec<PossibleForce> {
     let stack = before.stack;
     let mut acts = Vec::new();
     let crushing = Crushing::of(before);
@@ -34,7 +34,7 @@ pub(super) fn acts(before: &Before<'_>, holding: Holding) -> Vec<Act> {
         if let Some(strength_pa) = joint.material.compressive_strength_pa {
             let towards = before.towards.and_then(|way| in_plane(joint, way));
             for toe in toes(&joint.patch, strength_pa, crushing.pressed(link), towards) {
-                acts.push(Act {
+                acts.push(PossibleForce {
                     link,
                     at: DVec3::from(joint.origin_m) + first * toe.at_m[0] + second * toe.at_m[1],
                     axes: [normal, first, second],
@@ -48,7 +48,7 @@ pub(super) fn acts(before: &Before<'_>, holding: Holding) -> Vec<Act> {
         let presses = joint.material.compressive_strength_pa.is_none();
         let cohesion = joint.material.cohesion_pa * joint.patch.moments().area_m2 / corners.len() as f64;
         for corner in corners {
-            let mut act = Act {
+            let mut act = PossibleForce {
                 link,
                 at: DVec3::from(joint.origin_m) + first * corner[0] + second * corner[1],
                 axes: [normal, first, second],
@@ -67,7 +67,7 @@ pub(super) fn acts(before: &Before<'_>, holding: Holding) -> Vec<Act> {
         for (index, tie) in stack.ties().iter().enumerate() {
             let axis = DVec3::from(tie.axis).normalize();
             let [first, second] = across(axis);
-            let mut act = Act {
+            let mut act = PossibleForce {
                 link: stack.joints().len() + index,
                 at: DVec3::from(tie.position_m),
                 axes: [axis, first, second],
@@ -95,17 +95,20 @@ fn in_plane(joint: &Joint, way: [f64; 2]) -> Option<[f64; 2]> {
 
 /// Forces of joints of finite strength without shaking, as far as known.
 struct Crushing<'a> {
-    before: &'a Before<'a>,
+    before: &'a LimitProblem<'a>,
     /// `None` if no joint crushes.
-    carriers: Option<Carriers>,
+    carriers: Option<SupportRelation>,
     is_known: bool,
 }
 
 impl<'a> Crushing<'a> {
-    fn of(before: &'a Before<'a>) -> Self {
+    fn of(before: &'a LimitProblem<'a>) -> Self {
         let joints = before.stack.joints();
         let crushes = |joint: &Joint| joint.material.compressive_strength_pa.is_some();
-        let carriers = joints.iter().any(crushes).then(|| Carriers::of(before.stack));
+        let carriers = joints
+            .iter()
+            .any(crushes)
+            .then(|| SupportRelation::of(before.stack));
         Crushing {
             before,
             is_known: is_statically_determinate(before.stack),
@@ -114,7 +117,7 @@ impl<'a> Crushing<'a> {
     }
 
     /// The weight of a joint's upper block and its load, shared equally among all joints that carry it.
-    fn pressed(&self, link: usize) -> Pressed {
+    fn pressed(&self, link: usize) -> JointForce {
         let joints = self.before.stack.joints();
         let joint = &joints[link];
         let force_n = match &self.carriers {
@@ -126,11 +129,11 @@ impl<'a> Crushing<'a> {
             _ => 0.0,
         };
         match self.is_known {
-            true => Pressed::Known {
+            true => JointForce::Known {
                 force_n,
                 grows: self.before.grows,
             },
-            false => Pressed::About {
+            false => JointForce::About {
                 force_n,
                 joints: if self.before.is_coarse {
                     usize::MAX

@@ -1,10 +1,10 @@
 //! A piece of a stack under shaking along one direction: the largest balanced acceleration, and the mechanism.
 
 use super::StackLoads;
-use super::limit_acts::{Before, acts};
+use super::limit_acts::{LimitProblem, acts};
 use super::limit_options::Holding;
-use super::limit_pieces::{Growing, Piece, pieces};
-use super::limit_programme::{Answer, Within, rough};
+use super::limit_pieces::{GrowingLoad, Piece, pieces};
+use super::limit_programme::{AccelerationSet, ProgrammeOutcome, rough};
 use super::limit_region::Nearest;
 use crate::stability::StabilityError;
 use crate::structure::stack::Stack;
@@ -13,7 +13,7 @@ use crate::structure::stack::Stack;
 const CLEAR: f64 = 1e-3;
 
 /// Result for a piece along one direction.
-pub(super) struct Along {
+pub(super) struct DirectionLimit {
     /// The largest balanced acceleration.
     pub(super) found: Nearest,
     /// Unknown forces and accelerations.
@@ -23,9 +23,9 @@ pub(super) struct Along {
 }
 
 /// One direction: the largest balanced acceleration, and whether the piece stands (the opposite direction must also reach beyond rest).
-pub(super) fn along(piece: &Piece, way: [f64; 2]) -> Result<Along, StabilityError> {
-    let mut programme = piece.programme(Within::Line(way))?;
-    let mut along = Along {
+pub(super) fn along(piece: &Piece, way: [f64; 2]) -> Result<DirectionLimit, StabilityError> {
+    let mut programme = piece.programme(AccelerationSet::Line(way))?;
+    let mut along = DirectionLimit {
         found: Nearest {
             stands: false,
             bound: f64::INFINITY,
@@ -41,7 +41,7 @@ pub(super) fn along(piece: &Piece, way: [f64; 2]) -> Result<Along, StabilityErro
         let found = &mut along.found;
         found.solved += 1;
         match programme.support(towards)? {
-            Answer::Reaches(support) if support.bound > 0.0 => {
+            ProgrammeOutcome::Reaches(support) if support.bound > 0.0 => {
                 found.missed = found.missed.max(support.missed);
                 found.bound = support.bound;
                 found.at_least = support.point[0] * way[0] + support.point[1] * way[1];
@@ -56,9 +56,9 @@ pub(super) fn along(piece: &Piece, way: [f64; 2]) -> Result<Along, StabilityErro
 
 /// Whether a piece stands, as [`along`] finds it: by rough solutions if both directions reach clearly beyond rest.
 fn stands_along(piece: &Piece, way: [f64; 2]) -> Result<bool, StabilityError> {
-    let mut programme = piece.programme_by(Within::Line(way), rough())?;
+    let mut programme = piece.programme_by(AccelerationSet::Line(way), rough())?;
     let is_clear = [way.map(|part| -part), way].into_iter().all(
-        |towards| matches!(programme.support(towards), Ok(Answer::Reaches(support)) if support.bound > CLEAR),
+        |towards| matches!(programme.support(towards), Ok(ProgrammeOutcome::Reaches(support)) if support.bound > CLEAR),
     );
     match is_clear {
         true => Ok(true),
@@ -77,7 +77,7 @@ pub(crate) fn stands_by_limit_analysis(
 ) -> Result<bool, StabilityError> {
     let way = unit(direction)?;
     let loads = loads.on_blocks(stack)?;
-    let before = Before {
+    let before = LimitProblem {
         stack,
         loads: &loads,
         towards: Some(way),
@@ -85,7 +85,7 @@ pub(crate) fn stands_by_limit_analysis(
         is_coarse: false,
     };
     let acts = acts(&before, Holding::FrictionOnly);
-    for piece in &pieces(stack, &loads, &acts, Growing::Shaking, false) {
+    for piece in &pieces(stack, &loads, &acts, GrowingLoad::Shaking, false) {
         if !stands_along(piece, way)? {
             return Ok(false);
         }

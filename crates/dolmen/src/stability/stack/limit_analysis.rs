@@ -8,12 +8,12 @@
 //! | C | – | cohesion × area of the joint, shared alike by its corners | N |
 
 use super::Threshold;
-use super::limit_acts::{Before, acts};
+use super::limit_acts::{LimitProblem, acts};
 use super::limit_along::{along, unit};
 use super::limit_mechanism::{falling, moving_with, swaying};
 use super::limit_options::{Holding, LimitAnalysis, LimitAnalysisResult, LimitAnalysisStatus, Shaking};
-use super::limit_pieces::{Growing, Piece, pieces};
-use super::limit_programme::{ACCELERATION_MOST, Within};
+use super::limit_pieces::{GrowingLoad, Piece, pieces};
+use super::limit_programme::{ACCELERATION_MOST, AccelerationSet};
 use super::limit_region::nearest;
 use crate::stability::StabilityError;
 use crate::structure::stack::Stack;
@@ -95,7 +95,7 @@ fn analysed(
         Shaking::Along(direction) => Some(unit(direction)?),
     };
     let loads = options.loads.on_blocks(stack)?;
-    let before = Before {
+    let before = LimitProblem {
         stack,
         loads: &loads,
         towards: direction,
@@ -115,8 +115,8 @@ fn analysed(
         });
     }
     let growing = match &options.swaying {
-        None => Growing::Shaking,
-        Some(swaying) => Growing::Swaying(swaying),
+        None => GrowingLoad::Shaking,
+        Some(swaying) => GrowingLoad::Swaying(swaying),
     };
     let mut pieces = pieces(stack, &loads, &acts, growing, ties);
     // the largest first: it mostly governs, and the others are not needed beyond its limit
@@ -136,7 +136,7 @@ fn analysed(
         let mut velocities = None;
         let found = match direction {
             None => {
-                let mut programme = piece.programme(Within::Plane)?;
+                let mut programme = piece.programme(AccelerationSet::Plane)?;
                 (result.variables, result.equations) = (
                     result.variables + programme.unknowns(),
                     result.equations + programme.equations(),

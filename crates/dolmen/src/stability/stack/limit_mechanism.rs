@@ -6,7 +6,7 @@
 //! | t | – | pull that glue at every corner of every joint would have to bear for the stack to stand | N |
 
 use super::limit_pieces::Piece;
-use super::limit_programme::{Within, least_pull};
+use super::limit_programme::{AccelerationSet, least_pull};
 use super::mechanism::{BodyMotion, JointMotion, Mechanism, MovingJoint};
 use crate::stability::StabilityError;
 use crate::structure::stack::{Body, Joint, Stack};
@@ -30,7 +30,7 @@ const ANY_WAY: [f64; 2] = [1.0, 0.0];
 pub(super) fn falling(stack: &Stack, piece: &Piece) -> Result<Option<Mechanism>, StabilityError> {
     // no pull prevents crushing
     if piece.crushes() {
-        let mut programme = piece.programme(Within::Line(ANY_WAY))?;
+        let mut programme = piece.programme(AccelerationSet::Line(ANY_WAY))?;
         let velocities = programme.falling_velocities(ANY_WAY)?;
         return Ok(velocities.and_then(|velocities| moving_with(stack, piece, &velocities)));
     }
@@ -44,7 +44,7 @@ pub(super) fn swaying(
     piece: &Piece,
     way: [f64; 2],
 ) -> Result<Option<Mechanism>, StabilityError> {
-    let velocities = piece.programme(Within::Line(way))?.mechanism(way)?;
+    let velocities = piece.programme(AccelerationSet::Line(way))?.mechanism(way)?;
     Ok(velocities.and_then(|velocities| moving_with(stack, piece, &velocities)))
 }
 

@@ -1,8 +1,8 @@
 //! Divides the balance of a stack into independent pieces.
 
 use super::SwayingForces;
-use super::cuts::{Carriers, carries};
-use super::limit_programme::{Column, Programme, Push, ToePush, Within, settings};
+use super::cuts::{SupportRelation, carries};
+use super::limit_programme::{AccelerationSet, Column, Programme, Push, ToePush, settings};
 use super::limit_region::{Symmetry, group, turned};
 use super::loads::{Load, together};
 use super::mechanism::BodyMotion;
@@ -18,7 +18,7 @@ const SAME: f64 = 1e-9;
 
 /// Possible forces of a joint or tie at one point: on a block, with their opposites on the body below.
 #[derive(Clone, Copy)]
-pub(super) struct Act {
+pub(super) struct PossibleForce {
     /// Index of its link: a joint, or after all joints a tie.
     pub(super) link: usize,
     pub(super) at: DVec3,
@@ -63,7 +63,7 @@ impl Law {
 
 /// The growing load.
 #[derive(Clone, Copy)]
-pub(super) enum Growing<'a> {
+pub(super) enum GrowingLoad<'a> {
     /// Inertia: the mass of each block times an acceleration.
     Shaking,
     /// Given shaking forces on each block.
@@ -103,7 +103,7 @@ struct Balance {
 }
 
 /// Transforms the six velocities of a balance in a programme into those of its blocks.
-struct Moves {
+struct VelocityTransform {
     blocks: Vec<usize>,
     about: DVec3,
     weight: f64,
@@ -111,7 +111,7 @@ struct Moves {
 
 /// Connected blocks and forces.
 pub(super) struct Piece {
-    moves: Vec<Moves>,
+    moves: Vec<VelocityTransform>,
     length: f64,
     units: Vec<f64>,
     at_rest: Vec<f64>,
@@ -166,13 +166,13 @@ impl Piece {
         &self.symmetries
     }
 
-    pub(super) fn programme(&self, within: Within) -> Result<Programme, StabilityError> {
+    pub(super) fn programme(&self, within: AccelerationSet) -> Result<Programme, StabilityError> {
         self.programme_by(within, settings())
     }
 
     pub(super) fn programme_by(
         &self,
-        within: Within,
+        within: AccelerationSet,
         settings: DefaultSettings<f64>,
     ) -> Result<Programme, StabilityError> {
         Programme::new(
@@ -187,16 +187,16 @@ impl Piece {
 
 /// The pushes of a piece, one after the other.
 #[derive(Default)]
-struct Gathered {
+struct PiecePushes {
     pushes: Vec<Push>,
     units: Vec<f64>,
     /// The link of the last push's toes.
     toes_of: Option<usize>,
 }
 
-impl Gathered {
+impl PiecePushes {
     /// Adds a possible force; `column` is the balance of one unit of force along an axis.
-    fn add(&mut self, act: &Act, unit: f64, column: impl Fn(DVec3) -> Column) {
+    fn add(&mut self, act: &PossibleForce, unit: f64, column: impl Fn(DVec3) -> Column) {
         let [normal, first_way, second_way] = act.axes;
         let mut toes_of = None;
         let push = match act.law {
@@ -238,8 +238,8 @@ impl Gathered {
 pub(super) fn pieces(
     stack: &Stack,
     loads: &[Load],
-    acts: &[Act],
-    growing: Growing<'_>,
+    acts: &[PossibleForce],
+    growing: GrowingLoad<'_>,
     ties: bool,
 ) -> Vec<Piece> {
     let mut links: Vec<Link> = stack
@@ -250,7 +250,7 @@ pub(super) fn pieces(
     if ties {
         links.extend(stack.ties().iter().map(|tie| Link::new(tie.lower, tie.upper)));
     }
-    let carriers = Carriers::of(stack);
+    let carriers = SupportRelation::of(stack);
     let groups: Vec<Vec<usize>> = (0..loads.len())
         .map(|block| carriers.carried(vec![block]))
         .collect();
@@ -292,16 +292,16 @@ pub(super) fn pieces(
             let load = together(loads, &blocks);
             Balance {
                 shaking: [DVec3::X, DVec3::Y].map(|axis| match growing {
-                    Growing::Shaking => {
+                    GrowingLoad::Shaking => {
                         let force = axis * (load.mass * gravity);
                         (force, load.centroid().cross(force))
                     }
-                    Growing::Swaying(swaying) => swayed(&blocks, axis, loads, swaying),
-                    Growing::Loads(all) if axis == DVec3::X => {
+                    GrowingLoad::Swaying(swaying) => swayed(&blocks, axis, loads, swaying),
+                    GrowingLoad::Loads(all) if axis == DVec3::X => {
                         let sum = together(all, &blocks);
                         (sum.force, sum.moment)
                     }
-                    Growing::Loads(_) => (DVec3::ZERO, DVec3::ZERO),
+                    GrowingLoad::Loads(_) => (DVec3::ZERO, DVec3::ZERO),
                 }),
                 load,
                 about: loads[block].centroid(),
@@ -314,7 +314,7 @@ pub(super) fn pieces(
         length: stack.height_m(),
     };
     let found = (0..loads.len()).filter(|&piece| piece_of.contains(&piece));
-    let mut acts_of: Vec<Vec<&Act>> = vec![Vec::new(); loads.len()];
+    let mut acts_of: Vec<Vec<&PossibleForce>> = vec![Vec::new(); loads.len()];
     for act in acts {
         if let Some(&(first, _)) = ends(act.link).first() {
             acts_of[piece_of[first]].push(act);
@@ -327,7 +327,7 @@ pub(super) fn pieces(
                 .collect();
             let row_of = |block: usize| within.binary_search(&block).ok().map(|at| 6 * at);
             let mut own = Vec::new();
-            let mut gathered = Gathered::default();
+            let mut gathered = PiecePushes::default();
             for &act in &acts_of[piece] {
                 let ends = ends(act.link);
                 let Some(&(first, _)) = ends.first() else {
@@ -354,7 +354,7 @@ pub(super) fn pieces(
             let mut made = Piece {
                 moves: balances
                     .iter()
-                    .map(|balance| Moves {
+                    .map(|balance| VelocityTransform {
                         blocks: balance.blocks.clone(),
                         about: balance.about,
                         weight: balance.weight,
@@ -366,8 +366,8 @@ pub(super) fn pieces(
                 shaking: [Vec::new(), Vec::new()],
                 // mirrors apply only under equal shaking forces
                 symmetries: match growing {
-                    Growing::Shaking => symmetries(&within, &balances, &own, &scale),
-                    Growing::Swaying(_) | Growing::Loads(_) => group(&[]),
+                    GrowingLoad::Shaking => symmetries(&within, &balances, &own, &scale),
+                    GrowingLoad::Swaying(_) | GrowingLoad::Loads(_) => group(&[]),
                 },
                 pushes: gathered.pushes,
             };
@@ -397,13 +397,13 @@ fn swayed(blocks: &[usize], axis: DVec3, loads: &[Load], swaying: &[SwayingForce
 }
 
 /// Balances that a possible force acts on, with its sign in each.
-type Ends = Vec<(usize, f64)>;
+type Incidence = Vec<(usize, f64)>;
 
 /// The mirrors in plan that map a piece onto itself, and their products.
 fn symmetries(
     blocks: &[usize],
     balances: &[&Balance],
-    acts: &[(&Act, Ends)],
+    acts: &[(&PossibleForce, Incidence)],
     scale: &Scale,
 ) -> Vec<Symmetry> {
     let mirrors = [

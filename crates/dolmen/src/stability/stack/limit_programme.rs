@@ -48,7 +48,7 @@ pub(super) type Column = Vec<(usize, f64)>;
 
 /// The accelerations considered.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Within {
+pub(super) enum AccelerationSet {
     /// All of the horizontal plane.
     Plane,
     /// Multiples of one direction.
@@ -57,7 +57,7 @@ pub(super) enum Within {
 
 /// Result of one solution.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Answer {
+pub(super) enum ProgrammeOutcome {
     /// The farthest acceleration along `towards` that is balanced.
     Reaches(Support),
     /// No forces balance any acceleration.
@@ -89,7 +89,7 @@ pub(super) struct Programme {
     costs: Vec<f64>,
     right: Vec<f64>,
     cones: Vec<SupportedConeT<f64>>,
-    within: Within,
+    within: AccelerationSet,
     rows: usize,
 }
 
@@ -99,7 +99,7 @@ impl Programme {
         at_rest: &[f64],
         shaking: [&[f64]; 2],
         pushes: &[Push],
-        within: Within,
+        within: AccelerationSet,
         settings: DefaultSettings<f64>,
     ) -> Result<Self, StabilityError> {
         let rows = at_rest.len();
@@ -128,8 +128,8 @@ impl Programme {
             build.cones.push(SupportedConeT::SecondOrderConeT(ways.len() + 1));
         };
         match within {
-            Within::Plane => add(&[[1.0, 0.0], [0.0, 1.0]], &mut build),
-            Within::Line(way) => add(&[way], &mut build),
+            AccelerationSet::Plane => add(&[[1.0, 0.0], [0.0, 1.0]], &mut build),
+            AccelerationSet::Line(way) => add(&[way], &mut build),
         }
         for push in pushes {
             build.push(push);
@@ -160,10 +160,10 @@ impl Programme {
     }
 
     /// Largest balanced acceleration along ν.
-    pub(super) fn support(&mut self, towards: [f64; 2]) -> Result<Answer, StabilityError> {
+    pub(super) fn support(&mut self, towards: [f64; 2]) -> Result<ProgrammeOutcome, StabilityError> {
         match self.within {
-            Within::Plane => self.right[1..3].copy_from_slice(&towards.map(|part| -part)),
-            Within::Line(way) => self.right[1] = -(way[0] * towards[0] + way[1] * towards[1]),
+            AccelerationSet::Plane => self.right[1..3].copy_from_slice(&towards.map(|part| -part)),
+            AccelerationSet::Line(way) => self.right[1] = -(way[0] * towards[0] + way[1] * towards[1]),
         }
         let updated = self.solver.update_b(&self.right);
         updated.map_err(|fault| refused(&fault.to_string()))?;
@@ -177,8 +177,8 @@ impl Programme {
         }
         let (x, z) = (&solution.x, &solution.z);
         let point = match self.within {
-            Within::Plane => [z[1], z[2]],
-            Within::Line(way) => [z[1] * way[0], z[1] * way[1]],
+            AccelerationSet::Plane => [z[1], z[2]],
+            AccelerationSet::Line(way) => [z[1] * way[0], z[1] * way[1]],
         };
         let reached = point[0] * towards[0] + point[1] * towards[1];
         let bound = dot(&self.costs, x);
@@ -194,13 +194,13 @@ impl Programme {
                 solution.status, solution.iterations
             )));
         }
-        Ok(Answer::Reaches(Support { point, bound, missed }))
+        Ok(ProgrammeOutcome::Reaches(Support { point, bound, missed }))
     }
 
     /// The mechanism that bounds the balanced accelerations along ν; `None` if nothing is balanced.
     pub(super) fn mechanism(&mut self, towards: [f64; 2]) -> Result<Option<Vec<f64>>, StabilityError> {
         let answer = self.support(towards)?;
-        Ok((answer != Answer::Falls).then(|| self.velocities().to_vec()))
+        Ok((answer != ProgrammeOutcome::Falls).then(|| self.velocities().to_vec()))
     }
 
     /// The velocities in which it falls whatever the acceleration along ν, or with the smallest one in the opposite direction; `None` if it
@@ -211,7 +211,7 @@ impl Programme {
     ) -> Result<Option<Vec<f64>>, StabilityError> {
         for way in [towards, towards.map(|part| -part)] {
             match self.support(way)? {
-                Answer::Reaches(support) if support.bound > 0.0 => {}
+                ProgrammeOutcome::Reaches(support) if support.bound > 0.0 => {}
                 _ => return Ok(Some(self.velocities().to_vec())),
             }
         }
@@ -224,12 +224,12 @@ impl Programme {
     }
 
     /// A mechanism that gains energy whatever the acceleration, after a check.
-    fn falls(&self) -> Result<Answer, StabilityError> {
+    fn falls(&self) -> Result<ProgrammeOutcome, StabilityError> {
         let x = &self.solver.solution.x;
         let gains = -dot(&self.costs, x);
         let outside = self.outside(&self.slips(x, 0.0), 1.0);
         if gains > 0.0 && outside <= MISSED_MOST * gains {
-            return Ok(Answer::Falls);
+            return Ok(ProgrammeOutcome::Falls);
         }
         Err(refused(&format!(
             "a mechanism that falls is outside the joints by {outside:e}, and gains {gains:e}"

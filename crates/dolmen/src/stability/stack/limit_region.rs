@@ -6,7 +6,7 @@
 //! | h(ν) | `bound` | how far it reaches |
 //! | S | `symmetries` | turns and mirrors that leave the region as it is |
 
-use super::limit_programme::{ACCELERATION_MOST, Answer, Support};
+use super::limit_programme::{ACCELERATION_MOST, ProgrammeOutcome, Support};
 use crate::stability::StabilityError;
 use crate::structure::stack::Polygon;
 
@@ -75,7 +75,7 @@ pub(super) fn turned(symmetry: &Symmetry, point: [f64; 2]) -> [f64; 2] {
 /// # Source
 /// van den Bergen (2001), expanding polytopes. Differs from the source: in the plane, and with symmetries.
 pub(super) fn nearest(
-    mut ask: impl FnMut([f64; 2]) -> Result<Answer, StabilityError>,
+    mut ask: impl FnMut([f64; 2]) -> Result<ProgrammeOutcome, StabilityError>,
     symmetries: &[Symmetry],
     enough: f64,
 ) -> Result<Nearest, StabilityError> {
@@ -117,7 +117,7 @@ pub(super) fn nearest(
             Some(bound) => bound,
             None => {
                 found.solved += 1;
-                let Answer::Reaches(Support { point, bound, missed }) = ask(towards)? else {
+                let ProgrammeOutcome::Reaches(Support { point, bound, missed }) = ask(towards)? else {
                     found.stands = false;
                     return Ok(found);
                 };
@@ -199,7 +199,7 @@ mod tests {
                 .copied()
                 .reduce(|a, b| if along(&b) > along(&a) { b } else { a });
             let point = far.unwrap();
-            Ok(Answer::Reaches(Support {
+            Ok(ProgrammeOutcome::Reaches(Support {
                 point,
                 bound: along(&point),
                 missed: 0.0,
@@ -237,7 +237,7 @@ mod tests {
     #[test]
     fn holds_both_bounds_on_a_disc() {
         let ask = |towards: [f64; 2]| {
-            Ok(Answer::Reaches(Support {
+            Ok(ProgrammeOutcome::Reaches(Support {
                 point: towards.map(|part| 0.3 * part),
                 bound: 0.3,
                 missed: 0.0,

@@ -38,7 +38,7 @@ pub(super) struct Toe {
 
 /// Knowledge of the force in a joint before the analysis.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Pressed {
+pub(super) enum JointForce {
     /// Known from statics alone.
     Known {
         /// The force without shaking, N.
@@ -67,19 +67,19 @@ pub(super) enum Pressed {
 pub(super) fn toes(
     patch: &Polygon,
     strength_pa: f64,
-    pressed: Pressed,
+    pressed: JointForce,
     towards: Option<[f64; 2]>,
 ) -> Vec<Toe> {
     let moments = patch.moments();
     let area = moments.area_m2;
     let whole_n = strength_pa * area;
     let (between, shares) = match pressed {
-        Pressed::Known { force_n, grows } => {
+        JointForce::Known { force_n, grows } => {
             let parts = if grows { &FROM_KNOWN[..] } else { &ABOUT_KNOWN[..] };
             let shares = parts.iter().map(|part| part * force_n / whole_n);
             (BETWEEN_FEW, shares.collect())
         }
-        Pressed::About { force_n, joints } => {
+        JointForce::About { force_n, joints } => {
             let (between, usual) = match joints > JOINTS_FEW {
                 true => (BETWEEN_MANY, &FEW[..]),
                 false => (BETWEEN_FEW, &MANY[..]),
@@ -156,7 +156,7 @@ mod tests {
             let points = (0..6).map(|_| [random.uniform(), random.uniform()]).collect();
             let patch = Polygon::hull(points);
             let (strength_pa, about) = (2e5, 3e4 * random.uniform());
-            let pressed = Pressed::About {
+            let pressed = JointForce::About {
                 force_n: about,
                 joints: 3,
             };

@@ -6,12 +6,12 @@
 //! | W | `weight_n` | weight of the stack | N |
 
 use super::StackLoads;
-use super::limit_acts::{Before, acts};
-use super::limit_along::{Along, along};
+use super::limit_acts::{LimitProblem, acts};
+use super::limit_along::{DirectionLimit, along};
 use super::limit_mechanism::{falling, moving_with};
 use super::limit_options::Holding;
-use super::limit_pieces::{Growing, Piece, pieces};
-use super::limit_programme::{ACCELERATION_MOST, Answer, Within};
+use super::limit_pieces::{GrowingLoad, Piece, pieces};
+use super::limit_programme::{ACCELERATION_MOST, AccelerationSet, ProgrammeOutcome};
 use super::loads::{push_all, without_weight};
 use super::mechanism::Mechanism;
 use crate::stability::StabilityError;
@@ -95,7 +95,7 @@ pub fn load_factor(
         mechanism: None,
     };
     for piece in &pieces {
-        let Along {
+        let DirectionLimit {
             found: reached,
             velocities,
             ..
@@ -131,10 +131,12 @@ pub fn growth(
     let (pieces, unit) = pieces_of(&bare, steady, growing)?;
     let mut least = f64::INFINITY;
     for piece in &pieces {
-        match piece.programme(Within::Line(GROWS))?.support(GROWS)? {
-            Answer::Reaches(support) if support.bound < MOST => least = least.min(support.bound * unit),
-            Answer::Reaches(_) => {}
-            Answer::Falls => return Ok(0.0),
+        match piece.programme(AccelerationSet::Line(GROWS))?.support(GROWS)? {
+            ProgrammeOutcome::Reaches(support) if support.bound < MOST => {
+                least = least.min(support.bound * unit)
+            }
+            ProgrammeOutcome::Reaches(_) => {}
+            ProgrammeOutcome::Falls => return Ok(0.0),
         }
     }
     Ok(least)
@@ -166,7 +168,7 @@ fn pieces_of(
         })
         .collect();
     let grows = without_weight(loads.len(), &scaled);
-    let before = Before {
+    let before = LimitProblem {
         stack: bare,
         loads: &loads,
         towards: None,
@@ -174,5 +176,8 @@ fn pieces_of(
         is_coarse: false,
     };
     let acts = acts(&before, Holding::Cohesion);
-    Ok((pieces(bare, &loads, &acts, Growing::Loads(&grows), false), unit))
+    Ok((
+        pieces(bare, &loads, &acts, GrowingLoad::Loads(&grows), false),
+        unit,
+    ))
 }

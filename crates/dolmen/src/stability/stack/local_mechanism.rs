@@ -10,12 +10,12 @@
 //! | d₀* | `overturning_m` | displacement of the oscillator at which nothing holds it any more | m |
 
 use super::StackLoads;
-use super::limit_acts::{Before, acts};
+use super::limit_acts::{LimitProblem, acts};
 use super::limit_along::unit;
 use super::limit_mechanism::named;
 use super::limit_options::Holding;
-use super::limit_pieces::{Growing, Piece, pieces};
-use super::limit_programme::{ACCELERATION_MOST, Answer, Within};
+use super::limit_pieces::{GrowingLoad, Piece, pieces};
+use super::limit_programme::{ACCELERATION_MOST, AccelerationSet, ProgrammeOutcome};
 use super::mechanism::BodyMotion;
 use crate::stability::StabilityError;
 use crate::structure::stack::{Block, Stack};
@@ -112,7 +112,7 @@ pub fn local_mechanisms(
         .map(|&direction| unit(direction))
         .collect::<Result<Vec<_>, _>>()?;
     let loads = StackLoads::default().on_blocks(stack)?;
-    let before = Before {
+    let before = LimitProblem {
         stack,
         loads: &loads,
         towards: None,
@@ -120,7 +120,7 @@ pub fn local_mechanisms(
         is_coarse: false,
     };
     let acts = acts(&before, Holding::Cohesion);
-    let pieces = pieces(stack, &loads, &acts, Growing::Shaking, false);
+    let pieces = pieces(stack, &loads, &acts, GrowingLoad::Shaking, false);
     let limits: Vec<_> = ways.iter().map(|&way| Limit::of(&pieces, way)).collect();
     let each = ways.iter().zip(&limits).map(|(&way, limit)| {
         let limit = limit.as_ref().map_err(Clone::clone)?;
@@ -160,9 +160,9 @@ impl Limit {
             moving: None,
         };
         for (index, piece) in pieces.iter().enumerate() {
-            let mut programme = piece.programme(Within::Line(way))?;
+            let mut programme = piece.programme(AccelerationSet::Line(way))?;
             match programme.support(way)? {
-                Answer::Reaches(support) if support.bound > 0.0 => {
+                ProgrammeOutcome::Reaches(support) if support.bound > 0.0 => {
                     if support.bound < limit.multiplier {
                         limit.multiplier = support.bound;
                         limit.moving = Some((index, programme.velocities().to_vec()));

@@ -17,15 +17,15 @@ const SAME_AREA: f64 = 0.01;
 
 /// Pose of a moved block.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Moved {
+pub(super) struct BlockPose {
     pub(super) centre: DVec3,
     pub(super) rotation: DMat3,
     pub(super) shift: DVec3,
 }
 
-impl Moved {
+impl BlockPose {
     pub(super) fn at_rest(centre: DVec3) -> Self {
-        Moved {
+        BlockPose {
             centre,
             rotation: DMat3::IDENTITY,
             shift: DVec3::ZERO,
@@ -34,9 +34,9 @@ impl Moved {
 
     /// Displacement of the ground.
     pub(super) fn ground(shift: DVec3) -> Self {
-        Moved {
+        BlockPose {
             shift,
-            ..Moved::at_rest(DVec3::ZERO)
+            ..BlockPose::at_rest(DVec3::ZERO)
         }
     }
 
@@ -62,7 +62,7 @@ impl Moved {
             true => DMat3::from_axis_angle(turn / angle, angle) * self.rotation,
             false => self.rotation,
         };
-        Moved {
+        BlockPose {
             rotation,
             shift: self.shift + shift,
             ..*self
@@ -189,7 +189,7 @@ impl Faces {
     /// ```text
     /// both faces seen along their mean normal n; corners of what they cover together; g = distance of both planes along n there
     /// ```
-    pub(super) fn contact(&self, below: &Moved, above: &Moved) -> Option<Contact> {
+    pub(super) fn contact(&self, below: &BlockPose, above: &BlockPose) -> Option<Contact> {
         let [first, _, normal] = self.axes;
         let (under, over) = (below.rotation * normal, above.rotation * normal);
         let mean = (under + over).normalize();
@@ -198,7 +198,7 @@ impl Faces {
         let axes = [along, mean.cross(along), mean];
         let (low, high) = (below.point(self.origin), above.point(self.origin));
         let middle = 0.5 * (low + high);
-        let seen = |of: &Moved, face: &[DVec3]| {
+        let seen = |of: &BlockPose, face: &[DVec3]| {
             let corners = face.iter().map(|corner| {
                 let from = of.point(*corner) - middle;
                 [from.dot(axes[0]), from.dot(axes[1])]

@@ -9,7 +9,7 @@
 //! | f | `z` | force at a corner on the upper block, over W | – |
 
 use super::limit_programme::settings;
-use super::moved_contacts::{Contact, Moved};
+use super::moved_contacts::{BlockPose, Contact};
 use crate::stability::StabilityError;
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{DefaultSolver, IPSolver, SolverStatus, SupportedConeT};
@@ -22,7 +22,7 @@ const ROUNDING: f64 = 1e-13;
 
 /// Loads on a block whatever its motion: force at its centroid and moment about it.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Dead {
+pub(super) struct BlockDeadLoad {
     pub(super) force: DVec3,
     pub(super) moment: DVec3,
 }
@@ -46,9 +46,9 @@ pub(super) struct Step {
 
 /// Input of a step.
 pub(super) struct Stage<'a> {
-    pub(super) moved: &'a [Moved],
+    pub(super) moved: &'a [BlockPose],
     pub(super) contacts: &'a [Contact],
-    pub(super) dead: &'a [Dead],
+    pub(super) dead: &'a [BlockDeadLoad],
     /// Displacement of the ground under each block in this step, m.
     pub(super) ground: &'a [DVec3],
     pub(super) length: f64,

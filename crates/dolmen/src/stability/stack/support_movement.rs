@@ -2,8 +2,8 @@
 
 use super::loads::{Load, StackLoads};
 use super::mechanism::{JointMotion, Mechanism, MovingJoint};
-use super::moved_contacts::{Contact, Corner, Faces, Moved, faces_of};
-use super::movement_programme::{Dead, Motion, Stage, Step, step};
+use super::moved_contacts::{BlockPose, Contact, Corner, Faces, faces_of};
+use super::movement_programme::{BlockDeadLoad, Motion, Stage, Step, step};
 use crate::stability::StabilityError;
 use crate::structure::stack::{Solid, Stack};
 use glam::DVec3;
@@ -152,7 +152,7 @@ pub fn follow_support_movement(
         let path_factor = path.factor;
         let from = path.clone();
         match path.try_step(to) {
-            Tried::Taken { share } => {
+            StepOutcome::Taken { share } => {
                 before = Some((from, to - path_factor));
                 if first.is_none() {
                     first = Some(path.state());
@@ -180,7 +180,7 @@ pub fn follow_support_movement(
                         falls_by = Some(to);
                         continue;
                     }
-                    if not_taken == Tried::Falls {
+                    if not_taken == StepOutcome::Falls {
                         ending = MovementEnding::Falls { by_factor: to };
                     }
                     break;
@@ -205,7 +205,7 @@ pub fn follow_support_movement(
 
 /// Outcome of a step.
 #[derive(Clone, Copy, PartialEq)]
-enum Tried {
+enum StepOutcome {
     /// Stones moved by this share of the largest step.
     Taken {
         share: f64,
@@ -220,14 +220,14 @@ enum Tried {
 struct Path<'a> {
     stack: &'a Stack,
     faces: Vec<Faces>,
-    dead: Vec<Dead>,
+    dead: Vec<BlockDeadLoad>,
     /// The given movement under each block, m.
     unit: Vec<DVec3>,
     size: f64,
     step: f64,
     weight: f64,
     factor: f64,
-    moved: Vec<Moved>,
+    moved: Vec<BlockPose>,
     contacts: Vec<Contact>,
     reactions: Vec<DVec3>,
     /// Largest displacement of a stone in the last step, m.
@@ -267,7 +267,10 @@ impl<'a> Path<'a> {
             step: options.step,
             weight: loads.iter().map(|load| load.mass).sum::<f64>() * stack.gravity_m_s2(),
             factor: 0.0,
-            moved: loads.iter().map(|load| Moved::at_rest(load.centroid())).collect(),
+            moved: loads
+                .iter()
+                .map(|load| BlockPose::at_rest(load.centroid()))
+                .collect(),
             contacts: Vec::new(),
             reactions: Vec::new(),
             last_m: 0.0,
@@ -279,11 +282,11 @@ impl<'a> Path<'a> {
         Ok(path)
     }
 
-    fn contacts_of(&self, moved: &[Moved], factor: f64) -> Vec<Contact> {
+    fn contacts_of(&self, moved: &[BlockPose], factor: f64) -> Vec<Contact> {
         let each = self.faces.iter().filter_map(|faces| {
             let below = match faces.lower {
                 Some(lower) => moved[lower],
-                None => Moved::ground(self.unit[faces.upper] * factor),
+                None => BlockPose::ground(self.unit[faces.upper] * factor),
             };
             faces.contact(&below, &moved[faces.upper])
         });
@@ -291,7 +294,7 @@ impl<'a> Path<'a> {
     }
 
     /// Loads on the stones at their present places: the point of a static load moves with its stone.
-    fn dead_now(&self) -> Vec<Dead> {
+    fn dead_now(&self) -> Vec<BlockDeadLoad> {
         let mut dead = self.dead.clone();
         for load in self.stack.static_loads() {
             let moved = &self.moved[load.block];
@@ -302,7 +305,7 @@ impl<'a> Path<'a> {
     }
 
     /// Continues to a factor.
-    fn try_step(&mut self, factor: f64) -> Tried {
+    fn try_step(&mut self, factor: f64) -> StepOutcome {
         self.steps += 1;
         let ground: Vec<DVec3> = self.unit.iter().map(|u| *u * (factor - self.factor)).collect();
         let dead = self.dead_now();
@@ -320,13 +323,13 @@ impl<'a> Path<'a> {
             missed,
         } = match found {
             Ok(Some(found)) => found,
-            Ok(None) => return Tried::Falls,
-            Err(_) => return Tried::NotSolved,
+            Ok(None) => return StepOutcome::Falls,
+            Err(_) => return StepOutcome::NotSolved,
         };
         let far = |motion: &Motion| motion.turn.length().max(motion.shift.length() / self.size);
         let share = motions.iter().map(far).fold(0.0, f64::max) / self.step;
         if share > 1.0 {
-            return Tried::Falls;
+            return StepOutcome::Falls;
         }
         let moved = self.moved.iter().zip(&motions);
         self.moved = moved
@@ -341,7 +344,7 @@ impl<'a> Path<'a> {
             .fold(0.0, f64::max);
         self.slip_m = self.slip_m.max(self.slip_now_m());
         self.residual = self.residual.max(missed);
-        Tried::Taken { share }
+        StepOutcome::Taken { share }
     }
 
     fn state(&self) -> MovedStack {
@@ -417,8 +420,8 @@ impl<'a> Path<'a> {
 }
 
 /// Loads keep their direction: force at the centroid, moment about it.
-fn dead(load: &Load) -> Dead {
-    Dead {
+fn dead(load: &Load) -> BlockDeadLoad {
+    BlockDeadLoad {
         force: load.force,
         moment: load.moment - load.centroid().cross(load.force),
     }

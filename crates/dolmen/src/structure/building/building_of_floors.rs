@@ -79,7 +79,7 @@ impl Building {
             {
                 return Err(BuildingError::Falls {
                     storey: first.storey,
-                    motion: first.motion(),
+                    motion: first.motion().name(),
                     load_factor: first.load_factor,
                 });
             }

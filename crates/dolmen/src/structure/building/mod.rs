@@ -33,4 +33,4 @@ pub use plan_stiffness::{
     MovesOtherwise, PlanSolution, PlanStiffness, ShapeOtherwise, SingleStiffness, plan_stiffness,
 };
 pub use plan_storey::{EccentricityFrom, PlanMode, PlanMotion, PlanStiffnessError, PlanStorey, Twist};
-pub use stability::{StoreyFall, storey_falls};
+pub use stability::{StoreyFall, StoreyMotion, storey_falls};

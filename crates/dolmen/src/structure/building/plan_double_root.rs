@@ -59,14 +59,14 @@ impl DoubleRoot {
     }
 }
 
-struct Near<'a> {
+struct NearDoubleRoot<'a> {
     storey: &'a PlanStorey,
     mode_of: [usize; 3],
     data: [f64; 5],
     sd: [f64; 5],
 }
 
-impl Near<'_> {
+impl NearDoubleRoot<'_> {
     fn at(&self, shift: &[f64; 5]) -> ([f64; 3], Labelled) {
         let moved: [f64; 5] = std::array::from_fn(|i| self.data[i] + shift[i] * self.sd[i]);
         let lambda = [0, 1, 2].map(|i| (TAU * moved[i].exp()).powi(2));
@@ -137,7 +137,7 @@ pub(super) fn double_root(
         Some(mode.twist?.sd)
     };
     let relative = modes.map(|mode| mode.frequency_sd_hz / mode.frequency_hz);
-    let near = Near {
+    let near = NearDoubleRoot {
         storey,
         mode_of: labelled.mode_of,
         data: [

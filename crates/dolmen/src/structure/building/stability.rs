@@ -32,12 +32,31 @@ impl StoreyFall {
         all.iter().min_by(|a, b| a.load_factor.total_cmp(&b.load_factor))
     }
 
-    /// "twists" if its rotation is more than half of the square of its drift, else "sways".
-    pub fn motion(&self) -> &'static str {
+    /// How it moves: it twists if its rotation is more than half of the square of its drift.
+    pub fn motion(&self) -> StoreyMotion {
         if self.drift[2] * self.drift[2] > 0.5 {
-            "twists"
+            StoreyMotion::Twists
         } else {
-            "sways"
+            StoreyMotion::Sways
+        }
+    }
+}
+
+/// How a storey moves as it falls.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StoreyMotion {
+    /// To a side.
+    Sways,
+    /// About the vertical.
+    Twists,
+}
+
+impl StoreyMotion {
+    /// Its word in answers, "sways" or "twists".
+    pub fn name(self) -> &'static str {
+        match self {
+            StoreyMotion::Sways => "sways",
+            StoreyMotion::Twists => "twists",
         }
     }
 }

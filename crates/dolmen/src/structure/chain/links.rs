@@ -207,11 +207,6 @@ impl Chain {
         self.links.iter().scan(0.0, below).collect()
     }
 
-    /// J of each link about its centre of mass, kg m², lowest first.
-    pub fn inertias_kg_m2(&self) -> Vec<f64> {
-        self.links.iter().map(Link::inertia_kg_m2).collect()
-    }
-
     /// Whether any moment of inertia is not given but assumed to be a thin rod's.
     pub fn assumes_thin_rods(&self) -> bool {
         self.links.iter().any(|link| link.inertia == Inertia::ThinRod)

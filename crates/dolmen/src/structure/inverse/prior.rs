@@ -1,7 +1,7 @@
 //! Fewer independent data than springs: the fit nearest to an assumption about their proportions.
 
 use super::Sprung;
-use super::search::{Count, Found, ITERATIONS_MOST, Search};
+use super::search::{Count, ITERATIONS_MOST, Minimum, Search};
 use super::starts::scattered_starts;
 use crate::numeric::{LeastSquaresFit, Residuals, levenberg_marquardt};
 use crate::structure::{Choice, StiffnessSolutions, StructureError};
@@ -16,7 +16,7 @@ impl<S: Sprung> Search<'_, S> {
     /// Of all that fit, the one nearest to the prior in ln k, its common factor free; where the way from the prior ends
     /// beside the data, the first fit found from scattered starts.
     pub(super) fn nearest_to_the_prior(&self, prior: &[f64]) -> Result<StiffnessSolutions, StructureError> {
-        let mut accepted: Vec<Found> = Vec::new();
+        let mut accepted: Vec<Minimum> = Vec::new();
         let mut nearest: Option<f64> = None;
         let mut tried = 0;
         for start in scattered_starts(prior, 0, self.options.starts) {
@@ -53,7 +53,7 @@ impl<S: Sprung> Search<'_, S> {
     }
 
     /// The fit that letting the prior go by steps leads to.
-    fn fit_near(&self, prior: &[f64], mut x: Vec<f64>, weights: &[f64]) -> Option<Found> {
+    fn fit_near(&self, prior: &[f64], mut x: Vec<f64>, weights: &[f64]) -> Option<Minimum> {
         let n = prior.len();
         for &weight in weights {
             let with_prior = |x: &[f64]| {

@@ -7,7 +7,7 @@
 //! | d | `way` | x_i less its best value | |
 
 use super::Sprung;
-use super::search::{Found, ITERATIONS_MOST, Search};
+use super::search::{ITERATIONS_MOST, Minimum, Search};
 use crate::numeric::{Residuals, levenberg_marquardt};
 use crate::structure::StiffnessBounds;
 use dolmen_linalg::Matrix;
@@ -34,7 +34,7 @@ impl<S: Sprung> Search<'_, S> {
     ///
     /// A frequency that carries a standard deviation counts by its difference in Hz, as it was stated: with a large one a logarithm would hold the lower end
     /// too high. Data that share blocks of time are taken as independent here.
-    pub(super) fn bounds(&self, best: &Found) -> Vec<StiffnessBounds> {
+    pub(super) fn bounds(&self, best: &Minimum) -> Vec<StiffnessBounds> {
         let deviation = self.deviation_unit() * self.widened(best);
         let allowed = self.squares(best) + CHI_SQUARED_95 * deviation.powi(2);
         (0..best.x.len())
@@ -45,7 +45,7 @@ impl<S: Sprung> Search<'_, S> {
             .collect()
     }
 
-    fn squares(&self, found: &Found) -> f64 {
+    fn squares(&self, found: &Minimum) -> f64 {
         match self.fit.residuals_as_stated(&found.x) {
             Some(at) => at.residual.iter().map(|r| r * r).sum(),
             None => found.misfit.powi(2) * self.fit.data() as f64,
@@ -53,7 +53,7 @@ impl<S: Sprung> Search<'_, S> {
     }
 
     /// One end of the interval of stiffness `i`; `None` if there is none on that side.
-    fn end(&self, best: &Found, i: usize, side: f64, allowed: f64) -> Option<f64> {
+    fn end(&self, best: &Minimum, i: usize, side: f64, allowed: f64) -> Option<f64> {
         let softest = best.x.iter().copied().fold(f64::INFINITY, f64::min);
         if side > 0.0 && best.x[i] - softest > RIGID {
             return None;

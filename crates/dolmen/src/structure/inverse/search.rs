@@ -15,7 +15,7 @@ pub(super) const EXACT: f64 = 1e-9;
 const RANK_LEAST: f64 = 1e-8;
 
 /// One minimum.
-pub(super) struct Found {
+pub(super) struct Minimum {
     pub(super) x: Vec<f64>,
     pub(super) misfit: f64,
     pub(super) jacobian: Matrix,
@@ -50,9 +50,9 @@ impl<S: Sprung> Search<'_, S> {
         self.model.parts()
     }
 
-    pub(super) fn found(&self, fit: LeastSquaresFit) -> Found {
+    pub(super) fn found(&self, fit: LeastSquaresFit) -> Minimum {
         let squares: f64 = fit.at.residual.iter().map(|r| r * r).sum();
-        Found {
+        Minimum {
             misfit: (squares / self.fit.data() as f64).sqrt(),
             x: fit.x,
             jacobian: fit.at.jacobian,

@@ -7,7 +7,7 @@
 
 use super::modal_fit::ModalFit;
 use super::options::Weighting;
-use super::search::{Count, EXACT, Found, ITERATIONS_MOST, Search, rank, singular_values, tall};
+use super::search::{Count, EXACT, ITERATIONS_MOST, Minimum, Search, rank, singular_values, tall};
 use super::starts::{linear_estimate, scattered_starts};
 use super::{FrequencyRoots, Sprung, StiffnessSearch, notes};
 use crate::numeric::levenberg_marquardt;
@@ -97,7 +97,7 @@ impl<S: Sprung> Search<'_, S> {
         roots: Option<FrequencyRoots>,
     ) -> Result<StiffnessSolutions, StructureError> {
         let only_frequencies = self.fit.data() == self.modes.len();
-        let mut all: Vec<Found> = Vec::new();
+        let mut all: Vec<Minimum> = Vec::new();
         let mut tried = 0;
         if let Some(start) = linear_estimate(self.structure, &self.model, self.modes)? {
             tried += 1;
@@ -158,7 +158,7 @@ impl<S: Sprung> Search<'_, S> {
     }
 
     /// Minima from a scatter of starts; how many starts were tried.
-    fn descend_from_scattered(&self, prior: &[f64], starts: usize, all: &mut Vec<Found>) -> usize {
+    fn descend_from_scattered(&self, prior: &[f64], starts: usize, all: &mut Vec<Minimum>) -> usize {
         let only_frequencies = self.fit.data() == self.modes.len();
         let mut tried = 0;
         for batch in 0..BATCHES_MOST {
@@ -179,24 +179,24 @@ impl<S: Sprung> Search<'_, S> {
     }
 
     /// Adds the minimum that a start leads to, unless it is there already.
-    fn descend(&self, start: Vec<f64>, iterations_most: usize, all: &mut Vec<Found>) {
+    fn descend(&self, start: Vec<f64>, iterations_most: usize, all: &mut Vec<Minimum>) {
         let end = levenberg_marquardt(start, iterations_most, |x| self.fit.residuals(x));
         let Some(found) = end.map(|end| self.found(end)) else {
             return;
         };
-        let near = |other: &Found| other.x.iter().zip(&found.x).all(|(a, b)| (a - b).abs() < SAME);
+        let near = |other: &Minimum| other.x.iter().zip(&found.x).all(|(a, b)| (a - b).abs() < SAME);
         if !all.iter().any(near) {
             all.push(found);
         }
     }
 
     /// Best misfit first, exact ones by their first stiffness.
-    fn sort(&self, all: &mut [Found]) {
-        let order = |a: &Found, b: &Found| rounded(a.misfit).total_cmp(&rounded(b.misfit));
+    fn sort(&self, all: &mut [Minimum]) {
+        let order = |a: &Minimum, b: &Minimum| rounded(a.misfit).total_cmp(&rounded(b.misfit));
         all.sort_by(|a, b| order(a, b).then(a.x[0].total_cmp(&b.x[0])));
     }
 
-    fn choose(&self, all: &[Found]) -> Result<Choice, StructureError> {
+    fn choose(&self, all: &[Minimum]) -> Result<Choice, StructureError> {
         let Some(best) = all.first() else {
             return Ok(Choice::Impossible);
         };
@@ -213,7 +213,7 @@ impl<S: Sprung> Search<'_, S> {
     }
 
     /// With standard deviations, given or assumed, leaves out fits that are too much worse than the best.
-    fn drop_the_excluded(&self, all: &mut Vec<Found>) {
+    fn drop_the_excluded(&self, all: &mut Vec<Minimum>) {
         let Some(best) = all.first().map(|best| rounded(best.misfit)) else {
             return;
         };
@@ -225,7 +225,7 @@ impl<S: Sprung> Search<'_, S> {
 
     /// Descents that ended on a plateau (a spring as if rigid) or on their way along a valley are no solutions: a step would still lower
     /// their squares. Roots, which have none, and the best stay.
-    fn drop_the_unfinished(&self, all: &mut Vec<Found>) -> Result<(), StructureError> {
+    fn drop_the_unfinished(&self, all: &mut Vec<Minimum>) -> Result<(), StructureError> {
         const FALLS_LEAST: f64 = 1e-4; // of the square of what counts as seen
         let mut kept = Vec::with_capacity(all.len());
         for found in all.drain(..) {
@@ -242,7 +242,7 @@ impl<S: Sprung> Search<'_, S> {
     }
 
     /// By how much a linear step lowers the squares: ‖U Uᵀ r‖², 0 at a minimum.
-    fn squares_along(&self, found: &Found) -> Result<f64, StructureError> {
+    fn squares_along(&self, found: &Minimum) -> Result<f64, StructureError> {
         let Some(at) = self.fit.residuals(&found.x) else {
             return Ok(f64::INFINITY);
         };
@@ -259,7 +259,7 @@ impl<S: Sprung> Search<'_, S> {
 
     /// Whether another solution meets this one here, or so nearly that the scatter of the frequencies moves one into the
     /// other: as many frequencies as springs, yet some combination of seen springs that they leave free.
-    pub(super) fn meets_another(&self, found: &Found) -> Result<bool, StructureError> {
+    pub(super) fn meets_another(&self, found: &Minimum) -> Result<bool, StructureError> {
         let n = found.x.len();
         if n < 2 || self.modes.len() != n || self.fit.data() != n {
             return Ok(false);
@@ -277,7 +277,7 @@ impl<S: Sprung> Search<'_, S> {
 
     pub(super) fn answer(
         &self,
-        mut all: Vec<Found>,
+        mut all: Vec<Minimum>,
         choice: Choice,
         count: Count,
     ) -> Result<StiffnessSolutions, StructureError> {
@@ -337,7 +337,7 @@ impl<S: Sprung> Search<'_, S> {
 
     fn solution(
         &self,
-        found: &Found,
+        found: &Minimum,
         choice: Choice,
         ranged: bool,
     ) -> Result<StiffnessSolution, StructureError> {
@@ -364,10 +364,10 @@ fn rounded(misfit: f64) -> f64 {
 }
 
 /// Keeps the best of those that lie in one flat valley.
-fn one_a_valley(all: &mut Vec<Found>) {
-    let mut kept: Vec<Found> = Vec::new();
+fn one_a_valley(all: &mut Vec<Minimum>) {
+    let mut kept: Vec<Minimum> = Vec::new();
     for found in all.drain(..) {
-        let near = |other: &Found| {
+        let near = |other: &Minimum| {
             let pairs = other.x.iter().zip(&found.x);
             pairs.into_iter().all(|(a, b)| (a - b).abs() < SAME_VALLEY)
         };

@@ -7,7 +7,7 @@
 use super::Sprung;
 use super::options::Weighting;
 use super::range::range_of_root;
-use super::search::{Found, Search, rank, tall};
+use super::search::{Minimum, Search, rank, tall};
 use crate::structure::{Choice, StiffnessBounds, StiffnessRange, StructureError, Visibility};
 use dolmen_linalg::{Matrix, svd};
 
@@ -19,7 +19,7 @@ const SEEN_RELATIVE: f64 = 0.005;
 
 /// What can be stated of the stiffnesses of one solution.
 #[derive(Default)]
-pub(super) struct Known {
+pub(super) struct StiffnessUncertainty {
     /// Standard deviation of each ln k, where the modes carry deviations.
     pub(super) relative_sd: Option<Vec<f64>>,
     /// Ends of each, where a linear interval would reach below 0.
@@ -29,19 +29,23 @@ pub(super) struct Known {
 impl<S: Sprung> Search<'_, S> {
     /// A linear interval where the modes carry deviations and it is narrow; else, by deviations given or assumed, the
     /// profile.
-    pub(super) fn known(&self, found: &Found, choice: Choice) -> Result<Known, StructureError> {
+    pub(super) fn known(
+        &self,
+        found: &Minimum,
+        choice: Choice,
+    ) -> Result<StiffnessUncertainty, StructureError> {
         if self.independent < self.parts() || self.meets_another(found)? {
-            return Ok(Known::default());
+            return Ok(StiffnessUncertainty::default());
         }
         let unit = self.deviation_unit();
         let linear = |sd: &Vec<f64>| sd.iter().all(|sd| unit * sd <= LINEAR_SD_MOST);
         let relative_sd = self.relative_sd(found)?.filter(linear);
         Ok(match relative_sd {
-            None => Known {
+            None => StiffnessUncertainty {
                 relative_sd: None,
                 bounds: Some(self.bounds(found)),
             },
-            Some(sd) => Known {
+            Some(sd) => StiffnessUncertainty {
                 relative_sd: self.interval_stated(choice).then_some(sd),
                 bounds: None,
             },
@@ -57,7 +61,7 @@ impl<S: Sprung> Search<'_, S> {
     }
 
     /// Where there are data to spare, a misfit above 1 widens every interval.
-    pub(super) fn widened(&self, found: &Found) -> f64 {
+    pub(super) fn widened(&self, found: &Minimum) -> f64 {
         let data = self.fit.data();
         match data.saturating_sub(found.x.len()) {
             0 => 1.0,
@@ -72,7 +76,7 @@ impl<S: Sprung> Search<'_, S> {
     }
 
     /// Springs that change no datum by what counts as seen while their stiffness changes e-fold.
-    pub(super) fn unseen_springs(&self, found: &Found) -> Vec<usize> {
+    pub(super) fn unseen_springs(&self, found: &Minimum) -> Vec<usize> {
         let j = &found.jacobian;
         let column = |i: usize| j.column(i).iter().map(|d| d * d).sum::<f64>().sqrt();
         (0..found.x.len())
@@ -101,7 +105,7 @@ impl<S: Sprung> Search<'_, S> {
     }
 
     /// √diag J⁺ C J⁺ᵀ with C the correlations of the data, which is (JᵀJ)⁻¹ where they have none; widened by the misfit where there are data to spare; `None` if not determined.
-    pub(super) fn relative_sd(&self, found: &Found) -> Result<Option<Vec<f64>>, StructureError> {
+    pub(super) fn relative_sd(&self, found: &Minimum) -> Result<Option<Vec<f64>>, StructureError> {
         let n = found.x.len();
         let f = svd(&tall(&found.jacobian))?;
         if rank(&f.s) < n {
@@ -123,7 +127,7 @@ impl<S: Sprung> Search<'_, S> {
         ))
     }
 
-    pub(super) fn visibility(&self, found: &Found) -> Result<Visibility, StructureError> {
+    pub(super) fn visibility(&self, found: &Minimum) -> Result<Visibility, StructureError> {
         let n = found.x.len();
         let f = svd(&tall(&found.jacobian))?;
         let bound = self.seen_bound();

@@ -179,19 +179,19 @@ pub fn pagoda(factors: &PagodaFactors) -> Result<Pagoda, StackError> {
     })
 }
 
-struct Size {
+struct StoneSize {
     name: String,
     width: f64,
     height: f64,
 }
 
-fn sizes(factors: &PagodaFactors, lambda: f64) -> Vec<Size> {
+fn sizes(factors: &PagodaFactors, lambda: f64) -> Vec<StoneSize> {
     let (height, first) = (factors.body_height_m, factors.body_height_m / lambda);
     let storeys = factors.storeys;
     let base = height / factors.body_base_height_ratio;
-    let mut sizes: Vec<Size> = BASE
+    let mut sizes: Vec<StoneSize> = BASE
         .iter()
-        .map(|&(name, width, part)| Size {
+        .map(|&(name, width, part)| StoneSize {
             name: name.to_owned(),
             width: width * first,
             height: part * base,
@@ -207,7 +207,7 @@ fn sizes(factors: &PagodaFactors, lambda: f64) -> Vec<Size> {
     let all: f64 = powers.iter().sum();
     for (k, f) in powers.iter().enumerate() {
         for (part, wide) in [("body", 1.0), ("eave", EAVE)] {
-            sizes.push(Size {
+            sizes.push(StoneSize {
                 name: format!("storey {} {part}", k + 1),
                 width: wide * first * f,
                 height: 0.5 * height * f / all,
@@ -218,7 +218,7 @@ fn sizes(factors: &PagodaFactors, lambda: f64) -> Vec<Size> {
 }
 
 /// Least (half width of contact) / (height of the centroid above), over the joints.
-fn least_slenderness(sizes: &[Size]) -> f64 {
+fn least_slenderness(sizes: &[StoneSize]) -> f64 {
     let (mut mass, mut moment, mut least) = (0.0, 0.0, f64::INFINITY); // of what is above, about the joint
     for (i, size) in sizes.iter().enumerate().rev() {
         let own = size.width * size.width * size.height;

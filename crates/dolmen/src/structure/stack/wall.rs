@@ -54,17 +54,17 @@ pub struct WallOpening {
 
 impl WallOpening {
     /// The part of a course, counted from 0, that the opening or its lintel takes.
-    fn takes(&self, course: u32) -> Option<Taken> {
+    fn takes(&self, course: u32) -> Option<CourseSpan> {
         let above = self.first_course - 1 + self.courses;
         let [from, to] = [self.from_m, self.from_m + self.width_m];
         if (self.first_course - 1..above).contains(&course) {
-            return Some(Taken {
+            return Some(CourseSpan {
                 from,
                 to,
                 is_lintel: false,
             });
         }
-        (course == above).then_some(Taken {
+        (course == above).then_some(CourseSpan {
             from: from - self.bearing_m,
             to: to + self.bearing_m,
             is_lintel: true,
@@ -74,7 +74,7 @@ impl WallOpening {
 
 /// A part of a course without its own stones, from the left end of the wall, m.
 #[derive(Clone, Copy)]
-struct Taken {
+struct CourseSpan {
     from: f64,
     to: f64,
     is_lintel: bool,
@@ -161,8 +161,8 @@ fn stone_at(
 }
 
 /// What openings and lintels take of a course, from the left.
-fn taken(factors: &WallFactors, course: u32) -> Result<Vec<Taken>, StackError> {
-    let mut all: Vec<Taken> = factors
+fn taken(factors: &WallFactors, course: u32) -> Result<Vec<CourseSpan>, StackError> {
+    let mut all: Vec<CourseSpan> = factors
         .openings
         .iter()
         .filter_map(|of| of.takes(course))
@@ -179,7 +179,7 @@ fn taken(factors: &WallFactors, course: u32) -> Result<Vec<Taken>, StackError> {
 }
 
 /// Where the stones of a course begin and end, beside what is taken of it.
-fn stones(factors: &WallFactors, half_first: bool, taken: &[Taken]) -> Vec<[f64; 2]> {
+fn stones(factors: &WallFactors, half_first: bool, taken: &[CourseSpan]) -> Vec<[f64; 2]> {
     let (length, stone) = (factors.length_m, factors.stone_length_m);
     let first = if half_first { 0.5 * stone } else { stone };
     let mut stones = Vec::new();

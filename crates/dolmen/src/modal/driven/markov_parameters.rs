@@ -3,19 +3,19 @@
 //! | symbol | code | meaning | shape |
 //! |:--|:--|:--|:--|
 //! | A_i, C_k | `recursion`, `direct` | y_t = Σ A_i y_{t-i} + Σ C_k [u; e]_{t-k}: the observer's coefficients | l × l, l × q |
-//! | h_k | `Answers` | answer k samples after a unit of an input or an innovation | l × q, q = m + l |
+//! | h_k | `MarkovParameters` | answer k samples after a unit of an input or an innovation | l × q, q = m + l |
 
 use super::observer::Observer;
 use dolmen_linalg::Matrix;
 
 /// h_0, h_1 … one after the other, each row by row.
-pub(super) struct Answers {
+pub(super) struct MarkovParameters {
     pub(super) rows: usize,
     pub(super) columns: usize,
     values: Vec<f64>,
 }
 
-impl Answers {
+impl MarkovParameters {
     pub(super) fn at(&self, step: usize) -> &[f64] {
         let size = self.rows * self.columns;
         &self.values[step * size..(step + 1) * size]
@@ -26,7 +26,7 @@ impl Answers {
     }
 
     /// Each h times a square matrix from the right.
-    pub(super) fn weighted(mut self, weights: &Matrix) -> Answers {
+    pub(super) fn weighted(mut self, weights: &Matrix) -> MarkovParameters {
         let mut row = vec![0.0; self.columns];
         for of in self.values.chunks_exact_mut(self.columns) {
             for (j, sum) in row.iter_mut().enumerate() {
@@ -82,9 +82,9 @@ impl Observer {
     /// ```text
     /// h_k = C_k + Σ_{i ≤ min(k, p)} A_i h_{k-i}
     /// ```
-    pub(super) fn answers(&self, steps: usize) -> Answers {
+    pub(super) fn markov_parameters(&self, steps: usize) -> MarkovParameters {
         let (l, q) = (self.outputs, self.sources());
-        let mut answers = Answers {
+        let mut markov = MarkovParameters {
             rows: l,
             columns: q,
             values: Vec::with_capacity(steps * l * q),
@@ -92,11 +92,11 @@ impl Observer {
         for k in 0..steps {
             let mut h = self.direct(&self.coefficients, k, 1.0);
             for lag in 1..=k.min(self.lags) {
-                self.add_past(&self.coefficients, lag, answers.at(k - lag), &mut h);
+                self.add_past(&self.coefficients, lag, markov.at(k - lag), &mut h);
             }
-            answers.values.extend(h);
+            markov.values.extend(h);
         }
-        answers
+        markov
     }
 
     /// First-order change of the answers with the coefficients:
@@ -104,9 +104,9 @@ impl Observer {
     /// ```text
     /// dh_k = dC_k + Σ (dA_i h_{k-i} + A_i dh_{k-i})
     /// ```
-    pub(super) fn change(&self, answers: &Answers, steps: usize, moved: &Matrix) -> Answers {
+    pub(super) fn change(&self, markov: &MarkovParameters, steps: usize, moved: &Matrix) -> MarkovParameters {
         let (l, q) = (self.outputs, self.sources());
-        let mut change = Answers {
+        let mut change = MarkovParameters {
             rows: l,
             columns: q,
             values: Vec::with_capacity(steps * l * q),
@@ -114,7 +114,7 @@ impl Observer {
         for k in 0..steps {
             let mut dh = self.direct(moved, k, 0.0);
             for lag in 1..=k.min(self.lags) {
-                self.add_past(moved, lag, answers.at(k - lag), &mut dh);
+                self.add_past(moved, lag, markov.at(k - lag), &mut dh);
                 self.add_past(&self.coefficients, lag, change.at(k - lag), &mut dh);
             }
             change.values.extend(dh);
