@@ -1,6 +1,6 @@
 """Makes the files of crates/dolmen-records/tests/data/records: the same 96 numbers of two channels, each written by another program.
 
-    python bench/formats/records.py crates/dolmen-records/tests/data/records [uff wav mat mat73 gcf tdms saf]
+    python bench/formats/records.py crates/dolmen-records/tests/data/records [uff modes wav mat mat73 gcf tdms saf]
 
 pyuff 2.5.8, scipy 1.17.1, h5py 3.16.0, ObsPy 1.5.1, npTDMS 1.13.0, hvsrpy 2.1.0 (requirements.txt).
 """
@@ -42,6 +42,23 @@ def uff():
         assert len(read) == 2
         for s, x in zip(read, (a, b)):
             assert np.abs(s["data"] - x * 1e-3).max() < 2e-4, (name, np.abs(s["data"] - x * 1e-3).max())
+
+def modes():
+    import pyuff
+    nodes = [11, 12, 13]
+    sets = [pyuff.prepare_164(units_code=1, units_description="SI", temp_mode=1, length=1.0, force=1.0, temp=1.0, temp_offset=0.0),
+            pyuff.prepare_15(node_nums=nodes, def_cs=[0] * 3, disp_cs=[0] * 3, color=[1] * 3, x=[0.0] * 3, y=[0.0] * 3, z=[3.0, 6.0, 9.0])]
+    same = dict(model_type=1, id1="m", id2="m", id3="NONE", id4="NONE", id5="NONE", data_ch=2, spec_data_type=8, load_case=0, node_nums=nodes)
+    real = [(2.125, 0.0125, [0.35, 0.7, 1.0], [0, 0, 0]), (2.75, 0.02, [0.01, 0, 0.02], [0.4, 0.75, 1.0]), (6.5, 0.03, [-1.0, -0.5, 0.8], [0, 0, 0])]
+    for number, (hz, zeta, x, y) in enumerate(real, 1):
+        sets.append(pyuff.prepare_55(**same, analysis_type=2, mode_n=number, modal_m=1.0, freq=hz, modal_damp_vis=zeta, modal_damp_his=0.0,
+            r1=np.array(x, float), r2=np.array(y, float), r3=np.zeros(3)))
+    zeta, omega = 0.015, 2 * np.pi * 9.25
+    sets.append(pyuff.prepare_55(**same, analysis_type=3, mode_n=4, eig=complex(-zeta * omega, omega * np.sqrt(1 - zeta**2)), modal_a=1 + 0j, modal_b=1 + 0j,
+        r1=np.array([1, -0.9, 0.5]) * np.exp(0.3j), r2=np.zeros(3) + 0j, r3=np.zeros(3) + 0j))
+    f = pyuff.UFF(f"{out}/modes_pyuff.uff")
+    for at, one in enumerate(sets):
+        f._write_set(one, "add" if at else "overwrite")
 
 def wav():
     from scipy.io import wavfile
@@ -122,6 +139,6 @@ def saf():
     read = hvsrpy.data_wrangler.read_single(f"{out}/three.saf")
     assert (read.vt.amplitude == a).all() and (read.ns.amplitude == b).all() and (read.ew.amplitude == a - b).all() and read.vt.dt_in_seconds == 0.005
 
-which = sys.argv[2:] or ["uff", "wav", "mat", "mat73", "gcf", "tdms", "saf"]
+which = sys.argv[2:] or ["uff", "modes", "wav", "mat", "mat73", "gcf", "tdms", "saf"]
 for name in which:
     globals()[name]()

@@ -1,6 +1,6 @@
-//! Any bytes are a record or an error, in every format and whatever is known beforehand.
+//! Any bytes are a record or an error, in every format and whatever is known beforehand; and modes or an error.
 
-use dolmen_records::records::{RecordFormat, RecordOptions, read_record};
+use dolmen_records::records::{RecordFormat, RecordOptions, read_modes_uff, read_record};
 
 pub(super) fn run(bytes: &[u8]) {
     let told = RecordOptions {
@@ -9,6 +9,13 @@ pub(super) fn run(bytes: &[u8]) {
         ..Default::default()
     };
     let formats = std::iter::once(None).chain(RecordFormat::ALL.map(Some));
+    if let Ok(read) = read_modes_uff(bytes) {
+        assert!(
+            read.modes
+                .iter()
+                .all(|mode| mode.frequency_hz > 0.0 && mode.frequency_hz.is_finite())
+        );
+    }
     for format in formats {
         let options = RecordOptions {
             format,

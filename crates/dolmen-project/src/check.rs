@@ -35,11 +35,11 @@ pub(super) struct SchemaCheck<'t, 'i> {
 
 /// One table on the way from the root to the value.
 #[derive(Clone, Copy)]
-struct EnclosingTable<'a> {
+struct Table<'a> {
     path: &'a str,
     properties: Option<&'static [(&'static str, Tree)]>,
     header: Option<&'a Range<usize>>,
-    parent: Option<&'a EnclosingTable<'a>>,
+    parent: Option<&'a Table<'a>>,
 }
 
 impl<'t, 'i> SchemaCheck<'t, 'i> {
@@ -76,7 +76,7 @@ impl<'t, 'i> SchemaCheck<'t, 'i> {
         node: &mut Node<'i>,
         schema: &'static Tree,
         path: &str,
-        above: Option<&EnclosingTable<'_>>,
+        above: Option<&Table<'_>>,
     ) -> bool {
         let span = node.span();
         let schema = self.schema.resolved(schema);
@@ -125,7 +125,7 @@ impl<'t, 'i> SchemaCheck<'t, 'i> {
         span: &Range<usize>,
         schema: &'static Tree,
         path: &str,
-        parent: Option<&EnclosingTable<'_>>,
+        parent: Option<&Table<'_>>,
     ) {
         let known = properties(schema);
         let others = schema
@@ -135,7 +135,7 @@ impl<'t, 'i> SchemaCheck<'t, 'i> {
             .text
             .get(span.clone())
             .filter(|written| written.starts_with('['));
-        let above = EnclosingTable {
+        let above = Table {
             path,
             properties: known,
             header: header.map(|_| span),
@@ -163,13 +163,7 @@ impl<'t, 'i> SchemaCheck<'t, 'i> {
     }
 
     /// Reports an unknown key: swallowed by the table above, or misspelt.
-    fn unknown(
-        &mut self,
-        key: &Spanned<Cow<'i, str>>,
-        value: &Node<'i>,
-        path: &str,
-        above: &EnclosingTable<'_>,
-    ) {
+    fn unknown(&mut self, key: &Spanned<Cow<'i, str>>, value: &Node<'i>, path: &str, above: &Table<'_>) {
         let name = key.get_ref().as_ref();
         let place = match path.len() - name.len() {
             0 => Both::from(WrongKey::TopLevel),

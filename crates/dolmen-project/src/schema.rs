@@ -80,14 +80,25 @@ fn complete() -> Value {
             .flat_map(|all| all.iter_mut())
             .filter(|(key, _)| LISTS_IN_TABLES.contains(&key.as_str()))
         {
-            let of_file = json!({ "type": "string" });
-            let table = json!({ "type": "object", "properties": { "file": of_file, "sheet": of_file }, "required": ["file"], "additionalProperties": false });
-            let inner = std::mem::take(list.1);
-            let description = inner.get("description").cloned().unwrap_or_default();
-            *list.1 = json!({ "description": description, "anyOf": [inner, table] });
+            or_of_file(list.1, &["file", "sheet"]);
         }
     }
+    if let Some(modes) = schema.pointer_mut("/$defs/SurveyRaw/properties/modes") {
+        or_of_file(modes, &["file", "sheet", "length"]);
+    }
     schema
+}
+
+/// What is written there, or a table that names a file.
+fn or_of_file(given: &mut Value, keys: &[&str]) {
+    let properties: serde_json::Map<String, Value> = keys
+        .iter()
+        .map(|key| ((*key).to_owned(), json!({ "type": "string" })))
+        .collect();
+    let table = json!({ "type": "object", "properties": properties, "required": ["file"], "additionalProperties": false });
+    let inner = std::mem::take(given);
+    let description = inner.get("description").cloned().unwrap_or_default();
+    *given = json!({ "description": description, "anyOf": [inner, table] });
 }
 
 /// A stack has blocks, or what makes them: a pagoda, an arch, a wall, a tower or a trilithon.

@@ -4,6 +4,7 @@
 use super::error::Fault;
 use super::measure::Measure;
 use super::placed::place;
+use super::tabled_modes::modes_in_files;
 use super::totals::{Total, total};
 use super::units::parse_unit;
 use super::wrong::{Common, WrongTable};
@@ -16,7 +17,7 @@ use std::ops::Range;
 use toml::de::{DeTable, DeValue};
 
 /// A column: the key that it stands for, what else its head may be, and what it measures.
-type Column = (&'static str, &'static [&'static str], Option<Measure>);
+pub(super) type Column = (&'static str, &'static [&'static str], Option<Measure>);
 
 const BLOCKS: &[Column] = &[
     ("name", &["이름", "부재", "부재명"], None),
@@ -57,17 +58,35 @@ pub(super) struct Tabled {
     file: String,
     /// The cell of each value by its path, and of each row.
     places: BTreeMap<String, String>,
+    /// The survey in whose table it belongs; `None` for a list of the file.
+    survey: Option<String>,
 }
 
 impl Tabled {
+    /// Modes of a survey.
+    pub(super) fn of_survey(span: Range<usize>, text: String, survey: String) -> Self {
+        Tabled {
+            span,
+            text,
+            file: String::new(),
+            places: BTreeMap::new(),
+            survey: Some(survey),
+        }
+    }
+
     /// The list in place of the table that names it; its faults stand where the project file names it.
     pub(super) fn put<'i>(&'i self, root: &mut DeTable<'i>) {
         let Ok(parsed) = DeTable::parse(&self.text) else {
             return; // written here
         };
+        let within = match &self.survey {
+            None => Some(root),
+            Some(survey) => table_in(root, "survey").and_then(|surveys| table_in(surveys, survey)),
+        };
+        let Some(within) = within else { return };
         for (key, mut value) in parsed.into_inner() {
             place(&mut value, &self.span);
-            root.insert(key, value);
+            within.insert(key, value);
         }
     }
 
@@ -88,6 +107,14 @@ impl Tabled {
                 fault.say_cell(&tabled.file, place);
             }
         }
+    }
+}
+
+/// The table at a key of another.
+fn table_in<'t, 'i>(table: &'t mut DeTable<'i>, key: &str) -> Option<&'t mut DeTable<'i>> {
+    match table.get_mut(key)?.get_mut() {
+        DeValue::Table(inner) => Some(inner),
+        _ => None,
     }
 }
 
@@ -151,10 +178,12 @@ pub(super) fn tabled(text: &str, files: &dyn Files) -> Result<Vec<Tabled>, Vec<F
                 text,
                 file: file.to_owned(),
                 places,
+                survey: None,
             }),
             Err(why) => faults.extend(why.into_iter().map(|(message, help)| at(key, message).help(help))),
         }
     }
+    modes_in_files(&root, files, &mut all, &mut faults);
     match faults.is_empty() {
         true => Ok(all),
         false => Err(faults),
@@ -324,7 +353,7 @@ fn refuse_total(
 }
 
 /// "width (mm)" → the column and its unit.
-fn column<'a>(head: &'a str, columns: &'a [Column]) -> Option<(&'a Column, Option<&'a str>)> {
+pub(super) fn column<'a>(head: &'a str, columns: &'a [Column]) -> Option<(&'a Column, Option<&'a str>)> {
     let (name, unit) = match head.split_once(['(', '[']) {
         Some((name, unit)) => (name, Some(unit.trim_end_matches([')', ']', ' ']).trim())),
         None => (head, None),
@@ -338,7 +367,7 @@ fn column<'a>(head: &'a str, columns: &'a [Column]) -> Option<(&'a Column, Optio
 }
 
 /// The unit of a column, if its head has one: of the right kind, and that of the file where that has one.
-fn checked_unit(
+pub(super) fn checked_unit(
     column: &Column,
     unit: Option<&str>,
     root: &DeTable<'_>,
@@ -386,7 +415,7 @@ fn checked_unit(
 }
 
 /// A value as TOML: names and shapes are words, numbers carry the unit of their head.
-fn written(name: &str, value: &SheetValue, unit: Option<&str>) -> String {
+pub(super) fn written(name: &str, value: &SheetValue, unit: Option<&str>) -> String {
     let is_words = ["name", "shape"].contains(&name);
     match value {
         SheetValue::Number(number) if is_words => quoted(&number.to_string()),
@@ -411,7 +440,7 @@ fn is_number(text: &str) -> bool {
         && text.parse::<f64>().is_ok()
 }
 
-fn quoted(text: &str) -> String {
+pub(super) fn quoted(text: &str) -> String {
     let mut said = String::from("\"");
     for sign in text.chars() {
         match sign {

@@ -27,6 +27,7 @@ mod doubted_records;
 mod driven_records;
 mod earthquake_records;
 mod english;
+mod exchanged_modes;
 mod exchanged_records;
 mod figure_files;
 mod first_day;

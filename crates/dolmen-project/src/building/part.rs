@@ -219,13 +219,13 @@ impl BuildingPart {
         building: &VibratingBuilding,
         pick: Pick<'_>,
     ) -> Result<Vec<BuiltDamper>, DamperFault> {
-        let around = HostBuilding {
+        let host = HostBuilding {
             vibrating: building,
             gravity_m_s2: self.gravity_m_s2,
         };
         let mut built = Vec::with_capacity(self.dampers.len());
         for part in &self.dampers {
-            built.extend(part.build(&around, pick)?);
+            built.extend(part.build(&host, pick)?);
         }
         Ok(built)
     }

@@ -86,13 +86,13 @@ impl MovingPart {
 impl DamperPart {
     pub(super) fn build(
         &self,
-        around: &HostBuilding<'_>,
+        host: &HostBuilding<'_>,
         pick: Pick<'_>,
     ) -> Result<Vec<BuiltDamper>, DamperFault> {
         let place_m = [pick(&self.place[0]), pick(&self.place[1])];
         let rooms_m = [&self.stroke, &self.liquid_stroke].map(|room| room.as_ref().map(&mut *pick));
         let built = |name, place_m, row, kind| self.built(name, place_m, (row, kind), rooms_m);
-        let row = self.row(around, self.floor, place_m)?;
+        let row = self.row(host, self.floor, place_m)?;
         let (moving, mass, mode, frequency, damping_ratio, tuning) = match &self.body {
             DamperBody::Link {
                 coefficient,
@@ -103,7 +103,7 @@ impl DamperPart {
                     .as_ref()
                     .map_or(place_m, |to| [pick(&to[0]), pick(&to[1])]);
                 let to = (*to_floor, to_place_m);
-                let AttachedDamper { kind, row } = self.link(around, pick(coefficient), &row, to)?;
+                let AttachedDamper { kind, row } = self.link(host, pick(coefficient), &row, to)?;
                 return Ok(vec![BuiltDamper {
                     to: Some(to),
                     ..built(self.name.clone(), place_m, row, kind)
@@ -118,14 +118,14 @@ impl DamperPart {
                 tuning,
             } => (moving, mass, *mode, frequency, damping_ratio, *tuning),
         };
-        let at = self.at_mode(around, mode, place_m, &row)?;
-        let [mass_kg, mass_ratio] = self.mass(mass, (mode, &at), around, pick)?;
+        let at = self.at_mode(host, mode, place_m, &row)?;
+        let [mass_kg, mass_ratio] = self.mass(mass, (mode, &at), host, pick)?;
         let length_ratio = moving.length_ratio(pick);
         let tuned = tuning
             .map(|rule| ColumnAsMass::new(mass_ratio, length_ratio).rule(rule, at.damping_ratio))
             .transpose()?;
         let by_rule = matches!(frequency, DamperFrequency::Tuned) && damping_ratio.is_none();
-        let gravity = around.gravity_m_s2;
+        let gravity = host.gravity_m_s2;
         let mut hz = |of: &DamperFrequency| match of {
             DamperFrequency::Frequency(frequency) => pick(frequency),
             DamperFrequency::Ratio(ratio) => pick(ratio) * at.frequency_hz,
@@ -159,7 +159,7 @@ impl DamperPart {
                     rule: tuning.filter(|_| by_rule),
                     rooms_m,
                 };
-                self.several(parts, &whole, around, pick)?
+                self.several(parts, &whole, host, pick)?
             }
             one => {
                 let tuned = [mass_kg, frequency_hz, damping_ratio];
@@ -171,14 +171,14 @@ impl DamperPart {
     /// A dashpot between its place and another, with the floor of that, 0 for the ground.
     fn link(
         &self,
-        around: &HostBuilding<'_>,
+        host: &HostBuilding<'_>,
         coefficient: f64,
         row: &[f64],
         (to_floor, to_place_m): (usize, [f64; 2]),
     ) -> Result<AttachedDamper, DamperFault> {
         let other = match to_floor {
             0 => vec![0.0; row.len()],
-            floor => self.row(around, floor, to_place_m)?,
+            floor => self.row(host, floor, to_place_m)?,
         };
         Ok(AttachedDamper::link(coefficient, row, &other))
     }
@@ -210,7 +210,7 @@ impl DamperPart {
         &self,
         mass: &DamperMass,
         (mode, at): (usize, &AtMode),
-        around: &HostBuilding<'_>,
+        host: &HostBuilding<'_>,
         pick: Pick<'_>,
     ) -> Result<[f64; 2], DamperFault> {
         let [mass_kg, mass_ratio] = match mass {
@@ -225,7 +225,7 @@ impl DamperPart {
                 modal_mass_kg: at.modal_mass_kg,
             });
         }
-        let building_kg = around.vibrating.building().mass_kg();
+        let building_kg = host.vibrating.building().mass_kg();
         if mass_kg > building_kg {
             return Err(DamperFault::HeavierThanAll {
                 name: self.name.clone(),
@@ -242,7 +242,7 @@ impl DamperPart {
         &self,
         parts: &[MassPart],
         whole: &WholeDamper,
-        around: &HostBuilding<'_>,
+        host: &HostBuilding<'_>,
         pick: Pick<'_>,
     ) -> Result<Vec<BuiltDamper>, DamperFault> {
         let mut all = Vec::with_capacity(parts.len());
@@ -267,8 +267,8 @@ impl DamperPart {
                 .place
                 .as_ref()
                 .map_or(whole.place_m, |place| [pick(&place[0]), pick(&place[1])]);
-            let row = self.row(around, self.floor, own_place)?;
-            let own = self.at_mode(around, whole.mode, own_place, &row)?;
+            let row = self.row(host, self.floor, own_place)?;
+            let own = self.at_mode(host, whole.mode, own_place, &row)?;
             all.push(BuiltDamper {
                 tuned_to: Some(TunedTo {
                     mode: whole.mode,
@@ -290,11 +290,11 @@ impl DamperPart {
 
     fn row(
         &self,
-        around: &HostBuilding<'_>,
+        host: &HostBuilding<'_>,
         floor: usize,
         [x_m, y_m]: [f64; 2],
     ) -> Result<Vec<f64>, DamperFault> {
-        let row = around
+        let row = host
             .vibrating
             .building()
             .point_row(floor, x_m, y_m, self.direction);
@@ -306,7 +306,7 @@ impl DamperPart {
 
     fn at_mode(
         &self,
-        around: &HostBuilding<'_>,
+        host: &HostBuilding<'_>,
         number: usize,
         place_m: [f64; 2],
         row: &[f64],
@@ -316,7 +316,7 @@ impl DamperPart {
         /// Modes whose frequencies are this near, relatively, are one.
         const ONE_FREQUENCY: f64 = 1e-6;
         let name = self.name.clone();
-        let (building, modes) = (around.vibrating.building(), around.vibrating.modes());
+        let (building, modes) = (host.vibrating.building(), host.vibrating.modes());
         let Some((index, mode)) = number.checked_sub(1).and_then(|j| Some((j, modes.modes.get(j)?))) else {
             return Err(DamperFault::Mode {
                 name,
@@ -365,12 +365,7 @@ impl DamperPart {
         Ok(AtMode {
             modal_mass_kg: 1.0 / (along * along),
             frequency_hz: mode.frequency_hz,
-            damping_ratio: around
-                .vibrating
-                .damping_ratios()
-                .get(index)
-                .copied()
-                .unwrap_or(0.0),
+            damping_ratio: host.vibrating.damping_ratios().get(index).copied().unwrap_or(0.0),
         })
     }
 }

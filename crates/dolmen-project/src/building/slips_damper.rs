@@ -29,14 +29,14 @@ const ROOM_MOST_M: f64 = 5.0;
 /// Each damper alone on the building.
 pub(super) fn judge_dampers(reader: &mut Reader, part: &BuildingPart, vibrating: &VibratingBuilding) {
     let (building, modes) = (vibrating.building(), vibrating.modes());
-    let around = HostBuilding {
+    let host = HostBuilding {
         vibrating,
         gravity_m_s2: part.gravity_m_s2,
     };
     for damper in &part.dampers {
         let path = format!("damper.{}", damper.name);
         judge_room(reader, damper, building);
-        let built = match damper.build(&around, &mut Quantity::nominal) {
+        let built = match damper.build(&host, &mut Quantity::nominal) {
             Ok(built) => built,
             Err(why) => {
                 reader.fault(Fault::new(reader.place(&path), &path, said(&why)));

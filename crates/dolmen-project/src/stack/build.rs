@@ -403,7 +403,7 @@ impl StackPart {
                 lower: part.lower,
                 upper: part.upper,
                 position_m: turn.map_or(position_m, |turn| turn.point(position_m)),
-                axis: turn.map_or(part.axis, |turn| turn.way(part.axis)),
+                axis: turn.map_or(part.axis, |turn| turn.turned(part.axis)),
                 axial_stiffness_n_m: part.axial_stiffness.as_ref().map_or(0.0, &mut *pick),
                 shear_stiffness_n_m: pick(&part.shear_stiffness),
                 tension_strength_n: part.tension_strength.as_ref().map_or(0.0, &mut *pick),

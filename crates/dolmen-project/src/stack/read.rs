@@ -12,6 +12,7 @@ use super::part::{
     BedPart, BlockPart, ContactPart, SideSupportPart, StackPart, SupportMovementPart, TiePart,
 };
 use crate::content::WarningKind;
+use crate::direction_vector::direction_vector;
 use crate::error::Fault;
 use crate::file::FileRaw;
 use crate::file_number::{At, QuantityRaw};
@@ -20,7 +21,6 @@ use crate::needed::{countable, lengths, listed, missing};
 use crate::reader::Reader;
 use crate::soil::soil_below;
 use crate::warned::Warned;
-use crate::way::way;
 use crate::wrong::WrongStack;
 use dolmen_words::message::Both;
 use std::ops::Range;
@@ -219,7 +219,7 @@ fn tie(reader: &mut Reader, raw: &At<TieRaw>, path: &str, names: &[String]) -> O
         .as_ref()
         .and_then(|raw| lengths(reader, raw, &position_path, "[x, y, z]"));
     let axis = match &tie.axis {
-        Some(axis) => way(reader, axis, &format!("{path}.axis")),
+        Some(axis) => direction_vector(reader, axis, &format!("{path}.axis")),
         None => Some([0.0, 0.0, 1.0]),
     };
     let before = reader.faults.len();
@@ -270,7 +270,7 @@ fn side_support(
     let direction = support
         .direction
         .as_ref()
-        .and_then(|raw| way(reader, raw, &format!("{path}.direction")));
+        .and_then(|raw| direction_vector(reader, raw, &format!("{path}.direction")));
     let before = reader.faults.len();
     let gap_path = format!("{path}.gap");
     let gap = reader.quantity(

@@ -48,18 +48,18 @@ impl Turn {
     }
 
     pub(super) fn point(&self, at_m: [f64; 3]) -> [f64; 3] {
-        let turned = self.way(minus(at_m, self.foot_m));
+        let turned = self.turned(minus(at_m, self.foot_m));
         plus(turned, self.foot_m)
     }
 
-    /// The shortest turn from the vertical to the leaning axis.
-    pub(super) fn way(&self, way: [f64; 3]) -> [f64; 3] {
+    /// A vector, turned by the shortest turn from the vertical to the leaning axis.
+    pub(super) fn turned(&self, vector: [f64; 3]) -> [f64; 3] {
         let [x, y] = self.slope;
         let size = (x * x + y * y + 1.0).sqrt();
         let about = [-y / size, x / size, 0.0];
-        let once = cross(about, way);
+        let once = cross(about, vector);
         let twice = cross(about, once).map(|part| part / (1.0 + 1.0 / size));
-        plus(plus(way, once), twice)
+        plus(plus(vector, once), twice)
     }
 }
 

@@ -26,7 +26,7 @@ pub(crate) struct SurveyRaw {
     pub(super) tilt: Option<BTreeMap<String, At<NumberRaw>>>,
     /// Frequencies by direction, where nothing else of the modes is known: { x = [4.6] }.
     pub(super) frequencies: Option<BTreeMap<String, Vec<At<QuantityRaw>>>>,
-    /// Modes by direction.
+    /// Modes by direction, or a file of them: { file = "modes.uff" }, a universal file or a table.
     pub(super) modes: Option<BTreeMap<String, Vec<At<ModeRaw>>>>,
     /// A vibration record to identify modes from.
     pub(super) records: Option<At<RecordsRaw>>,

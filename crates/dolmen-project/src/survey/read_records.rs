@@ -3,11 +3,11 @@
 use super::file::{ChannelRaw, ColumnRaw, RecordsRaw, StartsRaw, StationRaw};
 use super::read_conditioning::{conditioning, modal};
 use super::records::{ChannelSource, Column, Conditioning, ModalChoice, RecordFormat, RecordSource};
+use crate::direction_vector::direction_vector;
 use crate::error::Fault;
 use crate::file_number::{At, NumberRaw, QuantityRaw};
 use crate::measure::{Bound, Measure};
 use crate::reader::Reader;
-use crate::way::way;
 use crate::written::short;
 use crate::wrong::said;
 use crate::wrong::{Common, WrongRecords};
@@ -48,7 +48,7 @@ fn channel(reader: &mut Reader, raw: &At<ChannelRaw>, path: &str) -> Option<Chan
     let direction = raw
         .direction
         .as_ref()
-        .and_then(|raw| way(reader, raw, &format!("{path}.direction")));
+        .and_then(|raw| direction_vector(reader, raw, &format!("{path}.direction")));
     Some(ChannelSource {
         column: column?,
         name: raw.name.as_ref().map(|name| name.value.clone()),

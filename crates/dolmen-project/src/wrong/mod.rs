@@ -12,6 +12,7 @@ mod keys;
 mod limits;
 mod loads;
 mod log;
+mod modes;
 mod numbers;
 mod parser;
 mod records;
@@ -41,6 +42,7 @@ pub(crate) use keys::WrongKey;
 pub(crate) use limits::WrongLimits;
 pub(crate) use loads::WrongLoads;
 pub(crate) use log::WrongLog;
+pub(crate) use modes::WrongModes;
 pub(crate) use numbers::WrongNumber;
 pub(crate) use parser::{AtItsPlace, Expected, OfParser, of_parser};
 pub(crate) use records::WrongRecords;
@@ -74,7 +76,7 @@ pub(crate) fn either<T: AsRef<str>>(words: &[T]) -> Both {
 }
 
 /// All sentences of errors of project files.
-pub const ERRORS: [&[Template]; 31] = [
+pub const ERRORS: [&[Template]; 32] = [
     Framed::TEMPLATES,
     Common::TEMPLATES,
     WrongToml::TEMPLATES,
@@ -83,6 +85,7 @@ pub const ERRORS: [&[Template]; 31] = [
     WrongNumber::TEMPLATES,
     WrongUnit::TEMPLATES,
     Slip::TEMPLATES,
+    WrongModes::TEMPLATES,
     WrongTable::TEMPLATES,
     Needed::TEMPLATES,
     WrongSite::TEMPLATES,

@@ -11,6 +11,7 @@ mod project_frame_loads;
 mod project_friction;
 mod project_keys;
 mod project_loads;
+mod project_modes;
 mod project_report;
 mod project_shapes;
 mod project_site;

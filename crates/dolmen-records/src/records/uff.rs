@@ -50,12 +50,12 @@ pub(super) fn is_uff(bytes: &[u8]) -> bool {
 
 /// Contents of the file other than functions.
 #[derive(Default)]
-struct OtherDatasets {
-    nodes: BTreeMap<i64, [f64; 3]>,
+pub(super) struct OtherDatasets {
+    pub(super) nodes: BTreeMap<i64, [f64; 3]>,
     /// Lengths of the file a metre.
-    length: Option<f64>,
+    pub(super) length: Option<f64>,
     title: Option<String>,
-    turned: bool,
+    pub(super) turned: bool,
     /// Other datasets: number and how many.
     passed: BTreeMap<String, usize>,
 }
@@ -69,9 +69,40 @@ struct Function {
 }
 
 pub(super) fn read(bytes: &[u8]) -> Result<FileSeries, RecordError> {
+    let mut functions = Vec::new();
+    let beside = datasets(bytes, "58", &mut |lines, kind, beside| {
+        match function(lines, kind)? {
+            Some(one) => functions.push(one),
+            None => beside.pass("58, not of time"),
+        }
+        Ok(())
+    })?;
+    finished(functions, beside)
+}
+
+impl OtherDatasets {
+    pub(super) fn pass(&mut self, what: &str) {
+        *self.passed.entry(what.to_owned()).or_default() += 1;
+    }
+
+    /// "58 (×2)".
+    pub(super) fn passed_over(&self) -> Vec<String> {
+        let each = self.passed.iter();
+        each.map(|(what, count)| format!("{what} (×{count})")).collect()
+    }
+}
+
+/// Reads one dataset behind the line of its number.
+type ReadDataset<'r> = dyn FnMut(&mut Lines, &str, &mut OtherDatasets) -> Result<(), RecordError> + 'r;
+
+/// Every dataset of the file: those of the number `wanted` by `read`, what describes them here; others are passed over.
+pub(super) fn datasets(
+    bytes: &[u8],
+    wanted: &str,
+    read: &mut ReadDataset<'_>,
+) -> Result<OtherDatasets, RecordError> {
     let mut lines = Lines::new(bytes);
     let mut beside = OtherDatasets::default();
-    let mut functions = Vec::new();
     while let Some(line) = lines.next()? {
         if line.trim().is_empty() {
             continue;
@@ -82,10 +113,12 @@ pub(super) fn read(bytes: &[u8]) -> Result<FileSeries, RecordError> {
         let Some(kind) = lines.next()? else { break };
         let number = cell(&kind, 0, 6).trim().to_owned();
         match number.as_str() {
-            "58" => match function(&mut lines, &kind)? {
-                Some(one) => functions.push(one),
-                None => *beside.passed.entry("58, not of time".to_owned()).or_default() += 1,
-            },
+            _ if number == wanted => read(&mut lines, &kind, &mut beside)?,
+            // its samples may be binary
+            "58" => {
+                function(&mut lines, &kind)?;
+                beside.pass("58");
+            }
             "15" => nodes(&mut lines, &mut beside)?,
             "2411" => long_nodes(&mut lines, &mut beside)?,
             "164" => units(&mut lines, &mut beside)?,
@@ -95,12 +128,12 @@ pub(super) fn read(bytes: &[u8]) -> Result<FileSeries, RecordError> {
                     Some(title.trim().to_owned()).filter(|title| !title.is_empty() && title != "NONE");
             }
             "18" | "2420" => beside.turned = true,
-            _ if number.parse::<u32>().is_ok() => *beside.passed.entry(number).or_default() += 1,
+            _ if number.parse::<u32>().is_ok() => beside.pass(&number),
             _ => return Err(lines.is_not(&kind, Expected::DatasetNumber)),
         }
         end(&mut lines)?;
     }
-    finished(functions, beside)
+    Ok(beside)
 }
 
 /// Goes past the −1 that ends a dataset.
@@ -118,11 +151,7 @@ fn finished(functions: Vec<Function>, beside: OtherDatasets) -> Result<FileSerie
         .iter()
         .map(|title| format!("title \"{}\"", shown(title)))
         .collect();
-    let passed: Vec<String> = beside
-        .passed
-        .iter()
-        .map(|(what, count)| format!("{what} (×{count})"))
-        .collect();
+    let passed = beside.passed_over();
     if functions.is_empty() {
         return Err(RecordError::NotReadHere {
             format: FORMAT,
@@ -315,7 +344,14 @@ fn function(lines: &mut Lines, kind: &str) -> Result<Option<Function>, RecordErr
     let quantity = code(ninth, 0, 10)?;
     let samples = match &binary {
         Some(binary) => packed(lines, binary, count, size)?,
-        None => printed(lines, count, if size == 4 { 13 } else { 20 })?,
+        None => {
+            let width = if size == 4 { 13 } else { 20 };
+            printed(
+                lines,
+                (count, width),
+                [Expected::Samples58, Expected::LineOfSamples],
+            )?
+        }
     };
     let label = cell(ninth, 47, 20);
     let unit = match label.trim() {
@@ -358,10 +394,14 @@ fn packed(lines: &mut Lines, binary: &Binary, count: usize, size: usize) -> Resu
 }
 
 /// Numbers of a text, apart by blanks or in columns of fixed width.
-fn printed(lines: &mut Lines, count: usize, width: usize) -> Result<Vec<f64>, RecordError> {
+pub(super) fn printed(
+    lines: &mut Lines,
+    (count, width): (usize, usize),
+    [all, a_line]: [Expected; 2],
+) -> Result<Vec<f64>, RecordError> {
     let mut samples = Vec::new();
     while samples.len() < count {
-        let line = lines.want(Expected::Samples58)?;
+        let line = lines.want(all.clone())?;
         let words: Vec<&str> = line.split_whitespace().collect();
         let apart: Option<Vec<f64>> = words.iter().map(|word| decimal(word)).collect();
         let row = apart.or_else(|| {
@@ -371,7 +411,7 @@ fn printed(lines: &mut Lines, count: usize, width: usize) -> Result<Vec<f64>, Re
         match row {
             Some(row) if !row.is_empty() && row.iter().all(|x| x.is_finite()) => samples.extend(row),
             _ if line.trim() == "-1" => break,
-            _ => return Err(lines.is_not(&line, Expected::LineOfSamples)),
+            _ => return Err(lines.is_not(&line, a_line)),
         }
     }
     if samples.len() != count {

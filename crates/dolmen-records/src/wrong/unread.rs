@@ -68,6 +68,22 @@ messages! {
             en: "no time series (it holds datasets {held})",
             ko: "시계열이 없다(들어 있는 데이터셋: {held})",
         },
+        NoModes { held: Both } => {
+            en: "no modes (it holds datasets {held})",
+            ko: "모드가 없다(들어 있는 데이터셋: {held})",
+        },
+        Dataset55 => {
+            en: "export the modes as dataset 55, normal modes or complex eigenvalues",
+            ko: "모드를 데이터셋 55(고유모드 또는 복소고유값)로 내보낸다",
+        },
+        TurnedAxes => {
+            en: "axes that turn from node to node (dataset 18 or 2420)",
+            ko: "절점마다 방향이 다른 좌표축(데이터셋 18 또는 2420)",
+        },
+        GlobalAxes => {
+            en: "export the modes in global axes, without dataset 18 and 2420",
+            ko: "데이터셋 18과 2420 없이 전체 좌표계로 모드를 내보낸다",
+        },
         BinaryNumbers { floats: String } => {
             en: "binary numbers of kind {floats} (VAX, IBM)",
             ko: "종류 {floats}의 이진수(VAX, IBM)",
@@ -95,6 +111,22 @@ messages! {
         FirstTimeAndStep => { en: "a first time and a positive step, s", ko: "첫 시각과 양의 시간 간격(s)" },
         Samples58 => { en: "the samples of a dataset 58", ko: "데이터셋 58의 자료" },
         LineOfSamples => { en: "a line of samples", ko: "자료의 행" },
+        Lines55 => { en: "one of the five lines of text of a dataset 55", ko: "데이터셋 55의 문자 다섯 행 중 하나" },
+        Codes55 => { en: "the six codes of a dataset 55 in their columns", ko: "제자리 열에 있는 데이터셋 55의 코드 여섯 개" },
+        Vectors55 => {
+            en: "a mode shape of real (2) or complex (5) vectors with three or six values a node",
+            ko: "절점마다 값이 3개나 6개인 실수(2) 또는 복소수(5) 벡터의 모드형상",
+        },
+        Integers55 => { en: "the load case and the number of the mode", ko: "하중조건과 모드의 번호" },
+        Frequency55 => {
+            en: "the frequency (Hz) or the complex eigenvalue (rad/s) of a mode",
+            ko: "모드의 고유진동수(Hz) 또는 복소고유값(rad/s)",
+        },
+        FrequencyAndDamping55 => {
+            en: "a frequency above 0 with a damping ratio of at least 0 and below 1",
+            ko: "0보다 큰 고유진동수와 0 이상 1 미만인 감쇠비",
+        },
+        Values55 => { en: "the values of a node", ko: "절점의 값" },
         Node => { en: "a node: label, three codes, x, y, z", ko: "절점: 번호, 코드 3개, x, y, z" },
         NodeLabel => { en: "the label of a node", ko: "절점의 번호" },
         NodeCoordinates => { en: "the coordinates of a node", ko: "절점의 좌표" },

@@ -11,4 +11,5 @@ mod motions;
 mod npy_records;
 mod palisaden;
 mod record_formats;
+mod uff_modes;
 mod workbook_records;

@@ -2,6 +2,7 @@
 //!
 //! | dataset | what | per |
 //! |:--|:--|:--|
+//! | 164 | units: SI | |
 //! | 15 | node, place in m | place of sensors |
 //! | 55 | complex eigenvalue (rad/s) and displacement vector (complex, 3 components) | mode |
 
@@ -9,6 +10,7 @@ use super::named::NamedFile;
 use crate::figures::Wires;
 use crate::mode_film::mode_film;
 use dolmen::modal::{Mode, Modes};
+use dolmen::structure::ShapeMotion;
 use dolmen_records::records::exponential;
 use std::f64::consts::TAU;
 use std::fmt::Write;
@@ -49,10 +51,11 @@ fn films(survey: &str, modes: &Modes) -> Vec<NamedFile> {
     each.map(film).collect()
 }
 
-/// One row a mode: frequency and damping ratio with standard deviations, whether the user insists on it though no test found it, then real and imaginary part of each channel.
+/// One row a mode: frequency and damping ratio with standard deviations, whether the user insists on it though no test found it, the
+/// direction in which its sensors move ("x", "y", "torsion", else "other"), then real and imaginary part of each channel.
 fn csv(modes: &Modes) -> String {
     let mut text = String::from(
-        "mode,frequency_hz,frequency_sd_hz,damping_ratio,damping_ratio_sd,phase_collinearity,accepted",
+        "mode,frequency_hz,frequency_sd_hz,damping_ratio,damping_ratio_sd,phase_collinearity,accepted,direction",
     );
     for channel in &modes.channels {
         let name = channel.name.replace('"', "\"\"");
@@ -63,14 +66,15 @@ fn csv(modes: &Modes) -> String {
     for (i, mode) in modes.modes.iter().enumerate() {
         let _ = write!(
             text,
-            "{},{},{},{},{},{},{}",
+            "{},{},{},{},{},{},{},{}",
             i + 1,
             mode.frequency_hz,
             known(mode.frequency_sd_hz),
             known(mode.damping_ratio),
             known(mode.damping_ratio_sd),
             mode.phase_collinearity,
-            !mode.is_found()
+            !mode.is_found(),
+            direction(modes, mode)
         );
         for z in &mode.shape {
             let _ = write!(text, ",{},{}", z.re, z.im);
@@ -78,6 +82,13 @@ fn csv(modes: &Modes) -> String {
         text.push('\n');
     }
     text
+}
+
+/// The direction of a mode as surveys name it.
+fn direction(modes: &Modes, mode: &Mode) -> &'static str {
+    let shape: Vec<[f64; 2]> = mode.shape.iter().map(|z| [z.re, z.im]).collect();
+    let motion = ShapeMotion::of(&modes.channels, &shape);
+    motion.direction().unwrap_or("other")
 }
 
 /// Places of the sensors, and of each channel its place and direction.
@@ -127,7 +138,10 @@ impl Nodes {
 /// The universal file: nodes, then a dataset 55 a mode, each with its complex eigenvalue.
 fn universal(survey: &str, modes: &Modes) -> Option<String> {
     let nodes = Nodes::of(modes)?;
-    let mut text = String::new();
+    let mut text = String::from(DELIMITER);
+    let _ = writeln!(text, "{:>6}\n{:>10}{:<20}{:>10}", 164, 1, "SI: Meter (newton)", 2);
+    let _ = writeln!(text, "{}", "  1.00000000000000000D+00".repeat(3));
+    let _ = writeln!(text, "  0.00000000000000000D+00\n    -1");
     text.push_str(DELIMITER);
     text.push_str("    15\n");
     for (i, place) in nodes.places.iter().enumerate() {
@@ -230,10 +244,11 @@ mod tests {
             .filter(|part| !part.is_empty())
             .map(|part| part.lines().collect())
             .collect();
-        assert_eq!(datasets.len(), 1 + modes.modes.len());
-        assert_eq!(datasets[0][0].trim(), "15");
-        assert_eq!(datasets[0][2].split_whitespace().last(), Some("2.00000E+00"));
-        for (dataset, mode) in datasets[1..].iter().zip(&modes.modes) {
+        assert_eq!(datasets.len(), 2 + modes.modes.len());
+        assert_eq!(datasets[0][0].trim(), "164");
+        assert_eq!(datasets[1][0].trim(), "15");
+        assert_eq!(datasets[1][2].split_whitespace().last(), Some("2.00000E+00"));
+        for (dataset, mode) in datasets[2..].iter().zip(&modes.modes) {
             assert_eq!(dataset[0].trim(), "55");
             let of = |line: usize| -> Vec<f64> {
                 dataset[line]

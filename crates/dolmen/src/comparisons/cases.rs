@@ -2,7 +2,7 @@
 
 use super::{
     Case, ValidationError, aftershocks, arches, building_motion, choi_2021, chopra_2017, columns, crushing,
-    dampers, driven_modes, dry_friction, earthquakes, fragility, free_columns, free_decay, gusts,
+    dampers, driven_modes, dry_friction, earthquakes, fragility, free_columns, free_decay, free_walls, gusts,
     hwang_min_hong, joined, kim_koo_hong_2018, local_mechanisms, owen_prieur_2017, park_min_2010,
     pushed_frames, pyoma2, restitution, rigid_blocks, second_methods, setups, sliced_scans, survey_change,
     tenons, watch, wind,
@@ -34,6 +34,7 @@ pub fn cases() -> Result<Vec<Case>, ValidationError> {
         local_mechanisms::cases()?,
         crushing::cases()?,
         restitution::cases()?,
+        free_walls::cases()?,
         sliced_scans::cases()?,
         dry_friction::cases()?,
         tenons::cases()?,

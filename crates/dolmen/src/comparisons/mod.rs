@@ -19,6 +19,7 @@ mod error;
 mod fragility;
 mod free_columns;
 mod free_decay;
+mod free_walls;
 mod gusts;
 mod hwang_min_hong;
 mod joined;

@@ -40,7 +40,7 @@ fn stone(name: String, solid: &Solid, z: f64) -> Block {
 }
 
 /// El Centro 1940 north-south as the repository holds it, as parts of its peak.
-fn el_centro() -> Vec<f64> {
+pub(super) fn el_centro() -> Vec<f64> {
     let text = include_str!("../../../../data/el_centro_1940_ns/el_centro_1940_ns.csv");
     let values: Vec<f64> = text
         .lines()

@@ -9,6 +9,7 @@
 use super::left_out::SHARE_LEAST;
 use super::{LeftOut, MeasuredMode, ShapePoint};
 use crate::modal::{Mode, Modes};
+use crate::signal::Channel;
 use dolmen_linalg::Complex64;
 
 /// A sensor within 15° of the direction (cosine of it) measures it. Chosen here: the error of the cosine is 3 %.
@@ -42,20 +43,7 @@ pub struct DirectionalModes {
 /// Channels without a direction or a position are not used. Each height is taken as rigid in plan; a mode whose sensors
 /// at one height differ by more than 30 % of its largest component is left out as twisting.
 pub fn directional_modes(modes: &Modes, direction: [f64; 3]) -> DirectionalModes {
-    let along: Vec<Option<(f64, f64)>> = modes
-        .channels
-        .iter()
-        .map(|channel| {
-            let cosine: f64 = channel
-                .direction?
-                .iter()
-                .zip(&direction)
-                .map(|(s, d)| s * d)
-                .sum();
-            let height = channel.position_m?[2];
-            (cosine.abs() >= ALONG_LEAST).then_some((height, cosine.signum()))
-        })
-        .collect();
+    let along = channels_along(&modes.channels, direction);
     let mut found = DirectionalModes {
         channels_along: along.iter().flatten().count(),
         ..DirectionalModes::default()
@@ -70,6 +58,64 @@ pub fn directional_modes(modes: &Modes, direction: [f64; 3]) -> DirectionalModes
         }
     }
     found
+}
+
+/// Height of each channel that measures the direction, and the sign with which it does.
+fn channels_along(channels: &[Channel], direction: [f64; 3]) -> Vec<Option<(f64, f64)>> {
+    let of = |channel: &Channel| {
+        let cosine: f64 = channel
+            .direction?
+            .iter()
+            .zip(&direction)
+            .map(|(s, d)| s * d)
+            .sum();
+        let height = channel.position_m?[2];
+        (cosine.abs() >= ALONG_LEAST).then_some((height, cosine.signum()))
+    };
+    channels.iter().map(of).collect()
+}
+
+/// How a mode moves at its sensors.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ShapeMotion {
+    /// Along x, each height as rigid in plan.
+    AlongX(Vec<ShapePoint>),
+    /// Along y, likewise.
+    AlongY(Vec<ShapePoint>),
+    /// Sensors of one direction at one height differ.
+    Twists,
+    /// Mostly along neither x nor y, or its sensors have no places and directions.
+    Other,
+}
+
+impl ShapeMotion {
+    /// Of a shape with one component a channel, real and imaginary part; judged as by [`directional_modes`].
+    pub fn of(channels: &[Channel], shape: &[[f64; 2]]) -> Self {
+        let shape: Vec<Complex64> = shape.iter().map(|[re, im]| Complex64::new(*re, *im)).collect();
+        let mut motion = ShapeMotion::Other;
+        for (axis, made) in [
+            ([1.0, 0.0, 0.0], ShapeMotion::AlongX as fn(_) -> _),
+            ([0.0, 1.0, 0.0], ShapeMotion::AlongY as fn(_) -> _),
+        ] {
+            let along = channels_along(channels, axis);
+            match shape_along((0.0, &shape, None), &along) {
+                Ok(points) => return made(points),
+                Err(LeftOut::Twists { .. }) => motion = ShapeMotion::Twists,
+                Err(_) => {}
+            }
+        }
+        motion
+    }
+
+    /// As surveys name the direction; `None` for other motions.
+    pub fn direction(&self) -> Option<&'static str> {
+        match self {
+            ShapeMotion::AlongX(_) => Some("x"),
+            ShapeMotion::AlongY(_) => Some("y"),
+            ShapeMotion::Twists => Some("torsion"),
+            ShapeMotion::Other => None,
+        }
+    }
 }
 
 impl DirectionalModes {
@@ -98,8 +144,21 @@ pub(super) fn real_shape(shape: &[Complex64]) -> Vec<f64> {
 }
 
 fn along_direction(mode: &Mode, along: &[Option<(f64, f64)>]) -> Result<MeasuredMode, LeftOut> {
-    let real = real_shape(&mode.shape);
-    let frequency_hz = mode.frequency_hz;
+    let shape = shape_along((mode.frequency_hz, &mode.shape, mode.shape_sd.as_deref()), along)?;
+    Ok(MeasuredMode {
+        frequency_hz: mode.frequency_hz,
+        frequency_sd_hz: mode.frequency_sd_hz.unwrap_or(0.0),
+        frequency_changes_hz: mode.frequency_changes_hz.clone(),
+        shape,
+    })
+}
+
+/// The shape along the channels that measure a direction, one point a height.
+fn shape_along(
+    (frequency_hz, shape, shape_sd): (f64, &[Complex64], Option<&[f64]>),
+    along: &[Option<(f64, f64)>],
+) -> Result<Vec<ShapePoint>, LeftOut> {
+    let real = real_shape(shape);
     let square = |chosen: bool| -> f64 {
         real.iter()
             .zip(along)
@@ -111,13 +170,7 @@ fn along_direction(mode: &Mode, along: &[Option<(f64, f64)>]) -> Result<Measured
     if share.is_nan() || share < SHARE_LEAST {
         return Err(LeftOut::OtherDirection { frequency_hz, share });
     }
-    let sd = |channel: usize| {
-        mode.shape_sd
-            .as_ref()
-            .and_then(|sd| sd.get(channel))
-            .copied()
-            .unwrap_or(0.0)
-    };
+    let sd = |channel: usize| shape_sd.and_then(|sd| sd.get(channel)).copied().unwrap_or(0.0);
     let mut heard: Vec<(f64, f64, f64)> = along // height, displacement, its standard deviation
         .iter()
         .enumerate()
@@ -148,19 +201,14 @@ fn along_direction(mode: &Mode, along: &[Option<(f64, f64)>]) -> Result<Measured
             displacement_sd: level.iter().map(|p| p.2 * p.2).sum::<f64>().sqrt() / n,
         });
     }
-    Ok(MeasuredMode {
-        frequency_hz,
-        frequency_sd_hz: mode.frequency_sd_hz.unwrap_or(0.0),
-        frequency_changes_hz: mode.frequency_changes_hz.clone(),
-        shape,
-    })
+    Ok(shape)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::modal::Method;
-    use crate::signal::{Channel, Quantity};
+    use crate::signal::Quantity;
 
     fn channel(z: f64, direction: [f64; 3]) -> Channel {
         Channel {
@@ -201,6 +249,27 @@ mod tests {
             method: Method::SsiCov,
             duration_s: 600.0,
             history: vec![],
+        }
+    }
+
+    #[test]
+    fn exact_motions_of_shapes() {
+        let channels = modes(&[]).channels;
+        let motion = |shape: [f64; 4]| ShapeMotion::of(&channels, &shape.map(|re| [re * 0.6, re * 0.8]));
+        for (shape, direction) in [
+            ([0.5, -1.0, 1.0, 0.0], Some("x")),
+            ([0.0, 0.0, 0.0, 1.0], Some("y")),
+            ([0.0, 1.0, 1.0, 0.1], Some("torsion")),
+            ([0.0, -0.5, 0.5, 0.7], None),
+        ] {
+            assert_eq!(motion(shape).direction(), direction, "{shape:?}");
+        }
+        let ShapeMotion::AlongX(points) = motion([0.5, -1.0, 1.0, 0.0]) else {
+            panic!("along x");
+        };
+        for (point, (height_m, displacement)) in points.iter().zip([(3.0, 0.5), (6.0, 1.0)]) {
+            assert_eq!(point.height_m, height_m);
+            assert!((point.displacement.abs() - displacement).abs() < 1e-12);
         }
     }
 

@@ -22,7 +22,7 @@ pub mod wind;
 pub use building::Building;
 pub use chain::{AddedMass, Chain, ChainStiffness, Inertia, Link, SideSupport, SingleMass, chain_stiffness};
 pub use columns_together::{ColumnOrdinate, ColumnsMove, ColumnsOfLevel, ColumnsTogether, columns_together};
-pub use directional::{DirectionalModes, directional_modes};
+pub use directional::{DirectionalModes, ShapeMotion, directional_modes};
 pub use error::StructureError;
 pub use frame::{
     Convention, Frame, FrameStiffness, Storey, Tie, frame_stiffness, stiffness_from_frequencies,

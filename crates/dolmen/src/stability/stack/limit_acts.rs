@@ -8,7 +8,7 @@ use super::loads::{Load, together};
 use crate::structure::stack::{Joint, Stack};
 use glam::DVec3;
 
-/// Data of a stack for an analysis.
+/// A stack and what acts on it, for a limit analysis.
 #[derive(Clone, Copy)]
 pub(super) struct LimitProblem<'a> {
     pub(super) stack: &'a Stack,
@@ -23,16 +23,16 @@ pub(super) struct LimitProblem<'a> {
 }
 
 /// Possible forces of every corner of every joint, and of every tie; for joints of finite strength, of every block of full stress.
-pub(super) fn acts(before: &LimitProblem<'_>, holding: Holding) -> Vec<PossibleForce> {
-    let stack = before.stack;
+pub(super) fn acts(problem: &LimitProblem<'_>, holding: Holding) -> Vec<PossibleForce> {
+    let stack = problem.stack;
     let mut acts = Vec::new();
-    let crushing = Crushing::of(before);
+    let crushing = Crushing::of(problem);
     for (link, joint) in stack.joints().iter().enumerate() {
         let [first, second, normal] = joint.axes.map(DVec3::from);
         let corners = &joint.patch.corners_m;
         let friction = joint.material.friction_static;
         if let Some(strength_pa) = joint.material.compressive_strength_pa {
-            let towards = before.towards.and_then(|way| in_plane(joint, way));
+            let towards = problem.towards.and_then(|way| in_plane(joint, way));
             for toe in toes(&joint.patch, strength_pa, crushing.pressed(link), towards) {
                 acts.push(PossibleForce {
                     link,
@@ -95,34 +95,34 @@ fn in_plane(joint: &Joint, way: [f64; 2]) -> Option<[f64; 2]> {
 
 /// Forces of joints of finite strength without shaking, as far as known.
 struct Crushing<'a> {
-    before: &'a LimitProblem<'a>,
+    problem: &'a LimitProblem<'a>,
     /// `None` if no joint crushes.
     carriers: Option<SupportRelation>,
     is_known: bool,
 }
 
 impl<'a> Crushing<'a> {
-    fn of(before: &'a LimitProblem<'a>) -> Self {
-        let joints = before.stack.joints();
+    fn of(problem: &'a LimitProblem<'a>) -> Self {
+        let joints = problem.stack.joints();
         let crushes = |joint: &Joint| joint.material.compressive_strength_pa.is_some();
         let carriers = joints
             .iter()
             .any(crushes)
-            .then(|| SupportRelation::of(before.stack));
+            .then(|| SupportRelation::of(problem.stack));
         Crushing {
-            before,
-            is_known: is_statically_determinate(before.stack),
+            problem,
+            is_known: is_statically_determinate(problem.stack),
             carriers,
         }
     }
 
     /// The weight of a joint's upper block and its load, shared equally among all joints that carry it.
     fn pressed(&self, link: usize) -> JointForce {
-        let joints = self.before.stack.joints();
+        let joints = self.problem.stack.joints();
         let joint = &joints[link];
         let force_n = match &self.carriers {
             Some(carriers) if carries(joint) => {
-                let load = together(self.before.loads, &carriers.carried(vec![joint.upper]));
+                let load = together(self.problem.loads, &carriers.carried(vec![joint.upper]));
                 let beside = joints.iter().filter(|of| of.upper == joint.upper && carries(of));
                 -load.force.dot(DVec3::from(joint.axes[2])) / beside.count() as f64
             }
@@ -131,11 +131,11 @@ impl<'a> Crushing<'a> {
         match self.is_known {
             true => JointForce::Known {
                 force_n,
-                grows: self.before.grows,
+                grows: self.problem.grows,
             },
             false => JointForce::About {
                 force_n,
-                joints: if self.before.is_coarse {
+                joints: if self.problem.is_coarse {
                     usize::MAX
                 } else {
                     joints.len()

@@ -77,14 +77,14 @@ pub(crate) fn stands_by_limit_analysis(
 ) -> Result<bool, StabilityError> {
     let way = unit(direction)?;
     let loads = loads.on_blocks(stack)?;
-    let before = LimitProblem {
+    let problem = LimitProblem {
         stack,
         loads: &loads,
         towards: Some(way),
         grows: false,
         is_coarse: false,
     };
-    let acts = acts(&before, Holding::FrictionOnly);
+    let acts = acts(&problem, Holding::FrictionOnly);
     for piece in &pieces(stack, &loads, &acts, GrowingLoad::Shaking, false) {
         if !stands_along(piece, way)? {
             return Ok(false);

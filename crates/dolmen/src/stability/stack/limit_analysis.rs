@@ -95,14 +95,14 @@ fn analysed(
         Shaking::Along(direction) => Some(unit(direction)?),
     };
     let loads = options.loads.on_blocks(stack)?;
-    let before = LimitProblem {
+    let problem = LimitProblem {
         stack,
         loads: &loads,
         towards: direction,
         grows: false,
         is_coarse,
     };
-    let acts = acts(&before, options.holding);
+    let acts = acts(&problem, options.holding);
     let ties = options.holding == Holding::CohesionAndTies;
     let count = stack.blocks().len();
     if let Some(swaying) = &options.swaying

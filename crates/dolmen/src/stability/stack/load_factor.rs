@@ -168,14 +168,14 @@ fn pieces_of(
         })
         .collect();
     let grows = without_weight(loads.len(), &scaled);
-    let before = LimitProblem {
+    let problem = LimitProblem {
         stack: bare,
         loads: &loads,
         towards: None,
         grows: true,
         is_coarse: false,
     };
-    let acts = acts(&before, Holding::Cohesion);
+    let acts = acts(&problem, Holding::Cohesion);
     Ok((
         pieces(bare, &loads, &acts, GrowingLoad::Loads(&grows), false),
         unit,

@@ -112,14 +112,14 @@ pub fn local_mechanisms(
         .map(|&direction| unit(direction))
         .collect::<Result<Vec<_>, _>>()?;
     let loads = StackLoads::default().on_blocks(stack)?;
-    let before = LimitProblem {
+    let problem = LimitProblem {
         stack,
         loads: &loads,
         towards: None,
         grows: false,
         is_coarse: false,
     };
-    let acts = acts(&before, Holding::Cohesion);
+    let acts = acts(&problem, Holding::Cohesion);
     let pieces = pieces(stack, &loads, &acts, GrowingLoad::Shaking, false);
     let limits: Vec<_> = ways.iter().map(|&way| Limit::of(&pieces, way)).collect();
     let each = ways.iter().zip(&limits).map(|(&way, limit)| {

@@ -6,7 +6,7 @@ use super::file_way::WayRaw;
 use super::reader::Reader;
 use super::wrong::WrongNumber;
 
-pub(super) fn way(reader: &mut Reader, raw: &At<WayRaw>, path: &str) -> Option<[f64; 3]> {
+pub(super) fn direction_vector(reader: &mut Reader, raw: &At<WayRaw>, path: &str) -> Option<[f64; 3]> {
     let vector = match &raw.value {
         WayRaw::Axis(axis) => {
             let (sign, letter) = match axis.strip_prefix('-') {
