@@ -98,6 +98,9 @@ pub(crate) struct New {
     pub(crate) kind: Kind,
     /// Folder to make; it must not exist or be empty
     pub(crate) directory: PathBuf,
+    /// A short file of placeholders instead of the copy of an example: no survey, variant or source of another structure
+    #[arg(long, conflicts_with = "scan")]
+    pub(crate) bare: bool,
     #[command(flatten)]
     pub(crate) of_scan: OfScan,
 }

@@ -1,5 +1,6 @@
 //! `dolmen new`: the shipped examples, and a project started from one.
 
+use crate::bare::skeleton;
 use crate::cli::{Kind, New};
 use crate::manner::Manner;
 use crate::outcome::Outcome;
@@ -104,16 +105,21 @@ pub(crate) fn run(options: &New, manner: &Manner) -> Result<Outcome> {
         return scanned::run(options, &options.of_scan, scan, manner);
     }
     let directory = &options.directory;
-    copy_example(example_of(options.kind), directory)?;
+    let file = format!("{}/project.toml", directory.display());
+    let said = match options.bare {
+        true => {
+            let text = skeleton(options.kind).as_bytes();
+            dolmen_folder::fill_fresh(directory, &[("project.toml", text)])?;
+            [Noted::Placeholders { file }, Noted::NextOwnNumbers]
+        }
+        false => {
+            let example = example_of(options.kind).to_owned();
+            copy_example(&example, directory)?;
+            [Noted::CopyOfExample { file, example }, Noted::NextNumbers]
+        }
+    };
     if !manner.quiet {
         let shown = directory.display();
-        let said = [
-            Noted::CopyOfExample {
-                file: format!("{shown}/project.toml"),
-                example: example_of(options.kind).to_owned(),
-            },
-            Noted::NextNumbers,
-        ];
         let mut lines: Vec<String> = said.into_iter().map(|one| one.text(manner)).collect();
         let verb = match options.kind {
             Kind::Flagpole
@@ -123,6 +129,7 @@ pub(crate) fn run(options: &New, manner: &Manner) -> Result<Outcome> {
             | Kind::Tower
             | Kind::Trilithon
             | Kind::Building => "check",
+            Kind::Gate if options.bare => "check",
             Kind::Gate | Kind::Survey => "identify",
         };
         let typed = for_a_shell(&shown.to_string());

@@ -7,6 +7,7 @@
 )]
 
 mod at_work;
+mod bare;
 mod check;
 mod cli;
 mod cli_follow;

@@ -241,7 +241,7 @@ messages! {
         },
         Following { folder: String, structure: String, survey: String } => {
             en: "records that come into {folder} are taken for {structure}, with the settings of its survey {survey}",
-            ko: "{folder}에 들어오는 기록을 {structure}의 조사 {survey} 설정으로 처리한다",
+            ko: "{folder}에 들어오는 기록을 {structure}의 {survey} 조사 설정으로 처리한다",
         },
         CameAgain { file: String, known_as: String } => {
             en: "{file} holds the same bytes as {known_as}, which is stored already: it is no new record, and is passed over",
@@ -280,9 +280,17 @@ messages! {
             en: "{file} is a copy of the example {example}.",
             ko: "{file}은(는) 예제 {example}의 사본이다.",
         },
+        Placeholders { file: String } => {
+            en: "{file} holds placeholders alone: no survey, variant or source of another structure.",
+            ko: "{file}에는 임시 값만 있으며 다른 구조물의 조사, 대안, 출처는 없다.",
+        },
+        NextOwnNumbers => {
+            en: "Next: put your own numbers in it, then",
+            ko: "다음: 자신의 값을 넣고 실행한다.",
+        },
         NextNumbers => {
-            en: "Next: put your own numbers in it (its README.md says what each means), then",
-            ko: "다음: 자신의 값을 넣고(각 값의 뜻은 README.md 참조) 실행한다.",
+            en: "Next: put your own numbers in it (its README.md says what each means) and take out the example's surveys and variants (--bare makes a file without them), then",
+            ko: "다음: 자신의 값을 넣고(각 값의 뜻은 README.md 참조) 예제의 조사와 대안을 지운 뒤(--bare는 이를 뺀 파일을 만든다) 실행한다.",
         },
         NextOfScan { folder: String } => {
             en: "{folder} holds the stones, project.toml and drawing.svg. Next: look at the drawing, put your own density and friction into the file, then",

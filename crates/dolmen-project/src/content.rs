@@ -104,7 +104,7 @@ pub struct Project {
     /// Name of the structure.
     pub name: Names,
     /// What it is, in a sentence or two.
-    pub description: Option<String>,
+    pub description: Option<Names>,
     /// Where the numbers come from.
     pub source: Option<String>,
     /// Acceleration of gravity, m/s².

@@ -35,8 +35,8 @@ pub(super) struct FileRaw {
     /// Name of the structure: text, or { en = "…", ko = "…" }.
     #[schemars(required)]
     pub(super) name: Option<At<NamesRaw>>,
-    /// What it is, in a sentence or two.
-    pub(super) description: Option<String>,
+    /// What it is, in a sentence or two: text, or { en = "…", ko = "…" }.
+    pub(super) description: Option<At<NamesRaw>>,
     /// Where the numbers come from.
     pub(super) source: Option<String>,
     /// Where every number of the file comes from that does not say it itself; numbers written in a variant are left out.

@@ -303,7 +303,7 @@ fn of_raw(
         (Some(schema), Some(structure), Some(name)) if reader.faults.is_empty() => Project {
             schema,
             name,
-            description: raw.description,
+            description: raw.description.map(|given| super::names::names(given.value)),
             source: raw.source,
             gravity_m_s2,
             structure,

@@ -48,11 +48,11 @@ messages! {
         },
         TiltOnParts { survey: String } => {
             en: "the tilt of survey {survey} is not added to the model: its blocks carry their own tilt, offset or place",
-            ko: "조사 {survey}의 기울기는 모델에 더하지 않았다. 부재별 기울기, 이동량 또는 좌표가 이미 주어져 있다",
+            ko: "{survey} 조사의 기울기는 모델에 더하지 않았다. 부재별 기울기, 이동량 또는 좌표가 이미 주어져 있다",
         },
         TiltOfSeveralFeet { survey: String } => {
             en: "the tilt of survey {survey} is not in the model: several blocks stand on the ground; give each block its own tilt",
-            ko: "조사 {survey}의 기울기는 모델에 반영되지 않았다. 지반 위에 놓인 부재가 여러 개이므로 부재별 tilt를 준다",
+            ko: "{survey} 조사의 기울기는 모델에 반영되지 않았다. 지반 위에 놓인 부재가 여러 개이므로 부재별 tilt를 준다",
         },
         Allowed { slip: Both } => {
             en: "{slip}; the file allows it",

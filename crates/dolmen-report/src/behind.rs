@@ -30,7 +30,9 @@ fn given(document: &mut Document<'_>, answer: &ProjectReport) {
     let project = &answer.project;
     document.heading(said(|language| language.pick("What was given", "입력 자료")));
     if let Some(description) = &project.description {
-        document.paragraph(Sentence::of_symbol(description));
+        document.paragraph(said(|language| {
+            language.pick(description.english(), description.korean())
+        }));
     }
     let (tables, others) = by_part(&project.structure, &inputs_listed(project));
     for table in tables {

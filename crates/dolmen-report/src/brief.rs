@@ -35,7 +35,16 @@ pub(crate) fn brief_text(all: &[Finding], project: &Project, above: usize, style
     let mut left = LINES_MOST.saturating_sub(above + 1);
     let key: Vec<&Finding> = all.iter().filter(|finding| finding.is_key).collect();
     let mut by_weight: Vec<usize> = (0..key.len()).collect();
-    by_weight.sort_by_key(|&i| (i > 0, rank(key[i].tone)));
+    by_weight.sort_by_key(|&i| {
+        (
+            i > 0,
+            if is_asked_for(key[i]) {
+                0
+            } else {
+                rank(key[i].tone)
+            },
+        )
+    });
     let mut shown = vec![false; key.len()];
     for i in by_weight {
         let lines = findings_text([key[i]], style).lines().count();
@@ -60,6 +69,11 @@ pub(crate) fn brief_text(all: &[Finding], project: &Project, above: usize, style
         (count, to_act_on) => Some(Brief::MoreToActOn { count, to_act_on }),
     };
     findings_text(shown, style) + &more_text(project, more, style)
+}
+
+/// Whether it is there because a flag asked for it: samples, sensitivities.
+fn is_asked_for(finding: &Finding) -> bool {
+    matches!(finding.code, Some("sensitivity" | "probability"))
 }
 
 /// In what order findings are given the lines that there are: the first whatever it is, those to act on, what holds, the rest.

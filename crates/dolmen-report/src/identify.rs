@@ -47,6 +47,7 @@ pub fn identification_text(answer: &IdentifyAnswer, style: TextStyle) -> String 
         out += &document_text(&modal::sections(survey), style);
     }
     out += &document_text(&identification::sections(&answer.project, &answer.surveys), style);
+    out += &document_text(&identification::appendix(&answer.project, &answer.surveys), style);
     out + &notes_text(&answer.project, style)
 }
 

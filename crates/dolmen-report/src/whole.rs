@@ -44,7 +44,7 @@ pub(crate) fn all_findings(answer: &ProjectReport) -> Vec<Finding> {
 }
 
 /// All sections in the order in which they are read: place, surveys, the model, earthquakes, dampers, studies, change over the years, variants,
-/// opinion.
+/// opinion; behind them what the answer does not rest on.
 pub(crate) fn whole_document(answer: &ProjectReport) -> Document<'_> {
     let mut whole = Document::default();
     let given = answer.project.report.as_ref();
@@ -93,6 +93,10 @@ pub(crate) fn whole_document(answer: &ProjectReport) -> Document<'_> {
     if let Some(given) = given {
         whole.append(engineer::opinion(given));
     }
+    if let Some(Check::Chain(check)) = answer.state().map(|state| &state.check) {
+        whole.append(chain::appendix(check));
+    }
+    whole.append(identification::appendix(&answer.project, answer.surveys()));
     whole
 }
 

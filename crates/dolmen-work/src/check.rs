@@ -16,6 +16,7 @@ use dolmen::assess::{Sensitivity, elasticity, probability};
 use dolmen::numeric::Random;
 use dolmen::stability::Verdict;
 use dolmen_project::{Pick, Project, Quantity, Structure};
+use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Options of a check.
@@ -27,7 +28,6 @@ pub struct CheckOptions {
     pub sensitivity: bool,
     /// Whether to compute results for a stack that do not affect its verdict: local mechanisms as codes require, and the springs that measured
     /// frequencies imply. With a site in the file local mechanisms are always found, because a finding compares them with it.
-    /// the file has a site the local mechanisms are found always, since a finding holds them against it.
     pub beside_the_verdict: bool,
 }
 
@@ -333,7 +333,6 @@ fn sensitivities(project: &Project, of: SensitivityOf) -> Result<Vec<Sensitivity
     if kinds::sensitive(project, of, &mut Quantity::nominal)?.is_none() {
         return Ok(Vec::new());
     }
-    let mut all = Vec::new();
     // a corner moved alone leaves the bed that it shares with the next stone
     let is_corner = |input: &&Quantity| input.path.contains(".points[");
     // and a stone higher than its neighbours leaves theirs
@@ -341,11 +340,11 @@ fn sensitivities(project: &Project, of: SensitivityOf) -> Result<Vec<Sensitivity
         Structure::Stack(part) => heights_that_others_share(part),
         _ => BTreeSet::new(),
     };
-    for input in project
-        .structure_inputs()
-        .into_iter()
+    let inputs = project.structure_inputs().into_iter();
+    let inputs: Vec<&Quantity> = inputs
         .filter(|input| !is_corner(input) && !shared.contains(&input.path))
-    {
+        .collect();
+    let of_input = |input: &Quantity| -> Result<Sensitivity, WorkError> {
         let elasticity = elasticity(input.value, |changed| -> Result<f64, WorkError> {
             let mut pick = |q: &Quantity| if q.path == input.path { changed } else { q.value };
             // if the structure with this one changed number cannot be built, there is no sensitivity
@@ -354,13 +353,17 @@ fn sensitivities(project: &Project, of: SensitivityOf) -> Result<Vec<Sensitivity
                 .flatten()
                 .unwrap_or(f64::NAN))
         })?;
-        all.push(Sensitivity {
+        Ok(Sensitivity {
             input: input.path.clone(),
             value: input.value,
             elasticity,
             cov: input.cov,
-        });
-    }
+        })
+    };
+    let mut all = inputs
+        .par_iter()
+        .map(|input| of_input(input))
+        .collect::<Result<Vec<_>, _>>()?;
     // an input of 0 has no elasticity: it comes last
     let strength = |of: &Sensitivity| match of.elasticity.is_finite() {
         true => of.elasticity.abs(),

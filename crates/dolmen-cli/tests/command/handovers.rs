@@ -57,6 +57,50 @@ fn holds_a_report_is_handed_over_with_all_that_the_engineer_gives() {
 }
 
 #[test]
+fn holds_what_nothing_rests_on_stands_behind_the_opinion() {
+    let scratch = Scratch::with_examples("behind");
+    let report = |project: &str, language: &str| {
+        let run = format!("report {project} --language {language} -o page.html --force");
+        let answer = scratch.dolmen(&run);
+        assert!(answer.status < 2, "{}", answer.stderr);
+        fs::read_to_string(scratch.path().join("page.html")).unwrap()
+    };
+    let page = report("examples/inspected_flagpole", "en");
+    let opinion = page.find("Grade, opinion and recommendations").unwrap();
+    assert!(opinion < page.find("What lowering a centre of mass does").unwrap());
+    let page = report("examples/heunginjimun_gate", "en");
+    let others = page.find("Stiffness if the springs acted otherwise").unwrap();
+    assert!(page.find("(as printed)").unwrap() > others);
+    assert!(page.find("Stiffness from measured vibration").unwrap() < others);
+}
+
+#[test]
+fn holds_a_description_and_links_are_called_in_the_language_of_the_reader() {
+    let scratch = Scratch::new("bilingual");
+    let project = "schema = 1\nkind = \"chain\"\nname = { en = \"Pole\", ko = \"당간\" }\n\
+        description = { en = \"One shaft of granite.\", ko = \"화강석 간주석 하나.\" }\n\
+        units = { force = \"kN\", stiffness = \"kN*m/rad\" }\nevidence = \"measured\"\n\
+        links = [{ name = \"돌 하나\", weight = 20, length = 3.0, centroid = 1.5, breadth = 0.6 }]\n\
+        joints = [{ stiffness = 90 }]\n";
+    fs::write(scratch.path().join("p.toml"), project).unwrap();
+    for (language, said, other) in [
+        ("en", "One shaft of granite.", "화강석"),
+        ("ko", "화강석 간주석 하나.", "granite"),
+    ] {
+        let answer = scratch.dolmen(&format!(
+            "report p.toml --language {language} -o page.html --force"
+        ));
+        assert!(answer.status < 2, "{}", answer.stderr);
+        let page = fs::read_to_string(scratch.path().join("page.html")).unwrap();
+        assert!(page.contains(said) && !page.contains(other), "{language}");
+        assert!(
+            page.contains("돌 하나 ") && !page.contains("link 1 weight"),
+            "{language}"
+        );
+    }
+}
+
+#[test]
 fn holds_a_project_without_a_report_has_no_empty_boxes() {
     let scratch = Scratch::with_examples("handover_none");
     scratch.dolmen("report examples/naju_flagpole -o page.html");

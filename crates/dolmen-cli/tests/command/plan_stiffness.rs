@@ -175,7 +175,7 @@ fn holds_a_tuned_mass_is_counted_in_the_check_and_stiffness_is_not_sought_with_i
         scratch
             .dolmen("identify hall.toml --language ko")
             .words()
-            .contains("제진장치(t)")
+            .contains("감쇠기(t)")
     );
     let said = scratch.dolmen("check hall.toml").words();
     assert!(

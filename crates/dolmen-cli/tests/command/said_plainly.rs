@@ -192,3 +192,35 @@ fn holds_a_full_answer_has_what_the_brief_one_has() {
         assert!(count > 0, "{example}: {}", brief.stdout);
     }
 }
+
+#[test]
+fn holds_what_decides_stands_before_what_it_depends_on() {
+    let pole = format!(
+        "{POLE}joints = [{{ stiffness = {{ value = 90, cov = 0.1 }} }}]\n[survey.2026-04-02]\ntilt = {{ x = \"1/300\" }}\n"
+    );
+    let answer = of("order", &pole, "check . --samples 200 --sensitivity");
+    let at = |words: &str| {
+        answer
+            .words
+            .find(words)
+            .unwrap_or_else(|| panic!("{words}: {}", answer.words))
+    };
+    assert!(
+        at("With this stiffness it stands") < at("With the scatter given")
+            && at("With the scatter given") < at("Inputs with the largest effect on"),
+        "{}",
+        answer.words
+    );
+    // criteria of others decide nothing where the stiffness is known
+    assert!(
+        !answer.words.contains("buckling of a post on one spring"),
+        "{}",
+        answer.words
+    );
+    let unknown = of("unknown", &format!("{POLE}joints = \"unknown\"\n"), "check .");
+    assert!(
+        unknown.words.contains("buckling of a post on one spring"),
+        "{}",
+        unknown.words
+    );
+}

@@ -369,7 +369,15 @@ fn holds_a_brief_answers_what_was_asked_for() {
     fs::write(scratch.path().join("project.toml"), file).unwrap();
     let answer = scratch.briefly("check project.toml --sensitivity");
     assert!(
-        answer.stdout.contains("answers most to these inputs"),
+        answer.stdout.contains("Inputs with the largest effect on"),
+        "{}",
+        answer.stdout
+    );
+    // however much else is to be looked into
+    let poles = Scratch::with_examples("asked-of-a-pole");
+    let answer = poles.briefly("check examples/naju_flagpole --sensitivity");
+    assert!(
+        answer.stdout.contains("Inputs with the largest effect on"),
         "{}",
         answer.stdout
     );

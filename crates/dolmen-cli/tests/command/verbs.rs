@@ -122,6 +122,47 @@ fn holds_new_makes_a_project_and_never_overwrites() {
 }
 
 #[test]
+fn holds_a_bare_project_has_nothing_of_another_structure() {
+    let kinds = [
+        "flagpole",
+        "gate",
+        "pagoda",
+        "arch",
+        "wall",
+        "tower",
+        "trilithon",
+        "building",
+        "survey",
+    ];
+    let scratch = Scratch::new("bare");
+    for kind in kinds {
+        let made = scratch.dolmen(&format!("new {kind} {kind} --bare"));
+        assert_eq!(made.status, 0, "{}", made.stderr);
+        let file = scratch.path().join(kind).join("project.toml");
+        let text = std::fs::read_to_string(file).unwrap();
+        for inherited in ["\nsource", "\ndescription", "\n[variant", "\n[study", "\n[motion"] {
+            assert!(!text.contains(inherited), "{kind}: {inherited}");
+        }
+        let answer = scratch.dolmen(&format!("check {kind}"));
+        assert_eq!(answer.status, 0, "{kind}: {}", answer.stderr);
+        // the survey that stands in a remark is one that can be read
+        let survey: String = text
+            .lines()
+            .map(|line| match line.strip_prefix("# ") {
+                Some(rest) if rest.starts_with(['[', 't']) => format!("{rest}\n"),
+                _ => format!("{line}\n"),
+            })
+            .collect();
+        if kind != "survey" {
+            assert!(survey.contains("\n[survey.2026-04-02]"), "{kind}");
+            std::fs::write(scratch.path().join("measured.toml"), survey).unwrap();
+            let answer = scratch.dolmen("check measured.toml");
+            assert!(answer.status < 2, "{kind}: {}", answer.stderr);
+        }
+    }
+}
+
+#[test]
 fn refuses_an_unknown_code_with_the_nearest() {
     let answer = Scratch::new("explain").dolmen("explain unsafe_criterion");
     assert_eq!(answer.status, 2);

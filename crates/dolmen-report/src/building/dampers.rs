@@ -9,7 +9,7 @@ use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 messages! {
     /// Dampers.
     pub(crate) enum Dampers in "building.dampers" {
-        Caption => { en: "Dampers.", ko: "제진장치." },
+        Caption => { en: "Dampers.", ko: "감쇠기." },
         CaptionKinds => {
             en: "tmd, a mass on a spring; tlcd, a liquid column; tlcmd, such a column on a spring; link, a dashpot.",
             ko: "tmd 동조질량감쇠기, tlcd 동조액체기둥감쇠기, tlcmd 그 혼합형, link 점성감쇠기.",
@@ -18,7 +18,7 @@ messages! {
             en: "The mass ratio is of the modal mass at the damper's place, the damping ratio on its own frequency.",
             ko: "질량비는 장치 위치에서의 모드질량에 대한 값이고 감쇠비는 장치 자신의 진동수에 대한 값이다.",
         },
-        Damper => { en: "Damper", ko: "제진장치" },
+        Damper => { en: "Damper", ko: "감쇠기" },
         Kind => { en: "kind", ko: "종류" },
         Floor => { en: "floor", ko: "층" },
         Direction => { en: "along", ko: "방향" },

@@ -43,20 +43,20 @@ messages! {
         },
         DriftDamped { ratio: Quantity, floor: Sentence } => {
             en: "By the spectrum of the site the largest elastic drift at an edge, with the dampers, is {ratio} of the storey height, below floor {floor}.",
-            ko: "부지 스펙트럼에 의한 제진장치를 포함한 최대 탄성 층간변위(단부)는 {floor} 바닥 아래에서 층고의 {ratio}이다.",
+            ko: "부지 스펙트럼에 의한 감쇠기를 포함한 최대 탄성 층간변위(단부)는 {floor} 바닥 아래에서 층고의 {ratio}이다.",
         },
         MoreWithDampers { list: Vec<Sentence> } => {
             en: "With the dampers some of the response to the spectrum is more than without, by these factors: {list}.",
-            ko: "제진장치로 인해 부지 스펙트럼에 대한 응답 일부가 커진다(배수): {list}.",
+            ko: "감쇠기로 인해 부지 스펙트럼에 대한 응답 일부가 커진다(배수): {list}.",
         },
         Factor { what: Sentence, ratio: Quantity } => { en: "{what} {ratio}", ko: "{what} {ratio}" },
         HardlyMoves { damper: Sentence, mode: usize, share: Quantity } => {
             en: "Damper {damper} hardly moves with mode {mode}, to which it is tuned: its mass is {share} of that mode's. Another mode, place or direction is probably meant.",
-            ko: "제진장치 {damper}은(는) 동조 대상인 {mode}차 모드에서 거의 움직이지 않는다(모드 질량의 {share}). 다른 모드나 위치, 방향을 뜻한 것으로 보인다.",
+            ko: "감쇠기 {damper}은(는) 동조 대상인 {mode}차 모드에서 거의 움직이지 않는다(모드 질량의 {share}). 다른 모드나 위치, 방향을 뜻한 것으로 보인다.",
         },
         BeyondRoom { damper: Sentence, needed: Quantity, has: Quantity } => {
             en: "Damper {damper} is beyond its room under the spectrum of the site: it needs {needed} each way and has {has}.",
-            ko: "부지 스펙트럼에서 제진장치 {damper}의 행정 {needed}이(가) 여유 공간 {has}을(를) 넘는다.",
+            ko: "부지 스펙트럼에서 감쇠기 {damper}의 행정 {needed}이(가) 여유 공간 {has}을(를) 넘는다.",
         },
         NotComputed { why: String } => {
             en: "The response to the spectrum of the site is not computed: {why}",
@@ -64,7 +64,7 @@ messages! {
         },
         NotComputedDamped { why: String } => {
             en: "The response with the dampers is not computed: {why}",
-            ko: "제진장치를 포함한 스펙트럼 응답을 계산하지 않았다: {why}",
+            ko: "감쇠기를 포함한 스펙트럼 응답을 계산하지 않았다: {why}",
         },
     }
 }

@@ -18,7 +18,7 @@ messages! {
         },
         Caption { shown: usize, all: usize } => {
             en: "Modes without dampers, {shown} of {all}.",
-            ko: "제진장치가 없는 상태의 모드, 전체 {all}개 중 {shown}개.",
+            ko: "감쇠기가 없는 상태의 모드, 전체 {all}개 중 {shown}개.",
         },
         CaptionMeaning => {
             en: "The centre is where the top floor turns about, – if it moves without turning.",

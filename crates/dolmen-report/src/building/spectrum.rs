@@ -13,7 +13,7 @@ messages! {
     /// Response to the spectrum of the site.
     pub(crate) enum Spectrum in "building.spectrum" {
         Head => { en: "Response to the spectrum of the site", ko: "부지 스펙트럼에 대한 응답" },
-        Shear => { en: "Base shear, without dampers.", ko: "밑면전단력(제진장치 제외)." },
+        Shear => { en: "Base shear, without dampers.", ko: "밑면전단력(감쇠기 제외)." },
         ShearMeaning => {
             en: "What the walls of the lowest storey carry; shaking along x and y together by the root of the sum of squares.",
             ko: "최하층 벽체가 부담하는 값이며, x·y 방향 지진은 제곱합의 제곱근으로 조합하였다.",
@@ -31,12 +31,12 @@ messages! {
             en: "In the least favourable direction of shaking, with the weaker component {minor} of the stronger, the stronger one acts at {x}° from x for the base shear along x and at {y}° for that along y.",
             ko: "약한 성분이 강한 성분의 {minor}배일 때 가장 불리한 지진 방향은, 강한 성분이 x 방향 밑면전단력에 대하여 x축에서 {x}°, y 방향 밑면전단력에 대하여 {y}°이다.",
         },
-        Largest => { en: "Largest elastic response, without dampers.", ko: "최대 탄성응답(제진장치 제외)." },
+        Largest => { en: "Largest elastic response, without dampers.", ko: "최대 탄성응답(감쇠기 제외)." },
         LargestMeaning => {
             en: "Modes by CQC with the damping of each, shaking along x and y by the root of the sum of squares.",
             ko: "모드는 각 감쇠비를 고려한 CQC로, x·y 방향 지진은 제곱합의 제곱근으로 조합하였다.",
         },
-        Damped => { en: "Largest elastic response with the dampers.", ko: "제진장치를 포함한 최대 탄성응답." },
+        Damped => { en: "Largest elastic response with the dampers.", ko: "감쇠기를 포함한 최대 탄성응답." },
         DampedMeaning => {
             en: "Complex modes by CQC for damping that couples them.",
             ko: "비고전감쇠 복소모드를 CQC로 조합하였다.",
@@ -49,21 +49,21 @@ messages! {
             en: "– : the floor has no outline, so that the drift at its edges is not known.",
             ko: "– : 바닥 외곽선이 없어 단부 층간변위를 알 수 없다.",
         },
-        Points => { en: "Displacement of the points of the file, without dampers.", ko: "입력한 관측점의 변위(제진장치 제외)." },
-        PointsDamped => { en: "Displacement of the points of the file with the dampers.", ko: "제진장치를 포함한 관측점의 변위." },
+        Points => { en: "Displacement of the points of the file, without dampers.", ko: "입력한 관측점의 변위(감쇠기 제외)." },
+        PointsDamped => { en: "Displacement of the points of the file with the dampers.", ko: "감쇠기를 포함한 관측점의 변위." },
         Point => { en: "Point", ko: "관측점" },
         WithDampers { x: Quantity, y: Quantity, torque: Quantity } => {
             en: "With the dampers: base shear along x {x}, along y {y}, torque {torque}.",
-            ko: "제진장치 포함: 밑면전단력 x 방향 {x}, y 방향 {y}, 비틀림모멘트 {torque}.",
+            ko: "감쇠기 포함: 밑면전단력 x 방향 {x}, y 방향 {y}, 비틀림모멘트 {torque}.",
         },
-        Strokes => { en: "Strokes of the dampers.", ko: "제진장치의 행정." },
+        Strokes => { en: "Strokes of the dampers.", ko: "감쇠기의 행정." },
         StrokesMeaning => { en: "Each way from rest, beside the room there is.", ko: "정지 위치에서 한쪽 방향의 값이며 여유 공간과 비교하였다." },
-        Damper => { en: "Damper", ko: "제진장치" },
+        Damper => { en: "Damper", ko: "감쇠기" },
         Stroke => { en: "stroke", ko: "행정" },
         Room => { en: "room", ko: "여유 공간" },
         RoomUnknown { damper: Sentence } => {
             en: "Whether damper {damper} has room enough is not known.",
-            ko: "제진장치 {damper}의 여유 공간이 충분한지는 알 수 없다.",
+            ko: "감쇠기 {damper}의 여유 공간이 충분한지는 알 수 없다.",
         },
         Simulate => {
             en: "`dolmen simulate` computes it under a motion.",

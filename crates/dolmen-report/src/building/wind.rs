@@ -41,11 +41,11 @@ messages! {
         AlongAxis { axis: Sentence } => { en: "Wind along {axis}.", ko: "{axis} 방향 바람." },
         AlongWithout { axis: Sentence } => {
             en: "Wind along {axis}, without dampers.",
-            ko: "{axis} 방향 바람(제진장치 제외).",
+            ko: "{axis} 방향 바람(감쇠기 제외).",
         },
         AlongWith { axis: Sentence } => {
             en: "Wind along {axis}, with the dampers.",
-            ko: "{axis} 방향 바람(제진장치 포함).",
+            ko: "{axis} 방향 바람(감쇠기 포함).",
         },
         Meaning => {
             en: "V and I_u are those of the middle of what the floor takes; displacement and a are along the wind, the corner in its worst direction.",
@@ -63,19 +63,19 @@ messages! {
             en: "Wind along {axis}: base shear {mean} in the mean, {peak} at its peak; torque about the centre of all mass up to {torque}; the top floor turns with σ {rotation}.",
             ko: "{axis} 방향 바람: 밑면전단력 평균 {mean}, 최대 {peak}, 전체 질량중심에 대한 최대 비틀림모멘트 {torque}, 최상층 회전가속도의 표준편차 {rotation}.",
         },
-        Strokes => { en: "Strokes of the dampers in the wind.", ko: "바람에 대한 제진장치의 행정." },
+        Strokes => { en: "Strokes of the dampers in the wind.", ko: "바람에 대한 감쇠기의 행정." },
         StrokesMeaning => {
             en: "Each way from rest, the larger of both winds; ten minutes.",
             ko: "정지 위치에서 한쪽 방향의 값이며 두 풍향 중 큰 값이다(10분).",
         },
-        Damper => { en: "Damper", ko: "제진장치" },
+        Damper => { en: "Damper", ko: "감쇠기" },
         RmsStroke => { en: "σ", ko: "표준편차" },
         PeakStroke => { en: "peak", ko: "최대 행정" },
         Room => { en: "room", ko: "여유 공간" },
         Profile => { en: "Peak acceleration by height.", ko: "높이별 최대가속도." },
         ProfileMeaning => {
             en: "At the worst corner of each floor, the wind along x and along y; dashed without the dampers.",
-            ko: "각 층의 가장 불리한 모서리에서의 값이며 x·y 방향 바람을 나누어 나타냈다. 점선은 제진장치가 없을 때이다.",
+            ko: "각 층의 가장 불리한 모서리에서의 값이며 x·y 방향 바람을 나누어 나타냈다. 점선은 감쇠기가 없을 때이다.",
         },
         Moved => { en: "Displacement by height.", ko: "높이별 변위." },
         MovedMeaning => {

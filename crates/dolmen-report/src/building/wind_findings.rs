@@ -40,11 +40,11 @@ messages! {
         },
         BeyondRoom { damper: Sentence, needed: Quantity, has: Quantity } => {
             en: "Damper {damper} is beyond its room in the wind: it needs {needed} each way and has {has}.",
-            ko: "바람에 대한 제진장치 {damper}의 행정 {needed}이(가) 여유 공간 {has}을(를) 넘는다.",
+            ko: "바람에 대한 감쇠기 {damper}의 행정 {needed}이(가) 여유 공간 {has}을(를) 넘는다.",
         },
         With { acceleration: Quantity, drift: Quantity } => {
             en: "With the dampers the peak acceleration of the top floor is {acceleration} of that without, the largest drift {drift}.",
-            ko: "제진장치를 설치하면 최상층 최대가속도는 설치하지 않을 때의 {acceleration}, 최대 층간변위는 {drift}이다.",
+            ko: "감쇠기를 설치하면 최상층 최대가속도는 설치하지 않을 때의 {acceleration}, 최대 층간변위는 {drift}이다.",
         },
         Slender { slenderness: Quantity } => {
             en: "It is slender (height over √(breadth × depth) is {slenderness}): gusts and vortices across the wind may move it more than those along it, and are not in these numbers.",

@@ -23,7 +23,7 @@ messages! {
         },
         BeyondRoom { damper: Sentence, needed: Quantity, room: Quantity } => {
             en: "damper {damper} is beyond its room: it needs {needed} each way and has {room}. It would meet its stops, which this run does not have, so that all values are too good.",
-            ko: "제진장치 {damper}의 행정 {needed}이(가) 여유 공간 {room}을(를) 넘는다. 이 해석은 스토퍼 충돌을 고려하지 않아 응답을 작게 평가하므로 결과를 그대로 쓸 수 없다.",
+            ko: "감쇠기 {damper}의 행정 {needed}이(가) 여유 공간 {room}을(를) 넘는다. 이 해석은 스토퍼 충돌을 고려하지 않아 응답을 작게 평가하므로 결과를 그대로 쓸 수 없다.",
         },
         Corner { ratio: Quantity, floor: Sentence, direction: Quantity } => {
             en: "the largest drift at a corner is {ratio} of the height of the storey below floor {floor}, {direction}° from x.",
@@ -48,15 +48,15 @@ messages! {
         And { first: Sentence, next: Sentence } => { en: "{first} {next}", ko: "{first} {next}" },
         Top { list: Vec<Sentence> } => {
             en: "Of what it would move without dampers: {list}.",
-            ko: "제진장치가 없을 때에 대한 비: {list}.",
+            ko: "감쇠기가 없을 때에 대한 비: {list}.",
         },
         More { list: Vec<Sentence> } => {
             en: "More than without dampers: {list}.",
-            ko: "제진장치가 없을 때보다 큰 값: {list}.",
+            ko: "감쇠기가 없을 때보다 큰 값: {list}.",
         },
         MoreOf { list: Vec<Sentence>, others: usize } => {
             en: "More than without dampers: {list} and {others} more.",
-            ko: "제진장치가 없을 때보다 큰 값: {list} 외 {others}개.",
+            ko: "감쇠기가 없을 때보다 큰 값: {list} 외 {others}개.",
         },
         Share { what: Sentence, ratio: Quantity } => { en: "{what} {ratio}", ko: "{what} {ratio}" },
         Grows => {

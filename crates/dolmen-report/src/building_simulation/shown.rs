@@ -18,7 +18,7 @@ messages! {
         Head => { en: "Simulated earthquake", ko: "지진응답 시뮬레이션" },
         Across { damper: String, along: Sentence } => {
             en: "The ground shakes across damper {damper}, which moves along {along}: this run does not show what it does; turn the motion (--turn).",
-            ko: "지진동이 제진장치 {damper}의 작동 방향({along})과 직각이므로 이 해석은 그 효과를 보여 주지 않는다. 지진동의 방향을 돌려(--turn) 해석한다.",
+            ko: "지진동이 감쇠기 {damper}의 작동 방향({along})과 직각이므로 이 해석은 그 효과를 보여 주지 않는다. 지진동의 방향을 돌려(--turn) 해석한다.",
         },
         Base { x: Quantity, x_share: Quantity, x_at: Quantity, y: Quantity, y_share: Quantity, y_at: Quantity } => {
             en: "Shear in the walls of the lowest storey: along x {x} ({x_share} of the weight) at {x_at}, along y {y} ({y_share}) at {y_at}.",
@@ -38,7 +38,7 @@ messages! {
         },
         BaseShear => { en: "Base shear.", ko: "밑면전단력." },
         BaseShearMeaning => { en: "What the walls of the lowest storey carry.", ko: "최하층 벽체가 부담하는 힘." },
-        Strokes => { en: "Travel of the dampers.", ko: "제진장치의 행정." },
+        Strokes => { en: "Travel of the dampers.", ko: "감쇠기의 행정." },
         StrokesMeaning => {
             en: "Relative to the floor: the room that they need.",
             ko: "바닥에 대한 상대변위로서 필요한 여유 공간이다.",

@@ -11,12 +11,12 @@ use dolmen_work::building::{BuildingSimulation, WatchedPoint};
 messages! {
     /// Tables of simulated buildings.
     pub(crate) enum Tables in "building-simulation.tables" {
-        Dampers => { en: "What the dampers do.", ko: "제진장치의 거동." },
+        Dampers => { en: "What the dampers do.", ko: "감쇠기의 거동." },
         DampersMeaning => {
             en: "Largest travel each way from the place at rest, the room that each has, and the largest force of its dashpot; t is when each is reached.",
             ko: "정지 위치에서의 한쪽 최대 행정, 주어진 여유 공간과 감쇠기의 최대 감쇠력. t는 각 최댓값의 시각이다.",
         },
-        Damper => { en: "Damper", ko: "제진장치" },
+        Damper => { en: "Damper", ko: "감쇠기" },
         Stroke => { en: "stroke", ko: "행정" },
         Room => { en: "room", ko: "여유 공간" },
         Force => { en: "force of the dashpot", ko: "감쇠력" },

@@ -88,10 +88,12 @@ pub(crate) fn findings(check: &ChainCheck) -> Vec<Finding> {
     all.extend(check.on_soil.as_ref().map(super::soil::finding));
     all.extend(super::side_supports::findings(check));
     all.extend(super::one_stone::finding(check));
-    // criteria of others, which decide nothing here
-    all.push(published(&check.limits));
-    all.push(buckling(&check.limits));
-    all.extend(centroids(check));
+    // criteria of others decide nothing: they are said where one may reach for them in place of the stiffness
+    if check.stability.is_none() {
+        all.push(published(&check.limits));
+        all.push(buckling(&check.limits));
+        all.extend(centroids(check));
+    }
     all
 }
 

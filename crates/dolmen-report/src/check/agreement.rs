@@ -25,11 +25,11 @@ messages! {
         },
         WithDampers { each: Vec<Sentence> } => {
             en: "Measured frequencies are held against those of the whole, with its dampers: {each}.",
-            ko: "실측 고유진동수는 제진장치를 포함한 전체의 값과 비교한다: {each}.",
+            ko: "실측 고유진동수는 감쇠기를 포함한 전체의 값과 비교한다: {each}.",
         },
         Whole { direction: String, whole: Quantity, without: Quantity } => {
             en: "direction {direction} {whole} ({without} without dampers)",
-            ko: "{direction} 방향 {whole}(제진장치가 없으면 {without})",
+            ko: "{direction} 방향 {whole}(감쇠기가 없으면 {without})",
         },
         One { survey: String, direction: String, measured: Quantity, computed: Quantity } => {
             en: "direction {direction} {measured}, model {computed} (survey {survey})",

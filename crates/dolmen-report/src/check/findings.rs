@@ -48,9 +48,13 @@ messages! {
 
 /// Of one version: its kind's own, what its site asks, what surveys say, its scatter.
 pub(super) fn of_state(project: &Project, state: &State) -> Vec<Finding> {
-    // what was asked for, and what is not in the model although it was measured, come first
-    let mut all: Vec<Finding> = state.sampled.iter().flat_map(sampled::findings).collect();
-    let measured = measured::measured(state);
+    // samples that fall come first; that none does stands behind what it was sought for
+    let (mut all, none): (Vec<Finding>, Vec<Finding>) = state
+        .sampled
+        .iter()
+        .flat_map(sampled::findings)
+        .partition(|finding| finding.tone != Tone::Plain);
+    let measured = measured::measured(project, state);
     let (before, after) = match &state.check {
         Check::Stack(_) => (measured, Vec::new()),
         Check::Chain(_) | Check::Frame(_) | Check::Building(_) => (Vec::new(), measured),
@@ -66,6 +70,7 @@ pub(super) fn of_state(project: &Project, state: &State) -> Vec<Finding> {
         },
         _ => found,
     }));
+    all.extend(none);
     all.extend(loads::findings(project, state));
     let has_moved =
         matches!(&state.check, Check::Stack(answer) if !answer.stack.support_movements().is_empty());
@@ -169,9 +174,9 @@ pub(super) fn unread(answer: &CheckAnswer) -> Option<Finding> {
 /// All of a check, what is worst first.
 pub(crate) fn findings(answer: &CheckAnswer) -> Vec<Finding> {
     let mut all = from_surveys::findings(&answer.project);
-    all.extend(sampled::sensitive(answer));
     let states = answer.state.iter();
     all.extend(states.flat_map(|state| of_state(&answer.project, state)));
+    all.extend(sampled::sensitive(answer));
     let checks = answer.state.iter().map(|state| &state.check);
     all.extend(checks.flat_map(|check| measured::other_directions(&answer.project, check)));
     all.extend(measured::against_its_limit(&answer.project));

@@ -35,6 +35,10 @@ messages! {
             en: "The measured tilt of {tilts} (survey {survey}) is not checked against overturning: that needs the joints' stiffness and bed widths, not all given.",
             ko: "실측 기울기({tilts}, {survey} 조사)에 대한 전도 검토는 하지 못하였다. 접합부 강성과 접합면 폭이 모두 있어야 한다.",
         },
+        TiltUnheld { tilt: Sentence, direction: String, survey: String } => {
+            en: "The tilt of {tilt} measured in direction {direction} (survey {survey}) leans the model, but whether it holds is not known: the stiffness of that direction is not given. What leans pushes sideways with that share of its weight.",
+            ko: "{direction} 방향 실측 기울기 {tilt}({survey} 조사)를 모델에 반영하였으나 그 방향의 강성이 주어지지 않아 견디는지는 알 수 없다. 기울어진 부분은 자중의 그 비율만큼 옆으로 민다.",
+        },
         TiltUnused { tilt: Sentence, direction: String, survey: String } => {
             en: "The tilt of {tilt} measured in direction {direction} (survey {survey}) is not used: storeys start plumb here. What leans pushes sideways with that share of its weight.",
             ko: "{direction} 방향 실측 기울기 {tilt}({survey} 조사)는 쓰지 않았다. 이 모델의 층은 연직에서 시작한다. 기울어진 부분은 자중의 그 비율만큼 옆으로 민다.",
@@ -137,10 +141,11 @@ messages! {
 }
 
 /// Of all surveys that speak of the model.
-pub(super) fn measured(state: &State) -> Vec<Finding> {
+pub(super) fn measured(project: &Project, state: &State) -> Vec<Finding> {
+    let leans = matches!(&project.structure, Structure::Frame(part) if part.lean.is_some());
     let contradictions = state.contradictions.iter().map(contradiction);
     let checked = state.tilts.iter().filter(|of| !is_unchecked(of, &state.check));
-    let tilts = checked.map(|of| tilt(of, &state.check));
+    let tilts = checked.map(|of| tilt(of, &state.check, leans));
     contradictions.chain(tilts).chain(unchecked(state)).collect()
 }
 
@@ -346,15 +351,22 @@ fn one_in(ratio: f64) -> Sentence {
     Measured::OneIn { inverse }.into()
 }
 
-fn tilt(of: &TiltCheck, check: &Check) -> Finding {
+fn tilt(of: &TiltCheck, check: &Check, leans: bool) -> Finding {
     let (tilt, direction, survey) = (one_in(of.tilt), of.direction.clone(), of.survey.clone());
     let Some(uplift) = of.uplift_tilt else {
-        let unused = Measured::TiltUnused {
-            tilt,
-            direction,
-            survey,
+        let said = match leans {
+            true => Measured::TiltUnheld {
+                tilt,
+                direction,
+                survey,
+            },
+            false => Measured::TiltUnused {
+                tilt,
+                direction,
+                survey,
+            },
         };
-        return Finding::key(Tone::Warn, unused);
+        return Finding::key(Tone::Warn, said);
     };
     let limit = one_in(uplift);
     if let Check::Frame(_) = check {
@@ -502,7 +514,7 @@ mod tests {
 
     #[test]
     fn holds_a_tilt_beyond_the_limit_is_bad_and_one_that_is_not_used_amber() {
-        let of = |ratio: f64, uplift_tilt| {
+        let found = |ratio: f64, uplift_tilt, leans| {
             let of = TiltCheck {
                 survey: "s".into(),
                 direction: "x".into(),
@@ -510,8 +522,9 @@ mod tests {
                 uplift_tilt,
                 opens_tilt: None,
             };
-            tilt(&of, &Check::Frame(Vec::new()))
+            tilt(&of, &Check::Frame(Vec::new()), leans)
         };
+        let of = |ratio: f64, uplift_tilt| found(ratio, uplift_tilt, true);
         let beyond = of(0.2, Some(0.1));
         let said = beyond.sentence.text(Language::English);
         assert!(
@@ -519,6 +532,11 @@ mod tests {
             "{said}"
         );
         assert_eq!(of(0.2, None).tone, Tone::Warn);
+        // a tilt that leans the model is not one that is left out of it
+        for (leans, said) in [(true, "leans the model"), (false, "is not used")] {
+            let words = found(0.01, None, leans).sentence.text(Language::English);
+            assert!(words.contains(said), "{words}");
+        }
         assert_eq!(of(-0.001, Some(0.1)).tone, Tone::Plain);
         let holds = of(0.05, Some(0.1)).sentence.text(Language::English);
         assert!(holds.contains("counts as fallen from 1/10"), "{holds}");

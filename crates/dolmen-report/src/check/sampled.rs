@@ -24,12 +24,12 @@ messages! {
             ko: "바람과 정적 하중의 조합에서 접합부가 한계에 이르는 표본은 {samples}개 중 {count}개이다: {estimate}, {confidence} 신뢰구간 {lower}–{upper}.",
         },
         Most { result: Sentence, inputs: Vec<Sentence> } => {
-            en: "{result} answers most to these inputs, for 1 % more of each: {inputs}.",
+            en: "Inputs with the largest effect on {result}, for 1 % more of each: {inputs}.",
             ko: "입력이 1 % 커질 때 {result}의 변화가 큰 순서: {inputs}.",
         },
         OfInput { input: Both, change: Sentence } => { en: "{input} {change} %", ko: "{input} {change} %" },
         Hardly { result: Sentence } => {
-            en: "{result} hardly answers to any input.",
+            en: "Hardly any input has an effect on {result}.",
             ko: "{result}은(는) 어떤 입력에도 거의 변하지 않는다.",
         },
         Head => { en: "Uncertain inputs", ko: "입력의 불확실성" },

@@ -175,7 +175,11 @@ fn side_by_side<'a>(answer: &'a CheckAnswer, state: &State) -> Document<'a> {
 fn sections_text(project: &Project, state: &State, style: TextStyle) -> String {
     let structure = &project.structure;
     let sections = match (structure, &state.check) {
-        (Structure::Chain(part), Check::Chain(check)) => chain::sections(part, check),
+        (Structure::Chain(part), Check::Chain(check)) => {
+            let mut document = chain::sections(part, check);
+            document.append(chain::appendix(check));
+            document
+        }
         (Structure::Frame(part), Check::Frame(directions)) => frame::sections(part, directions),
         (_, Check::Stack(answer)) => stack::sections(answer, &state.spring_fits, Shaking::default()),
         (_, Check::Building(of)) => building::sections(of, &project.loads),

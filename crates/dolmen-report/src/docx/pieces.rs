@@ -18,7 +18,7 @@ pub(super) fn put(xml: &mut Xml, piece: &Piece, paper: &Paper, language: Languag
         Piece::Caption(of) => caption(xml, of),
         Piece::Equation(formula) => equation(xml, formula),
         Piece::Table(grid) => table(xml, grid),
-        Piece::Picture(picture, on_cover) => shown(xml, picture, *on_cover),
+        Piece::Picture(picture, on_cover) => shown(xml, picture, !on_cover, on_cover.then_some("700")),
         Piece::Beside(pictures) => beside(xml, pictures),
         Piece::Gap(room) => {
             let room = room.map(|room| room.to_string());
@@ -112,12 +112,13 @@ fn heading(xml: &mut Xml, of: &Heading) {
     );
 }
 
-fn shown(xml: &mut Xml, picture: &Picture, on_cover: bool) {
+/// A picture with its caption on the same page, or free of what follows.
+fn shown(xml: &mut Xml, picture: &Picture, with_next: bool, room_above: Option<&str>) {
     let properties = |xml: &mut Xml| {
-        if on_cover {
+        if !with_next {
             xml.leaf("w:keepNext", &[("w:val", "0")]);
-            spaced(xml, Some("700"));
         }
+        spaced(xml, room_above);
     };
     paragraph(xml, "Figure", properties, |xml| xml.append(drawing(picture)));
 }
@@ -145,7 +146,8 @@ fn beside(xml: &mut Xml, pictures: &[(Picture, Caption)]) {
                         });
                         match one {
                             Some((picture, of)) => {
-                                shown(xml, picture, false);
+                                // a row is whole by itself, and does not keep the next
+                                shown(xml, picture, false, None);
                                 caption(xml, of);
                             }
                             None => paragraph(xml, "BodyText", |_| (), |_| ()),

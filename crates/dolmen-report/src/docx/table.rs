@@ -4,6 +4,9 @@ use super::inline::{paragraph, words};
 use crate::paper::xml::Xml;
 use crate::paper::{BAD, Grid, Ink, WHOLE_ROWS, text_size, widths};
 
+/// The height of a row to write in, twentieths of a point: 13 mm.
+const FORM_ROW: &str = "737";
+
 /// The table.
 pub(super) fn table(xml: &mut Xml, grid: &Grid) {
     let half_points = text_size(grid.is_words.len());
@@ -55,13 +58,19 @@ pub(super) fn table(xml: &mut Xml, grid: &Grid) {
             // short tables stay on one page
             let keep = grid.rows.len() <= WHOLE_ROWS && number + 1 < grid.rows.len();
             xml.element("w:tr", &[], |xml| {
-                xml.element("w:trPr", &[], |xml| xml.leaf("w:cantSplit", &[]));
+                xml.element("w:trPr", &[], |xml| {
+                    xml.leaf("w:cantSplit", &[]);
+                    if grid.is_form {
+                        xml.leaf("w:trHeight", &[("w:val", FORM_ROW), ("w:hRule", "atLeast")]);
+                    }
+                });
+                let side = if grid.is_form { "center" } else { "top" };
                 for (at, shown) in row.iter().enumerate() {
                     let ink = match shown.is_bad {
                         true => Ink::bold(BAD),
                         false => Ink::PLAIN,
                     };
-                    cell(xml, widths[at], "top", |xml| {
+                    cell(xml, widths[at], side, |xml| {
                         line(xml, style, grid.is_words[at], &shown.text, ink, keep);
                     });
                 }

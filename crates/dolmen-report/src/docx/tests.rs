@@ -73,6 +73,25 @@ fn holds_what_the_page_says_stands_in_the_document() {
 }
 
 #[test]
+fn holds_rows_of_pictures_part_between_pages() {
+    let answer = pole("\"unknown\"");
+    let bytes = written(&[answer], &[], Language::English, &imprint());
+    let document = text(&parts(&bytes), "word/document.xml");
+    let tree = roxmltree::Document::parse(&document).unwrap();
+    let is = |node: &roxmltree::Node<'_, '_>, name: &str| node.has_tag_name((super::look::W, name));
+    let drawings = tree.descendants().filter(|node| is(node, "drawing"));
+    let in_rows: Vec<_> = drawings
+        .filter(|node| node.ancestors().any(|above| is(&above, "tr")))
+        .collect();
+    assert!(in_rows.len() > 1, "{}", in_rows.len());
+    for drawing in in_rows {
+        let paragraph = drawing.ancestors().find(|above| is(above, "p")).unwrap();
+        let keep = paragraph.descendants().find(|node| is(node, "keepNext"));
+        assert_eq!(keep.unwrap().attribute((super::look::W, "val")), Some("0"));
+    }
+}
+
+#[test]
 fn holds_every_part_is_xml_and_every_relation_leads_to_one() {
     let bytes = written(&[pole("\"unknown\""), gate()], &[], Language::Korean, &imprint());
     let parts = parts(&bytes);

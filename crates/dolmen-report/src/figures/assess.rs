@@ -46,7 +46,7 @@ pub fn load_factor_distribution(
         counts[bar] += 1;
     }
     let tallest = counts.iter().copied().max().unwrap_or(0).max(1) as f64;
-    let y = Axis::linear(say(Axes::Samples, language), 0.0, 1.12 * tallest, 4);
+    let y = Axis::linear(say(Axes::Samples, language), 0.0, 1.32 * tallest, 4);
     let mut plot = Plot::new([680.0, 300.0], x, y);
     if plot.x.from < 1.0 {
         plot.block([plot.x.from, 0.0], [1.0, plot.y.to], VERMILLION, 0.12);

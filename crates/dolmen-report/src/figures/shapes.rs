@@ -26,10 +26,10 @@ pub struct ShapePanel<'a> {
 /// One panel a mode: the displaced line over the still one, with the frequency. `heights_m` are those of the
 /// displacements, lowest first, m above the ground.
 pub fn mode_shapes(heights_m: &[f64], panels: &[ShapePanel], language: Language) -> String {
-    /// Panels in one row.
-    const ACROSS: usize = 5;
-    let rows = panels.len().div_ceil(ACROSS).max(1);
-    let across = panels.len().clamp(1, ACROSS);
+    /// Panels in one row, at most: no row has one alone where they can be shared.
+    const ACROSS_MOST: usize = 6;
+    let rows = panels.len().div_ceil(ACROSS_MOST).max(1);
+    let across = panels.len().div_ceil(rows).max(1);
     let left = 46.0;
     let row_px = PANEL_PX[1] + 66.0;
     let mut scene = Scene::new(
@@ -38,7 +38,7 @@ pub fn mode_shapes(heights_m: &[f64], panels: &[ShapePanel], language: Language)
     );
     let total = heights_m.last().copied().unwrap_or(1.0);
     for (p, panel) in panels.iter().enumerate() {
-        let (row, column) = (p / ACROSS, p % ACROSS);
+        let (row, column) = (p / across, p % across);
         let base = row as f64 * row_px + 46.0 + PANEL_PX[1];
         let middle = left + (column as f64 + 0.5) * PANEL_PX[0];
         let y = |height: f64| base - height / total * PANEL_PX[1];

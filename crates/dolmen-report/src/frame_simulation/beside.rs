@@ -10,11 +10,11 @@ messages! {
     pub(crate) enum Beside in "frame.simulation.beside" {
         Follows { of: Sentence, survey: String, channel: String, correlation: Quantity, measured: Quantity, simulated: Quantity, hz: Sentence } => {
             en: "{of}: the model moves as survey {survey} measured. At {channel} correlation {correlation}, peak {measured} measured and {simulated} simulated{hz}.",
-            ko: "{of}: 모델의 응답이 계측 조사 {survey}와(과) 맞는다. {channel}에서 상관계수 {correlation}, 최대가속도 계측 {measured}·해석 {simulated}{hz}.",
+            ko: "{of}: 모델의 응답이 {survey} 조사의 계측과 맞는다. {channel}에서 상관계수 {correlation}, 최대가속도 계측 {measured}·해석 {simulated}{hz}.",
         },
         DoesNot { of: Sentence, survey: String, channel: String, correlation: Quantity, measured: Quantity, simulated: Quantity, hz: Sentence } => {
             en: "MODEL AND MEASUREMENT DIFFER: {of}, under the ground that survey {survey} measured. At {channel} correlation {correlation}, peak {measured} measured and {simulated} simulated{hz}. This model does not move as the structure did.",
-            ko: "모델과 계측이 다름: {of}, 계측 조사 {survey}의 지반운동. {channel}에서 상관계수 {correlation}, 최대가속도 계측 {measured}·해석 {simulated}{hz}. 이 모델은 실제 구조물처럼 움직이지 않는다.",
+            ko: "모델과 계측이 다름: {of}, {survey} 조사의 지반운동. {channel}에서 상관계수 {correlation}, 최대가속도 계측 {measured}·해석 {simulated}{hz}. 이 모델은 실제 구조물처럼 움직이지 않는다.",
         },
         Answers { measured: Quantity, simulated: Quantity } => {
             en: "; it answers the ground most at {measured}, the model at {simulated}",
@@ -23,11 +23,11 @@ messages! {
         NoAnswer => { en: "", ko: "" },
         NoSensor { survey: String } => {
             en: "No sensor of survey {survey} can be set beside the model: each needs `position`, a `direction` along x or y, a unit of acceleration, and a place within the height of the frame.",
-            ko: "계측 조사 {survey}의 센서 가운데 모델과 비교할 것이 없다. `position`, x 또는 y 방향의 `direction`, 가속도 단위가 있고 골조 높이 안에 있어야 한다.",
+            ko: "{survey} 조사의 센서 가운데 모델과 비교할 것이 없다. `position`, x 또는 y 방향의 `direction`, 가속도 단위가 있고 골조 높이 안에 있어야 한다.",
         },
         Caption { survey: String } => {
             en: "Measured (survey {survey}) beside simulated, absolute acceleration.",
-            ko: "계측(조사 {survey})과 해석의 절대가속도 비교.",
+            ko: "계측({survey} 조사)과 해석의 절대가속도 비교.",
         },
         CaptionMeaning { correlation: Quantity, peak: Quantity } => {
             en: "The difference is its root mean square over that measured. A model is taken to move as the structure did where the correlation is at least {correlation} and the peak within {peak} at every sensor. In strong shaking a structure is softer than at rest: a model of the stiffness at rest then answers at too high a frequency.",
@@ -43,11 +43,11 @@ messages! {
         },
         NoEarthquake { of: Sentence, survey: String } => {
             en: "{of}: no earthquake stands out of the record of survey {survey}, so all of it acted. Either nothing but ambient motion was recorded, or the record begins within the shaking, while the model begins at rest: that the two differ says nothing of the model then. Give a record that begins seconds before the shaking.",
-            ko: "{of}: 계측 조사 {survey}의 기록에서 지진이 뚜렷하지 않아 기록 전체로 흔들었다. 상시진동만 기록되었거나 흔들리는 중에 기록이 시작된 것인데, 모델은 정지 상태에서 시작하므로 차이가 나도 모델의 잘못이라고 할 수 없다. 흔들리기 몇 초 전부터 시작하는 기록을 준다.",
+            ko: "{of}: {survey} 조사의 기록에서 지진이 뚜렷하지 않아 기록 전체로 흔들었다. 상시진동만 기록되었거나 흔들리는 중에 기록이 시작된 것인데, 모델은 정지 상태에서 시작하므로 차이가 나도 모델의 잘못이라고 할 수 없다. 흔들리기 몇 초 전부터 시작하는 기록을 준다.",
         },
         GroundOfAnother { of: Sentence, survey: String, along: String } => {
             en: "{of} is moved by the ground that survey {survey} recorded along {along}, since the motion has no component of its own here. The structure did not feel that ground along this direction, so the answer is that of a made-up earthquake.",
-            ko: "{of}: 이 방향의 지반 기록이 없어 계측 조사 {survey}의 {along} 방향 지반운동으로 흔들었다. 구조물이 이 방향으로 겪은 지진이 아니므로 가상 지진의 결과로 본다.",
+            ko: "{of}: 이 방향의 지반 기록이 없어 {survey} 조사의 {along} 방향 지반운동으로 흔들었다. 구조물이 이 방향으로 겪은 지진이 아니므로 가상 지진의 결과로 본다.",
         },
         Sensor => { en: "Sensor", ko: "센서" },
         Name { name: String } => { en: "{name}", ko: "{name}" },

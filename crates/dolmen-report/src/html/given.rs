@@ -18,7 +18,7 @@ pub(super) fn section(answer: &ProjectReport, language: Language, numbers: &mut 
     let inputs = inputs_listed(project);
     html! {
         h2 { (numbered(&numbers.section(), language.pick("What was given", "입력 자료"))) }
-        @if let Some(description) = &project.description { p { (description) } }
+        @if let Some(description) = &project.description { p { (language.pick(description.english(), description.korean())) } }
         @if inputs.is_empty() {
             p { (language.pick(
                 "No dimensions were given: only what was measured is reported.",
@@ -133,7 +133,8 @@ fn surveys(project: &Project, language: Language, numbers: &mut Numbers) -> Mark
 
 /// The head over what was given with a survey.
 pub(crate) fn survey_head(survey: &Survey, language: Language) -> String {
-    format!("{} {}", language.pick("Survey", "조사"), survey.name)
+    let name = &survey.name;
+    language.pick(format!("Survey {name}"), format!("{name} 조사"))
 }
 
 /// What was given with a survey beside its records.

@@ -104,24 +104,28 @@ pub(crate) fn path_words(path: &str, language: Language) -> String {
     }
 }
 
-/// The same with the stones of a stack called by their names: `blocks[4].width` is "1층탑신 폭".
+/// The same with stones, links and storeys called by their names: `blocks[4].width` is "1층탑신 폭".
 pub(crate) fn input_words(structure: &Structure, path: &str, language: Language) -> String {
     let words = path_words(path, language);
-    let number = path.strip_prefix("blocks[").and_then(|rest| rest.split_once(']'));
-    let (Structure::Stack(stack), Some((number, _))) = (structure, number) else {
-        return words;
-    };
-    let at = number
-        .parse::<usize>()
-        .ok()
-        .and_then(|number| number.checked_sub(1));
-    match at.and_then(|at| stack.blocks.get(at)) {
-        Some(block) => words.replacen(
-            &format!("{} {number}", language.pick("block", "블록")),
-            &block.name,
-            1,
-        ),
-        None => words,
+    let numbered = path
+        .split_once(']')
+        .and_then(|(part, _)| part_words(&format!("{part}]"), language));
+    match (named(structure, path), numbered) {
+        (Some(name), Some(numbered)) => words.replacen(&numbered, name, 1),
+        _ => words,
+    }
+}
+
+/// The name that the file gives to the part of a path: of `blocks[4].width`, `links[2].length` or `storeys[1].mass`.
+fn named<'a>(structure: &'a Structure, path: &str) -> Option<&'a str> {
+    let (kind, rest) = path.split_once('[')?;
+    let number: usize = rest.split_once(']')?.0.parse().ok()?;
+    let at = number.checked_sub(1)?;
+    match (structure, kind) {
+        (Structure::Stack(part), "blocks") => Some(part.blocks.get(at)?.name.as_str()),
+        (Structure::Chain(part), "links") => part.links.get(at)?.name.as_deref(),
+        (Structure::Frame(part), "storeys") => part.storeys.get(at)?.name.as_deref(),
+        _ => None,
     }
 }
 
@@ -133,12 +137,9 @@ pub(crate) fn part_and_quantity(
 ) -> Option<(String, String)> {
     let whole = input_words(structure, path, language);
     let (part, _) = path.split_once("].")?;
-    let number = part
-        .strip_prefix("blocks[")
-        .and_then(|number| number.parse::<usize>().ok());
-    let name = match (structure, number) {
-        (Structure::Stack(stack), Some(number)) => stack.blocks.get(number.checked_sub(1)?)?.name.clone(),
-        _ => part_words(&format!("{part}]"), language)?,
+    let name = match named(structure, path) {
+        Some(name) => name.to_owned(),
+        None => part_words(&format!("{part}]"), language)?,
     };
     let quantity = whole.strip_prefix(&name)?.trim_start_matches([' ', ',', ':']);
     (!quantity.is_empty()).then(|| (name, quantity.to_owned()))
@@ -165,7 +166,7 @@ fn survey_words(path: &str, language: Language) -> Option<String> {
     };
     Some(language.pick(
         format!("{quantity} {number}, direction {direction} (survey {survey})"),
-        format!("{direction} 방향 {quantity} {number} (조사 {survey})"),
+        format!("{direction} 방향 {quantity} {number} ({survey} 조사)"),
     ))
 }
 

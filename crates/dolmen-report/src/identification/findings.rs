@@ -5,7 +5,7 @@ use super::columns;
 use super::doubted;
 use super::joints;
 use super::notes::stiffness_note;
-use super::place::place;
+use super::place::{is_asked, place};
 use super::plan;
 use super::plan_centre::Centre;
 use super::solutions::stiffness_quantities;
@@ -97,7 +97,9 @@ messages! {
 /// Springs that act on what those of the file do not are compared behind, and alarm nobody.
 pub(crate) fn findings(project: &Project, all: &[SurveyAnswer]) -> Vec<Finding> {
     let every: Vec<&SurveyAnswer> = all.iter().collect();
-    found(project, all, &every)
+    let mut found = found(project, all, &every);
+    found.extend(of_other_springs(project, all));
+    found
 }
 
 /// The same for the summary of a report: of the stiffness that vibration gives, that of the latest survey that gives one.
@@ -117,16 +119,11 @@ pub(crate) fn findings_of_latest(project: &Project, all: &[SurveyAnswer]) -> Vec
 }
 
 fn found(project: &Project, all: &[SurveyAnswer], shown: &[&SurveyAnswer]) -> Vec<Finding> {
-    let asked = match &project.structure {
-        Structure::Frame(part) => Some(part.convention),
-        Structure::Chain(_) | Structure::Stack(_) | Structure::Building(_) | Structure::Survey => None,
-    };
     let each = || {
         let each = shown.iter().copied();
         each.flat_map(|survey| survey.stiffness.iter().map(move |answer| (survey, answer)))
     };
-    let is_asked = |answer: &StiffnessAnswer| answer.convention.is_none() || answer.convention == asked;
-    let own = each().filter(|(_, answer)| is_asked(answer));
+    let own = each().filter(|(_, answer)| is_asked(project, answer));
     let own = own.map(|(survey, answer)| choice(&survey.name, answer));
     let soil = |direction: &str| match &project.structure {
         Structure::Chain(part) => part.soil_towards(part.axis_of(direction), &mut Input::nominal),
@@ -143,12 +140,6 @@ fn found(project: &Project, all: &[SurveyAnswer], shown: &[&SurveyAnswer]) -> Ve
             &survey.name,
             *lowest.stiffness.first()?,
         ))
-    });
-    let others = each().filter(|(_, answer)| !is_asked(answer));
-    let others = others.map(|(survey, answer)| Finding {
-        tone: Tone::Plain,
-        is_key: false,
-        ..choice(&survey.name, answer)
     });
     let in_plan = shown
         .iter()
@@ -179,8 +170,21 @@ fn found(project: &Project, all: &[SurveyAnswer], shown: &[&SurveyAnswer]) -> Ve
         .chain(in_plan)
         .chain(joint_by_joint)
         .chain(unsought(all))
-        .chain(others)
         .collect()
+}
+
+/// The stiffness of springs that act on what those of the file do not.
+fn of_other_springs(project: &Project, all: &[SurveyAnswer]) -> Vec<Finding> {
+    let each = all
+        .iter()
+        .flat_map(|survey| survey.stiffness.iter().map(move |answer| (survey, answer)));
+    let others = each.filter(|(_, answer)| !is_asked(project, answer));
+    let others = others.map(|(survey, answer)| Finding {
+        tone: Tone::Plain,
+        is_key: false,
+        ..choice(&survey.name, answer)
+    });
+    others.collect()
 }
 
 /// Why surveys seek no stiffness: once for all that have the same reason.

@@ -33,6 +33,10 @@ messages! {
     /// The head of the stiffness from vibration, and what it is from.
     pub(crate) enum Stiffness in "identification" {
         Head => { en: "Stiffness from measured vibration", ko: "계측 진동으로부터 추정한 강성" },
+        OtherSprings => {
+            en: "Stiffness if the springs acted otherwise",
+            ko: "스프링의 작용 방식을 달리 본 경우의 강성",
+        },
         Survey { survey: String, place: Sentence } => { en: "Survey {survey}, {place}", ko: "{survey} 조사, {place}" },
         Measured { modes: Vec<Sentence> } => { en: "Measured: {modes}.", ko: "계측값: {modes}." },
         Mode { frequency: Quantity } => { en: "{frequency}", ko: "{frequency}" },
@@ -69,6 +73,21 @@ pub(crate) const TEMPLATES: [&[Template]; 17] = [
     Written::TEMPLATES,
 ];
 
+/// The stiffness of springs that act on what those of the file do not.
+pub(crate) fn appendix<'a>(project: &'a Project, all: &'a [SurveyAnswer]) -> Document<'a> {
+    let mut document = Document::default();
+    let each = all
+        .iter()
+        .flat_map(|survey| survey.stiffness.iter().map(move |answer| (survey, answer)));
+    for (survey, answer) in each.filter(|(_, answer)| !place::is_asked(project, answer)) {
+        if document.blocks.is_empty() {
+            document.heading(Stiffness::OtherSprings);
+        }
+        of_answer(&mut document, project, survey, answer);
+    }
+    document
+}
+
 /// The section of all surveys that lead to a stiffness.
 pub(crate) fn sections<'a>(project: &'a Project, all: &'a [SurveyAnswer]) -> Document<'a> {
     let mut document = Document::default();
@@ -82,7 +101,11 @@ pub(crate) fn sections<'a>(project: &'a Project, all: &'a [SurveyAnswer]) -> Doc
     }
     document.heading(Stiffness::Head);
     for survey in all {
-        for answer in &survey.stiffness {
+        for answer in survey
+            .stiffness
+            .iter()
+            .filter(|answer| place::is_asked(project, answer))
+        {
             of_answer(&mut document, project, survey, answer);
         }
         columns::section(&mut document, survey);

@@ -1,6 +1,7 @@
 //! What a stiffness from vibration is of.
 
 use crate::html::words::convention_word;
+use dolmen_project::{Project, Structure};
 use dolmen_words::message::Both;
 use dolmen_words::{Sentence, messages};
 use dolmen_work::surveyed::StiffnessAnswer;
@@ -27,4 +28,12 @@ pub(super) fn place(answer: &StiffnessAnswer) -> Sentence {
         },
     }
     .into()
+}
+
+/// Whether the springs of an answer act on what those of the file do.
+pub(super) fn is_asked(project: &Project, answer: &StiffnessAnswer) -> bool {
+    match &project.structure {
+        Structure::Frame(part) => answer.convention.is_none_or(|own| own == part.convention),
+        Structure::Chain(_) | Structure::Stack(_) | Structure::Building(_) | Structure::Survey => true,
+    }
 }

@@ -31,11 +31,11 @@ messages! {
         },
         Unidentified { survey: String, why: Both } => {
             en: "Survey {survey} is stored, but its records give no modes: {why}.",
-            ko: "계측 조사 {survey}은(는) 저장하였으나 기록에서 모드를 찾지 못하였다: {why}.",
+            ko: "{survey} 조사는 저장하였으나 기록에서 모드를 찾지 못하였다: {why}.",
         },
         Shaken { survey: String, peak: Sentence, changed: Sentence } => {
             en: "EARTHQUAKE: the record of survey {survey} holds one, or the file states it{peak}{changed}, and no repair or inspection followed. It is an open alarm. Look at the structure; then enter it into works of [watch].",
-            ko: "지진: 계측 조사 {survey}의 기록 또는 기재 내용에 지진이 있다{peak}{changed}. 이후 보수나 점검이 없어 조치되지 않은 경보로 남는다. 구조물을 점검하고 [watch]의 works에 기록한다.",
+            ko: "지진: {survey} 조사의 기록 또는 기재 내용에 지진이 있다{peak}{changed}. 이후 보수나 점검이 없어 조치되지 않은 경보로 남는다. 구조물을 점검하고 [watch]의 works에 기록한다.",
         },
         PeakOf { peak: Quantity } => { en: ", peak acceleration {peak}", ko: ", 최대가속도 {peak}" },
         Lasting { by: Quantity } => { en: ", LASTING CHANGE of a frequency by {by}", ko: ", 고유진동수 잔류 변화 {by}" },

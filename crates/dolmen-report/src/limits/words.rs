@@ -10,7 +10,7 @@ messages! {
         Storey { name: String } => { en: "storey ‘{name}’", ko: "‘{name}’ 층" },
         BelowFloor { floor: Sentence } => { en: "the storey below floor {floor}", ko: "{floor} 바닥 아래층" },
         JointBelow { name: String } => { en: "the joint below ‘{name}’", ko: "‘{name}’ 하부 접합면" },
-        Damper { name: String } => { en: "damper {name}", ko: "제진장치 {name}" },
+        Damper { name: String } => { en: "damper {name}", ko: "감쇠기 {name}" },
         Along { part: Sentence, direction: String } => { en: "{part} (direction {direction})", ko: "{part}({direction} 방향)" },
     }
 }

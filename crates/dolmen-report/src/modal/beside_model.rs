@@ -46,7 +46,7 @@ messages! {
         },
         WithoutDampers { dampers: Vec<String> } => {
             en: "The modes of the model are those of the structure without its dampers ({dampers}): near the frequency of one that is tuned, two modes of like shape are measured where the model has one.",
-            ko: "모델 모드는 제진장치({dampers})를 뺀 구조물의 것이다. 동조한 제진장치의 진동수 부근에서는 모델의 모드 하나가 형상이 비슷한 두 모드로 계측된다.",
+            ko: "모델 모드는 감쇠기({dampers})를 뺀 구조물의 것이다. 동조한 감쇠기의 진동수 부근에서는 모델의 모드 하나가 형상이 비슷한 두 모드로 계측된다.",
         },
         OfMode { number: usize } => { en: "MAC with mode {number} of the model", ko: "모델 모드 {number}와의 MAC" },
     }

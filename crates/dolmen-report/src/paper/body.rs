@@ -115,6 +115,7 @@ impl Body<'_> {
         self.grid(Grid {
             heads: Vec::new(),
             is_words: vec![true, true],
+            is_form: false,
             rows: rows.iter().map(row).collect(),
         });
     }
@@ -141,6 +142,7 @@ impl Body<'_> {
         self.grid(Grid {
             heads: of.columns.iter().map(|column| column.text(language)).collect(),
             is_words: of.columns.iter().map(|column| column.is_words).collect(),
+            is_form: false,
             rows: of
                 .rows
                 .iter()
@@ -213,6 +215,7 @@ impl Body<'_> {
         self.grid(Grid {
             heads: heads.map(|head| Sentence::from(head).text(language)).to_vec(),
             is_words: vec![true; 4],
+            is_form: true,
             rows: rows.iter().map(row).collect(),
         });
     }

@@ -16,6 +16,8 @@ pub(crate) struct Grid {
     /// None where the rows have no head.
     pub(crate) heads: Vec<String>,
     pub(crate) is_words: Vec<bool>,
+    /// Rows have room to write in.
+    pub(crate) is_form: bool,
     pub(crate) rows: Vec<Vec<Shown>>,
 }
 
@@ -39,8 +41,12 @@ pub(crate) fn text_size(columns: usize) -> usize {
 
 /// How wide a text is on one line with the room of its cell, twentieths of a point.
 fn wide(text: &str, half_points: usize) -> usize {
-    // a letter is at most about 0.64 of its size wide, a Korean one twice that
-    (text.width_cjk() * half_points * 64).div_ceil(10) + ROOM
+    // a letter is at most about 0.64 of its size wide, a Korean one twice that, and these up to 1.05
+    let broad = text
+        .chars()
+        .filter(|sign| matches!(sign, 'm' | 'M' | 'W' | '%'))
+        .count();
+    ((text.width_cjk() * 64 + broad * 41) * half_points).div_ceil(10) + ROOM
 }
 
 /// How many lines the text of a cell takes in a column of this width, about.
@@ -53,6 +59,8 @@ pub(crate) fn line_count(text: &str, half_points: usize, width: usize) -> usize 
 pub(crate) fn widths(grid: &Grid, half_points: usize) -> Vec<usize> {
     let wide = |text: &str| wide(text, half_points);
     let longest = |text: &str| text.split_whitespace().map(wide).max().unwrap_or(ROOM);
+    // heads are bold
+    let bold = |plain: usize| (plain - ROOM) * 11 / 10 + ROOM;
     let measured = (0..grid.is_words.len()).map(|at| {
         let head = grid.heads.get(at).map_or("", String::as_str);
         let cells = || {
@@ -62,10 +70,11 @@ pub(crate) fn widths(grid: &Grid, half_points: usize) -> Vec<usize> {
         };
         let whole = cells().map(wide).max().unwrap_or(ROOM);
         // heads take two lines, and so may words; numbers never break
-        let wanted = whole.max(longest(head)).max(wide(head) / 2 + ROOM);
+        let longest_of_head = bold(longest(head));
+        let wanted = whole.max(longest_of_head).max(wide(head) / 2 + ROOM);
         let least = match grid.is_words[at] {
-            true => cells().map(longest).max().unwrap_or(ROOM).max(longest(head)),
-            false => whole.max(longest(head)),
+            true => cells().map(longest).max().unwrap_or(ROOM).max(longest_of_head),
+            false => whole.max(longest_of_head),
         };
         (least.min(wanted), wanted)
     });
@@ -92,8 +101,25 @@ mod tests {
         Grid {
             heads: cells.iter().map(|_| "head".to_owned()).collect(),
             is_words: cells.iter().map(|cell| cell.contains(' ')).collect(),
+            is_form: false,
             rows: vec![cells.iter().map(shown).collect()],
         }
+    }
+
+    #[test]
+    fn holds_a_unit_of_broad_letters_fits_into_its_column() {
+        // each m is 1.04 of its size wide in DejaVu Sans Bold, which stands in where the font is not there
+        let [column] = widths(
+            &Grid {
+                heads: vec!["change (mm/m)".to_owned()],
+                ..grid(&["0.58"])
+            },
+            17,
+        )[..] else {
+            panic!("one column");
+        };
+        let letters = 3.0 * 1.042 + 0.365 + 2.0 * 0.457;
+        assert!(column as f64 >= letters * 17.0 * 10.0 + ROOM as f64, "{column}");
     }
 
     #[test]

@@ -3,12 +3,14 @@
 use super::PaperFault;
 
 /// A figure is drawn this much smaller than its units say, as on paper.
-const SCALE: f64 = 0.8;
+const SCALE: f64 = 0.62;
 /// No figure is higher, pt: 170 mm.
 const HEIGHT_MOST: f64 = 482.0;
 
 /// Width and height of a photograph, pt: 125 × 85 mm.
 const PHOTO_MOST: [f64; 2] = [354.0, 241.0];
+/// Height of one beside another, narrower than this, pt: 70 mm, 100 mm.
+const PHOTO_BESIDE: [f64; 2] = [283.0, 198.0];
 
 /// A picture where it stands.
 #[derive(Clone, Debug)]
@@ -108,7 +110,11 @@ impl<'a> Media<'a> {
             1 => [height, width],
             _ => [width, height],
         };
-        let scale = (width_most.min(PHOTO_MOST[0]) / across).min(PHOTO_MOST[1] / down);
+        let height_most = match width_most < PHOTO_BESIDE[0] {
+            true => PHOTO_BESIDE[1],
+            false => PHOTO_MOST[1],
+        };
+        let scale = (width_most.min(PHOTO_MOST[0]) / across).min(height_most / down);
         Picture {
             place: self.placed,
             file: name,

@@ -87,6 +87,7 @@ impl Body<'_> {
         self.pieces.push(Piece::Table(Grid {
             heads: Vec::new(),
             is_words: vec![true, true],
+            is_form: false,
             rows: rows
                 .iter()
                 .map(|(key, value)| vec![shown(key), shown(value)])

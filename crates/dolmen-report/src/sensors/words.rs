@@ -42,7 +42,7 @@ messages! {
         },
         WithoutDampers { dampers: Vec<String> } => {
             en: "The shapes are those of the structure without its dampers ({dampers}): near the frequency of one that is tuned, two modes of like shape stand where the plan has one. Put a sensor on the damper, too, or block it.",
-            ko: "모드형상은 제진장치({dampers})를 뺀 구조물의 것이다. 동조한 제진장치의 진동수 부근에서는 배치에 쓴 모드 하나가 형상이 비슷한 두 모드로 나뉜다. 제진장치에도 센서를 두거나 제진장치를 고정한다.",
+            ko: "모드형상은 감쇠기({dampers})를 뺀 구조물의 것이다. 동조한 감쇠기의 진동수 부근에서는 배치에 쓴 모드 하나가 형상이 비슷한 두 모드로 나뉜다. 감쇠기에도 센서를 두거나 감쇠기를 고정한다.",
         },
         Setups => {
             en: "The sensors that stay bring the setups to one scale: they were chosen first, to see every mode. The others go from the top down.",

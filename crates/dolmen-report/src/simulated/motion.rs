@@ -202,8 +202,11 @@ fn named(name: &str) -> Cell {
     })
 }
 
-/// What was done to it, step after step; `None` if nothing was.
+/// What was done to it, step after step; `None` if nothing was. What was done to each component stands once.
 pub(crate) fn steps_of(history: &[Processing]) -> Option<Sentence> {
-    let steps = history.iter().map(step);
-    steps.reduce(|first, next| Motion::Then { first, next }.into())
+    let mut steps: Vec<Sentence> = history.iter().map(step).collect();
+    steps.dedup();
+    steps
+        .into_iter()
+        .reduce(|first, next| Motion::Then { first, next }.into())
 }

@@ -54,7 +54,7 @@ messages! {
         },
         BeyondRoom { beyond: usize, all: usize, least: Quantity } => {
             en: "In {beyond} of {all} runs a damper needs more room than it has, from {least} on: the runs do not have its stops, and are too good there.",
-            ko: "해석 {all}회 중 {beyond}회에서({least}부터) 제진장치의 행정이 여유 공간을 넘는다. 해석에는 멈춤 장치가 없으므로 그 결과는 실제보다 유리하다.",
+            ko: "해석 {all}회 중 {beyond}회에서({least}부터) 감쇠기의 행정이 여유 공간을 넘는다. 해석에는 멈춤 장치가 없으므로 그 결과는 실제보다 유리하다.",
         },
         Unfinished { missing: usize, jobs: Sentence } => {
             en: "Not finished: {missing} of {jobs} are missing; the same command goes on from here. What follows is of the part that is done.",

@@ -22,7 +22,7 @@ messages! {
         },
         Mode { mode: usize, frequency: Quantity, circular: Quantity, damping: Quantity, modal_mass: Quantity, ratio: Quantity } => {
             en: "Mode {mode} at {frequency} ({circular}), damping ratio {damping}; modal mass {modal_mass} at the damper, mass ratio {ratio}.",
-            ko: "{mode}차 모드 {frequency} ({circular}), 감쇠비 {damping}, 제진장치 위치의 모드질량 {modal_mass}, 질량비 {ratio}.",
+            ko: "{mode}차 모드 {frequency} ({circular}), 감쇠비 {damping}, 감쇠기 위치의 모드질량 {modal_mass}, 질량비 {ratio}.",
         },
         Centre { x: Quantity, y: Quantity } => {
             en: "The mode turns that floor about x = {x}, y = {y}.",
@@ -39,19 +39,19 @@ messages! {
         },
         OneOther => {
             en: "The other damper of the file is left out here: each is judged alone first, and both together below.",
-            ko: "여기서는 입력한 다른 제진장치 1개를 제외하였다. 먼저 하나씩 따로 평가하고 전체는 아래에서 평가한다.",
+            ko: "여기서는 입력한 다른 감쇠기 1개를 제외하였다. 먼저 하나씩 따로 평가하고 전체는 아래에서 평가한다.",
         },
         Others { count: usize } => {
             en: "The other {count} dampers of the file are left out here: each is judged alone first, and all together below.",
-            ko: "여기서는 입력한 다른 제진장치 {count}개를 제외하였다. 먼저 하나씩 따로 평가하고 전체는 아래에서 평가한다.",
+            ko: "여기서는 입력한 다른 감쇠기 {count}개를 제외하였다. 먼저 하나씩 따로 평가하고 전체는 아래에서 평가한다.",
         },
         StrokeMost { most: Quantity } => {
             en: "What is designed keeps to {most} of the stroke of the file's damper.",
-            ko: "설계한 제진장치의 행정은 입력한 제진장치 행정의 {most}배 이내로 제한하였다.",
+            ko: "설계한 감쇠기의 행정은 입력한 감쇠기 행정의 {most}배 이내로 제한하였다.",
         },
         OffBy { share: Quantity } => {
             en: "What is designed is the best with its frequency off by {share} either way, the goal at its own.",
-            ko: "설계한 제진장치는 진동수가 ±{share} 어긋나는 경우까지 고려한 최적이며, 표의 목표값은 어긋나지 않은 진동수의 값이다.",
+            ko: "설계한 감쇠기는 진동수가 ±{share} 어긋나는 경우까지 고려한 최적이며, 표의 목표값은 어긋나지 않은 진동수의 값이다.",
         },
         Caption => {
             en: "What each choice of place and tuning does.",
@@ -59,20 +59,20 @@ messages! {
         },
         OfDeviations => {
             en: "Standard deviations of the points and the goal over those without a damper; the stroke over that of the damper as in the file.",
-            ko: "관측점 표준편차와 목표값의 비제어 대비 비이며 행정은 입력한 제진장치에 대한 비이다.",
+            ko: "관측점 표준편차와 목표값의 비제어 대비 비이며 행정은 입력한 감쇠기에 대한 비이다.",
         },
         OfAmplitudes => {
             en: "Largest amplitudes of the points under a harmonic load and the goal over those without a damper; the stroke over that of the damper as in the file.",
-            ko: "조화하중에 대한 관측점 최대 진폭과 목표값의 비제어 대비 비이며 행정은 입력한 제진장치에 대한 비이다.",
+            ko: "조화하중에 대한 관측점 최대 진폭과 목표값의 비제어 대비 비이며 행정은 입력한 감쇠기에 대한 비이다.",
         },
-        Damper => { en: "Damper", ko: "제진장치" },
+        Damper => { en: "Damper", ko: "감쇠기" },
         Frequency => { en: "frequency", ko: "진동수" },
         DampingRatio => { en: "damping ratio", ko: "감쇠비" },
         GoalHead => { en: "goal", ko: "목표값" },
         Stroke => { en: "stroke", ko: "행정" },
         Position => {
             en: "Motion of the points against the place of the damper.",
-            ko: "제진장치 위치에 따른 관측점의 RMS.",
+            ko: "감쇠기 위치에 따른 관측점의 RMS.",
         },
         PositionMeaning => {
             en: "As Figure 5 of Hwang, Min & Hong, tuned as in the file and tuned anew at each place.",
@@ -86,7 +86,7 @@ messages! {
         Robustness => { en: "What being out of tune costs.", ko: "동조 오차의 영향." },
         RobustnessMeaning => {
             en: "Frequency and damping of the damper off by so much.",
-            ko: "제진장치의 진동수와 감쇠가 어긋난 경우이다.",
+            ko: "감쇠기의 진동수와 감쇠가 어긋난 경우이다.",
         },
     }
 }

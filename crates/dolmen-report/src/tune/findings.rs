@@ -12,47 +12,47 @@ messages! {
     pub(crate) enum Found in "tune.findings" {
         Worse { damper: String, list: Vec<Sentence> } => {
             en: "Damper {damper} makes points worse than no damper: {list} of the motion without it.",
-            ko: "제진장치 {damper}은(는) 비제어보다 응답을 키운다: 비제어 대비 {list}.",
+            ko: "감쇠기 {damper}은(는) 비제어보다 응답을 키운다: 비제어 대비 {list}.",
         },
         BeyondRoom { damper: String, under: Sentence, needed: Quantity, has: Quantity } => {
             en: "Damper {damper} is beyond its room under {under}: it needs {needed} each way and has {has}.",
-            ko: "제진장치 {damper}의 행정 {needed}이(가) 여유 공간 {has}을(를) 넘는다({under}).",
+            ko: "감쇠기 {damper}의 행정 {needed}이(가) 여유 공간 {has}을(를) 넘는다({under}).",
         },
         BeyondRoomAlone { damper: String, under: Sentence, needed: Quantity, has: Quantity } => {
             en: "Damper {damper} by itself is beyond its room under {under}: it needs {needed} each way and has {has}.",
-            ko: "제진장치 {damper}만 있을 때의 행정 {needed}이(가) 여유 공간 {has}을(를) 넘는다({under}).",
+            ko: "감쇠기 {damper}만 있을 때의 행정 {needed}이(가) 여유 공간 {has}을(를) 넘는다({under}).",
         },
         RoomUnjudged => {
             en: "The room of a damper is given, and the file has no motion or site to hold it against; the loads here have no size.",
-            ko: "제진장치의 여유 공간은 주어졌으나 비교할 지진동이나 부지 스펙트럼이 없다. 여기의 하중은 크기가 정해져 있지 않다.",
+            ko: "감쇠기의 여유 공간은 주어졌으나 비교할 지진동이나 부지 스펙트럼이 없다. 여기의 하중은 크기가 정해져 있지 않다.",
         },
         RoomInWind => {
             en: "The room of a damper is given: `dolmen check` holds it against the wind of the file.",
-            ko: "제진장치의 여유 공간이 주어졌다. 파일의 바람에 대한 비교는 `dolmen check`에 나온다.",
+            ko: "감쇠기의 여유 공간이 주어졌다. 파일의 바람에 대한 비교는 `dolmen check`에 나온다.",
         },
         Compared { damper: String, given: Quantity, rule: Quantity, best: Quantity } => {
             en: "Damper {damper}: {given} of the motion without it as in the file, {rule} at the place of the rule, {best} placed and tuned best.",
-            ko: "제진장치 {damper}: 비제어 대비 입력 상태 {given}, 논문의 규칙에 따른 위치 {rule}, 최적 위치와 동조 {best}.",
+            ko: "감쇠기 {damper}: 비제어 대비 입력 상태 {given}, 논문의 규칙에 따른 위치 {rule}, 최적 위치와 동조 {best}.",
         },
         ComparedKept { damper: String, given: Quantity, rule: Quantity, best: Quantity, most: Quantity } => {
             en: "Damper {damper}: {given} of the motion without it as in the file, {rule} at the place of the rule, {best} placed and tuned best, where {most} of its stroke was asked for.",
-            ko: "제진장치 {damper}: 비제어 대비 입력 상태 {given}, 논문의 규칙에 따른 위치 {rule}, 행정을 입력 상태의 {most}배로 제한하여 구한 최적 위치와 동조 {best}.",
+            ko: "감쇠기 {damper}: 비제어 대비 입력 상태 {given}, 논문의 규칙에 따른 위치 {rule}, 행정을 입력 상태의 {most}배로 제한하여 구한 최적 위치와 동조 {best}.",
         },
         OfDeviations { said: Sentence } => {
             en: "{said} These are standard deviations: the largest peak is sought for single dampers only.",
-            ko: "{said} 이 값은 표준편차의 비이며, 최대 피크는 단일 제진장치에 대해서만 구한다.",
+            ko: "{said} 이 값은 표준편차의 비이며, 최대 피크는 단일 감쇠기에 대해서만 구한다.",
         },
         OffOnlyAlone { share: Quantity } => {
             en: "Frequencies off by {share} are taken into account for each damper by itself, not for all together.",
-            ko: "진동수 오차 {share}은(는) 제진장치별 설계에만 반영하였고 전체 동시 설계에는 반영하지 않았다.",
+            ko: "진동수 오차 {share}은(는) 감쇠기별 설계에만 반영하였고 전체 동시 설계에는 반영하지 않았다.",
         },
         ComparedTogether { given: Quantity, best: Quantity } => {
             en: "All dampers together: {given} of the motion without them as in the file, {best} placed and tuned best together.",
-            ko: "제진장치 전체: 비제어 대비 입력 상태 {given}, 위치와 동조 동시 최적 {best}.",
+            ko: "감쇠기 전체: 비제어 대비 입력 상태 {given}, 위치와 동조 동시 최적 {best}.",
         },
         ComparedTogetherKept { given: Quantity, best: Quantity, most: Quantity } => {
             en: "All dampers together: {given} of the motion without them as in the file, {best} placed and tuned best together, where {most} of the strokes was asked for.",
-            ko: "제진장치 전체: 비제어 대비 입력 상태 {given}, 행정을 입력 상태의 {most}배로 제한하여 구한 위치와 동조 동시 최적 {best}.",
+            ko: "감쇠기 전체: 비제어 대비 입력 상태 {given}, 행정을 입력 상태의 {most}배로 제한하여 구한 위치와 동조 동시 최적 {best}.",
         },
     }
 }

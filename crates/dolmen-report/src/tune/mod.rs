@@ -16,9 +16,9 @@ use dolmen_work::building::{TogetherAnswer, TuneAnswer};
 messages! {
     /// Heads of the sections.
     pub(crate) enum Heads in "tune.heads" {
-        Damper { damper: String } => { en: "Damper: {damper}", ko: "제진장치: {damper}" },
-        Together => { en: "All dampers together", ko: "제진장치 전체" },
-        TogetherOf { variant: String } => { en: "All dampers together: {variant}", ko: "제진장치 전체: {variant}" },
+        Damper { damper: String } => { en: "Damper: {damper}", ko: "감쇠기: {damper}" },
+        Together => { en: "All dampers together", ko: "감쇠기 전체" },
+        TogetherOf { variant: String } => { en: "All dampers together: {variant}", ko: "감쇠기 전체: {variant}" },
     }
 }
 

@@ -21,7 +21,7 @@ messages! {
         },
         StrokeNotKept { choice: Sentence, ratio: Quantity, most: Quantity } => {
             en: "Stroke not kept: ‘{choice}’ moves {ratio} of the stroke of the file's damper, and {most} was asked for.",
-            ko: "행정 제한 불만족: ‘{choice}’의 행정은 입력한 제진장치의 {ratio}배이며, 요구한 값은 {most}배이다.",
+            ko: "행정 제한 불만족: ‘{choice}’의 행정은 입력한 감쇠기의 {ratio}배이며, 요구한 값은 {most}배이다.",
         },
         StrokesNotKept { choice: Sentence, list: Vec<Sentence>, most: Quantity } => {
             en: "Stroke not kept: ‘{choice}’, over that as in the file: {list}; {most} was asked for.",
@@ -29,15 +29,15 @@ messages! {
         },
         NoDamper { choice: Sentence, ratio: Quantity } => {
             en: "No damper: ‘{choice}’ has a damping ratio of {ratio}: above 1 nothing swings any more, and a project file refuses it.",
-            ko: "제진장치로 쓸 수 없음: ‘{choice}’의 감쇠비는 {ratio}이다. 1을 넘으면 진동하지 않으며 입력 파일에서도 거부된다.",
+            ko: "감쇠기로 쓸 수 없음: ‘{choice}’의 감쇠비는 {ratio}이다. 1을 넘으면 진동하지 않으며 입력 파일에서도 거부된다.",
         },
         NoDampers { choice: Sentence, dampers: Vec<String> } => {
             en: "No damper: ‘{choice}’, a damping ratio above 1 of {dampers}: nothing swings there any more, and a project file refuses it.",
-            ko: "제진장치로 쓸 수 없음: ‘{choice}’에서 {dampers}의 감쇠비가 1을 넘는다. 1을 넘으면 진동하지 않으며 입력 파일에서도 거부된다.",
+            ko: "감쇠기로 쓸 수 없음: ‘{choice}’에서 {dampers}의 감쇠비가 1을 넘는다. 1을 넘으면 진동하지 않으며 입력 파일에서도 거부된다.",
         },
         BeyondRoom { choice: Sentence, damper: String, needed: Quantity, under: Sentence, has: Quantity } => {
             en: "Beyond its room: ‘{choice}’, damper {damper} needs {needed} each way under {under} and has {has}.",
-            ko: "여유 공간 초과: ‘{choice}’의 경우 {under}에서 제진장치 {damper}의 행정은 {needed}, 여유 공간은 {has}이다.",
+            ko: "여유 공간 초과: ‘{choice}’의 경우 {under}에서 감쇠기 {damper}의 행정은 {needed}, 여유 공간은 {has}이다.",
         },
         RuleMore { more: Quantity } => {
             en: "The rule, far from the centre of the mode, leaves {more} more than the best.",
@@ -49,11 +49,11 @@ messages! {
         },
         GivenMore { more: Quantity } => {
             en: "The file's damper leaves {more} more than the best.",
-            ko: "입력한 제진장치의 목표값은 최적보다 {more} 크다.",
+            ko: "입력한 감쇠기의 목표값은 최적보다 {more} 크다.",
         },
         GivenLess { less: Quantity } => {
             en: "The file's damper leaves {less} less than the best within the limits asked for, and does not keep them.",
-            ko: "입력한 제진장치의 목표값은 제한 조건 안의 최적보다 {less} 작지만, 그 조건을 만족하지 않는다.",
+            ko: "입력한 감쇠기의 목표값은 제한 조건 안의 최적보다 {less} 작지만, 그 조건을 만족하지 않는다.",
         },
         Rough { apart: Quantity } => {
             en: "Rough: maps, lines, tunings, curves of being out of tune and searches are off by up to {apart}: something is damped too lightly for them; the rows of the table are computed afresh.",
@@ -65,7 +65,7 @@ messages! {
         },
         AtLimit { choice: Sentence } => {
             en: "‘{choice}’ lies at the limit of a tuning that a damper may have.",
-            ko: "‘{choice}’은(는) 제진장치의 진동수 또는 감쇠의 한계값에 있다.",
+            ko: "‘{choice}’은(는) 감쇠기의 진동수 또는 감쇠의 한계값에 있다.",
         },
         Unsettled { choice: Sentence } => {
             en: "‘{choice}’ is the best that was seen, but its search did not settle to 1e-6.",
@@ -73,7 +73,7 @@ messages! {
         },
         OfTheRule => {
             en: "The rule of Hwang, Min & Hong puts a damper as far from the centre of the mode as the floor allows. It makes the damper work more on that mode, not the points move less. Their eq. 5a gives a damper along x the sign +Y; by their own eq. 12 it is −Y, which is used here.",
-            ko: "황재승·민경원·홍성목의 규칙은 제진장치를 모드 중심에서 가장 먼 곳에 둔다. 이는 해당 모드에 대한 제어 효과를 키울 뿐이며 관측점의 응답을 최소로 하지는 않는다. 논문의 식 (5a)는 X방향 제진장치에 +Y를 쓰지만 식 (12)와 맞추면 −Y가 옳으며 여기서는 −Y를 쓴다.",
+            ko: "황재승·민경원·홍성목의 규칙은 감쇠기를 모드 중심에서 가장 먼 곳에 둔다. 이는 해당 모드에 대한 제어 효과를 키울 뿐이며 관측점의 응답을 최소로 하지는 않는다. 논문의 식 (5a)는 X방향 감쇠기에 +Y를 쓰지만 식 (12)와 맞추면 −Y가 옳으며 여기서는 −Y를 쓴다.",
         },
     }
 }

@@ -12,11 +12,11 @@ messages! {
     pub(crate) enum Tunings in "tune.tunings" {
         Caption => {
             en: "Tunings of the mode, the damper where it is.",
-            ko: "제진장치 위치를 유지한 동조식 비교.",
+            ko: "감쇠기 위치를 유지한 동조식 비교.",
         },
         CaptionMeaning => {
             en: "ω is the damper's own frequency, Ω that of the mode: authors divide by one or the other (Den Hartog's book and Hwang, Min & Hong by Ω).",
-            ko: "ω는 제진장치, Ω는 모드의 진동수이며 저자마다 나누는 값이 다르다(Den Hartog의 책과 황재승·민경원·홍성목은 Ω로 나눈다).",
+            ko: "ω는 감쇠기, Ω는 모드의 진동수이며 저자마다 나누는 값이 다르다(Den Hartog의 책과 황재승·민경원·홍성목은 Ω로 나눈다).",
         },
         Tuning => { en: "Tuning", ko: "동조식" },
         MadeFor => { en: "made for", ko: "목적" },
@@ -44,14 +44,14 @@ messages! {
         MeanDamping => { en: "mean damping of two modes", ko: "두 모드의 평균 감쇠" },
         AsPrinted => {
             en: "as printed, on the damper's own frequency",
-            ko: "논문의 값을 제진장치 진동수 기준으로",
+            ko: "논문의 값을 감쇠기 진동수 기준으로",
         },
         Off => {
             en: "What the goal grows by when the damper is out of tune, in %.",
             ko: "동조 오차에 따른 목표값의 증가(%).",
         },
         OffBy => { en: "Frequency off by", ko: "진동수 오차" },
-        Given => { en: "as in the file", ko: "입력한 제진장치" },
+        Given => { en: "as in the file", ko: "입력한 감쇠기" },
         Best => { en: "placed and tuned best", ko: "최적 위치와 동조" },
     }
 }

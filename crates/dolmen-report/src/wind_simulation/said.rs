@@ -48,11 +48,11 @@ messages! {
         },
         BeyondRoom { damper: Sentence, needed: Quantity, has: Quantity } => {
             en: "Damper {damper} is beyond its room: it needs {needed} each way, in the mean of the histories or by the mean square, and has {has}. It would meet its stops, which these histories do not have, so that all values with dampers are too good.",
-            ko: "제진장치 {damper}의 행정이 시간이력 평균 또는 평균제곱법으로 {needed}이며 여유 공간 {has}을(를) 넘는다. 스토퍼 충돌을 고려하지 않아 제진장치가 있을 때의 응답을 작게 평가한다.",
+            ko: "감쇠기 {damper}의 행정이 시간이력 평균 또는 평균제곱법으로 {needed}이며 여유 공간 {has}을(를) 넘는다. 스토퍼 충돌을 고려하지 않아 감쇠기가 있을 때의 응답을 작게 평가한다.",
         },
         Struck { damper: Sentence, struck: usize, histories: usize, largest: Quantity, has: Quantity } => {
             en: "Damper {damper} meets its stops in {struck} of these {histories} histories, the largest stroke being {largest} of the {has} that it has: the histories do not have the stops, and are too good there.",
-            ko: "제진장치 {damper}이(가) 시간이력 {histories}개 중 {struck}개에서 스토퍼에 부딪친다(최대 행정 {largest}, 여유 공간 {has}). 시간이력에는 스토퍼가 없어 응답을 작게 평가한다.",
+            ko: "감쇠기 {damper}이(가) 시간이력 {histories}개 중 {struck}개에서 스토퍼에 부딪친다(최대 행정 {largest}, 여유 공간 {has}). 시간이력에는 스토퍼가 없어 응답을 작게 평가한다.",
         },
         TooShort { length: Quantity } => {
             en: "Limits are of the ten minutes of the mean wind, in which the largest gusts may come at any time: of {length} nothing within them is decided. Leave --duration out.",
@@ -64,7 +64,7 @@ messages! {
         },
         With { acceleration: Quantity, displacement: Quantity, axis: Sentence } => {
             en: "With the dampers the peak acceleration of that corner is {acceleration} of that without, the peak displacement of the top floor {displacement}, the wind along {axis}.",
-            ko: "{axis} 방향 바람에서 제진장치를 설치하면 모서리 최대가속도는 설치하지 않을 때의 {acceleration}, 최상층 최대변위는 {displacement}이다.",
+            ko: "{axis} 방향 바람에서 감쇠기를 설치하면 모서리 최대가속도는 설치하지 않을 때의 {acceleration}, 최상층 최대변위는 {displacement}이다.",
         },
     }
 }

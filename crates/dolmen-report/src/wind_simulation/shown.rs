@@ -19,15 +19,15 @@ messages! {
         Head => { en: "In histories of the wind", ko: "바람의 시간이력" },
         RunOnce { length: Quantity, step: Quantity, seed: usize } => {
             en: "One history of the wind along x and one along y, {length} each in steps of {step}, seed {seed}; with and without dampers in the same gusts.",
-            ko: "x 방향과 y 방향 바람의 시간이력 각 1개(길이 {length}, 간격 {step}, 난수 씨앗 {seed})이며 제진장치가 있을 때와 없을 때의 난류는 같다.",
+            ko: "x 방향과 y 방향 바람의 시간이력 각 1개(길이 {length}, 간격 {step}, 난수 씨앗 {seed})이며 감쇠기가 있을 때와 없을 때의 난류는 같다.",
         },
         Run { histories: usize, length: Quantity, step: Quantity, first: usize, last: usize } => {
             en: "{histories} histories of the wind along x and as many along y, {length} each in steps of {step}, seeds {first} to {last}; with and without dampers in the same gusts.",
-            ko: "x 방향과 y 방향 바람의 시간이력 각 {histories}개(길이 {length}, 간격 {step}, 난수 씨앗 {first}~{last})이며 제진장치가 있을 때와 없을 때의 난류는 같다.",
+            ko: "x 방향과 y 방향 바람의 시간이력 각 {histories}개(길이 {length}, 간격 {step}, 난수 씨앗 {first}~{last})이며 감쇠기가 있을 때와 없을 때의 난류는 같다.",
         },
         Method => {
             en: "Gusts are sums of cosines with normal amplitudes whose cross spectra are those of the mean square; each moves building and dampers steadily, so that a history has no beginning.",
-            ko: "난류는 정규분포 진폭을 가진 코사인의 합이며 교차 스펙트럼은 평균제곱법과 같다. 각 성분에 대한 건물과 제진장치의 정상응답을 더하므로 초기 과도응답이 없다.",
+            ko: "난류는 정규분포 진폭을 가진 코사인의 합이며 교차 스펙트럼은 평균제곱법과 같다. 각 성분에 대한 건물과 감쇠기의 정상응답을 더하므로 초기 과도응답이 없다.",
         },
         Peaks => {
             en: "A peak is the largest size within a history, to either side. g σ counts one side, and takes each swing for a new one, which those of a lightly damped building are not: the two differ by some per cent, either way.",
@@ -35,7 +35,7 @@ messages! {
         },
         LeftOut => {
             en: "Not in it: gusts and vortices across the wind, their torque, galloping, aerodynamic damping, stops of dampers.",
-            ko: "풍직각방향 난류·와류, 그 비틀림, 갤로핑, 공력감쇠, 제진장치의 스토퍼는 포함하지 않았다.",
+            ko: "풍직각방향 난류·와류, 그 비틀림, 갤로핑, 공력감쇠, 감쇠기의 스토퍼는 포함하지 않았다.",
         },
         Meaning => {
             en: "σ and peak by the mean square, then in the histories: σ of all together, the mean of their peaks, its scatter, the largest.",
@@ -66,7 +66,7 @@ messages! {
         },
         StrokesInTime { axis: Sentence } => {
             en: "Strokes of the dampers, the wind along {axis}.",
-            ko: "제진장치의 행정({axis} 방향 바람).",
+            ko: "감쇠기의 행정({axis} 방향 바람).",
         },
         First => { en: "The first history.", ko: "첫 번째 시간이력." },
     }

@@ -9,7 +9,7 @@ use dolmen::monitoring::MonitoringError;
 
 korean_of! {
     AssessError {
-        AssessError::NothingToCompare { survey } => "조사 {survey}에 모드가 없어 비교할 것이 없다";
+        AssessError::NothingToCompare { survey } => "{survey} 조사에 모드가 없어 비교할 것이 없다";
         AssessError::TemperatureFit { surveys, least, spread_c, spread_least_c } => "온도가 있는 조사가 {surveys}개이고 온도 차가 {spread_c} °C인데, 계수를 구하려면 {least}개와 {spread_least_c} °C가 필요하다. 다른 계절에 계측하거나 계수를 입력한다";
         AssessError::Factor { factor, given, allowed } => "{factor}이(가) {given}인데 {allowed}이어야 한다", factor = phrase(factor), allowed = phrase(allowed);
         AssessError::OutsideTraining { factor, given, least, most } => "{factor}이(가) {given}인데 점수는 {least}~{most}에서 학습되었다. 이 석탑을 해석하거나, 범위 밖의 값임을 표시하는 외삽을 허용한다", factor = phrase(factor);
@@ -43,7 +43,7 @@ korean_of! {
 korean_of! {
     MonitoringError {
         MonitoringError::Option { option, given, allowed } => "{option}이(가) {given}인데 {allowed}이어야 한다", option = phrase(option), allowed = phrase(allowed);
-        MonitoringError::Order { survey, day } => "조사 {survey}의 날짜({day}일)가 앞 조사보다 뒤가 아니다. 조사마다 다른 날짜를 순서대로 준다";
+        MonitoringError::Order { survey, day } => "{survey} 조사의 날짜({day}일)가 앞 조사보다 뒤가 아니다. 조사마다 다른 날짜를 순서대로 준다";
         MonitoringError::TooFewSurveys { given, least } => "조사가 {given}개인데 이력에는 {least}개가 필요하다. 대신 두 조사를 비교한다";
     }
     handed on MonitoringError::Numeric(why) => why;

@@ -32,15 +32,15 @@ sentences! {
         },
         SurveyWithoutProject { name } => {
             en: "the record of survey {name} is a motion of its project: use `dolmen simulate PROJECT --motion survey:{name}`, or give the file with --motion-file",
-            ko: "계측 조사 {name}의 기록은 그 프로젝트의 지반운동이다. `dolmen simulate PROJECT --motion survey:{name}`을(를) 쓰거나 --motion-file로 파일을 준다",
+            ko: "{name} 조사의 기록은 그 프로젝트의 지반운동이다. `dolmen simulate PROJECT --motion survey:{name}`을(를) 쓰거나 --motion-file로 파일을 준다",
         },
         NoMeasuredGround { survey } => {
             en: "survey {survey} has no record of a measured ground: give it `records`, and name the channel of the ground, as in records.modal.inputs = [\"G\"]",
-            ko: "계측 조사 {survey}에는 지반을 계측한 기록이 없다. `records`를 적고 지반 채널을 records.modal.inputs = [\"G\"]처럼 적는다",
+            ko: "{survey} 조사에는 지반을 계측한 기록이 없다. `records`를 적고 지반 채널을 records.modal.inputs = [\"G\"]처럼 적는다",
         },
         NoGroundAcceleration { survey, channel } => {
             en: "channel {channel} of survey {survey} is an input, but no acceleration along x, y or z, so that it cannot move a model: give the unit of its file (m/s2, gal, g) and its direction, as in direction = \"x\"",
-            ko: "계측 조사 {survey}의 채널 {channel}은(는) 입력이지만 x, y 또는 z 방향 가속도가 아니므로 모델을 움직일 수 없다. 파일의 단위(m/s2, gal, g)와 direction = \"x\"처럼 방향을 적는다",
+            ko: "{survey} 조사의 채널 {channel}은(는) 입력이지만 x, y 또는 z 방향 가속도가 아니므로 모델을 움직일 수 없다. 파일의 단위(m/s2, gal, g)와 direction = \"x\"처럼 방향을 적는다",
         },
         OfFilesNotMade { flag } => {
             en: "--{flag} says how the file of a motion is read, and --make makes one without a file: leave --{flag} out, or give a file instead of --make",

@@ -19,7 +19,7 @@ messages! {
     pub(crate) enum Place in "work.place" {
         AllSetups => { en: "all setups as one", ko: "하나로 합친 측정 배치" },
         OfLog { name: String, file: String } => { en: "log {name}, {file}", ko: "기록 {name}, {file}" },
-        OfSurvey { name: String } => { en: "survey {name}", ko: "조사 {name}" },
+        OfSurvey { name: String } => { en: "survey {name}", ko: "{name} 조사" },
         StonesOfScan { file: String } => { en: "the stones cut from {file}", ko: "{file}에서 자른 석재" },
         SensorsPlaced => { en: "placing sensors", ko: "센서 배치" },
         SpringsMeasured => {

@@ -63,7 +63,7 @@ sentences! {
         },
         NoSurvey { name, known } as { name } => {
             en: "no survey {name}",
-            ko: "조사 {name}이(가) 없다",
+            ko: "{name} 조사가 없다",
         },
         Name { what, shown } => {
             en: "{what} {shown} cannot be kept",
