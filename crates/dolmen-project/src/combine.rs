@@ -9,7 +9,7 @@ use super::placed::place;
 use super::read::{read_one, value_starts};
 use super::study::Override;
 use super::syntax::of_toml;
-use super::tabled::tabled;
+use super::tabled_modes::beside_the_file;
 use super::wrong::WrongFile;
 use dolmen_records::Files;
 use std::borrow::Cow;
@@ -63,7 +63,7 @@ fn combined(
     variant: Option<&str>,
     overrides: &[&Override],
 ) -> Result<Project, Vec<Fault>> {
-    let lists = tabled(text, files)?;
+    let lists = beside_the_file(text, files)?;
     let (root, syntax) = DeTable::parse_recoverable(text);
     if !syntax.is_empty() {
         return Err(syntax.iter().map(|error| of_toml(error, text)).collect());

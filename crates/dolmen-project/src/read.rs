@@ -34,7 +34,8 @@ use super::stack::{lean, stack};
 use super::study::studies;
 use super::survey::{Survey, change, surveys, watch};
 use super::syntax::{of_syntax, version};
-use super::tabled::{Tabled, tabled};
+use super::tabled::Tabled;
+use super::tabled_modes::beside_the_file;
 use super::units::STANDARD_GRAVITY_M_S2;
 use super::unknown_variants::unknown_variants;
 use super::warned::Warned;
@@ -100,7 +101,7 @@ pub fn parse_project_with(text: &str, file: &str, files: &dyn Files) -> Result<P
 }
 
 fn read(text: &str, files: &dyn Files) -> Result<Project, Vec<Fault>> {
-    let lists = tabled(text, files)?;
+    let lists = beside_the_file(text, files)?;
     read_with(text, files, &lists).map_err(|mut faults| {
         Tabled::name_cells(&lists, &mut faults);
         faults

@@ -4,7 +4,6 @@
 use super::error::Fault;
 use super::measure::Measure;
 use super::placed::place;
-use super::tabled_modes::modes_in_files;
 use super::totals::{Total, total};
 use super::units::parse_unit;
 use super::wrong::{Common, WrongTable};
@@ -183,7 +182,6 @@ pub(super) fn tabled(text: &str, files: &dyn Files) -> Result<Vec<Tabled>, Vec<F
             Err(why) => faults.extend(why.into_iter().map(|(message, help)| at(key, message).help(help))),
         }
     }
-    modes_in_files(&root, files, &mut all, &mut faults);
     match faults.is_empty() {
         true => Ok(all),
         false => Err(faults),

@@ -3,7 +3,7 @@
 
 use super::error::Fault;
 use super::measure::Measure;
-use super::tabled::{Column, Tabled, checked_unit, column, quoted, written};
+use super::tabled::{Column, Tabled, checked_unit, column, quoted, tabled, written};
 use super::units::parse_unit;
 use super::wrong::{Common, WrongModes, WrongTable};
 use crate::wrong::said;
@@ -44,13 +44,22 @@ const COLUMNS: &[Column] = &[
 /// A fault, and what to do.
 type Wrong = (Both, Both);
 
+/// Every list of parts and all modes of surveys that stand in a file beside the project.
+pub(super) fn beside_the_file(text: &str, files: &dyn Files) -> Result<Vec<Tabled>, Vec<Fault>> {
+    let mut all = tabled(text, files)?;
+    let (root, syntax) = DeTable::parse_recoverable(text);
+    let mut faults = Vec::new();
+    if syntax.is_empty() {
+        modes_in_files(root.get_ref(), files, &mut all, &mut faults);
+    }
+    match faults.is_empty() {
+        true => Ok(all),
+        false => Err(faults),
+    }
+}
+
 /// The modes of every survey that stand in a file.
-pub(super) fn modes_in_files(
-    root: &DeTable<'_>,
-    files: &dyn Files,
-    all: &mut Vec<Tabled>,
-    faults: &mut Vec<Fault>,
-) {
+fn modes_in_files(root: &DeTable<'_>, files: &dyn Files, all: &mut Vec<Tabled>, faults: &mut Vec<Fault>) {
     let surveys = root.get("survey").and_then(|value| value.get_ref().as_table());
     for (name, survey) in surveys.into_iter().flatten() {
         let Some(given) = survey.get_ref().as_table().and_then(|survey| survey.get("modes")) else {

@@ -51,6 +51,8 @@ pub struct PartLimit {
     pub capacity: Option<f64>,
     /// The part of the limit that surveyed tilt and static loads use without shaking; 0 without any.
     pub taken: f64,
+    /// The lean of a storey without shaking along the direction and across it; 0 without any.
+    pub lean: [f64; 2],
 }
 
 /// Parts compared with their limits under the spectrum of a site, and the directions without a comparison.
@@ -96,6 +98,7 @@ impl PartLimit {
             demand: ratio.abs(),
             capacity: limit.map(DriftLimit::ratio),
             taken: 0.0,
+            lean: [0.0; 2],
         }
     }
 
@@ -108,13 +111,29 @@ impl PartLimit {
         }
     }
 
-    /// The same where a lean without shaking uses a part of it.
-    pub(crate) fn taking(self, lean: f64) -> Self {
+    /// The same where a lean without shaking uses a part of it: lean and drift together, as vectors in plan, stay within the limit.
+    ///
+    /// ```text
+    /// left = √(limit² − across²) − along
+    /// ```
+    pub(crate) fn taking(self, lean: [f64; 2]) -> Self {
+        let [along, across] = lean.map(f64::abs);
+        let left = |limit: f64| ((limit * limit - across * across).max(0.0).sqrt() - along).max(0.0);
+        let capacity = self.capacity.map(left);
         PartLimit {
-            capacity: self.capacity.map(|capacity| (capacity - lean.abs()).max(0.0)),
-            taken: lean.abs(),
+            taken: self
+                .capacity
+                .zip(capacity)
+                .map_or(along, |(limit, left)| limit - left),
+            lean: [along, across],
+            capacity,
             ..self
         }
+    }
+
+    /// The drift of a storey with its lean without shaking.
+    pub fn whole_drift(&self) -> f64 {
+        (self.demand + self.lean[0]).hypot(self.lean[1])
     }
 
     /// Capacity over demand; `None` without a limit.
@@ -129,7 +148,7 @@ impl PartLimit {
 
     /// Whether the drift of a storey is beyond the validity of any model of small drifts: it falls.
     pub fn falls(&self) -> bool {
-        self.limited == Limited::Drift && self.demand + self.taken > DRIFT_RATIO_MOST
+        self.limited == Limited::Drift && self.whole_drift() > DRIFT_RATIO_MOST
     }
 
     /// Above, near or below; unknown without a limit.
@@ -144,7 +163,7 @@ impl PartLimit {
     /// Order of parts: the larger the worse; one that falls comes first.
     fn use_of(&self) -> f64 {
         match self.use_ratio() {
-            _ if self.falls() => (self.demand + self.taken) / DRIFT_RATIO_MOST * 1e3,
+            _ if self.falls() => self.whole_drift() / DRIFT_RATIO_MOST * 1e3,
             Some(of) if of.is_nan() => f64::INFINITY,
             Some(of) => of,
             None => -1.0 / (1.0 + self.demand),
@@ -170,6 +189,7 @@ mod tests {
             demand,
             capacity,
             taken: 0.0,
+            lean: [0.0; 2],
         }
     }
 
@@ -203,5 +223,16 @@ mod tests {
         let without = [drift("less", 0.01, None), drift("more", 0.02, None)];
         assert_eq!(worst_part(&without, Limited::Drift).unwrap().part.name(), "more");
         assert_eq!(worst_part(&parts, Limited::Room), None);
+    }
+
+    #[test]
+    fn exact_lean_across_a_direction_takes_less_than_along_it() {
+        // 2 % allowed, leaning by 1.2 %: 0.8 % is left along the lean, 1.6 % across it
+        let leaning = |lean| drift("storey", 0.01, Some(0.02)).taking(lean);
+        let [along, across] = [leaning([0.012, 0.0]), leaning([0.0, -0.012])];
+        assert!((along.capacity.unwrap() - 0.008).abs() < 1e-12 && (along.taken - 0.012).abs() < 1e-12);
+        assert!((across.capacity.unwrap() - 0.016).abs() < 1e-12 && (across.taken - 0.004).abs() < 1e-12);
+        assert!((across.whole_drift() - 0.01_f64.hypot(0.012)).abs() < 1e-12);
+        assert_eq!(leaning([0.0, 0.03]).capacity, Some(0.0));
     }
 }

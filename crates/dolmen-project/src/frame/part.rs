@@ -206,6 +206,13 @@ impl FramePart {
         tilt.unwrap_or(0.0)
     }
 
+    /// How it leans across a direction, horizontal over vertical; 0 where it takes no tilt over, or its direction is unknown.
+    pub fn tilt_across(&self, direction: &str) -> f64 {
+        let whole = self.lean.as_ref().map_or(0.0, |lean| lean.together);
+        let own = self.tilt(direction);
+        (whole * whole - own * own).max(0.0).sqrt()
+    }
+
     /// The direction along a component of a motion; `None` if that is not known.
     pub fn along(&self, component: Component) -> Option<&DirectionPart> {
         self.directions.iter().find(|own| own.along == Some(component))

@@ -85,7 +85,7 @@ fn said(of: &PartLimit, limit: Option<&DriftLimit>) -> Found {
     match (of.limited, both) {
         _ if of.falls() => Found::Falls {
             part,
-            drift: percent(of.demand + of.taken),
+            drift: percent(of.whole_drift()),
             most: Quantity::percent(DRIFT_RATIO_MOST, 2),
         },
         (Limited::BedEdge, Some((left, ratio))) if of.taken > 0.0 => Found::BedEdgeLeft {

@@ -39,6 +39,7 @@ fn rooms(dampers: &[BuiltDamper], strokes_m: impl Iterator<Item = f64>) -> Vec<P
     pairs
         .map(|(stroke, stroke_m)| PartLimit {
             taken: 0.0,
+            lean: [0.0; 2],
             part: Part::Damper(stroke.name),
             direction: None,
             limited: Limited::Room,

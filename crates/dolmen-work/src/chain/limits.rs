@@ -25,6 +25,7 @@ fn at_edge(link: String, moment_n_m: f64, most_n_m: Option<f64>, taken_n_m: f64)
         demand: moment_n_m.abs(),
         capacity: most_n_m.map(|most| (most - taken_n_m).max(0.0)),
         taken: taken_n_m,
+        lean: [0.0; 2],
     }
 }
 
@@ -174,6 +175,7 @@ fn by_spectrum_all_round(
                     JointHold::Held | JointHold::Unknown => None,
                 },
                 taken: (along * there[0]).hypot(across * there[1]),
+                lean: [0.0; 2],
                 ..at_edge(link.clone(), 0.0, None, 0.0)
             }
         };

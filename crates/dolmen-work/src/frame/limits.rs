@@ -13,16 +13,16 @@ use dolmen::structure::Frame;
 use dolmen_project::{DirectionPart, FramePart, Quantity};
 
 /// The elastic drifts under the spectrum of the site, in each direction that stands: with every joint stuck, every joint slipping, or every
-/// tenon bearing, whichever is largest. The surveyed lean at rest, of all directions together, reduces the allowable drift.
+/// tenon bearing, whichever is largest. The surveyed lean at rest reduces the allowable drift.
 pub(crate) fn by_spectrum(
     part: &FramePart,
     site: &SiteDemand,
     limit: Option<&DriftLimit>,
 ) -> Result<Compared, WorkError> {
     let frame = part.build(&mut Quantity::nominal)?;
-    let lean = resultant_lean(part, &frame)?;
+    let at_rest = leans_at_rest(part, &frame)?;
     let mut compared = Compared::default();
-    for direction in &part.directions {
+    for (place, direction) in part.directions.iter().enumerate() {
         let name = &direction.name;
         let drifts = match drifts(part, &frame, direction, site)? {
             Ok(drifts) => drifts,
@@ -33,37 +33,53 @@ pub(crate) fn by_spectrum(
             }
         };
         let storeys = storey_names(part).into_iter().zip(frame.storeys());
-        let Some(leans) = with_loads(part, &frame, direction, lean.clone())? else {
+        let Some(leans) = with_loads(part, &frame, direction, at_rest[place].clone())? else {
             let direction = Some(name.clone());
             let why = WhyNotCompared::Falls;
             compared.not_compared.push(NotCompared { direction, why });
             continue;
         };
         let alone = alone_most(part, name, &mut Quantity::nominal)?;
-        let each = storeys.zip(drifts).zip(leans).zip(alone);
+        let across = across(part, place, &at_rest);
+        let each = storeys.zip(drifts).zip(leans.into_iter().zip(across)).zip(alone);
         compared
             .parts
-            .extend(each.map(|((((storey, of), drift_m), lean), most)| {
+            .extend(each.map(|((((storey, of), drift_m), (along, across)), most)| {
                 PartLimit::of_drift(Part::Storey(storey), name, drift_m / of.height_m, limit)
                     .at_most(most)
-                    .taking(lean)
+                    .taking([along, across])
             }));
     }
     Ok(compared)
 }
 
-/// Lean of each storey at rest, all directions together, to which a drift in any direction is added.
-fn resultant_lean(part: &FramePart, frame: &Frame) -> Result<Vec<f64>, WorkError> {
-    let mut squares = vec![0.0; frame.storeys().len()];
-    for direction in &part.directions {
-        let tilt = part.tilt(&direction.name);
+/// Lean of each storey at rest in each direction.
+fn leans_at_rest(part: &FramePart, frame: &Frame) -> Result<Vec<Vec<f64>>, WorkError> {
+    let each = part.directions.iter().map(|direction| {
         let leans = leaning(part, frame, direction, &mut Quantity::nominal)?;
-        let leans = leans.unwrap_or_else(|| vec![tilt; squares.len()]);
-        for (square, lean) in squares.iter_mut().zip(leans) {
-            *square += lean * lean;
-        }
-    }
-    Ok(squares.into_iter().map(f64::sqrt).collect())
+        Ok(leans.unwrap_or_else(|| vec![part.tilt(&direction.name); frame.storeys().len()]))
+    });
+    each.collect()
+}
+
+/// Lean of each storey at rest across a direction: that along the others, or none where the survey gives the tilt without a direction that the
+/// frame has, since it then counts along each.
+fn across(part: &FramePart, place: usize, at_rest: &[Vec<f64>]) -> Vec<f64> {
+    let tilt = part
+        .directions
+        .get(place)
+        .map_or(0.0, |own| part.tilt_across(&own.name));
+    let others = || at_rest.iter().enumerate().filter(|(other, _)| *other != place);
+    (0..part.storeys.len())
+        .map(|storey| match (tilt == 0.0, others().next()) {
+            (true, _) => 0.0,
+            (false, None) => tilt,
+            (false, Some(_)) => others()
+                .map(|(_, leans)| leans[storey].powi(2))
+                .sum::<f64>()
+                .sqrt(),
+        })
+        .collect()
 }
 
 /// The drift of each storey in one direction, m, or why there is none.
@@ -107,7 +123,8 @@ impl FrameSimulation {
     /// together.
     pub fn parts(&self) -> Vec<PartLimit> {
         let limit = self.drift_limit.as_ref();
-        let tilt = self.lean.as_ref().map_or(0.0, |lean| lean.together);
+        let together = self.lean.as_ref().map_or(0.0, |lean| lean.together);
+        let across = (together * together - self.tilt * self.tilt).max(0.0).sqrt();
         let storeys = self.frame.frame().storeys();
         let heights_m: Vec<f64> = storeys.iter().map(|storey| storey.height_m).collect();
         let each = self.storeys.iter().zip(&heights_m).zip(&self.history.drift_peaks);
@@ -117,11 +134,11 @@ impl FrameSimulation {
                 let part = Part::Storey(name.clone());
                 PartLimit::of_drift(part, &self.direction, peak.value_m / height_m, limit)
                     .at_most(*most)
-                    .taking(tilt + pushed)
+                    .taking([self.tilt.abs() + pushed, across])
             })
             .collect();
-        if let Some(together) = self.together_once() {
-            all.extend(together.parts((&self.storeys, &heights_m), tilt, limit));
+        if let Some(both) = self.together_once() {
+            all.extend(both.parts((&self.storeys, &heights_m), together, limit));
         }
         all
     }

@@ -223,7 +223,7 @@ impl FrameTogether {
         let storeys = names.iter().zip(heights_m).zip(&self.storeys);
         let each = storeys.map(|((name, height_m), of)| {
             let part = Part::Storey(name.clone());
-            PartLimit::of_drift(part, &direction, of.drift_m / height_m, limit).taking(tilt)
+            PartLimit::of_drift(part, &direction, of.drift_m / height_m, limit).taking([tilt, 0.0])
         });
         each.collect()
     }

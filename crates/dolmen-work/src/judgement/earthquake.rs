@@ -314,6 +314,7 @@ pub(super) fn of_row(row: &RowStroke) -> EarthquakeFinding {
         demand: row.stroke_m.abs(),
         capacity: Some(row.room_m),
         taken: 0.0,
+        lean: [0.0; 2],
     };
     of_part(&part, row.motion.as_deref())
 }
@@ -356,6 +357,7 @@ mod tests {
             demand,
             capacity,
             taken: 0.0,
+            lean: [0.0; 2],
         };
         let strong = joint("strong", 1.0, Some(4.0));
         let weak = joint("weak", 1.0, Some(0.5));
@@ -375,6 +377,7 @@ mod tests {
             demand,
             capacity,
             taken: 0.0,
+            lean: [0.0; 2],
         };
         let damper = |stroke_m| part(Part::Damper("tank".into()), Limited::Room, stroke_m, Some(0.2));
         let roof = |allowed| part(Part::BelowFloor("roof".into()), Limited::Drift, 0.0139, allowed);

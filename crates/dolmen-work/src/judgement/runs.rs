@@ -319,6 +319,7 @@ mod tests {
         }
         let storey = |demand: f64, capacity: Option<f64>| PartLimit {
             taken: 0.0,
+            lean: [0.0; 2],
             part: Part::Storey("a".into()),
             direction: None,
             limited: Limited::Drift,
