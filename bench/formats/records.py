@@ -56,7 +56,7 @@ def modes():
     zeta, omega = 0.015, 2 * np.pi * 9.25
     sets.append(pyuff.prepare_55(**same, analysis_type=3, mode_n=4, eig=complex(-zeta * omega, omega * np.sqrt(1 - zeta**2)), modal_a=1 + 0j, modal_b=1 + 0j,
         r1=np.array([1, -0.9, 0.5]) * np.exp(0.3j), r2=np.zeros(3) + 0j, r3=np.zeros(3) + 0j))
-    f = pyuff.UFF(f"{out}/modes_pyuff.uff")
+    f = pyuff.UFF(f"{out}/../modes/modes_pyuff.uff")
     for at, one in enumerate(sets):
         f._write_set(one, "add" if at else "overwrite")
 

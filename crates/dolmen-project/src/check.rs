@@ -378,7 +378,7 @@ impl<'t, 'i> SchemaCheck<'t, 'i> {
         fault = fault.allowed(WrongKey::MustBeOfType { needed });
         let help = match node.get_ref() {
             DeValue::String(_) if is("a number") || is("a whole") => Some(WrongKey::WriteNumberWithoutQuotes),
-            DeValue::Datetime(_) if needed_word == "text" => Some(WrongKey::PutItInQuotes {
+            DeValue::Datetime(_) if is("text") => Some(WrongKey::PutItInQuotes {
                 written: written.to_string(),
             }),
             DeValue::Integer(_) | DeValue::Float(_) | DeValue::String(_)

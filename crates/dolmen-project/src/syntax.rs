@@ -3,7 +3,7 @@
 use super::error::Fault;
 use super::schema::SCHEMA_VERSION;
 use super::syntax_slips::slip;
-use super::wrong::{WrongNumber, WrongToml, of_parser};
+use super::wrong::{WrongKey, WrongNumber, WrongToml, of_parser};
 use toml::de::DeTable;
 
 /// What is wrong with a text that is not TOML: the slip that all else follows from, or of each line the first fault.
@@ -56,6 +56,13 @@ pub(super) fn of_toml(error: &toml::de::Error, text: &str) -> Fault {
     } else if let Some(number) = number_with_comma(&whole, before.len()) {
         fault = of_comma(number, span.start - before.len());
     }
+    if first.contains("string values must be quoted")
+        && let Some(written) = bare_ratio(text.get(span.start..).unwrap_or_default())
+    {
+        fault = fault.help(WrongKey::PutItInQuotes {
+            written: written.to_owned(),
+        });
+    }
     if first.contains("escaped value") || first.contains("unicode value digits") {
         let string = whole[..before.len()].rfind('"').map_or("", |at| &whole[at + 1..]);
         let path = string.split('"').next().unwrap_or_default().replace('\\', "/");
@@ -73,6 +80,15 @@ pub(super) fn of_toml(error: &toml::de::Error, text: &str) -> Fault {
     fault
 }
 
+/// A ratio of two numbers at the beginning of a text, "1/85".
+fn bare_ratio(text: &str) -> Option<&str> {
+    let is_part = |sign: char| sign.is_ascii_digit() || matches!(sign, '/' | '.' | '-' | '+');
+    let written = &text[..text.find(|sign| !is_part(sign)).unwrap_or(text.len())];
+    let (above, below) = written.split_once('/')?;
+    let is_number = |part: &str| part.parse::<f64>().is_ok();
+    (is_number(above) && is_number(below)).then_some(written)
+}
+
 /// What to do about a key that is not bare: which key is meant, or how its name is quoted.
 fn of_key(line: &str, given: &str) -> WrongToml {
     let is_bare = |part: &str| {
@@ -88,6 +104,13 @@ fn of_key(line: &str, given: &str) -> WrongToml {
         .strip_prefix('[')
         .and_then(|rest| rest.split(']').next());
     if let Some(name) = header.map(|name| name.trim_start_matches('[')) {
+        let table = name.split('.').next().unwrap_or_default().trim();
+        if let Some(key) = english_key(table) {
+            return WrongToml::KeyIs {
+                given: table.to_owned(),
+                key: key.to_owned(),
+            };
+        }
         let parts: Vec<String> = name.split('.').map(|part| quote(part.trim())).collect();
         return WrongToml::QuoteKey {
             quoted: format!("[{}]", parts.join(".")),

@@ -327,6 +327,7 @@ pub(super) fn tilt_ratio(text: &str) -> Option<f64> {
         },
         None if rest.is_empty() => number,
         None => {
+            let rest = if rest == "도" { "deg" } else { rest };
             let unit = parse_unit(rest)
                 .ok()
                 .filter(|unit| unit.dimension == Dimension::RATIO)?;
@@ -409,6 +410,13 @@ mod tests {
     fn of(text: &str) -> (f64, Dimension) {
         let unit = parse_unit(text).unwrap();
         (unit.factor, unit.dimension)
+    }
+
+    #[test]
+    fn exact_a_tilt_in_degrees_may_say_so_in_korean() {
+        assert_eq!(tilt_ratio("0.6도"), tilt_ratio("0.6 deg"));
+        assert!((tilt_ratio("45 도").unwrap() - 1.0).abs() < 1e-15);
+        assert_eq!(tilt_ratio("0.6도쯤"), None);
     }
 
     #[test]

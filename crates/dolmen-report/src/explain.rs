@@ -12,8 +12,8 @@ pub const EXPLANATIONS: &[Explanation] = &[
         title: "A value is assumed, not measured",
         text: "\
 The project file marks this value `source = \"assumed\"`. Every result that uses it rests on the assumption, and the
-report says which do. Give the value a `cov` (coefficient of variation) and run `dolmen check --samples 10000` to see
-how much the verdict depends on it, or measure it and change the source to \"test\" or \"measured\".",
+report says which do. Give the value a `cov` (coefficient of variation) and run `dolmen check --samples 10000` (of a
+stack, `--sensitivity`) to see how much the verdict depends on it, or measure it and change the source to \"test\" or \"measured\".",
     },
     Explanation {
         code: "axial-double-count",

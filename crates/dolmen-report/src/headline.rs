@@ -5,7 +5,7 @@ use crate::document::{TextStyle, wrapped};
 use dolmen_words::message::Both;
 use dolmen_words::{Digits, Language, Quantity, Sentence, Template, Unit, messages};
 use dolmen_work::judgement::{
-    DecidedBy, Earthquake, EarthquakeFinding, Evidence, Judgement, MeasuredFrequency, MovedBy,
+    Alarming, DecidedBy, Earthquake, EarthquakeFinding, Evidence, Judgement, MeasuredFrequency, MovedBy,
     VersionJudgement, Weight, WindFinding, WindLimit,
 };
 
@@ -118,7 +118,13 @@ messages! {
             ko: "{word}(지진 없이도 서 있지 못함)",
         },
         WordOpen { word: Both } => { en: "{word} (the run is not whole)", ko: "{word}(해석 미완료)" },
-        Alarm => { en: "Over the years: an open alarm, or a tilt or crack beyond its limit", ko: "경년 변화: 조치되지 않은 경보가 있거나 기울기·균열이 한계를 넘음" },
+        OverYears { each: Vec<Sentence> } => { en: "Over the years: {each}", ko: "경년 변화: {each}" },
+        OpenAlarms { count: usize } => { en: "open alarms ({count})", ko: "조치되지 않은 경보 {count}건" },
+        YearsTilt => { en: "the tilt is beyond its limit", ko: "기울기가 한계를 넘음" },
+        YearsCracks { count: usize } => {
+            en: "cracks or other damage beyond their limits ({count})",
+            ko: "한계를 넘은 균열·손상 {count}건",
+        },
         TiltLeftOut { survey: String, tilt: String } => {
             en: "not in it: tilt {tilt} of survey {survey}",
             ko: "{survey} 조사의 기울기 {tilt} 미반영",
@@ -201,6 +207,16 @@ pub(crate) fn verdict_line(judged: &VersionJudgement, style: TextStyle) -> Strin
 pub(crate) fn worse(variant: Both, judged: &VersionJudgement) -> Sentence {
     let words = Both::of(|language| headline(judged, language));
     Headline::WorseThan { variant, words }.into()
+}
+
+/// What the surveys over the years leave open, which no verdict on weight or shaking holds.
+pub(crate) fn over_the_years(alarming: Alarming) -> Option<Sentence> {
+    let mut each: Vec<Sentence> = Vec::new();
+    let (alarms, cracks) = (alarming.open_alarms, alarming.cracks_beyond);
+    each.extend((alarms > 0).then(|| Headline::OpenAlarms { count: alarms }.into()));
+    each.extend(alarming.is_tilt_beyond.then(|| Headline::YearsTilt.into()));
+    each.extend((cracks > 0).then(|| Headline::YearsCracks { count: cracks }.into()));
+    (!each.is_empty()).then(|| Headline::OverYears { each }.into())
 }
 
 fn parts(judged: &VersionJudgement) -> Vec<Sentence> {
@@ -512,5 +528,18 @@ mod tests {
         stack.weight = Some(Weight::Stable);
         let said = headline(&stack, Language::English);
         assert!(said.contains("· Model: survey 2009 contradicts it"), "{said}");
+    }
+
+    #[test]
+    fn exact_the_years_name_what_is_open_and_nothing_else() {
+        let said = |alarming, language| over_the_years(alarming).map(|said| said.text(language));
+        let mut alarming = Alarming::default();
+        assert_eq!(said(alarming, Language::English), None);
+        alarming.open_alarms = 2;
+        let korean = said(alarming, Language::Korean).unwrap_or_default();
+        assert_eq!(korean, "경년 변화: 조치되지 않은 경보 2건");
+        (alarming.open_alarms, alarming.is_tilt_beyond) = (0, true);
+        let english = said(alarming, Language::English).unwrap_or_default();
+        assert_eq!(english, "Over the years: the tilt is beyond its limit");
     }
 }

@@ -47,7 +47,7 @@ messages! {
             en: ": give it frequencies, modes or records",
             ko: ". frequencies, modes 또는 records를 입력한다",
         },
-        Extrapolate => { en: " (`dolmen study`, --extrapolate)", ko: "(`dolmen study`에서 --extrapolate)" },
+        Extrapolate => { en: " (--extrapolate of `dolmen rank` or `dolmen score`)", ko: "(`dolmen rank`나 `dolmen score`의 --extrapolate)" },
         Detrend => { en: "; detrend_degree = 1 does so", ko: "(detrend_degree = 1로 한다)" },
         LowerDecimation => {
             en: "; lower decimate_factor to see more",

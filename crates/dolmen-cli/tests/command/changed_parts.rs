@@ -134,8 +134,8 @@ fn modes_hz(scratch: &Scratch, factor: f64) -> [Vec<f64>; 3] {
     let mut all: [Vec<f64>; 3] = Default::default();
     for mode in modes.unwrap_or_else(|| panic!("{check}")) {
         let top = |row: usize| mode["shape"][3][row].as_f64().unwrap().abs();
-        // rad a metre: what only turns about the vertical moves by rounding alone
-        let along = match (top(5) > 1e3, top(1) > top(0)) {
+        // what only turns about the vertical moves by rounding alone
+        let along = match (top(0).max(top(1)) < 1e-6 * top(5), top(1) > top(0)) {
             (true, _) => 2,
             (false, across) => usize::from(across),
         };

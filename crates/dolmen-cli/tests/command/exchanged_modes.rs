@@ -55,7 +55,7 @@ fn holds_modes_that_dolmen_writes_are_read_back() {
 #[test]
 fn holds_check_and_compare_use_the_modes_of_pyuff() {
     let scratch = Scratch::new("exchanged_modes_chain");
-    let file = "crates/dolmen-records/tests/data/records/modes_pyuff.uff";
+    let file = "crates/dolmen-records/tests/data/modes/modes_pyuff.uff";
     std::fs::copy(root().join(file), scratch.path().join("modes.uff")).unwrap();
     std::fs::write(scratch.path().join("project.toml"), CHAIN).unwrap();
     let found = scratch.dolmen("identify . --survey 2026-04-02");

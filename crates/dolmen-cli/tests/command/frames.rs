@@ -205,10 +205,10 @@ fn holds_a_surveyed_tilt_of_a_frame_is_in_its_runs_and_takes_of_its_drift() {
     let part =
         |of: &serde_json::Value, key: &str| of["simulations"][1]["limits"]["parts"][0][key].as_f64().unwrap();
     assert_eq!((part(&upright, "taken"), part(&upright, "capacity")), (0.0, 0.02));
-    // the lean of both directions together
-    let taken = f64::hypot(1.0 / 400.0, 1.0 / 120.0);
-    assert!((part(&leaning, "taken") - taken).abs() < 1e-12);
-    assert!((part(&leaning, "capacity") - (0.02 - taken)).abs() < 1e-12);
+    // drift and lean as vectors in plan: 1/120 along the direction, 1/400 across it
+    let left = (0.02_f64.powi(2) - (1.0_f64 / 400.0).powi(2)).sqrt() - 1.0 / 120.0;
+    assert!((part(&leaning, "taken") - (0.02 - left)).abs() < 1e-12);
+    assert!((part(&leaning, "capacity") - left).abs() < 1e-12);
     // before the shaking it rests where its springs hold it: τ N/(k − N/l)
     let tilt = |of: &serde_json::Value| of["simulations"][1]["lean"]["tilt_in_direction"].as_f64();
     assert_eq!((tilt(&upright), tilt(&leaning)), (None, Some(1.0 / 120.0)));

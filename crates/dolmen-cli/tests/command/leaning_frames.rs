@@ -136,3 +136,39 @@ fn refuses_a_motion_along_x_after_one_along_x_and_y() {
     assert_eq!(done.status, 2, "{}", done.stdout);
     assert!(done.stderr.contains("components"), "{}", done.stderr);
 }
+
+#[test]
+fn exact_a_lean_across_leaves_more_of_the_drift_than_one_along() {
+    let scratch = Scratch::new("leaning-across");
+    // the lean of y at rest is 1/100 × λ/(λ − 1), λ = k h/W
+    let gate = |tilt: &str| {
+        format!(
+            "schema = 1\nkind = \"frame\"\nname = \"gate\"\nunits = {{ mass = \"t\", stiffness = \"kN/mm\" }}\n\
+             storeys = [{{ mass = 14.5, height = 3.9 }}]\ndirection.x.stiffness = [1.08]\ndirection.y.stiffness = [0.6676]\n\
+             site = {{ code = \"KDS 17 10 00\", zone = \"I\", return_period_years = 1000, soil = \"S3\" }}\n\
+             limits = {{ storey_drift = \"1/50\" }}\n[survey.2026-05-02]\ntilt = {tilt}\n"
+        )
+    };
+    let capacities = |tilt: &str| {
+        fs::write(scratch.path().join("project.toml"), gate(tilt)).unwrap();
+        let found = json(&scratch, "check .");
+        [0, 1].map(|part| {
+            at(&found, &format!("/state/demand/limits/parts/{part}/capacity"))
+                .as_f64()
+                .unwrap()
+        })
+    };
+    let lambda = 0.6676e6 * 3.9 / (14.5e3 * 9.80665);
+    let lean = 0.01 * lambda / (lambda - 1.0);
+    let [x, y] = capacities("{ y = \"1/100\" }");
+    assert!((x / (4e-4_f64 - lean * lean).sqrt() - 1.0).abs() < 1e-9, "{x}");
+    assert!((y / (0.02 - lean) - 1.0).abs() < 1e-9, "{y}");
+    // to which side is not known: it counts along both
+    let [x, y] = capacities("{ overall = \"1/100\" }");
+    assert!((y / (0.02 - lean) - 1.0).abs() < 1e-9, "{y}");
+    let stiffer = 1.08 / 0.6676 * lambda;
+    assert!(
+        (x / (0.02 - 0.01 * stiffer / (stiffer - 1.0)) - 1.0).abs() < 1e-9,
+        "{x}"
+    );
+}

@@ -254,6 +254,7 @@ fn holds_projects() {
 #[test]
 fn holds_record() {
     let mut written = files("crates/dolmen-records/tests/data/records");
+    written.extend(files("crates/dolmen-records/tests/data/modes"));
     written.extend(kept("log").into_iter().filter(|file| file.starts_with(b"PK")));
     assert!(all("record", &written, record::run) > 500);
 }

@@ -23,7 +23,6 @@ use dolmen_words::nearest;
 const VELOCITY_M_S: (f64, f64) = (100.0, 8000.0);
 /// Readings of a rebound hammer: its scale.
 const REBOUND: (f64, f64) = (0.0, 100.0);
-/// The grades of the Korean periodic inspection.
 
 /// What the engineer gives; `parts` are the names that photographs and tests may speak of.
 pub(crate) fn report(

@@ -31,6 +31,29 @@ error: links[2] has no key "lenght"
 }
 
 #[test]
+fn refuses_a_table_named_in_korean_and_names_the_key() {
+    for (header, key) in [
+        ("[부지]", "site"),
+        ("[조사.2026-09-03]", "survey"),
+        ("[ 단위 ]", "units"),
+    ] {
+        let said = refused(&format!("{CHAIN}\n{header}\nzone = 1\n"));
+        let given = header.trim_matches(['[', ']', ' ']).split('.').next().unwrap();
+        let help = format!("= help: keys are English words: is \"{given}\" {key}?");
+        assert!(said.contains(&help), "{said}");
+    }
+    // a word that stands for no key, or names a part, is quoted
+    let said = refused(&format!("{CHAIN}\n[variant.부지]\n"));
+    assert!(said.contains("stands in quotes: [variant.\"부지\"]"), "{said}");
+}
+
+#[test]
+fn refuses_a_bare_ratio_and_quotes_it() {
+    let said = refused(&format!("{CHAIN}\n[survey.2026-09-03]\ntilt = {{ x = 1/85 }}\n"));
+    assert!(said.contains("= help: put it in quotes: \"1/85\""), "{said}");
+}
+
+#[test]
 fn refuses_an_unknown_key_like_no_other_and_lists_all() {
     let text = chain_with(&[(r#"length = 2.61"#, r#"length = 2.61, colour = "grey""#)]);
     let said = r##"
@@ -289,7 +312,7 @@ error: description = 2010-05-12 is a date
    --> project.toml:10:15
     |
  10 | description = 2010-05-12
-    |               ^^^^^^^^^^ must be text
+    |               ^^^^^^^^^^ must be text or a table
     = help: put it in quotes: "2010-05-12"
 "##;
     assert_eq!(refused(&text), said.trim_start_matches('\n'));

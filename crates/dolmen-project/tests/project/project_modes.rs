@@ -1,4 +1,4 @@
-// SOURCE     dolmen-records/tests/data/records/modes_pyuff.uff: four modes written by pyuff 2.5.8, on nodes at 3, 6 and 9 m.
+// SOURCE     dolmen-records/tests/data/modes/modes_pyuff.uff: four modes written by pyuff 2.5.8, on nodes at 3, 6 and 9 m.
 // GOAL       Modes in a file beside the project are those of the survey as if they were written there; bad files are refused in both languages.
 // TOLERANCE  2e-5: the six digits of a universal file.
 
@@ -10,7 +10,7 @@ const SURVEY: &str =
 fn pyuff() -> String {
     let path = concat!(
         env!("CARGO_MANIFEST_DIR"),
-        "/../dolmen-records/tests/data/records/modes_pyuff.uff"
+        "/../dolmen-records/tests/data/modes/modes_pyuff.uff"
     );
     std::fs::read_to_string(path).unwrap()
 }

@@ -150,7 +150,7 @@ error: site.soil: site class S6 is site-specific: the code gives no factors for 
     assert_eq!(refused_site(KOREA, &[("S4", "S6")]).trim(), said.trim());
     let years = refused_site(KOREA, &[("2400", "475")]);
     let said = "site.return_period_years: return_period_years is 475, but the code has 50, 100, 200, 500, 1000, 2400 and 4800: \
-                take the next longer";
+                take the next longer, for 2475 years 2400";
     assert!(years.contains(said), "{years}");
     let large = refused_site(KOREA, &[("zone = \"I\"", "zone_factor = \"11 m/s2\"")]);
     assert!(

@@ -56,7 +56,7 @@ pub fn read_csv(bytes: &[u8], options: &RecordOptions) -> Result<Reading, Record
     let text = decoded(bytes);
     let bytes = &*text.bytes;
     let start = Start::find(bytes, options)?;
-    let time = find_time(&start.columns, &options.time)?;
+    let time = find_time(&start, &options.time)?;
     // dates: the options give all the information of time stamps
     let told =
         options.time == TimeColumn::Detect && options.sampling_rate_hz.is_some() && !options.picks.is_empty();
@@ -149,12 +149,12 @@ pub fn read_csv(bytes: &[u8], options: &RecordOptions) -> Result<Reading, Record
     })
 }
 
-fn find_time(columns: &[String], option: &TimeColumn) -> Result<Option<Time>, RecordError> {
+fn find_time(start: &Start, option: &TimeColumn) -> Result<Option<Time>, RecordError> {
     match option {
         TimeColumn::Absent => Ok(None),
         TimeColumn::At(column) => {
-            let column = find_column(columns, column)?;
-            let (unit_s, said) = match unit_of_named_time(&columns[column]) {
+            let column = find_column(start, column)?;
+            let (unit_s, said) = match unit_of_named_time(&start.columns[column]) {
                 WordOfTime::Unit { seconds } => (seconds, UnitSaid::Clearly),
                 WordOfTime::Unclear => (1.0, UnitSaid::Unclearly),
                 WordOfTime::None => (1.0, UnitSaid::Clearly), // seconds by definition
@@ -162,7 +162,7 @@ fn find_time(columns: &[String], option: &TimeColumn) -> Result<Option<Time>, Re
             Ok(Some(Time { column, unit_s, said }))
         }
         TimeColumn::Detect => {
-            for (column, name) in columns.iter().enumerate() {
+            for (column, name) in start.columns.iter().enumerate() {
                 match time_name(name.as_bytes()) {
                     TimeName::No => {}
                     TimeName::Seconds { unit_s, named } => {
@@ -180,7 +180,8 @@ fn find_time(columns: &[String], option: &TimeColumn) -> Result<Option<Time>, Re
     }
 }
 
-fn find_column(columns: &[String], column: &Column) -> Result<usize, RecordError> {
+fn find_column(start: &Start, column: &Column) -> Result<usize, RecordError> {
+    let columns = &start.columns;
     let given = match column {
         Column::Number(n) if (1..=columns.len()).contains(n) => return Ok(n - 1),
         Column::Number(n) => {
@@ -192,7 +193,11 @@ fn find_column(columns: &[String], column: &Column) -> Result<usize, RecordError
         Column::Named(name) => name,
     };
     let name = shown(given); // as the names of columns are kept
-    let mut found = columns.iter().enumerate().filter(|(_, c)| **c == name);
+    // a name may leave out the unit that stands in the line below it
+    let without_unit = |c: &str| c.rsplit_once(" (").is_some_and(|(bare, _)| bare == name);
+    let by_bare_name = start.units_apart && !columns.contains(&name);
+    let is_asked = |c: &str| c == name || (by_bare_name && without_unit(c));
+    let mut found = columns.iter().enumerate().filter(|(_, c)| is_asked(c));
     match (found.next(), found.count()) {
         (Some((at, _)), 0) => Ok(at),
         (Some(_), more) => Err(RecordError::AmbiguousColumn {
@@ -205,7 +210,7 @@ fn find_column(columns: &[String], column: &Column) -> Result<usize, RecordError
             Err(RecordError::UnknownColumn {
                 given: given.clone(),
                 nearest: nearest.filter(|c| similar(c) > SIMILAR).cloned(),
-                names: columns.to_vec(),
+                names: columns.clone(),
             })
         }
     }
@@ -241,7 +246,7 @@ impl Plan {
             }
         }
         for pick in &options.picks {
-            let column = find_column(&start.columns, &pick.column)?;
+            let column = find_column(start, &pick.column)?;
             let taken = match uses[column] {
                 Use::Channel(other) => Some(channels[other].name.clone()),
                 _ => None,

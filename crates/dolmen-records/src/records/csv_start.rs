@@ -1,5 +1,7 @@
 //! Detects the layout of a CSV file from its first lines.
 
+use super::date_text::is_date_cell;
+use super::decimal_commas::refuse_decimal_commas;
 use super::dialect::{Line, holds_cells, line_at, unquoted};
 use super::not_a_table::refuse_other_text;
 use super::unit::unit_of_label;
@@ -21,6 +23,8 @@ pub(super) struct Start {
     pub(super) passed_over: Option<[usize; 2]>,
     /// Whether names are neither UTF-8 nor CP949.
     pub(super) names_unread: bool,
+    /// Whether units stand in a line of their own below the names.
+    pub(super) units_apart: bool,
     /// Whether each line of samples has one delimiter too many at its end.
     pub(super) trailing_delimiter: bool,
     /// Which cells of the first line of samples are numbers.
@@ -75,6 +79,9 @@ impl Start {
         if trailing_delimiter && names.len() == cells.len() && names.last().is_some_and(|c| c.is_empty()) {
             names.pop();
         }
+        if has_header && decimal == Decimal::Point {
+            refuse_decimal_commas(&lines, delimiter)?;
+        }
         if names.len() != count && has_header {
             return Err(RecordError::Ragged {
                 line: samples.number,
@@ -85,14 +92,15 @@ impl Start {
         }
         // a line of units stands between the names and the samples
         let of_units = match passed_over.checked_sub(1).map(|at| &lines[at]) {
-            Some(line) if has_header && names.iter().all(|name| is_unit(unquoted(name))) => {
+            Some(line) if has_header && is_of_units(&names, &cells) => {
                 let above = delimiter.cells(line.text);
                 let is_name = |cell: &&[u8]| !cell.is_empty() && !is_number(cell);
                 (above.len() == count && above.iter().all(is_name)).then_some(above)
             }
             _ => None,
         };
-        let passed_over = passed_over - usize::from(of_units.is_some());
+        let units_apart = of_units.is_some();
+        let passed_over = passed_over - usize::from(units_apart);
         let ColumnNames {
             columns,
             names_unread,
@@ -109,6 +117,7 @@ impl Start {
                 _ => Some([lines[0].number, lines[passed_over - 1].number]),
             },
             names_unread,
+            units_apart,
             columns,
             trailing_delimiter,
             numeric: cells.iter().map(is_number).collect(),
@@ -138,7 +147,7 @@ impl ColumnNames {
         let mut named = Self::numbered(names.len());
         for (at, (column, name)) in named.columns.iter_mut().zip(names).enumerate() {
             let name = match std::str::from_utf8(unquoted(name)) {
-                Ok("") => continue,
+                Ok("") if above.is_none() => continue,
                 Ok(name) => name,
                 Err(_) => {
                     named.names_unread = true;
@@ -146,6 +155,8 @@ impl ColumnNames {
                 }
             };
             *column = match above.map(|above| String::from_utf8_lossy(unquoted(above[at]))) {
+                // dates have no unit
+                Some(above) if !is_unit(name.as_bytes()) => shown(above.trim()),
                 Some(above) => {
                     let unit = name.trim_matches(['(', ')', '[', ']']);
                     shown(&format!("{} ({unit})", above.trim()))
@@ -187,6 +198,13 @@ fn is_unit(cell: &[u8]) -> bool {
         )
 }
 
+/// Whether a line is of units: one a cell, and any text or none above dates.
+fn is_of_units(names: &[&[u8]], samples: &[&[u8]]) -> bool {
+    let is_unit = |name: &&[u8]| is_unit(unquoted(name));
+    let fits = |(name, sample): (&&[u8], &&[u8])| is_unit(name) || is_date_cell(sample);
+    names.iter().any(is_unit) && names.iter().zip(samples).all(fits)
+}
+
 /// Refuses more columns than any recorder has; one more may come from the delimiter at the end of every line.
 fn refuse_wide(found: usize, line: usize) -> Result<(), LimitError> {
     match found.saturating_sub(1) <= CHANNELS_MOST {
@@ -204,15 +222,17 @@ fn refuse_wide(found: usize, line: usize) -> Result<(), LimitError> {
 fn above_names(lines: &[Line<'_>], delimiter: Delimiter, decimal: Decimal) -> usize {
     let rows: Vec<Vec<&[u8]>> = lines.iter().map(|line| delimiter.cells(line.text)).collect();
     let is_number = |c: &&[u8]| parse_cell(unquoted(c), decimal.byte()).is_some();
-    let whole = |cells: &Vec<&[u8]>| cells.len() > 1 && cells.iter().all(is_number);
+    let is_sample = |c: &&[u8]| is_number(c) || is_date_cell(c);
+    let whole =
+        |cells: &Vec<&[u8]>| cells.len() > 1 && cells.iter().any(&is_number) && cells.iter().all(is_sample);
     let Some(samples) = rows.iter().position(whole) else {
         return 0;
     };
-    let is_name = |c: &&[u8]| !c.is_empty() && !is_number(c);
+    let is_name = |c: &&[u8]| !c.is_empty() && !is_sample(c);
     match samples.checked_sub(1) {
         Some(names)
             if rows[names].len() == rows[samples].len()
-                && rows[names].iter().all(is_name)
+                && (rows[names].iter().all(is_name) || is_of_units(&rows[names], &rows[samples]))
                 && rows[..names]
                     .iter()
                     .all(|cells| cells.first().is_some_and(is_name)) =>
@@ -250,7 +270,7 @@ fn detect(lines: &[Line<'_>], options: &RecordOptions) -> (Delimiter, Decimal) {
     best
 }
 
-/// Score of the lines: 4 for each that has the usual width and only numbers, 2 if mostly numbers; 4 if the first has the usual width; 1 if that
+/// Score of the lines: 4 for each that has the usual width and only numbers, 2 if mostly numbers and dates; 4 if the first has the usual width; 1 if that
 /// is more than one cell.
 fn score(lines: &[Line<'_>], delimiter: Delimiter, decimal: Decimal) -> usize {
     let rows: Vec<Vec<&[u8]>> = lines
@@ -269,9 +289,13 @@ fn score(lines: &[Line<'_>], delimiter: Delimiter, decimal: Decimal) -> usize {
     let sense = |cells: &Vec<&[u8]>| {
         let is_number = |c: &&&[u8]| parse_cell(unquoted(c), decimal.byte()).is_some();
         let numbers = cells.iter().filter(is_number).count();
+        let samples = |least: usize| {
+            let more = cells.iter().filter(|c| !is_number(c) && is_date_cell(c));
+            2 * (numbers + more.count()) > least
+        };
         match cells.len() == width {
             true if numbers == width => 4,
-            true if 2 * numbers > width => 2,
+            true if numbers > 0 && samples(width) => 2,
             _ => 0,
         }
     };
@@ -368,7 +392,8 @@ pub(super) fn time_name(name: &[u8]) -> TimeName {
 
 #[cfg(test)]
 mod tests {
-    use crate::records::{RecordOptions, read_csv, read_record};
+    use crate::records::{Column, Layout, Pick, RateSource, RecordOptions, Unit, read_csv, read_record};
+    use dolmen::signal::Channel;
 
     fn refusal(bytes: &[u8]) -> String {
         let options = RecordOptions {
@@ -402,6 +427,52 @@ mod tests {
         // units alone, with nothing above them, are names
         let alone = read_csv(b"t,g,mg\n0.00,1,2\n0.01,3,4\n", &RecordOptions::default()).unwrap();
         assert_eq!(alone.record.channels()[0].name, "g");
+    }
+
+    #[test]
+    fn exact_titles_stand_above_names_where_times_are_dates() {
+        let dates = "일시,X (gal),Y (gal)\n2026-10-14 10:00:00.00,1,2\n2026-10-14 10:00:00.01,3,4\n";
+        let apart = "Date,Clock,X (gal),Y (gal)\n2026-10-14,10:00:00.00,1,2\n2026-10-14,10:00:00.01,3,4\n";
+        let units = "일시,X,Y\n,gal,gal\n2026-10-14 10:00:00.00,1,2\n2026-10-14 10:00:00.01,3,4\n";
+        let form = "일시,X,Y\nYYYY-MM-DD,(gal),gal\n2026-10-14 10:00:00.00,1,2\n2026-10-14 10:00:00.01,3,4\n";
+        let pick = |column: &str| Pick {
+            column: Column::Named(column.into()),
+            channel: Channel::named(column),
+            scale: None,
+        };
+        let with = |columns: [&str; 2]| RecordOptions {
+            sampling_rate_hz: Some(100.0),
+            unit: Unit::Gal,
+            picks: columns.map(pick).to_vec(),
+            ..Default::default()
+        };
+        for titles in ["", "Logger,DL-2000\nPlace,Pagoda\n", "오층석탑 상시진동\n"] {
+            for (table, columns) in [
+                (dates, ["X (gal)", "Y (gal)"]),
+                (apart, ["X (gal)", "Y (gal)"]),
+                (units, ["X (gal)", "Y (gal)"]),
+                (units, ["X", "Y"]),
+                (form, ["X", "Y (gal)"]),
+            ] {
+                let read = read_csv(format!("{titles}{table}").as_bytes(), &with(columns)).unwrap();
+                assert_eq!(read.record.samples(0), [0.01, 0.03], "{titles}{table}");
+                assert_eq!(read.record.samples(1), [0.02, 0.04], "{titles}{table}");
+                let Layout::Csv(csv) = read.layout else {
+                    panic!("{titles}{table}")
+                };
+                assert_eq!(csv.rate_source, RateSource::GivenAndDates);
+                assert_eq!(
+                    csv.passed_over.map(|[_, last]| last),
+                    (!titles.is_empty()).then(|| titles.lines().count())
+                );
+            }
+        }
+        // the unit below a name still counts
+        let other = units.replace("gal", "g");
+        assert!(read_csv(other.as_bytes(), &with(["X", "Y"])).is_err());
+        // a first sample that is missing is no title
+        let missing = "일시,X (gal),Y (gal)\n2026-10-14 10:00:00.00,,2\n2026-10-14 10:00:00.01,3,4\n";
+        assert!(read_csv(missing.as_bytes(), &with(["X (gal)", "Y (gal)"])).is_err());
     }
 
     #[test]

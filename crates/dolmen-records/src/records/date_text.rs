@@ -1,5 +1,6 @@
 //! Dates and times of day as printed in tables.
 
+use super::dialect::unquoted;
 use crate::start::time_of;
 
 /// Seconds in a day.
@@ -108,6 +109,11 @@ fn hour_of_day(hour: f64, half_day_h: Option<f64>) -> Option<f64> {
 /// Whether a cell is a date, a time of the day, or both.
 pub(super) fn is_date(text: &str) -> bool {
     date_time(text).is_some() || calendar_day(text).is_some()
+}
+
+/// Whether a cell of a table is a date or a time.
+pub(super) fn is_date_cell(cell: &[u8]) -> bool {
+    std::str::from_utf8(unquoted(cell)).is_ok_and(is_date)
 }
 
 /// Midnight at the beginning of a day, s from 1970.

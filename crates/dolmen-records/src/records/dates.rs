@@ -21,7 +21,7 @@ pub(super) enum Dates {
 /// Compares the given rate with the first and the last date of a column that is not a channel.
 ///
 /// # Errors
-/// [`RecordError::DatesDisagree`].
+/// [`RecordError::DatesDisagree`], [`RecordError::DatesGap`].
 pub(super) fn held_against(
     bytes: &[u8],
     (start, free): (&Start, &[bool]),
@@ -75,6 +75,9 @@ pub(super) fn held_against(
         {
             return Ok(Dates::Agree); // seconds of the day, as large as days since 1900
         }
+        if !start.numeric[column] {
+            refuse_gap(body, (start, column), given_hz)?;
+        }
         let passed = match b.seconds - a.seconds {
             back if back < 0.0 && a.seconds < DAY_S => back + DAY_S, // times of the day across midnight
             passed => passed,
@@ -93,4 +96,50 @@ pub(super) fn held_against(
         return Ok(Dates::Agree);
     }
     Ok(unread.map_or(Dates::None, Dates::Unread))
+}
+
+/// Steps from which a time after the one before is a gap, as in seconds.
+const GAP_STEPS: f64 = 1.5;
+
+/// Refuses the largest step between two times of a column where samples are missing: a rate that agrees with the first and the last alone would
+/// move all frequencies.
+fn refuse_gap(body: &[u8], (start, column): (&Start, usize), given_hz: f64) -> Result<(), RecordError> {
+    let mut before: Option<(usize, String, At)> = None;
+    let mut steps_s = Vec::new();
+    let mut widest: Option<(f64, f64, RecordError)> = None;
+    for (number, line) in body.split(|b| *b == b'\n').enumerate() {
+        let mut cells = start.delimiter.cells(line).into_iter().skip(column);
+        let mut next = || {
+            let cell = cells.next()?;
+            Some(String::from_utf8_lossy(unquoted(cell.trim_ascii_end())).into_owned())
+        };
+        let Some(text) = next() else { continue };
+        let read = date_time(&text).or_else(|| date_time(&format!("{text} {}", next()?)));
+        let Some(at) = read else { continue };
+        if let Some((line, text_before, earlier)) = &before {
+            let step_s = at.seconds - earlier.seconds;
+            steps_s.push(step_s);
+            if widest.as_ref().is_none_or(|(other, _, _)| step_s > *other) {
+                let gap = RecordError::DatesGap {
+                    column: start.columns[column].clone(),
+                    line: start.samples_line + line,
+                    before: text_before.clone(),
+                    after: text.clone(),
+                    step_s,
+                };
+                widest = Some((step_s, at.resolution_s + earlier.resolution_s, gap));
+            }
+        }
+        before = Some((number, text, at));
+    }
+    let Some((step_s, resolution_s, gap)) = widest else {
+        return Ok(());
+    };
+    // the rate may be wrong as well: the usual step is that of the dates, or of the rate where dates are too coarse for it
+    let middle = steps_s.len() / 2;
+    let (_, usual_s, _) = steps_s.select_nth_unstable_by(middle, f64::total_cmp);
+    match step_s > GAP_STEPS * usual_s.max(1.0 / given_hz) + resolution_s {
+        true => Err(gap),
+        false => Ok(()),
+    }
 }

@@ -113,6 +113,15 @@ pub enum RecordError {
         /// Whether it is the last line, without a line end.
         last: bool,
     },
+    /// Numbers have decimal commas between commas that separate the cells.
+    DecimalCommas {
+        /// Line of the file.
+        line: usize,
+        /// Cells in it.
+        found: usize,
+        /// Names of columns.
+        expected: usize,
+    },
     /// Only a time column.
     OnlyTime {
         /// Name of the time column.
@@ -146,6 +155,19 @@ pub enum RecordError {
         samples: usize,
         /// The rate of the dates, Hz.
         dates_hz: f64,
+    },
+    /// Samples are missing between two dates.
+    DatesGap {
+        /// Name of the column.
+        column: String,
+        /// Line before the gap.
+        line: usize,
+        /// The date there.
+        before: String,
+        /// The next.
+        after: String,
+        /// Time between both, s.
+        step_s: f64,
     },
     /// The name of the time column has an unknown unit.
     TimeUnit {

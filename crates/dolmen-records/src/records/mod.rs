@@ -8,6 +8,7 @@ mod csv_write;
 mod cursor;
 mod date_text;
 mod dates;
+mod decimal_commas;
 mod dialect;
 mod error;
 mod format;

@@ -69,6 +69,10 @@ sentences! {
             en: "line {line} holds {found} cells, but the lines before it {expected}: correct it, or cut the file there{ending}",
             ko: "{line}행의 칸은 {found}개인데 앞의 행은 {expected}개이다. 고치거나 거기서 파일을 자른다{ending}",
         },
+        DecimalCommas { line, found, expected } => {
+            en: "line {line} holds {found} cells below {expected} names: its numbers have decimal commas, and commas separate the cells; save the file with decimal points, or with semicolons between the cells",
+            ko: "{line}행의 칸은 {found}개인데 열 이름은 {expected}개이다. 소수점을 쉼표로 썼고 칸도 쉼표로 나누었다. 소수점을 점(.)으로 하거나 칸을 쌍반점(;)으로 나누어 저장한다",
+        },
         OnlyTime { column } as { column: shown(column) } => {
             en: "the file holds only the time column \"{column}\": there is nothing to read",
             ko: "파일에 시간 열 \"{column}\"뿐이라 읽을 것이 없다",
@@ -86,8 +90,12 @@ sentences! {
             ko: "\"{column}\" 열의 값이 행마다 {step}씩 커진다. 센서 값이 아니라 시각이나 행 번호로 보인다. 시간 열로 지정하거나 읽을 열의 이름을 쓴다",
         },
         DatesDisagree { given, column, first, last, samples, dates_hz } as { given, column: shown(column), first: shown(first), last: shown(last), samples, dates_hz: format!("{dates_hz:.3}") } => {
-            en: "sampling_rate is {given}, but column \"{column}\" goes from {first} to {last} in {samples} samples, which is {dates_hz} Hz: correct the rate, or cut the file where samples are missing",
-            ko: "sampling_rate는 {given}인데, \"{column}\" 열은 {first}에서 {last}까지 {samples}개 자료이므로 {dates_hz} Hz이다. 주파수를 고치거나, 자료가 빠진 곳에서 파일을 자른다",
+            en: "sampling_rate is {given}, but column \"{column}\" goes from {first} to {last} in {samples} samples, which is {dates_hz} Hz: correct the rate",
+            ko: "sampling_rate는 {given}인데, \"{column}\" 열은 {first}에서 {last}까지 {samples}개 자료이므로 {dates_hz} Hz이다. 주파수를 고친다",
+        },
+        DatesGap { column, line, before, after, step_s } as { column: shown(column), line, before: shown(before), after: shown(after), step_s: format!("{step_s:.3}") } => {
+            en: "samples are missing: column \"{column}\" goes from {before} (line {line}) to {after}, {step_s} s later. The sampling rate may be right; do not change it for this. Cut the file there, or write the times in seconds into a column \"time (s)\" (in a spreadsheet: the date less the first, times 86400): short gaps between those are filled",
+            ko: "자료가 빠져 있다. \"{column}\" 열이 {before}({line}행)에서 {step_s}초 뒤인 {after}(으)로 건너뛴다. 샘플링 주파수는 맞을 수 있으므로 이 때문에 고치지 않는다. 그 행에서 파일을 자르거나, 시각을 초로 바꾼 \"time (s)\" 열을 둔다(엑셀에서는 첫 시각을 뺀 값에 86400을 곱한다). 그러면 짧은 공백은 채운다",
         },
         TimeUnit { column } as { column: shown(column) } => {
             en: "column \"{column}\" looks like time stamps in a unit that cannot be told: end its name with the unit, (s), (ms), (us), (min) or (h), or give sampling_rate, which then tells the unit",

@@ -311,6 +311,18 @@ fn refuses_a_rate_that_dates_contradict() {
             "{said}"
         );
     }
+    // where samples are missing the rate is not to be changed, even if the first and the last date agree with another
+    let cut = |i: u32| ways[0](i + if i < 30_000 { 0 } else { 140 });
+    let lost = written(&cut, 59_860);
+    for rate_hz in [100.0, 100.0 * 59_859.0 / 59_999.0] {
+        let said = refusal_with(&lost, &at(rate_hz));
+        assert!(
+            said.starts_with("samples are missing: column \"Date/Time\" goes from ")
+                && said.contains("1.410 s later")
+                && said.contains("(line 30001)"),
+            "{said}"
+        );
+    }
     // what cannot be read confirms nothing, and a note says so
     let reading = read_csv(written(&|i| format!("tick {i}"), 200).as_bytes(), &at(200.0)).unwrap();
     assert_eq!(

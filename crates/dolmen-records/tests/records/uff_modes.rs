@@ -1,4 +1,4 @@
-// SOURCE     tests/data/records/modes_pyuff.uff, written by pyuff 2.5.8 (bench/formats/records.py): three normal modes and one complex eigenvalue.
+// SOURCE     tests/data/modes/modes_pyuff.uff, written by pyuff 2.5.8 (bench/formats/records.py): three normal modes and one complex eigenvalue.
 // GOAL       Modes of another program are read with their frequencies, damping ratios, places and shapes.
 // TOLERANCE  2e-5: the six digits of the format.
 
@@ -6,7 +6,7 @@ use dolmen_records::records::read_modes_uff;
 use std::f64::consts::TAU;
 
 fn written() -> String {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/records/modes_pyuff.uff");
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/modes/modes_pyuff.uff");
     std::fs::read_to_string(path).unwrap()
 }
 

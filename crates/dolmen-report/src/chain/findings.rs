@@ -47,7 +47,7 @@ messages! {
         },
         BucklingEnough { factor: Quantity } => {
             en: "The published P·H (buckling of a post on one spring) would be enough here: taken in every joint at once, {factor} of it suffices.",
-            ko: "발표된 좌굴 임계강성 P·H는 이 경우 충분하다. 모든 접합면에 동시에 적용하면 그 {factor}배로 족하다.",
+            ko: "발표된 좌굴 임계강성 P·H는 이 경우 충분하다. 모든 접합면에 동시에 적용하면 그 {factor}배로 충분하다.",
         },
         PassesPublished => {
             en: "Every given stiffness is above the published k_cr, and yet the chain falls.",

@@ -4,7 +4,7 @@ use super::imprint::Imprint;
 use super::words::{judgement_sign, thresholds};
 use crate::check::{doubtful, title};
 use crate::engineer::Given;
-use crate::headline::{Headline, headline, worse as worse_words};
+use crate::headline::{headline, over_the_years, worse as worse_words};
 use crate::stack;
 use dolmen::stability::Verdict;
 use dolmen_project::{Quantity, Structure};
@@ -61,24 +61,17 @@ pub(crate) fn project_name(answer: &ProjectReport, language: Language) -> &str {
 
 /// Whether something was judged: a model, or surveys over the years that leave an alarm open.
 pub(crate) fn has_headline(answer: &ProjectReport) -> bool {
-    answer.state().is_some() || judge(&answer.answers).is_alarming
+    answer.state().is_some() || judge(&answer.answers).alarming.is_any()
 }
 
 /// A project in the list: the sign of the worst colour, the words of its headline, why, and variants that are worse.
 pub(crate) fn headline_line(answer: &ProjectReport, language: Language) -> String {
     let judgement = judge(&answer.answers);
     let mut all = Vec::new();
-    all.extend(alarm(&judgement, language));
+    all.extend(over_the_years(judgement.alarming).map(|said| said.text(language)));
     all.extend(judgement.headline().map(|of| headline(of, language)));
     all.extend(worse(answer, &judgement, language));
     format!("{} {}", judgement_sign(&judgement), all.join("; "))
-}
-
-/// What the surveys over the years leave open, which no verdict on weight or shaking holds.
-fn alarm(judgement: &Judgement, language: Language) -> Option<String> {
-    judgement
-        .is_alarming
-        .then(|| Sentence::from(Headline::Alarm).text(language))
 }
 
 /// What an earthquake does to a version that is not above demand, a word each.
@@ -141,7 +134,11 @@ pub(crate) fn banner(answer: &ProjectReport, state: &State, language: Language) 
     let judgement = judge(&answer.answers);
     let judged = judgement.headline();
     let words = judged.map(|of| headline(of, language));
-    let words: Vec<String> = alarm(&judgement, language).into_iter().chain(words).collect();
+    let words: Vec<String> = over_the_years(judgement.alarming)
+        .map(|said| said.text(language))
+        .into_iter()
+        .chain(words)
+        .collect();
     let words = words.join(" · ");
     let shaken = judged.map_or_else(Vec::new, |of| shaken(of, &answer.project.structure, language));
     let stack = match &state.check {

@@ -46,7 +46,7 @@ messages! {
         },
         Unexplained { low: Quantity, high: Quantity, misfit: Quantity } => {
             en: "no factors between {low} and {high} explain the modes within their deviations (off by {misfit} of them, root mean square). Check masses, dimensions, deviations and which mode is which; or a joint lies outside that band.",
-            ko: "{low}에서 {high} 사이의 배율로는 계측 모드를 표준편차 안에서 설명할 수 없다(표준편차의 {misfit}배, 평균제곱근). 질량, 치수, 표준편차, 모드의 구분을 확인해야 하며, 이 범위를 벗어난 접합면이 있을 수 있다.",
+            ko: "{low}에서 {high} 사이의 배율로는 계측 모드를 표준편차 안에서 설명할 수 없다(표준편차의 {misfit}배, 제곱평균제곱근). 질량, 치수, 표준편차, 모드의 구분을 확인해야 하며, 이 범위를 벗어난 접합면이 있을 수 있다.",
         },
         Least { joint: Sentence, least: Quantity } => {
             en: "whatever the other joints are, {joint} has at least {least} times its stiffness of the file.",

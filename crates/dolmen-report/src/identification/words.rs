@@ -21,10 +21,10 @@ messages! {
             ko: "각 층 상부의 질량 모멘트를 층고로 나눈 값(거의 직선인 1차 모드형상)",
         },
         MassAbove => { en: "the mass above each storey", ko: "각 층 상부의 질량" },
-        Relative { misfit: Quantity } => { en: "{misfit} (root mean square)", ko: "{misfit}(평균제곱근)" },
+        Relative { misfit: Quantity } => { en: "{misfit} (root mean square)", ko: "{misfit}(제곱평균제곱근)" },
         Deviations { misfit: Quantity } => {
             en: "{misfit} standard deviations (root mean square)",
-            ko: "표준편차의 {misfit}배(평균제곱근)",
+            ko: "표준편차의 {misfit}배(제곱평균제곱근)",
         },
         OneFrequency => { en: "1 frequency gives", ko: "고유진동수 1개에서 얻는" },
         Frequencies { count: usize } => { en: "{count} frequencies give", ko: "고유진동수 {count}개에서 얻는" },

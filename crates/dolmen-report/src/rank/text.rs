@@ -6,8 +6,8 @@ use crate::document::{Block, TextStyle, document_text, heading_text};
 use dolmen_words::{Sentence, messages};
 use dolmen_work::portfolio::PortfolioAnswer;
 
-/// Lines of a brief answer that remarks take at most: below them stands the table.
-const REMARKS_MOST: usize = 9;
+/// Lines of a brief answer above which a remark waits: below them the head of the table and some rows have room.
+const REMARKS_MOST: usize = 6;
 /// Rows of the table of a brief answer.
 const ROWS_MOST: usize = 5;
 
@@ -35,12 +35,16 @@ fn brief(answer: &PortfolioAnswer, style: TextStyle) -> String {
     if !answer.left_out.is_empty() {
         brief.block(Block::Warning(remarks::left_out_head(answer)));
     }
-    let left_out = answer.left_out.iter().map(remarks::left_out_words);
-    let alone = remarks::fall_alone(answer).into_iter();
-    for remark in alone.chain(left_out).chain(remarks::apart(answer)) {
+    for remark in remarks::fall_alone(answer)
+        .into_iter()
+        .chain(remarks::apart(answer))
+    {
         brief.block_within(Block::List(vec![remark]), REMARKS_MOST);
     }
-    let places = table::table(answer, true);
-    brief.table(&places, ROWS_MOST);
+    // the first places stand whatever there is to say of those without
+    brief.table(&table::table(answer, true), ROWS_MOST);
+    for one in &answer.left_out {
+        brief.block(Block::List(vec![remarks::left_out_words(one)]));
+    }
     brief.finish()
 }

@@ -3,12 +3,22 @@
 use super::words::{Words, both, bounded, g, name, of_all, reached, state, unit_g};
 use crate::document::{Block, Cell, Column, Document, Table};
 use dolmen::assess::Reached;
-use dolmen_words::{Sentence, Unit, messages};
+use dolmen_words::{Quantity, Sentence, Unit, messages};
 use dolmen_work::study::{LevelRow, SCANS_OF_TAILS, StudyAnswer, StudyKind, input_words};
 
 messages! {
     /// Capacities.
     pub(crate) enum Capacities in "study.capacities" {
+        Milder { each: Vec<Sentence> } => {
+            en: "Damage begins earlier. Peak of the ground at which half of the scans reach it: {each}.",
+            ko: "손상은 그 전에 시작된다. 증분해석의 절반이 도달하는 최대지반가속도: {each}.",
+        },
+        HalfFrom { state: Sentence, median: Quantity } => { en: "{state} at {median} or below", ko: "{state} {median} 이하" },
+        HalfAt { state: Sentence, median: Quantity } => { en: "{state} at {median}", ko: "{state} {median}" },
+        HalfAtWithCurve { state: Sentence, median: Quantity, theta: Quantity } => {
+            en: "{state} at {median} ({theta} by the fitted curve)",
+            ko: "{state} {median}(취약도 곡선의 중앙값 {theta})",
+        },
         Stack => {
             en: "Peak acceleration of the ground at which a stone first falls.",
             ko: "부재가 처음 낙하하는 최대지반가속도.",
@@ -159,15 +169,52 @@ fn level_words(answer: &StudyAnswer, level: &LevelRow) -> Sentence {
 
 /// As [`reached`], marked where it is reached at the least peak that was tried, or below.
 fn milder_median(answer: &StudyAnswer, value_m_s2: Option<Reached>) -> Cell {
-    const ROUNDING: f64 = 1e-9;
-    let tried = answer.runs.iter().map(|run| run.peak_ground_acceleration_m_s2);
-    let least = tried.fold(f64::INFINITY, f64::min);
     match value_m_s2 {
-        Some(Reached::At(value))
-            if answer.kind != StudyKind::Building && value <= least * (1.0 + ROUNDING) =>
-        {
+        Some(Reached::At(value)) if is_least_tried(answer, value) => {
             Cell::words(bounded("≤", &g(answer, value)))
         }
         other => reached(answer, other),
     }
+}
+
+/// Whether a peak is the least that was tried, so that what is reached there may be reached below.
+fn is_least_tried(answer: &StudyAnswer, value_m_s2: f64) -> bool {
+    const ROUNDING: f64 = 1e-9;
+    let tried = answer.runs.iter().map(|run| run.peak_ground_acceleration_m_s2);
+    let least = tried.fold(f64::INFINITY, f64::min);
+    answer.kind != StudyKind::Building && value_m_s2 <= least * (1.0 + ROUNDING)
+}
+
+/// At what peaks half of the scans reach each state before the last, mildest first; `None` where none does.
+pub(super) fn milder_states(answer: &StudyAnswer) -> Option<Capacities> {
+    let levels = answer.levels();
+    let all = levels
+        .iter()
+        .find(|level| level.input.is_none() && level.text == "all")?;
+    let theta = |of: usize| {
+        let [one] = answer.fragilities() else {
+            return None;
+        };
+        let own = one.states.iter().find(|own| own.state == of)?;
+        let fit = own
+            .by_acceleration
+            .as_ref()
+            .ok()
+            .filter(|_| own.fell_alone == 0)?;
+        Some(g(answer, fit.curve.theta()))
+    };
+    let states = (0..milder(answer.kind)).filter(|of| answer.has_state(*of));
+    let each = states.filter_map(|of| {
+        let Reached::At(value) = all.quantile_m_s2(of, 0.5)? else {
+            return None;
+        };
+        let (state, median) = (state(answer, of), g(answer, value));
+        Some(match (is_least_tried(answer, value), theta(of)) {
+            (true, _) => Capacities::HalfFrom { state, median }.into(),
+            (false, Some(theta)) => Capacities::HalfAtWithCurve { state, median, theta }.into(),
+            (false, None) => Capacities::HalfAt { state, median }.into(),
+        })
+    });
+    let each: Vec<Sentence> = each.collect();
+    (!each.is_empty()).then_some(Capacities::Milder { each })
 }

@@ -9,7 +9,7 @@ use super::logs::logs;
 use super::lost::{last_apart, lost, wandering};
 use super::numbers::{HALF_95, bare_percent, hertz, name, percent, plain};
 use super::parts::parts;
-use super::tilts::{changed, leans, stands_alone, tilt, worked};
+use super::tilts::{changed, leans, reaches, stands_alone, tilt, worked};
 use super::unsearched::{is_far, unsearched};
 use crate::document::{Finding, Tone};
 use dolmen::monitoring::{ChangeForm, StructureAlarm, WatchedChange, WatchedMode, WeatherKnown, WorkEffect};
@@ -33,10 +33,15 @@ messages! {
             en: "ALARM: {frequency} left what earlier surveys predict, since {since}, confirmed on {confirmed}, and no repair or inspection followed. Look at the structure; then enter it into works of [watch].",
             ko: "경보: {frequency} 모드가 {since}부터 이전 조사의 예측을 벗어났고 {confirmed}에 확정되었으나 이후 보수나 점검이 없다. 구조물을 점검하고 [watch]의 works에 기록한다.",
         },
-        FurtherAlarms { count: usize } => {
-            en: "Further alarms without an answer: {count}.",
-            ko: "조치되지 않은 경보가 {count}건 더 있다.",
+        FurtherAlarms { count: usize, each: Vec<Sentence> } => {
+            en: "Further alarms without an answer: {count} ({each}).",
+            ko: "조치되지 않은 경보가 {count}건 더 있다({each}).",
         },
+        ConfirmedOn { frequency: Values, confirmed: String } => {
+            en: "{frequency}, confirmed on {confirmed}",
+            ko: "{frequency} 모드, {confirmed} 확정",
+        },
+        AndMore { more: usize } => { en: "and {more} more", ko: "그 밖 {more}건" },
         NoOpenAlarm { answered: usize, last: String } => {
             en: "No open alarm up to the survey of {last} (answered earlier: {answered}).",
             ko: "{last} 조사까지 조치되지 않은 경보가 없다(조치된 경보: {answered}건).",
@@ -138,6 +143,13 @@ pub(crate) fn findings(answer: &WatchAnswer) -> Vec<Finding> {
         false => (Vec::new(), alarms),
     };
     all.extend(before);
+    // a date for a limit decides more than what changed
+    let tilts = &answer.watched.tilts;
+    let tilted = tilts
+        .iter()
+        .filter_map(|trend| Some((reaches(answer, trend), tilt(answer, trend)?)));
+    let (reaching, tilted): (Vec<_>, Vec<_>) = tilted.partition(|(reaches, _)| *reaches);
+    all.extend(reaching.into_iter().map(|(_, found)| found));
     all.extend(far_ahead(answer));
     all.extend(last_survey(answer));
     all.extend(changes(answer));
@@ -146,10 +158,9 @@ pub(crate) fn findings(answer: &WatchAnswer) -> Vec<Finding> {
     all.extend(unsearched(answer));
     all.extend(weather(answer));
     all.extend(leans(answer));
-    let tilts = &answer.watched.tilts;
     all.extend(tilts.iter().flat_map(|trend| stands_alone(answer, trend)));
     all.extend(tilts.iter().flat_map(|trend| changed(answer, trend)));
-    all.extend(tilts.iter().filter_map(|trend| tilt(answer, trend)));
+    all.extend(tilted.into_iter().map(|(_, found)| found));
     all.extend(logs(answer));
     all.extend(alone(answer));
     all.extend(works(answer));
@@ -235,13 +246,14 @@ fn alarms(answer: &WatchAnswer) -> Vec<Finding> {
             false => vec![Finding::key(Tone::Unknown, Found::NoneJudged { training: 10 })],
         };
     };
-    let of_day = open
-        .iter()
-        .filter(|alarm| alarm.alarm.survey == first.alarm.survey);
+    let of_day = |day: usize| {
+        let own = open.iter().filter(move |alarm| alarm.alarm.survey == day);
+        Values(own.map(|alarm| mode_hz(answer, alarm.mode)).collect())
+    };
     let mut all = vec![Finding::key(
         Tone::Bad,
         Found::OpenAlarm {
-            frequency: Values(of_day.map(|alarm| mode_hz(answer, alarm.mode)).collect()),
+            frequency: of_day(first.alarm.survey),
             since: name(answer, first.alarm.since),
             confirmed: name(answer, first.alarm.survey),
         },
@@ -250,7 +262,15 @@ fn alarms(answer: &WatchAnswer) -> Vec<Finding> {
     let days: BTreeSet<usize> = open.iter().map(|alarm| alarm.alarm.survey).collect();
     if days.len() > 1 {
         let count = days.len() - 1;
-        all.push(Finding::key(Tone::Bad, Found::FurtherAlarms { count }));
+        let further = days.iter().filter(|day| **day != first.alarm.survey);
+        let named = further.take(TOLD_MOST).map(|day| Found::ConfirmedOn {
+            frequency: of_day(*day),
+            confirmed: name(answer, *day),
+        });
+        let mut each: Vec<Sentence> = named.map(Sentence::from).collect();
+        let more = count - each.len();
+        each.extend((more > 0).then(|| Found::AndMore { more }.into()));
+        all.push(Finding::key(Tone::Bad, Found::FurtherAlarms { count, each }));
     }
     all
 }

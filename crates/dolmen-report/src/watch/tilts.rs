@@ -246,6 +246,13 @@ pub(super) fn worked(answer: &WatchAnswer, trend: &TiltTrend) -> Vec<Finding> {
     each.collect()
 }
 
+/// Whether a year of the limit follows from the slope of a tilt.
+pub(super) fn reaches(answer: &WatchAnswer, trend: &TiltTrend) -> bool {
+    let reach = trend.slope.as_ref().and_then(|slope| slope.reach);
+    let is_ended = answer.is_replaced(&trend.series) || is_of_several(answer, trend);
+    !is_ended && reach.is_some_and(|reach| reach.years.is_some() && reach.years_earliest.is_some())
+}
+
 /// What the readings of a tilt say of its years.
 pub(super) fn tilt(answer: &WatchAnswer, trend: &TiltTrend) -> Option<Finding> {
     if let Some(said) = carried(answer, trend) {

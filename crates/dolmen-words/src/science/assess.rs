@@ -16,7 +16,7 @@ korean_of! {
         AssessError::NothingToRank { candidates, draws } => "구조물이 {candidates}개, 추출이 {draws}번인데 순위를 매기려면 구조물 1개, 추출 20번 이상이어야 한다";
         AssessError::TooFewDesigns { given, least } => "설계가 {given}개인데 점수에는 {least}개 이상이 필요하다. 더 해석한다";
         AssessError::SiteSpecific => "지반분류 S6은 부지 고유의 지반이라 기준에 계수가 없다. 부지를 조사해 그 스펙트럼을 표로 입력한다";
-        AssessError::ReturnPeriod { given } => "return_period_years가 {given}인데 기준에는 50, 100, 200, 500, 1000, 2400, 4800년이 있다. 그다음으로 긴 것을 쓴다";
+        AssessError::ReturnPeriod { given } => "return_period_years가 {given}인데 기준에는 50, 100, 200, 500, 1000, 2400, 4800년이 있다. 그다음으로 긴 것을 쓰고, 2475년이면 2400을 쓴다";
         AssessError::SpectrumTable { row } => "스펙트럼의 {row}행이 없거나 쓸 수 없다. period_s(커지는 순서)와 음이 아닌 acceleration_m_s2를 두 행 이상 준다";
         AssessError::OutsideTable { period_s, least_s, most_s } => "주기 {period} s가 표의 범위 {least_s}~{most_s} s를 벗어난다. 표를 넓힌다", period = (period_s * 1e4).round() / 1e4;
         AssessError::TableDamping { given, of_table } => "damping_ratio가 {given}인데 표는 {of_table}의 값이다. 그 감쇠비의 표를 준다";

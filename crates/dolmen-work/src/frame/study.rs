@@ -223,11 +223,12 @@ fn measured(mut run: Run, (model, tilt): (&FrameModel, f64), history: &FrameHist
     let top = model.heights_m.len() - 1;
     let peak_drift_ratio =
         most(&|storey| history.drift_peaks[storey].value_m.abs() / model.heights_m[storey]);
+    let across = (model.together * model.together - tilt * tilt).max(0.0).sqrt();
     run.measures = RunMeasures::Frame(FrameMeasures {
         peak_displacement_m: history.displacement_peaks[top].value_m.abs(),
         peak_drift_m: most(&|storey| history.drift_peaks[storey].value_m.abs()),
         peak_drift_ratio,
-        peak_lean_ratio: peak_drift_ratio + tilt.abs(),
+        peak_lean_ratio: (peak_drift_ratio + tilt.abs()).hypot(across),
         residual_displacement_m: residual(top).abs(),
         residual_drift_m: most(&|storey| (residual(storey) - below(storey)).abs()),
         slipping_share: most(&|storey| history.slipping_share(storey)),

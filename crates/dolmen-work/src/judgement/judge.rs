@@ -16,6 +16,7 @@ use crate::inventory::InventoryLine;
 use crate::lowest_of_records::lowest_of_records;
 use crate::simulation::{SimulateAnswer, Simulation};
 use crate::stack::StackSimulation;
+use crate::watched::WatchAnswer;
 use dolmen::damper::Choice;
 
 /// The judgement of one project.
@@ -25,8 +26,35 @@ pub struct Judgement {
     pub versions: Vec<VersionJudgement>,
     /// Whether every requested run is complete.
     pub is_done: bool,
-    /// Whether its surveys over the years have an open alarm, or a tilt or crack beyond its limit.
-    pub is_alarming: bool,
+    /// What its surveys over the years leave open.
+    pub alarming: Alarming,
+}
+
+/// What calls for an inspection in the surveys over the years.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Alarming {
+    /// Alarms without a later repair or inspection.
+    pub open_alarms: usize,
+    /// Whether a tilt is beyond its limit.
+    pub is_tilt_beyond: bool,
+    /// Cracks and other damage beyond their limits.
+    pub cracks_beyond: usize,
+}
+
+impl Alarming {
+    fn of(watched: &WatchAnswer) -> Self {
+        let history = InventoryLine::watched(String::new(), watched).history;
+        history.map_or_else(Alarming::default, |history| Alarming {
+            open_alarms: history.open_alarms,
+            is_tilt_beyond: history.is_tilt_beyond,
+            cracks_beyond: history.cracks_beyond,
+        })
+    }
+
+    /// Whether there is any.
+    pub fn is_any(&self) -> bool {
+        *self != Alarming::default()
+    }
 }
 
 impl Judgement {
@@ -34,7 +62,7 @@ impl Judgement {
         Judgement {
             versions: Vec::new(),
             is_done: true,
-            is_alarming: false,
+            alarming: Alarming::default(),
         }
     }
 
@@ -42,7 +70,7 @@ impl Judgement {
         let mut judgement = Judgement {
             versions: Vec::new(),
             is_done,
-            is_alarming: false,
+            alarming: Alarming::default(),
         };
         judgement.add(variant, found);
         judgement
@@ -129,7 +157,7 @@ impl Judgement {
 
     /// The worst colour of all versions, for banner, index and exit status.
     pub fn colour(&self) -> Colour {
-        let alarm = self.is_alarming.then_some(Colour::Red);
+        let alarm = self.alarming.is_any().then_some(Colour::Red);
         Colour::worst(self.versions.iter().map(VersionJudgement::colour).chain(alarm))
     }
 
@@ -198,8 +226,7 @@ pub fn judge(answers: &[Answer]) -> Judgement {
                 }
             }
             Answer::Watch(watched) => {
-                let line = InventoryLine::watched(String::new(), watched);
-                judgement.is_alarming |= line.is_alarming();
+                judgement.alarming = Alarming::of(watched);
             }
             // included above, or without a verdict on the structure
             Answer::Check(_)
@@ -249,7 +276,7 @@ pub fn judge_check(checked: &CheckAnswer) -> Judgement {
     Judgement {
         versions: of_check(checked, &[]),
         is_done: true,
-        is_alarming: false,
+        alarming: Alarming::default(),
     }
 }
 
@@ -343,7 +370,7 @@ mod tests {
             let judgement = Judgement {
                 versions: vec![version(None, weight, word)],
                 is_done: true,
-                is_alarming: false,
+                alarming: Alarming::default(),
             };
             let headline = judgement.headline().map(|of| of.words(Language::English));
             assert_eq!(headline.unwrap_or_default().join("; "), words);
@@ -360,7 +387,7 @@ mod tests {
         let judgement = Judgement {
             versions: vec![stable(None), stable(Some("wedged")), falls],
             is_done: true,
-            is_alarming: false,
+            alarming: Alarming::default(),
         };
         let worse: Vec<_> = judgement.worse().map(|of| of.variant.clone()).collect();
         assert_eq!(worse, [Some("loose".to_owned())]);
@@ -379,7 +406,7 @@ mod tests {
                 of(Some("thick"), Weight::Stable, Earthquake::Near),
             ],
             is_done: true,
-            is_alarming: false,
+            alarming: Alarming::default(),
         };
         let worse: Vec<_> = judgement.worse().map(|of| of.variant.clone()).collect();
         assert_eq!(worse, [Some("thin".to_owned())]);
@@ -391,14 +418,14 @@ mod tests {
             let judgement = Judgement {
                 versions: vec![version(None, Weight::Stable, word)],
                 is_done: false,
-                is_alarming: false,
+                alarming: Alarming::default(),
             };
             assert_eq!(judgement.exit_status(Verb::Simulate), exit);
         }
         let nothing = Judgement {
             versions: Vec::new(),
             is_done: true,
-            is_alarming: false,
+            alarming: Alarming::default(),
         };
         assert_eq!(
             (nothing.colour(), nothing.exit_status(Verb::Check)),

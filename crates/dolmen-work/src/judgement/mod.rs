@@ -19,7 +19,7 @@ pub use evidence::{
     measured_frequencies,
 };
 pub use exit::{Verb, exit_status, first_status};
-pub use judge::{Judgement, judge, judge_check, judge_run, judge_simulation, judge_stack_run};
+pub use judge::{Alarming, Judgement, judge, judge_check, judge_run, judge_simulation, judge_stack_run};
 pub(crate) use runs::is_worse_stack_run;
 pub(crate) use tilt_limit::is_tilt_beyond;
 pub use tilt_limit::{TiltAgainstLimit, last_tilt, tilt_against_limit, tilt_beyond_limit};

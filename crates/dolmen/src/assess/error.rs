@@ -99,7 +99,7 @@ pub enum AssessError {
     SiteSpecific,
     /// A return period that the code does not have.
     #[error(
-        "return_period_years is {given}, but the code has 50, 100, 200, 500, 1000, 2400 and 4800: take the next longer"
+        "return_period_years is {given}, but the code has 50, 100, 200, 500, 1000, 2400 and 4800: take the next longer, for 2475 years 2400"
     )]
     ReturnPeriod {
         /// The period given, years.

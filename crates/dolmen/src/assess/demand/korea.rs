@@ -471,7 +471,7 @@ mod tests {
             .to_string();
         assert_eq!(
             years,
-            "return_period_years is 475, but the code has 50, 100, 200, 500, 1000, 2400 and 4800: take the next longer"
+            "return_period_years is 475, but the code has 50, 100, 200, 500, 1000, 2400 and 4800: take the next longer, for 2475 years 2400"
         );
     }
 }
