@@ -325,26 +325,10 @@ fn wrench_of_points<const BOND: bool, const HELD: bool>(
     h: f64,
 ) -> Wrench {
     let all = f64x4::splat;
-    let (ax, ay, az) = (
-        all(motion.along_x.x),
-        all(motion.along_x.y),
-        all(motion.along_x.z),
-    );
-    let (bx, by, bz) = (
-        all(motion.along_y.x),
-        all(motion.along_y.y),
-        all(motion.along_y.z),
-    );
-    let (cx, cy, cz) = (all(motion.shift.x), all(motion.shift.y), all(motion.shift.z));
-    let (wx, wy, wz) = (
-        all(twist.velocity.x),
-        all(twist.velocity.y),
-        all(twist.velocity.z),
-    );
-    let (ox, oy, oz) = (all(twist.spin.x), all(twist.spin.y), all(twist.spin.z));
-    let (kn, cn) = (all(law.normal_stiffness), all(law.normal_damping));
-    let (ks, cs) = (all(law.shear_stiffness), all(law.shear_damping));
-    let (zero, one, tiny, half_step) = (f64x4::ZERO, f64x4::ONE, all(TINY), all(0.5 * h));
+    let [[ax, ay, az], [bx, by, bz], [cx, cy, cz]] =
+        [motion.along_x, motion.along_y, motion.shift].map(in_all_lanes);
+    let [[wx, wy, wz], [ox, oy, oz]] = [twist.velocity, twist.spin].map(in_all_lanes);
+    let half_step = all(0.5 * h);
     let mut sums = [f64x4::ZERO; 7];
     for group in points {
         let (sx, sy, area) = (f64x4::new(group.x), f64x4::new(group.y), f64x4::new(group.area));
@@ -353,83 +337,22 @@ fn wrench_of_points<const BOND: bool, const HELD: bool>(
         let z = az * sx + bz * sy + cz;
         let closing = -(wz + (ox * y - oy * x));
         let depth = if HELD { -(z + f64x4::new(group.held)) } else { -z };
-        let half = closing.abs() * half_step;
-        let deepest = depth + half;
-        let mut touches = deepest.simd_gt(zero);
-        if !BOND && !touches.any() {
+        let Some(pressed) = press::<BOND>(law, group, depth, closing, half_step) else {
             (group.anchor_x, group.anchor_y) = (x.to_array(), y.to_array()); // all open
             group.friction = [law.friction_static; LANES];
             continue;
-        }
-        let whole = depth.simd_ge(half);
-        let (mut mean, mut part) = (whole & depth, whole & one);
-        let meets = touches & !whole;
-        if meets.any() {
-            let (into, way) = (deepest.fast_max(zero), half + half + tiny);
-            let inside = into / way;
-            mean = meets.select(all(0.5) * into * inside, mean);
-            part = meets.select(inside, part);
-        }
-        let bond = f64x4::new(group.bond);
-        let mut holds = zero;
+        };
+        let normal = pressed.normal;
+        let across = [wx + (oy * z - oz * y), wy + (oz * x - ox * z)];
+        let rubbed = rub::<BOND>(law, group, &pressed, [x, y], across);
+        let [tx, ty] = rubbed.force;
         if BOND {
-            let bonded = bond.simd_gt(zero);
-            mean = bonded.select(depth, mean);
-            part = bonded.select(one, part);
-            touches |= bonded;
-            holds = bonded & (kn * depth).simd_ge(all(-law.tension));
-        }
-        let spring = kn * mean;
-        let pressed = spring + part * cn * closing;
-        let mut pressure = pressed.fast_max(zero);
-        if BOND {
-            let lost = bond.simd_gt(zero) & !holds;
-            pressure = holds.select(pressed.fast_max(all(-law.tension)), pressure);
-            pressure = lost.select(zero, pressure);
-        }
-        let normal = area * pressure;
-
-        let vx = wx + (oy * z - oz * y);
-        let vy = wy + (oz * x - ox * z);
-        let (before_x, before_y) = (f64x4::new(group.anchor_x), f64x4::new(group.anchor_y));
-        let stiff = touches & (area * ks);
-        let (ex, ey) = (stiff * (x - before_x), stiff * (y - before_y));
-        let mut limit = f64x4::new(group.friction) * normal.fast_max(zero);
-        if BOND {
-            limit += holds & (area * all(law.cohesion));
-        }
-        let square = limit * limit;
-        let size = ex * ex + ey * ey;
-        let slips = size.simd_gt(square);
-        let (mut fx, mut fy) = (ex, ey);
-        if slips.any() {
-            let keep = slips.select(limit / size.sqrt(), one);
-            (fx, fy) = (ex * keep, ey * keep);
-        }
-        let give = f64x4::new(group.give);
-        let moves = slips | !touches;
-        let anchor_x = moves.select(x - fx * give, before_x);
-        let anchor_y = moves.select(y - fy * give, before_y);
-        // the work of the force that is left: what the step overshot beyond it never acts on the stones
-        let rubbed = fx * (anchor_x - before_x) + fy * (anchor_y - before_y);
-        let drag = touches & (area * cs);
-        let (mut tx, mut ty) = (fx + drag * vx, fy + drag * vy);
-        let size = tx * tx + ty * ty;
-        let over = size.simd_gt(square);
-        if over.any() {
-            let keep = over.select(limit / size.sqrt(), one);
-            (tx, ty) = (tx * keep, ty * keep);
-        }
-
-        (group.anchor_x, group.anchor_y) = (anchor_x.to_array(), anchor_y.to_array());
-        group.friction = slips
-            .select(all(law.friction_kinetic), all(law.friction_static))
-            .to_array();
-        if BOND {
-            let stays = holds & !slips;
-            let broken = bond.simd_gt(zero) & !stays;
-            group.bond = (stays & one).to_array();
-            sums[6] += broken & z.simd_gt(zero) & (all(0.5) * area * kn * z * z);
+            let bonded = f64x4::new(group.bond).simd_gt(f64x4::ZERO);
+            let stays = pressed.holds & !rubbed.slips;
+            let broken = bonded & !stays;
+            group.bond = (stays & f64x4::ONE).to_array();
+            let kn = all(law.normal_stiffness);
+            sums[6] += broken & z.simd_gt(f64x4::ZERO) & (all(0.5) * area * kn * z * z);
         }
         sums[0] -= tx;
         sums[1] -= ty;
@@ -437,7 +360,7 @@ fn wrench_of_points<const BOND: bool, const HELD: bool>(
         sums[3] += y * normal + z * ty;
         sums[4] -= z * tx + x * normal;
         sums[5] += y * tx - x * ty;
-        sums[6] += rubbed;
+        sums[6] += rubbed.work;
     }
     // always in this order: the same bits on every machine
     let [fx, fy, fz, mx, my, mz, rubbed] = sums.map(|lanes| {
@@ -448,5 +371,132 @@ fn wrench_of_points<const BOND: bool, const HELD: bool>(
         force: DVec3::new(fx, fy, fz),
         torque: DVec3::new(mx, my, mz),
         friction_loss: rubbed,
+    }
+}
+
+/// A vector in all lanes.
+#[inline(always)]
+fn in_all_lanes(vector: DVec3) -> [f64x4; 3] {
+    vector.to_array().map(f64x4::splat)
+}
+
+/// Contact of four points across the plane; masks have all bits of a lane set.
+struct Pressed {
+    /// Mask: the point touches in some part of the step, or is bonded.
+    touches: f64x4,
+    /// Mask: its bond holds this pressure.
+    holds: f64x4,
+    /// Normal force, N.
+    normal: f64x4,
+}
+
+/// Normal forces; `None` where all four points are open, without bond.
+#[inline(always)]
+fn press<const BOND: bool>(
+    law: &Law,
+    group: &Points,
+    depth: f64x4,
+    closing: f64x4,
+    half_step: f64x4,
+) -> Option<Pressed> {
+    let all = f64x4::splat;
+    let (zero, one, tiny) = (f64x4::ZERO, f64x4::ONE, all(TINY));
+    let (kn, cn) = (all(law.normal_stiffness), all(law.normal_damping));
+    let half = closing.abs() * half_step;
+    let deepest = depth + half;
+    let mut touches = deepest.simd_gt(zero);
+    if !BOND && !touches.any() {
+        return None;
+    }
+    let whole = depth.simd_ge(half);
+    let (mut mean, mut part) = (whole & depth, whole & one);
+    let meets = touches & !whole;
+    if meets.any() {
+        let (into, way) = (deepest.fast_max(zero), half + half + tiny);
+        let inside = into / way;
+        mean = meets.select(all(0.5) * into * inside, mean);
+        part = meets.select(inside, part);
+    }
+    let bonded = f64x4::new(group.bond).simd_gt(zero);
+    let mut holds = zero;
+    if BOND {
+        mean = bonded.select(depth, mean);
+        part = bonded.select(one, part);
+        touches |= bonded;
+        holds = bonded & (kn * depth).simd_ge(all(-law.tension));
+    }
+    let pressed = kn * mean + part * cn * closing;
+    let mut pressure = pressed.fast_max(zero);
+    if BOND {
+        let lost = bonded & !holds;
+        pressure = holds.select(pressed.fast_max(all(-law.tension)), pressure);
+        pressure = lost.select(zero, pressure);
+    }
+    Some(Pressed {
+        touches,
+        holds,
+        normal: f64x4::new(group.area) * pressure,
+    })
+}
+
+/// Friction of four points in the plane.
+struct Rubbed {
+    /// Force of shear spring and dashpot, N.
+    force: [f64x4; 2],
+    /// Mask: the spring was cut to the disc.
+    slips: f64x4,
+    /// Work of friction, J.
+    work: f64x4,
+}
+
+/// Shear forces of four points at a place that moves at a velocity in the plane; moves their anchors and sets their friction.
+#[inline(always)]
+fn rub<const BOND: bool>(
+    law: &Law,
+    group: &mut Points,
+    pressed: &Pressed,
+    [x, y]: [f64x4; 2],
+    [vx, vy]: [f64x4; 2],
+) -> Rubbed {
+    let all = f64x4::splat;
+    let (zero, one, area) = (f64x4::ZERO, f64x4::ONE, f64x4::new(group.area));
+    let touches = pressed.touches;
+    let (before_x, before_y) = (f64x4::new(group.anchor_x), f64x4::new(group.anchor_y));
+    let stiff = touches & (area * all(law.shear_stiffness));
+    let (ex, ey) = (stiff * (x - before_x), stiff * (y - before_y));
+    let mut limit = f64x4::new(group.friction) * pressed.normal.fast_max(zero);
+    if BOND {
+        limit += pressed.holds & (area * all(law.cohesion));
+    }
+    let square = limit * limit;
+    let size = ex * ex + ey * ey;
+    let slips = size.simd_gt(square);
+    let (mut fx, mut fy) = (ex, ey);
+    if slips.any() {
+        let keep = slips.select(limit / size.sqrt(), one);
+        (fx, fy) = (ex * keep, ey * keep);
+    }
+    let give = f64x4::new(group.give);
+    let moves = slips | !touches;
+    let anchor_x = moves.select(x - fx * give, before_x);
+    let anchor_y = moves.select(y - fy * give, before_y);
+    // the work of the force that is left: what the step overshot beyond it never acts on the stones
+    let work = fx * (anchor_x - before_x) + fy * (anchor_y - before_y);
+    let drag = touches & (area * all(law.shear_damping));
+    let (mut tx, mut ty) = (fx + drag * vx, fy + drag * vy);
+    let size = tx * tx + ty * ty;
+    let over = size.simd_gt(square);
+    if over.any() {
+        let keep = over.select(limit / size.sqrt(), one);
+        (tx, ty) = (tx * keep, ty * keep);
+    }
+    (group.anchor_x, group.anchor_y) = (anchor_x.to_array(), anchor_y.to_array());
+    group.friction = slips
+        .select(all(law.friction_kinetic), all(law.friction_static))
+        .to_array();
+    Rubbed {
+        force: [tx, ty],
+        slips,
+        work,
     }
 }

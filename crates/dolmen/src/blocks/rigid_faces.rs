@@ -100,6 +100,51 @@ pub(super) fn add_wrench(sum: &mut ForceTorque, x: f64, y: f64, p: &[f64; 3]) {
     sum[5] += x * p[1] - y * p[0];
 }
 
+/// A point that slips.
+struct SlipState {
+    /// Unit vector of its friction.
+    along: [f64; 2],
+    /// Stiffness left across it.
+    part: f64,
+    /// Growth of the friction with the pressure, 0 where nothing presses.
+    friction: f64,
+}
+
+/// Adds a point that presses at x, y to the derivative of its face's impulses; `r` holds its stiffness along the normal and across it. Rows and
+/// columns above the diagonal alone, but for what friction makes unsymmetric: rows 0, 1 and 5 of columns 2 to 4.
+#[inline(always)]
+fn add_stiffness(k: &mut Stiffness, [x, y]: [f64; 2], [r, r_t]: [f64; 2], slipping: Option<SlipState>) {
+    let (a, b, c) = match &slipping {
+        Some(SlipState { along, part, .. }) => (
+            part * (1.0 - along[0] * along[0]),
+            -part * along[0] * along[1],
+            part * (1.0 - along[1] * along[1]),
+        ),
+        None => (r_t, 0.0, r_t),
+    };
+    k[0][0] += a;
+    k[0][1] += b;
+    k[1][1] += c;
+    k[0][5] += b * x - a * y;
+    k[1][5] += c * x - b * y;
+    k[5][5] += a * y * y - 2.0 * b * x * y + c * x * x;
+    k[2][2] += r;
+    k[2][3] += r * y;
+    k[2][4] -= r * x;
+    k[3][3] += r * y * y;
+    k[3][4] -= r * x * y;
+    k[4][4] += r * x * x;
+    if let Some(SlipState { along, friction, .. }) = slipping {
+        let (ex, ey) = (r * friction * along[0], r * friction * along[1]);
+        let turn = x * ey - y * ex;
+        for (row, e) in [(0, ex), (1, ey), (5, turn)] {
+            k[row][2] += e;
+            k[row][3] += e * y;
+            k[row][4] -= e * x;
+        }
+    }
+}
+
 impl Face {
     /// A patch where its bodies now are (`motion`), and where they would be at the end of a step of `h` s if they moved on as
     /// they did (`ahead`). `push_out_s` is the time in which what penetrates is pushed out.
@@ -284,38 +329,12 @@ impl Face {
             if !wanted {
                 continue;
             }
-            let (a, b, c) = match slips {
-                true => {
-                    let part = r_t * radius / size;
-                    (
-                        part * (1.0 - along[0] * along[0]),
-                        -part * along[0] * along[1],
-                        part * (1.0 - along[1] * along[1]),
-                    )
-                }
-                false => (r_t, 0.0, r_t),
-            };
-            k[0][0] += a;
-            k[0][1] += b;
-            k[1][1] += c;
-            k[0][5] += b * x - a * y;
-            k[1][5] += c * x - b * y;
-            k[5][5] += a * y * y - 2.0 * b * x * y + c * x * x;
-            k[2][2] += r;
-            k[2][3] += r * y;
-            k[2][4] -= r * x;
-            k[3][3] += r * y * y;
-            k[3][4] -= r * x * y;
-            k[4][4] += r * x * x;
-            if slips && normal > 0.0 {
-                let (ex, ey) = (r * point.friction * along[0], r * point.friction * along[1]);
-                let turn = x * ey - y * ex;
-                for (row, e) in [(0, ex), (1, ey), (5, turn)] {
-                    k[row][2] += e;
-                    k[row][3] += e * y;
-                    k[row][4] -= e * x;
-                }
-            }
+            let slipping = slips.then_some(SlipState {
+                along,
+                part: r_t * radius / size,
+                friction: if normal > 0.0 { point.friction } else { 0.0 },
+            });
+            add_stiffness(&mut k, [x, y], [r, r_t], slipping);
         }
         if let Some(stiffness) = stiffness {
             k[1][0] = k[0][1];

@@ -352,24 +352,7 @@ impl Plan {
             false => [RANGE[0] * lowest, RANGE[1] * highest],
         };
         let points = self.problem.points.len();
-        let mut trials: Vec<Vec<PlacedDamper>> = vec![Vec::new()];
-        for damper in expected {
-            // the damper may be far out of tune, and may be tuned to any of these frequencies
-            for &frequency_hz in &excited {
-                trials.push(vec![PlacedDamper {
-                    frequency_hz,
-                    ..*damper
-                }]);
-            }
-            trials.push(vec![*damper]);
-            for factor in [0.8, 1.0, 1.2] {
-                trials.push(vec![PlacedDamper {
-                    damping_ratio: options.damping_least,
-                    frequency_hz: factor * damper.frequency_hz,
-                    ..*damper
-                }]);
-            }
-        }
+        let trials = trial_dampers(expected, &excited, options.damping_least);
         let mut breaks = vec![0.0];
         let given = expected.iter().map(|damper| damper.frequency_hz);
         let highest_hz = given.chain(excited).fold(0.0, f64::max);
@@ -433,6 +416,33 @@ impl Plan {
         self.nodes = chosen;
         Ok(())
     }
+}
+
+/// Dampers at which the integrands are resolved: none, each alone tuned to every frequency of the building, and each as expected and near it.
+fn trial_dampers(
+    expected: &[PlacedDamper],
+    excited_hz: &[f64],
+    damping_least: f64,
+) -> Vec<Vec<PlacedDamper>> {
+    let mut trials: Vec<Vec<PlacedDamper>> = vec![Vec::new()];
+    for damper in expected {
+        // the damper may be far out of tune, and may be tuned to any of these frequencies
+        for &frequency_hz in excited_hz {
+            trials.push(vec![PlacedDamper {
+                frequency_hz,
+                ..*damper
+            }]);
+        }
+        trials.push(vec![*damper]);
+        for factor in [0.8, 1.0, 1.2] {
+            trials.push(vec![PlacedDamper {
+                damping_ratio: damping_least,
+                frequency_hz: factor * damper.frequency_hz,
+                ..*damper
+            }]);
+        }
+    }
+    trials
 }
 
 /// The integral does not resolve the peak of a mode with less than this fraction of the tolerance in every variance. Our choice.

@@ -185,87 +185,21 @@ impl<'a> ChainSeries<'a> {
         }
         let mut ground: Series = [0.0; DEGREE + 1];
         let ground_terms = load.series(at_s, h, &mut ground);
-        for i in 0..n {
-            let (theta, omega) = (state.theta[i], state.omega[i] * h);
-            let (s, c) = if large { theta.sin_cos() } else { (theta, 1.0) };
-            (self.theta[i][0], self.theta[i][1]) = (theta, omega);
-            (self.sin[i][0], self.sin[i][1]) = (s, c * omega);
-            (self.cos[i][0], self.cos[i][1]) = (c, if large { -s * omega } else { 0.0 });
-        }
-        for i in 0..n {
-            for j in 0..=i {
-                self.turned[i * n + j] = self.mass[(i, j)]
-                    * if large {
-                        (state.theta[i] - state.theta[j]).cos()
-                    } else {
-                        1.0
-                    };
-            }
-        }
-        self.factor.clear();
-        self.factor.resize(groups * groups, 0.0);
-        for i in 0..n {
-            for j in 0..=i {
-                if let (Some(upper), Some(lower)) = (self.group[i], self.group[j]) {
-                    // for two links of one group both M_ij and M_ji count
-                    let times = if upper == lower && i != j { 2.0 } else { 1.0 };
-                    self.factor[upper * groups + lower] += times * self.turned[i * n + j];
-                }
-            }
-        }
-        factorize(&mut self.factor, groups);
+        self.begin(state, h);
+        self.factorize_mass(&state.theta, groups);
         for k in 0..=DEGREE - 2 {
             let twice = ((k + 1) * (k + 2)) as f64;
-            for j in 0..n {
-                // all of s and c of power k + 2 except the contribution of θ of that power
-                let (mut s, mut c) = (0.0, 0.0);
-                if large {
-                    for m in 1..=k + 1 {
-                        let rate = m as f64 * self.theta[j][m];
-                        s += rate * self.cos[j][k + 2 - m];
-                        c -= rate * self.sin[j][k + 2 - m];
-                    }
+            if large {
+                self.known_rotations(k + 2);
+            } else {
+                for (sin, cos) in self.sin.iter_mut().zip(&mut self.cos) {
+                    (sin[k + 2], cos[k + 2]) = (0.0, 0.0);
                 }
-                self.sin[j][k + 2] = s / (k + 2) as f64;
-                self.cos[j][k + 2] = c / (k + 2) as f64;
             }
             self.push(&state.props, k);
-            for i in 0..n {
-                self.ground_cos[i][k] = (0..=k.min(ground_terms.saturating_sub(1)))
-                    .map(|m| ground[m] * self.cos[i][k - m])
-                    .sum();
-                self.right[i] =
-                    h * h * (self.gravity[i] * self.sin[i][k] - self.gamma[i] * self.ground_cos[i][k]);
-                let (mut p, mut r) = (0.0, 0.0);
-                for j in (0..n).filter(|&j| j != i) {
-                    p += self.mass[(i, j)] * self.sin[j][k + 2];
-                    r += self.mass[(i, j)] * self.cos[j][k + 2];
-                }
-                let mut known = twice * (self.cos[i][0] * p - self.sin[i][0] * r);
-                for m in 1..=k {
-                    known += self.cos[i][m] * self.p[i][k - m] - self.sin[i][m] * self.r[i][k - m];
-                }
-                self.right[i] -= known + h * h * self.pushed_moment(i, k, |c| c);
-            }
-            for i in 0..n {
-                let (joint, below) = (self.model.joints[i], i.checked_sub(1));
-                let across = |m: usize| self.theta[i][m] - self.below(i, m);
-                let spring = match state.joints[i] {
-                    JointState::Closed => joint.stiffness_n_m_rad * across(k),
-                    JointState::Open(sign) if k == 0 => sign * self.model.moment_most_n_m[i],
-                    JointState::Open(_) => 0.0,
-                };
-                let friction = match (state.sliders[i], joint.friction.moments_n_m()) {
-                    (Slider::Slipping(sign), Some([_, kinetic])) if k == 0 => sign * kinetic,
-                    _ => 0.0,
-                };
-                let moment = h * h * (spring + friction)
-                    + h * joint.damping_n_m_s_rad * (k + 1) as f64 * across(k + 1);
-                self.right[i] -= moment;
-                if let Some(b) = below {
-                    self.right[b] += moment;
-                }
-            }
+            let known_ground = &ground[..ground_terms];
+            self.gravity_and_inertia(known_ground, k, h);
+            self.joint_moments(state, k, h);
             self.sum.clear();
             self.sum.resize(groups, 0.0);
             for i in 0..n {
@@ -286,11 +220,7 @@ impl<'a> ChainSeries<'a> {
                 }
             }
             for i in 0..n {
-                let (mut p, mut r) = (0.0, 0.0);
-                for j in (0..n).filter(|&j| j != i) {
-                    p += self.mass[(i, j)] * self.sin[j][k + 2];
-                    r += self.mass[(i, j)] * self.cos[j][k + 2];
-                }
+                let (p, r) = self.coupled(i, k + 2);
                 (self.p[i][k], self.r[i][k]) = (twice * p, twice * r);
             }
         }
@@ -306,6 +236,103 @@ impl<'a> ChainSeries<'a> {
         }
         for k in DEGREE - 1..=DEGREE {
             self.push(&state.props, k);
+        }
+    }
+
+    /// Coefficients 0 and 1 of θ, sin θ and cos θ.
+    fn begin(&mut self, state: &ChainState, h: f64) {
+        let large = self.model.rotations == ChainRotations::Large;
+        for i in 0..state.theta.len() {
+            let (theta, omega) = (state.theta[i], state.omega[i] * h);
+            let (s, c) = if large { theta.sin_cos() } else { (theta, 1.0) };
+            (self.theta[i][0], self.theta[i][1]) = (theta, omega);
+            (self.sin[i][0], self.sin[i][1]) = (s, c * omega);
+            (self.cos[i][0], self.cos[i][1]) = (c, if large { -s * omega } else { 0.0 });
+        }
+    }
+
+    /// Factor of the mass matrix at these rotations; links that stick together are one group.
+    fn factorize_mass(&mut self, theta: &[f64], groups: usize) {
+        let n = theta.len();
+        let large = self.model.rotations == ChainRotations::Large;
+        self.factor.clear();
+        self.factor.resize(groups * groups, 0.0);
+        for i in 0..n {
+            for j in 0..=i {
+                let turned = if large { (theta[i] - theta[j]).cos() } else { 1.0 };
+                let mass = self.mass[(i, j)] * turned;
+                self.turned[i * n + j] = mass;
+                if let (Some(upper), Some(lower)) = (self.group[i], self.group[j]) {
+                    // for two links of one group both M_ij and M_ji count
+                    let times = if upper == lower && i != j { 2.0 } else { 1.0 };
+                    self.factor[upper * groups + lower] += times * mass;
+                }
+            }
+        }
+        factorize(&mut self.factor, groups);
+    }
+
+    /// Coefficient `power` of sin θ and cos θ, without what θ of that power adds.
+    fn known_rotations(&mut self, power: usize) {
+        for ((sin, cos), theta) in self.sin.iter_mut().zip(&mut self.cos).zip(&self.theta) {
+            let (mut s, mut c) = (0.0, 0.0);
+            for m in 1..power {
+                let rate = m as f64 * theta[m];
+                s += rate * cos[power - m];
+                c -= rate * sin[power - m];
+            }
+            sin[power] = s / power as f64;
+            cos[power] = c / power as f64;
+        }
+    }
+
+    /// Σ M_ij s_j and Σ M_ij c_j over the other links, s and c of this power.
+    fn coupled(&self, i: usize, power: usize) -> (f64, f64) {
+        let (mut p, mut r) = (0.0, 0.0);
+        for j in (0..self.theta.len()).filter(|&j| j != i) {
+            p += self.mass[(i, j)] * self.sin[j][power];
+            r += self.mass[(i, j)] * self.cos[j][power];
+        }
+        (p, r)
+    }
+
+    /// Begins the right side of power k: gravity, ground and side supports, less the inertia known from lower powers.
+    fn gravity_and_inertia(&mut self, ground: &[f64], k: usize, h: f64) {
+        let twice = ((k + 1) * (k + 2)) as f64;
+        for i in 0..self.theta.len() {
+            let terms = ground.iter().take(k + 1).enumerate();
+            self.ground_cos[i][k] = terms.map(|(m, ground)| ground * self.cos[i][k - m]).sum();
+            self.right[i] =
+                h * h * (self.gravity[i] * self.sin[i][k] - self.gamma[i] * self.ground_cos[i][k]);
+            let (p, r) = self.coupled(i, k + 2);
+            let mut known = twice * (self.cos[i][0] * p - self.sin[i][0] * r);
+            for m in 1..=k {
+                known += self.cos[i][m] * self.p[i][k - m] - self.sin[i][m] * self.r[i][k - m];
+            }
+            self.right[i] -= known + h * h * self.pushed_moment(i, k, |c| c);
+        }
+    }
+
+    /// Adds the moments of springs, friction and dashpots in the joints to the right side of power k.
+    fn joint_moments(&mut self, state: &ChainState, k: usize, h: f64) {
+        for i in 0..self.theta.len() {
+            let (joint, below) = (self.model.joints[i], i.checked_sub(1));
+            let across = |m: usize| self.theta[i][m] - self.below(i, m);
+            let spring = match state.joints[i] {
+                JointState::Closed => joint.stiffness_n_m_rad * across(k),
+                JointState::Open(sign) if k == 0 => sign * self.model.moment_most_n_m[i],
+                JointState::Open(_) => 0.0,
+            };
+            let friction = match (state.sliders[i], joint.friction.moments_n_m()) {
+                (Slider::Slipping(sign), Some([_, kinetic])) if k == 0 => sign * kinetic,
+                _ => 0.0,
+            };
+            let moment =
+                h * h * (spring + friction) + h * joint.damping_n_m_s_rad * (k + 1) as f64 * across(k + 1);
+            self.right[i] -= moment;
+            if let Some(b) = below {
+                self.right[b] += moment;
+            }
         }
     }
 

@@ -101,15 +101,7 @@ pub(super) fn choose(
     notes: &mut Vec<Note>,
 ) -> Result<Settings, ModalError> {
     let (l, rate_hz) = (record.channels().len(), record.sampling_rate_hz());
-    let peak = |mode: Option<&Mode>, asked: Option<f64>| {
-        asked.or(mode.map(|m| m.frequency_hz)).ok_or(ModalError::NoPeak {
-            prominence_db: options.fdd.prominence_db,
-            low_hz: options.frequency_low_hz.unwrap_or(0.0),
-            high_hz: options.frequency_high_hz.unwrap_or(0.5 * rate_hz),
-        })
-    };
-    let lowest_hz = peak(peaks.modes.first(), options.frequency_low_hz.filter(|f| *f > 0.0))?;
-    let highest_hz = peak(peaks.modes.last(), options.frequency_high_hz)?;
+    let [lowest_hz, highest_hz] = peak_range_hz(options, peaks, rate_hz)?;
     let range_above = match options.method {
         Method::Plscf => RANGE_ABOVE_PEAK_BY_LINES,
         _ => RANGE_ABOVE_PEAK,
@@ -132,17 +124,15 @@ pub(super) fn choose(
     };
     let wished =
         ((0.5 * periods * sampling_rate_hz / lowest_hz).ceil() as usize).max(sought.div_ceil(references) + 1);
-    let block_rows = options.block_rows.unwrap_or_else(|| {
-        let most = match options.method {
-            Method::Plscf => usize::MAX,
-            _ => (HANKEL_ROWS_MOST / l).max(block_rows_least),
-        };
-        let taken = wished.min(most);
-        if taken < wished {
-            notes.push(Note::BlockRowsBounded { wished, taken });
-        }
-        taken
-    });
+    let most = match options.method {
+        Method::Plscf => usize::MAX,
+        _ => (HANKEL_ROWS_MOST / l).max(block_rows_least),
+    };
+    let taken = wished.min(most);
+    if options.block_rows.is_none() && taken < wished {
+        notes.push(Note::BlockRowsBounded { wished, taken });
+    }
+    let block_rows = options.block_rows.unwrap_or(taken);
     if block_rows < block_rows_least {
         return Err(ModalError::BlockRows {
             given: block_rows,
@@ -166,36 +156,16 @@ pub(super) fn choose(
     if time_blocks < options.time_blocks {
         notes.push(Note::FewBlocks { time_blocks });
     }
-    let orders_least = 2 * options.clustering.orders_least;
-    if let Some(given) = options.order_most
-        && options.method != Method::Plscf
-        && given < orders_least
-    {
-        return refused(
-            "order_most",
-            given as f64,
-            "8 or more: a mode must come back at four orders, 2, 4, 6 and 8",
-        );
-    }
-    let order_most = options.order_most.unwrap_or(match options.method {
-        Method::Plscf => {
-            let reached = (PERIODS_IN_DEGREES * sampling_rate_hz / lowest_hz).ceil() as usize;
-            let held = (ORDER_BY_DEGREES / references).min(block_rows / 2);
-            references
-                * reached
-                    .min(held)
-                    .max(sought.div_ceil(references))
-                    .max(DEGREES_LEAST)
-        }
-        _ => sought.min((l * (block_rows.max(2) - 1)).min(references * block_rows) / 2 * 2),
-    });
-    if let Some(given) = options.modes_wanted.filter(|wanted| 2 * wanted > order_most) {
-        return Err(ModalError::ModesWanted {
-            given,
-            order_most,
-            most: order_most / 2,
-        });
-    }
+    let order_most = order_most(
+        options,
+        OrderBounds {
+            sought,
+            references,
+            block_rows,
+            rows: l * (block_rows.max(2) - 1),
+            degrees: (PERIODS_IN_DEGREES * sampling_rate_hz / lowest_hz).ceil() as usize,
+        },
+    )?;
     let clean_hz = if decimation > 1 {
         0.5 * CLEAN_SHARE * sampling_rate_hz
     } else {
@@ -222,6 +192,72 @@ pub(super) fn choose(
             options.frequency_high_hz.unwrap_or(f64::INFINITY).min(clean_hz),
         ],
     })
+}
+
+/// The lowest and the highest frequency that is asked for, or has a peak, Hz.
+fn peak_range_hz(options: &Identify, peaks: &Modes, rate_hz: f64) -> Result<[f64; 2], ModalError> {
+    let peak = |mode: Option<&Mode>, asked: Option<f64>| {
+        asked.or(mode.map(|m| m.frequency_hz)).ok_or(ModalError::NoPeak {
+            prominence_db: options.fdd.prominence_db,
+            low_hz: options.frequency_low_hz.unwrap_or(0.0),
+            high_hz: options.frequency_high_hz.unwrap_or(0.5 * rate_hz),
+        })
+    };
+    let lowest_hz = peak(peaks.modes.first(), options.frequency_low_hz.filter(|f| *f > 0.0))?;
+    Ok([lowest_hz, peak(peaks.modes.last(), options.frequency_high_hz)?])
+}
+
+/// What bounds the order of the model.
+struct OrderBounds {
+    /// Order that the peaks and tones ask for.
+    sought: usize,
+    references: usize,
+    block_rows: usize,
+    /// Rows of the observability matrix that its shift leaves.
+    rows: usize,
+    /// Degree that reaches over enough of the lowest peak's periods, by lines.
+    degrees: usize,
+}
+
+/// The highest order: as asked, else as many as the peaks need and the block rows hold.
+fn order_most(options: &Identify, bounds: OrderBounds) -> Result<usize, ModalError> {
+    let OrderBounds {
+        sought,
+        references,
+        block_rows,
+        ..
+    } = bounds;
+    let orders_least = 2 * options.clustering.orders_least;
+    if let Some(given) = options.order_most
+        && options.method != Method::Plscf
+        && given < orders_least
+    {
+        return refused(
+            "order_most",
+            given as f64,
+            "8 or more: a mode must come back at four orders, 2, 4, 6 and 8",
+        );
+    }
+    let order_most = options.order_most.unwrap_or(match options.method {
+        Method::Plscf => {
+            let held = (ORDER_BY_DEGREES / references).min(block_rows / 2);
+            references
+                * bounds
+                    .degrees
+                    .min(held)
+                    .max(sought.div_ceil(references))
+                    .max(DEGREES_LEAST)
+        }
+        _ => sought.min(bounds.rows.min(references * block_rows) / 2 * 2),
+    });
+    match options.modes_wanted.filter(|wanted| 2 * wanted > order_most) {
+        Some(given) => Err(ModalError::ModesWanted {
+            given,
+            order_most,
+            most: order_most / 2,
+        }),
+        None => Ok(order_most),
+    }
 }
 
 #[cfg(test)]

@@ -142,21 +142,15 @@ pub(super) fn judge(
         alarms: Vec::new(),
     };
     let mut model: Option<Model> = None;
-    let mut average: f64 = 0.0;
-    // scores since the average was last 0
-    let mut one_sided: Vec<(usize, f64)> = Vec::new();
-    let mut recent: Vec<(usize, f64)> = Vec::new();
+    let mut scores = Scores::default();
     for i in 0..n {
         let temperature_c = series.temperatures_c[i];
         let active: Vec<usize> = levels.iter().copied().filter(|level| *level <= i).collect();
-        if pool.used.len() >= options.training {
-            let is_due = model.as_ref().is_none_or(|model| {
-                let grown = pool.used.len() as f64 >= AGAIN * model.pool as f64;
-                grown || model.levels != active || model.with_frost != pool.knows_frost(series, at.1)
-            });
-            if is_due {
-                model = Model::train(series, &pool, &active, at);
-            }
+        let may_train = pool.used.len() >= options.training;
+        let knows_frost = || pool.knows_frost(series, at.1);
+        let is_due = |of: &Model| of.is_outgrown(pool.used.len(), &active) || of.with_frost != knows_frost();
+        if may_train && model.as_ref().is_none_or(is_due) {
+            model = Model::train(series, &pool, &active, at);
         }
         let row = model.as_ref().map(|model| model.row(series, i, at));
         let reading = row.as_ref().map(|row| Reading {
@@ -182,33 +176,14 @@ pub(super) fn judge(
             Err(NotJudged::NewLevel)
         };
         let is_outside = score.is_ok_and(|score| score.abs() > OUTSIDE);
-        let mut confirmed = None;
-        if let Ok(score) = score {
-            let before = average;
-            average =
-                (1.0 - options.weight) * average + options.weight * score.clamp(-SCORE_MOST, SCORE_MOST);
-            if before == 0.0 || before.signum() != average.signum() {
-                one_sided.clear();
-            }
-            one_sided.push((i, score));
-            recent.push((i, score));
-            let from = recent.len().saturating_sub(AMONG);
-            let outside: Vec<usize> = recent[from..]
-                .iter()
-                .filter(|(_, score)| score.abs() > OUTSIDE)
-                .map(|(i, _)| *i)
-                .collect();
-            if average.abs() > h {
-                confirmed = Some((AlarmKind::Average, average, h, likeliest_start(&one_sided)));
-            } else if outside.len() >= OUTSIDE_LEAST {
-                confirmed = Some((AlarmKind::ThreeOfFive, score, OUTSIDE, outside[0]));
-            }
-        }
+        let confirmed = score
+            .ok()
+            .and_then(|score| scores.add(i, score, options.weight, h));
         out.judged.push(Judged {
             survey: series.surveys[i],
             predicted: predicted.map(|(p, _)| (p.expected, p.sd)),
             score,
-            average: average / h,
+            average: scores.average / h,
         });
         if is_outside {
             pool.outside.push(i);
@@ -225,26 +200,81 @@ pub(super) fn judge(
                 model.accepted += 1;
             }
         }
-        if let Some((kind, value, limit, since)) = confirmed {
-            out.alarms.push(ModeAlarm {
-                survey: series.surveys[i],
-                since: series.surveys[since],
-                kind,
-                value,
-                limit,
-            });
+        if let Some(confirmed) = confirmed {
+            let since = confirmed.since;
+            out.alarms.push(confirmed.alarm(&series.surveys, i));
             // what comes is measured against the level that began with the alarm
             levels.push(if levels.contains(&since) { i } else { since });
             levels.dedup();
             pool.take_back(since);
-            average = 0.0;
-            one_sided.clear();
-            recent.clear();
+            scores = Scores::default();
             let active: Vec<usize> = levels.iter().copied().filter(|level| *level <= i).collect();
             model = Model::train(series, &pool, &active, at);
         }
     }
     Ok(out)
+}
+
+/// Scores since the last alarm, each with its survey.
+#[derive(Default)]
+struct Scores {
+    /// Their moving average E.
+    average: f64,
+    /// Those since the average was last 0.
+    one_sided: Vec<(usize, f64)>,
+    all: Vec<(usize, f64)>,
+}
+
+/// An alarm among the scores.
+struct Confirmed {
+    kind: AlarmKind,
+    value: f64,
+    limit: f64,
+    /// The survey with which the change likeliest began.
+    since: usize,
+}
+
+impl Confirmed {
+    /// As an alarm of survey i.
+    fn alarm(&self, surveys: &[usize], i: usize) -> ModeAlarm {
+        ModeAlarm {
+            survey: surveys[i],
+            since: surveys[self.since],
+            kind: self.kind,
+            value: self.value,
+            limit: self.limit,
+        }
+    }
+}
+
+impl Scores {
+    /// Adds the score of survey i; an alarm where the average is beyond `h`, or three of the last five scores are outside.
+    fn add(&mut self, i: usize, score: f64, weight: f64, h: f64) -> Option<Confirmed> {
+        let before = self.average;
+        self.average = (1.0 - weight) * before + weight * score.clamp(-SCORE_MOST, SCORE_MOST);
+        if before == 0.0 || before.signum() != self.average.signum() {
+            self.one_sided.clear();
+        }
+        self.one_sided.push((i, score));
+        self.all.push((i, score));
+        if self.average.abs() > h {
+            return Some(Confirmed {
+                kind: AlarmKind::Average,
+                value: self.average,
+                limit: h,
+                since: likeliest_start(&self.one_sided),
+            });
+        }
+        let from = self.all.len().saturating_sub(AMONG);
+        let outside = self.all[from..].iter().filter(|(_, score)| score.abs() > OUTSIDE);
+        let outside: Vec<usize> = outside.map(|(i, _)| *i).collect();
+        (outside.len() >= OUTSIDE_LEAST).then(|| Confirmed {
+            kind: AlarmKind::ThreeOfFive,
+            value: score,
+            limit: OUTSIDE,
+            since: outside[0],
+        })
+    }
 }
 
 /// The survey with which scores of one sign likeliest began to be off: the start of those whose sum is largest over its own deviation.
@@ -385,6 +415,11 @@ impl Model {
             }
         }
         Some(model)
+    }
+
+    /// Whether there are many more surveys to learn from, or other levels.
+    fn is_outgrown(&self, surveys: usize, levels: &[usize]) -> bool {
+        surveys as f64 >= AGAIN * self.pool as f64 || self.levels != levels
     }
 
     /// What explains a survey, the reading last.

@@ -11,7 +11,7 @@ use crate::modal::options::Identify;
 use crate::modal::quality::{Diagram, Quantities, to_one_quantity};
 use crate::modal::settings::{Settings, choose};
 use crate::modal::shared_steps::{judged, modes_of, note_blends, pick, spectrum, wanted};
-use crate::modal::subspace::{AllOrders, Clustering, Criteria};
+use crate::modal::subspace::AllOrders;
 use crate::modal::{Method, ModalError, Mode, Modes, Note, assurance};
 use crate::numeric::quantile;
 use crate::signal::{Channel, CrossSpectra, Record, Welch, cross_spectra, decimate, leave_out};
@@ -61,8 +61,8 @@ pub(crate) fn of_driven(
     mut notes: Vec<Note>,
     ambient: &dyn Fn(&Record, &Identify) -> Result<ModalAnalysis, ModalError>,
 ) -> Result<ModalAnalysis, ModalError> {
-    let names = options.inputs.iter().map(|&c| record.channels()[c].name.clone());
-    let names: Vec<String> = names.collect();
+    let name = |c: &usize| record.channels()[*c].name.clone();
+    let names: Vec<String> = options.inputs.iter().map(name).collect();
     let named: Vec<&str> = names.iter().map(String::as_str).collect();
     let outputs = leave_out(record.clone(), &named)?;
     let free = Identify {
@@ -75,12 +75,8 @@ pub(crate) fn of_driven(
         ..options.clone()
     };
     let peaks = spectrum(&outputs, &free)?;
-    let highest_hz = options
-        .frequency_high_hz
-        .or(peaks.modes.modes.last().map(|mode| mode.frequency_hz));
-    let fast = highest_hz.map(|hz| (record.sampling_rate_hz() / (SAMPLES_A_PERIOD * hz)) as usize);
     let dense = Identify {
-        decimation: options.decimation.or(fast.map(|factor| factor.max(1))),
+        decimation: dense_decimation(record, options, &peaks.modes),
         ..free.clone()
     };
     let mut settings = choose(&outputs, &dense, (&peaks.modes, &[]), &mut notes)?;
@@ -92,14 +88,11 @@ pub(crate) fn of_driven(
     refuse_alike(&slower, &options.inputs, settings.range_hz)?;
     let lags = lags_within(&slower, options.inputs.len(), &mut settings);
     let (mut found, noise) = realized(&slower, (options, lags), &settings)?;
-    let criteria = Criteria {
-        deviation_over_floor_most: FLOOR_MOST.max(options.criteria.deviation_over_floor_most),
-        ..options.criteria.within(settings.range_hz)
-    };
-    let clustering = Clustering {
-        deviation_over_floor_most: FLOOR_MOST.max(options.clustering.deviation_over_floor_most),
-        ..options.clustering.clone()
-    };
+    let floor_most = |given: f64| FLOOR_MOST.max(given);
+    let mut criteria = options.criteria.within(settings.range_hz);
+    criteria.deviation_over_floor_most = floor_most(options.criteria.deviation_over_floor_most);
+    let mut clustering = options.clustering.clone();
+    clustering.deviation_over_floor_most = floor_most(clustering.deviation_over_floor_most);
     let mut poles = found.poles.clone();
     Quantities::of(outputs.channels()).judge_as_one(&mut poles);
     let all = AllOrders {
@@ -116,10 +109,8 @@ pub(crate) fn of_driven(
         duration_s: record.duration_s(),
     };
     // a peak of the spectrum is one of structure and ground together: the poles alone tell what stands there
-    let no_peaks = Modes {
-        modes: Vec::new(),
-        ..peaks.modes.clone()
-    };
+    let mut no_peaks = peaks.modes.clone();
+    no_peaks.modes.clear();
     let refused = candidates(options, (&no_peaks, &[]), &diagram, &mut found)?;
     note_blends(&clusters, &mut notes);
     let mut analysis = of_peaks(peaks, &outputs, &free);
@@ -130,19 +121,15 @@ pub(crate) fn of_driven(
         duration_s: record.duration_s(),
         history: record.history().to_vec(),
     };
-    settings.time_blocks = BLOCKS;
-    settings.time_blocks_effective = BLOCKS;
+    (settings.time_blocks, settings.time_blocks_effective) = (BLOCKS, BLOCKS);
     settings.references = Vec::new();
     analysis.stabilization = stabilization;
     analysis.clusters = clusters;
     analysis.hankel_singular_values = found.singular_values;
     analysis.settings = settings;
     to_one_quantity(&mut analysis.modes, &mut notes);
-    let poles_hz: Vec<f64> = analysis
-        .clusters
-        .iter()
-        .map(|group| group.medoid.frequency_hz)
-        .collect();
+    let groups = analysis.clusters.iter();
+    let poles_hz: Vec<f64> = groups.map(|group| group.medoid.frequency_hz).collect();
     let insisted = accepted(options, &analysis.modes.modes, (&refused, &poles_hz), &mut notes);
     let not_picked_hz = pick(options, &mut analysis.modes)?;
     if !not_picked_hz.is_empty() {
@@ -152,15 +139,8 @@ pub(crate) fn of_driven(
     }
     wanted(options, &analysis.modes)?;
     put_in(&outputs, &free, insisted, &mut analysis.modes, &mut notes)?;
-    let together = ambient(record, &free).map_or_else(|_| None, |of| Some(of.modes));
-    let of_mode = |mode: &Mode| DrivenMode {
-        frequency_hz: mode.frequency_hz,
-        explained: explained(&slower, &options.inputs, (mode, &analysis.modes.channels)),
-        with_base_hz: together
-            .as_ref()
-            .and_then(|all| alike(mode, &analysis.modes, all)),
-    };
-    let modes: Vec<DrivenMode> = analysis.modes.modes.iter().map(of_mode).collect();
+    let together = ambient(record, &free).ok().map(|of| of.modes);
+    let modes = driven_modes((&slower, &options.inputs), &analysis.modes, together.as_ref());
     let of_found = modes
         .iter()
         .zip(&analysis.modes.modes)
@@ -175,6 +155,28 @@ pub(crate) fn of_driven(
     });
     analysis.notes = notes;
     Ok(analysis)
+}
+
+/// As asked, else the factor that leaves [`SAMPLES_A_PERIOD`] in a period of the highest peak.
+fn dense_decimation(record: &Record, options: &Identify, peaks: &Modes) -> Option<usize> {
+    let highest = peaks.modes.last().map(|mode| mode.frequency_hz);
+    let highest_hz = options.frequency_high_hz.or(highest);
+    let fast = highest_hz.map(|hz| (record.sampling_rate_hz() / (SAMPLES_A_PERIOD * hz)) as usize);
+    options.decimation.or(fast.map(|factor| factor.max(1)))
+}
+
+/// How far each mode follows the inputs, and the mode of ambient vibration (`together`) that it is.
+fn driven_modes(
+    (record, inputs): (&Record, &[usize]),
+    modes: &Modes,
+    together: Option<&Modes>,
+) -> Vec<DrivenMode> {
+    let of_mode = |mode: &Mode| DrivenMode {
+        frequency_hz: mode.frequency_hz,
+        explained: explained(record, inputs, (mode, &modes.channels)),
+        with_base_hz: together.and_then(|all| alike(mode, modes, all)),
+    };
+    modes.modes.iter().map(of_mode).collect()
 }
 
 /// Samples looked back: as far as the correlations of a subspace method reach, or as many as the record and the time allow.

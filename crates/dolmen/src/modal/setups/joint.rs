@@ -99,30 +99,10 @@ pub fn joint_setups(
     options: &Identify,
     place_within_m: f64,
 ) -> Result<JointSetups, ModalError> {
-    let [first, others @ ..] = records else {
+    let [first, ..] = records else {
         return Err(ModalError::Setups { given: 0 });
     };
-    if others.is_empty() {
-        return Err(ModalError::Setups { given: 1 });
-    }
-    let mut places = SensorPlaces::of(first.channels());
-    let own = (0..first.channels().len()).map(|place| ChannelPlace {
-        place,
-        sign: 1.0,
-        known: false,
-    });
-    let mut channel_places: Vec<Vec<ChannelPlace>> = vec![own.collect()];
-    for (i, record) in others.iter().enumerate() {
-        let (given_hz, first_hz) = (record.sampling_rate_hz(), first.sampling_rate_hz());
-        if (given_hz / first_hz - 1.0).abs() > 1e-9 {
-            return Err(ModalError::SetupRate {
-                setup: i + 2,
-                given_hz,
-                first_hz,
-            });
-        }
-        channel_places.push(places.channel_places(record.channels(), i + 1, place_within_m)?);
-    }
+    let (places, channel_places) = common_places(records, place_within_m)?;
     let references = places.seen_by(records.len());
     if references.is_empty() {
         return Err(ModalError::NoCommonReference {
@@ -151,12 +131,8 @@ pub fn joint_setups(
         .map(|s| (s.power / setups[0].power).sqrt())
         .collect();
     // each setup alone must explain how well a pole is known: the floor is that of the mean setup
-    let found = stacked(
-        &setups,
-        places.channels.len(),
-        &ssi,
-        duration_s / records.len() as f64,
-    )?;
+    let mean_s = duration_s / records.len() as f64;
+    let found = stacked(&setups, places.channels.len(), &ssi, mean_s)?;
     let channels = records.iter().map(|r| r.channels().len()).sum::<usize>() as f64 / records.len() as f64;
     let past = channels / references.len() as f64;
     let clustering = Clustering {
@@ -214,6 +190,38 @@ pub fn joint_setups(
         strength,
         notes,
     })
+}
+
+/// The places of all sensors, and those of the channels of each record.
+fn common_places(
+    records: &[Record],
+    place_within_m: f64,
+) -> Result<(SensorPlaces, Vec<Vec<ChannelPlace>>), ModalError> {
+    let [first, others @ ..] = records else {
+        return Err(ModalError::Setups { given: 0 });
+    };
+    if others.is_empty() {
+        return Err(ModalError::Setups { given: 1 });
+    }
+    let mut places = SensorPlaces::of(first.channels());
+    let own = (0..first.channels().len()).map(|place| ChannelPlace {
+        place,
+        sign: 1.0,
+        known: false,
+    });
+    let mut channel_places: Vec<Vec<ChannelPlace>> = vec![own.collect()];
+    for (i, record) in others.iter().enumerate() {
+        let (given_hz, first_hz) = (record.sampling_rate_hz(), first.sampling_rate_hz());
+        if (given_hz / first_hz - 1.0).abs() > 1e-9 {
+            return Err(ModalError::SetupRate {
+                setup: i + 2,
+                given_hz,
+                first_hz,
+            });
+        }
+        channel_places.push(places.channel_places(record.channels(), i + 1, place_within_m)?);
+    }
+    Ok((places, channel_places))
 }
 
 /// Peaks of the spectra of all setups that are no machines, each once, and the machines' frequencies, Hz.

@@ -227,6 +227,78 @@ impl PiecePushes {
     }
 }
 
+/// Balances that a possible force acts on, with its sign in each.
+type Incidence = Vec<(usize, f64)>;
+
+/// How a stack divides: each block with its links and with what it carries.
+struct Division {
+    /// The joints, then the ties.
+    links: Vec<Link>,
+    /// Of each block: itself and all that stands on it, ascending.
+    groups: Vec<Vec<usize>>,
+    /// Of each block: the joint that alone links its group to the rest, if one does.
+    alone: Vec<Option<usize>>,
+}
+
+impl Division {
+    fn new(stack: &Stack, ties: bool, blocks: usize) -> Self {
+        let mut links: Vec<Link> = stack
+            .joints()
+            .iter()
+            .map(|joint| Link::new(joint.lower, joint.upper))
+            .collect();
+        if ties {
+            links.extend(stack.ties().iter().map(|tie| Link::new(tie.lower, tie.upper)));
+        }
+        let carriers = SupportRelation::of(stack);
+        let groups: Vec<Vec<usize>> = (0..blocks).map(|block| carriers.carried(vec![block])).collect();
+        let alone = (0..blocks)
+            .map(|block| alone(stack, &links, block, &groups[block]))
+            .collect();
+        Division { links, groups, alone }
+    }
+
+    /// The balances that a link takes part in.
+    fn ends(&self, link: usize) -> Incidence {
+        let Link { lower, upper } = self.links[link];
+        let single = self.alone[upper] == Some(link);
+        let both = [(Some(upper), 1.0), (lower.filter(|_| !single), -1.0)];
+        let taken = both.into_iter().filter_map(|(block, sign)| Some((block?, sign)));
+        taken
+            .filter(|&(block, _)| single || self.alone[block].is_none())
+            .collect()
+    }
+
+    /// The piece of each block, named by its first block; links join pieces.
+    fn piece_of(&self) -> Vec<usize> {
+        let mut piece_of: Vec<usize> = (0..self.groups.len()).collect();
+        for link in 0..self.links.len() {
+            if let [(a, _), (b, _)] = self.ends(link)[..] {
+                let (kept, gone) = (piece_of[a], piece_of[b]);
+                for piece in &mut piece_of {
+                    if *piece == gone {
+                        *piece = kept;
+                    }
+                }
+            }
+        }
+        piece_of
+    }
+
+    /// The blocks whose loads are in the balance of a block.
+    fn balanced_with(&self, block: usize) -> Vec<usize> {
+        if self.alone[block].is_some() {
+            return self.groups[block].clone();
+        }
+        let mut blocks = vec![block];
+        let stands_alone_on_it =
+            |above: &usize| self.alone[*above].is_some_and(|link| self.links[link].lower == Some(block));
+        let on_it = (0..self.groups.len()).filter(stands_alone_on_it);
+        blocks.extend(on_it.flat_map(|above| &self.groups[above]));
+        blocks
+    }
+}
+
 /// A stack in pieces.
 ///
 /// ```text
@@ -242,145 +314,128 @@ pub(super) fn pieces(
     growing: GrowingLoad<'_>,
     ties: bool,
 ) -> Vec<Piece> {
-    let mut links: Vec<Link> = stack
-        .joints()
-        .iter()
-        .map(|joint| Link::new(joint.lower, joint.upper))
-        .collect();
-    if ties {
-        links.extend(stack.ties().iter().map(|tie| Link::new(tie.lower, tie.upper)));
-    }
-    let carriers = SupportRelation::of(stack);
-    let groups: Vec<Vec<usize>> = (0..loads.len())
-        .map(|block| carriers.carried(vec![block]))
-        .collect();
-    let alone: Vec<Option<usize>> = (0..loads.len())
-        .map(|block| alone(stack, &links, block, &groups[block]))
-        .collect();
-    let single = |link: usize| alone[links[link].upper] == Some(link);
-    // the blocks a link takes part in the balance of
-    let ends = |link: usize| -> Vec<(usize, f64)> {
-        let Link { lower, upper } = links[link];
-        let both = [(Some(upper), 1.0), (lower.filter(|_| !single(link)), -1.0)];
-        let taken = both.into_iter().filter_map(|(block, sign)| Some((block?, sign)));
-        taken
-            .filter(|&(block, _)| single(link) || alone[block].is_none())
-            .collect()
-    };
-    let mut piece_of: Vec<usize> = (0..loads.len()).collect();
-    for link in 0..links.len() {
-        if let [(a, _), (b, _)] = ends(link)[..] {
-            let (kept, gone) = (piece_of[a], piece_of[b]);
-            for piece in &mut piece_of {
-                if *piece == gone {
-                    *piece = kept;
-                }
-            }
-        }
-    }
-    let gravity = stack.gravity_m_s2();
-    let balances: Vec<Balance> = (0..loads.len())
-        .map(|block| {
-            let mut blocks = vec![block];
-            if alone[block].is_some() {
-                blocks.clone_from(&groups[block]);
-            } else {
-                let on_it = (0..loads.len())
-                    .filter(|&above| alone[above].is_some_and(|link| links[link].lower == Some(block)));
-                blocks.extend(on_it.flat_map(|above| &groups[above]));
-            }
-            let load = together(loads, &blocks);
-            Balance {
-                shaking: [DVec3::X, DVec3::Y].map(|axis| match growing {
-                    GrowingLoad::Shaking => {
-                        let force = axis * (load.mass * gravity);
-                        (force, load.centroid().cross(force))
-                    }
-                    GrowingLoad::Swaying(swaying) => swayed(&blocks, axis, loads, swaying),
-                    GrowingLoad::Loads(all) if axis == DVec3::X => {
-                        let sum = together(all, &blocks);
-                        (sum.force, sum.moment)
-                    }
-                    GrowingLoad::Loads(_) => (DVec3::ZERO, DVec3::ZERO),
-                }),
-                load,
-                about: loads[block].centroid(),
-                weight: together(loads, &groups[block]).mass * gravity,
-                blocks,
-            }
-        })
-        .collect();
-    let scale = Scale {
-        length: stack.height_m(),
-    };
-    let found = (0..loads.len()).filter(|&piece| piece_of.contains(&piece));
+    let division = Division::new(stack, ties, loads.len());
+    let piece_of = division.piece_of();
     let mut acts_of: Vec<Vec<&PossibleForce>> = vec![Vec::new(); loads.len()];
     for act in acts {
-        if let Some(&(first, _)) = ends(act.link).first() {
+        if let Some(&(first, _)) = division.ends(act.link).first() {
             acts_of[piece_of[first]].push(act);
         }
     }
-    found
-        .map(|piece| {
-            let within: Vec<usize> = (0..loads.len())
-                .filter(|&block| piece_of[block] == piece)
-                .collect();
-            let row_of = |block: usize| within.binary_search(&block).ok().map(|at| 6 * at);
-            let mut own = Vec::new();
-            let mut gathered = PiecePushes::default();
-            for &act in &acts_of[piece] {
-                let ends = ends(act.link);
-                let Some(&(first, _)) = ends.first() else {
-                    continue;
-                };
-                let unit = balances[first].weight;
-                let column = |way: DVec3| -> Column {
-                    let mut column = Column::new();
-                    for &(block, sign) in &ends {
-                        if let Some(row) = row_of(block) {
-                            let push = way * (sign * unit);
-                            let six = scale.six(&balances[block], push, act.at.cross(push));
-                            let parts = six.into_iter().enumerate();
-                            let parts = parts.filter(|(_, part)| part.abs() > ROUNDING);
-                            column.extend(parts.map(|(at, part)| (row + at, part)));
-                        }
-                    }
-                    column
-                };
-                gathered.add(act, unit, column);
-                own.push((act, ends));
-            }
-            let balances: Vec<&Balance> = within.iter().map(|&block| &balances[block]).collect();
-            let mut made = Piece {
-                moves: balances
-                    .iter()
-                    .map(|balance| VelocityTransform {
-                        blocks: balance.blocks.clone(),
-                        about: balance.about,
-                        weight: balance.weight,
-                    })
-                    .collect(),
-                length: scale.length,
-                units: gathered.units,
-                at_rest: Vec::new(),
-                shaking: [Vec::new(), Vec::new()],
-                // mirrors apply only under equal shaking forces
-                symmetries: match growing {
-                    GrowingLoad::Shaking => symmetries(&within, &balances, &own, &scale),
-                    GrowingLoad::Swaying(_) | GrowingLoad::Loads(_) => group(&[]),
-                },
-                pushes: gathered.pushes,
-            };
-            for balance in balances {
-                let load = &balance.load;
-                made.at_rest.extend(scale.six(balance, load.force, load.moment));
-                for (&(force, moment), shaking) in balance.shaking.iter().zip(&mut made.shaking) {
-                    shaking.extend(scale.six(balance, force, moment));
-                }
-            }
-            made
-        })
+    let whole = BalancedStack {
+        balances: balances(&division, loads, growing, stack.gravity_m_s2()),
+        scale: Scale {
+            length: stack.height_m(),
+        },
+        division,
+        growing,
+    };
+    let blocks_of = |piece: usize| -> Vec<usize> {
+        let blocks = (0..loads.len()).filter(|&block| piece_of[block] == piece);
+        blocks.collect()
+    };
+    (0..loads.len())
+        .map(|piece| (blocks_of(piece), &acts_of[piece]))
+        .filter(|(blocks, _)| !blocks.is_empty())
+        .map(|(blocks, acts)| whole.piece(&blocks, acts))
         .collect()
+}
+
+/// The balance of each block.
+fn balances(division: &Division, loads: &[Load], growing: GrowingLoad<'_>, gravity: f64) -> Vec<Balance> {
+    let balance = |block: usize| {
+        let blocks = division.balanced_with(block);
+        let load = together(loads, &blocks);
+        Balance {
+            shaking: [DVec3::X, DVec3::Y].map(|axis| match growing {
+                GrowingLoad::Shaking => {
+                    let force = axis * (load.mass * gravity);
+                    (force, load.centroid().cross(force))
+                }
+                GrowingLoad::Swaying(swaying) => swayed(&blocks, axis, loads, swaying),
+                GrowingLoad::Loads(all) if axis == DVec3::X => {
+                    let sum = together(all, &blocks);
+                    (sum.force, sum.moment)
+                }
+                GrowingLoad::Loads(_) => (DVec3::ZERO, DVec3::ZERO),
+            }),
+            load,
+            about: loads[block].centroid(),
+            weight: together(loads, &division.groups[block]).mass * gravity,
+            blocks,
+        }
+    };
+    (0..loads.len()).map(balance).collect()
+}
+
+/// A stack with the balances of its blocks.
+struct BalancedStack<'a> {
+    division: Division,
+    balances: Vec<Balance>,
+    scale: Scale,
+    growing: GrowingLoad<'a>,
+}
+
+impl BalancedStack<'_> {
+    /// The piece of these blocks (ascending), on which these forces may act.
+    fn piece(&self, blocks: &[usize], acts: &[&PossibleForce]) -> Piece {
+        let scale = &self.scale;
+        let mut own = Vec::new();
+        let mut gathered = PiecePushes::default();
+        for &act in acts {
+            let ends = self.division.ends(act.link);
+            let Some(&(first, _)) = ends.first() else {
+                continue;
+            };
+            let unit = self.balances[first].weight;
+            gathered.add(act, unit, |way| self.column(blocks, act, &ends, way * unit));
+            own.push((act, ends));
+        }
+        let balances: Vec<&Balance> = blocks.iter().map(|&block| &self.balances[block]).collect();
+        let mut made = Piece {
+            moves: balances
+                .iter()
+                .map(|balance| VelocityTransform {
+                    blocks: balance.blocks.clone(),
+                    about: balance.about,
+                    weight: balance.weight,
+                })
+                .collect(),
+            length: scale.length,
+            units: gathered.units,
+            at_rest: Vec::new(),
+            shaking: [Vec::new(), Vec::new()],
+            // mirrors apply only under equal shaking forces
+            symmetries: match self.growing {
+                GrowingLoad::Shaking => symmetries(blocks, &balances, &own, scale),
+                GrowingLoad::Swaying(_) | GrowingLoad::Loads(_) => group(&[]),
+            },
+            pushes: gathered.pushes,
+        };
+        for balance in balances {
+            let load = &balance.load;
+            made.at_rest.extend(scale.six(balance, load.force, load.moment));
+            for (&(force, moment), shaking) in balance.shaking.iter().zip(&mut made.shaking) {
+                shaking.extend(scale.six(balance, force, moment));
+            }
+        }
+        made
+    }
+
+    /// A force at the point of `act` in the balances of a piece.
+    fn column(&self, blocks: &[usize], act: &PossibleForce, ends: &Incidence, force: DVec3) -> Column {
+        let mut column = Column::new();
+        for &(block, sign) in ends {
+            if let Ok(at) = blocks.binary_search(&block) {
+                let push = force * sign;
+                let six = self.scale.six(&self.balances[block], push, act.at.cross(push));
+                let parts = six.into_iter().enumerate();
+                let parts = parts.filter(|(_, part)| part.abs() > ROUNDING);
+                column.extend(parts.map(|(row, part)| (6 * at + row, part)));
+            }
+        }
+        column
+    }
 }
 
 /// Force and moment about the origin of the shaking forces on these blocks along an axis.
@@ -395,9 +450,6 @@ fn swayed(blocks: &[usize], axis: DVec3, loads: &[Load], swaying: &[SwayingForce
     }
     sum
 }
-
-/// Balances that a possible force acts on, with its sign in each.
-type Incidence = Vec<(usize, f64)>;
 
 /// The mirrors in plan that map a piece onto itself, and their products.
 fn symmetries(
